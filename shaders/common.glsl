@@ -1,10 +1,9 @@
-// Shared by all stages: the fine lattice, the current brick, and 64-bit integers.
+// Used by all stages: the fine lattice, the current brick, and 64-bit integers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // A vertex is three odd integers in units of 2^-17 cell; lattice lines lie at multiples of 2^17.
 // A lattice line along axis W = 0, 1, 2 is identified by its other two coordinates U and V, in
-// rising order; ordered(p, W) is (p.U, p.V, p.W).
-// Source: thesis of 2017, chapter 3 (docs/gpu.md); METHOD.md section 2.
+// ascending order of the axes; ordered(p, W) is (p.U, p.V, p.W).
 
 const int kSubBits = 17;
 const int kSubUnits = 1 << kSubBits;

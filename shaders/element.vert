@@ -3,8 +3,8 @@
 //
 // Each element has four corners. A face: its three vertices at its placement (the fourth is not
 // used). The side patch of edge (a, b): a, b at the start of its step, then b, a at the end.
-// Listed elements are read from a buffer. Otherwise each instance is a placement, in which all
-// faces and then (for a continuous motion) all edges are drawn.
+// Listed elements come from a buffer. Otherwise each instance is a placement and draws all faces
+// and then, for a continuous motion, all edges.
 
 layout(std430, binding = 0) readonly buffer Vertices { double vertices[]; };     // x, y, z each
 layout(std430, binding = 1) readonly buffer Faces { int faces[]; };              // 3 per face
@@ -13,14 +13,14 @@ layout(std430, binding = 3) readonly buffer Placements { double placements[]; };
 layout(std430, binding = 4) readonly buffer Elements { uvec2 elements[]; };      // code, placement
 
 layout(location = 2) uniform uint listed;
-layout(location = 3) uniform uint firstElement;    // of this draw: in the buffer, or overall
-layout(location = 4) uniform uint firstPlacement;  // of this draw (instanced)
+layout(location = 3) uniform uint firstElement;    // of this draw: in the buffer or a placement
+layout(location = 4) uniform uint firstPlacement;  // first placement of this draw (instanced)
 layout(location = 5) uniform uint placementBase;   // first placement in the buffer
 layout(location = 6) uniform uint placementCount;  // of the whole motion
 layout(location = 7) uniform uint faceCount;
 layout(location = 8) uniform uint elementCount;    // faces, or faces and edges (instanced)
-layout(location = 9) uniform uint idBase;          // listed: number of the first one in the buffer;
-                                                   // otherwise: first placement of the epoch
+layout(location = 9) uniform uint idBase;          // listed: number of the first in the buffer;
+                                                   // else: first placement of the epoch
 
 const uint kPatchBit = 0x80000000u;
 

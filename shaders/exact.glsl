@@ -1,6 +1,7 @@
-// Decides whether this fragment's lattice line intersects the triangle, and where: the exact
-// decision of grid/rasterise.h in 32-bit integers (products in 64 and 96 bits), with ties by the
-// same simulation of simplicity. Both give the same lattice edge for every triangle and line.
+// Decides whether this fragment's lattice line intersects the triangle, and where. It makes the
+// same exact decision as grid/rasterise.h, in 32-bit integers (products in 64 and 96 bits). Ties
+// are decided by the same simulation of simplicity. So GPU and CPU find the same lattice edge for
+// every triangle and line.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 flat in ivec3 a;
@@ -10,10 +11,11 @@ flat in uvec2 idAndAxis;
 
 struct Crossing {
   ivec3 edge;     // first lattice point, relative to the brick's corner
-  uint fraction;  // of 2^23 - 1
+  uint fraction;  // in units of 1 / (2^23 - 1)
 };
 
-// Decides a line exactly on an edge: the sign of the edge function at the shifted line.
+// Decides a tie, in which the line lies exactly on an edge: returns whether the edge function is
+// positive at the shifted line.
 bool tieIsInside(ivec2 d) {
   return d.y < 0 || (d.y == 0 && d.x > 0);
 }
@@ -22,7 +24,7 @@ bool isInside(uvec2 e, ivec2 d) {
   return s > 0 || (s == 0 && tieIsInside(d));
 }
 
-// A 96-bit integer that is not negative.
+// Multiply and add 96-bit integers, which must not be negative.
 uvec3 times(uvec2 x, uint y) {
   uint h0, l0, h1, l1, carry;
   umulExtended(x.x, y, h0, l0);
@@ -43,14 +45,14 @@ int normalSign(ivec3 p, ivec3 q, int axis) {
   return signOf(crossOf(ivec2(p[i], p[j]), ivec2(q[i], q[j])));
 }
 
-// Is the crossing above lattice point k of the line?
+// Returns whether the crossing lies above lattice point k of the line.
 bool isAbove(uvec2 e0, uvec2 e1, uvec2 e2, uvec2 area2, int k, int axis) {
   uvec3 numerator = sum(sum(times(e0, uint(a.z)), times(e1, uint(b.z))), times(e2, uint(c.z)));
   uvec3 point = times(area2, uint(k) << kSubBits);
   for (int i = 2; i >= 0; --i) {
     if (numerator[i] != point[i]) return numerator[i] > point[i];
   }
-  // The lattice point is on the plane: the first axis along which a move leaves the plane decides.
+  // The lattice point is on the plane. The first axis along which a move leaves the plane decides.
   ivec3 p = unordered(b - a, axis), q = unordered(c - a, axis);
   int along = normalSign(p, q, axis);
   for (int i = 0; i < 3; ++i) {

@@ -1,10 +1,10 @@
-// Faces and side patches of the prisms of swept triangles, seen along the three axes.
+// Projects the faces and side patches of swept prisms along the three axes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// One invocation per axis, each into the viewport of its axis; pixel centres are lattice lines. The
-// rasteriser gets a polygon a little larger than the triangle: its Minkowski sum with a square of
-// half side kGrow. So every lattice line of the triangle becomes a fragment, however the rasteriser
-// rounds its corners (1/256 pixel), and the fragment stage decides exactly (conservative
+// One invocation per axis draws into the viewport of its axis. Pixel centres are lattice lines. The
+// rasteriser gets a polygon slightly larger than the triangle: its Minkowski sum with a square of
+// half side kGrow. So every lattice line through the triangle becomes a fragment, however the
+// rasteriser rounds corners (1/256 pixel), and the fragment stage decides exactly (conservative
 // rasterisation, Hasselgren, Akenine-Moeller and Ohlsson 2005).
 
 layout(lines_adjacency, invocations = 3) in;
@@ -36,7 +36,7 @@ void put(vec2 pixel, ivec3 p, ivec3 q, ivec3 r) {
   EmitVertex();
 }
 
-// Quadrants are half open: between one outward normal and the next lie 0, 1 or 2 of their borders.
+// Quadrants are half open. Between two successive outward normals lie 0, 1 or 2 of their borders.
 int quadrantOf(ivec2 n) {
   return n.x > 0 && n.y >= 0 ? 0 : n.x <= 0 && n.y > 0 ? 1 : n.x < 0 ? 2 : 3;
 }

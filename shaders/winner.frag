@@ -1,8 +1,8 @@
-// Pass 2: for every contributing edge the crossing next to either end, and the element it lies on.
+// Pass 2: finds for every contributing edge the first and last crossing, and their elements.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Round 0 finds the extreme fractions, round 1 the first element that has them. The edges are given
-// as a sorted list of codes: the number of the edge's bit in the image of pass 1.
+// Round 0 finds the extreme fractions, round 1 the lowest element number with each of them. The
+// edges come as a sorted list of codes: the index of the edge's bit in the image of pass 1.
 
 layout(std430, binding = 5) readonly buffer Codes { uint codes[]; };
 layout(std430, binding = 6) coherent buffer Extremes { uint extremes[]; };  // low, high

@@ -1,4 +1,4 @@
-// Limits that all parts share.
+// Limits that all parts of the core share.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -6,11 +6,11 @@
 
 namespace swept {
 
-/// mm; also of a coordinate. Beyond it an input is taken for one with a wrong unit.
+/// mm, for lengths and for coordinates. A larger input probably has the wrong unit.
 constexpr double kLargestLength = 1e9;
-/// Vertices and triangles are numbered with 32 bits.
+/// Largest number of vertices or of triangles: their indices have 32 bits.
 constexpr std::uint64_t kMaxElements = 2147483647;
-/// That a run may be given.
+/// Largest number of threads that a user may give to a run.
 constexpr int kMaxThreads = 4096;
 
 }  // namespace swept

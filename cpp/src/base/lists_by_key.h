@@ -1,7 +1,7 @@
-// Values grouped by a small integer key, gathered by all cores.
-// In:    a walk over all (key, value) pairs, which is made twice and may run in parallel.
-// Out:   per key its values, in rising order where that is asked for, whoever put them in.
-// Cost:  4 bytes a key and the size of a value.
+// Values grouped by a small integer key. All cores fill the lists.
+// In:    a function that visits all (key, value) pairs. It runs twice and may run in parallel.
+// Out:   the values of each key, sorted on request. The order of the pairs does not matter.
+// Cost:  per key 4 bytes, per value its own size.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,13 +19,13 @@ template <class Value = std::uint32_t>
 class ListsByKey {
  public:
   ListsByKey() = default;
-  /// forAll(use) calls use(key, value) for every pair, keys in [0, keys).
+  /// forAll(use) calls use(key, value) for every pair, with keys in [0, keys).
   template <class ForAll>
   ListsByKey(std::size_t keys, const ForAll& forAll) : start_(keys + 1, 0) {
     forAll([&](std::size_t key, const Value&) {
       std::atomic_ref<std::uint32_t>(start_[key]).fetch_add(1, std::memory_order_relaxed);
     });
-    // Inclusive sums; the fill counts each list down to its start.
+    // Inclusive prefix sums. The second pass counts each entry down to the start of its list.
     std::uint32_t sum = 0;
     for (std::uint32_t& end : start_) end = sum += end;
     values_ = RawArray<Value>(sum);
@@ -37,13 +37,14 @@ class ListsByKey {
 
   std::size_t keys() const { return start_.size() - 1; }
   const RawArray<Value>& values() const { return values_; }
-  /// The values of a key in rising order. Different keys may be asked for at once.
+  /// Sorts the values of a key and returns them. Threads may call it for different keys at once.
   std::span<const Value> of(std::size_t key) {
     const std::span<Value> list(values_.data() + start_[key], start_[key + 1] - start_[key]);
     std::sort(list.begin(), list.end());
     return list;
   }
-  /// The values of a key: in rising order if of() was called for it, else in any.
+  /// Returns the values of a key without sorting: ascending if of() was called before, else in any
+  /// order.
   std::span<const Value> asTheyStand(std::size_t key) const {
     return {values_.data() + start_[key], start_[key + 1] - start_[key]};
   }

@@ -20,7 +20,7 @@
 namespace swept {
 namespace {
 
-/// Value in bytes of a line "name:   1234 kB".
+/// Returns the value, in bytes, of a line "name:   1234 kB"; 0 if the file has no such line.
 std::uint64_t lineOf(const char* path, const std::string& name) {
   std::ifstream file(path);
   std::string line;
@@ -36,7 +36,7 @@ std::uint64_t lineOf(const char* path, const std::string& name) {
 
 std::uint64_t residentMemoryBytes() {
 #ifdef __linux__
-  // Takes no memory: it is called while there may be none, and by a thread of its own.
+  // Allocates nothing: callers run it when memory may be exhausted, and in a thread of its own.
   const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
   if (file < 0) return 0;
   std::array<char, 128> text{};
@@ -54,7 +54,7 @@ MemoryWatch::MemoryWatch()
     : processPeak_(lineOf("/proc/self/status", "VmHWM:")), most_(residentMemoryBytes()) {
   try {
     thread_ = std::thread([this] { look(); });
-  } catch (const std::exception&) {  // the system gives no more threads: less is known, that is all
+  } catch (const std::exception&) {  // no more threads available: the peak is then less exact
   }
 }
 

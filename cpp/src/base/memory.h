@@ -1,4 +1,4 @@
-// What the process uses and what the machine has.
+// Memory used by the process and available on the machine.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,42 +12,45 @@
 
 namespace swept {
 
-/// Resident size of the process now, bytes; 0 where the system does not say. Microseconds.
+/// Returns the resident size of the process, in bytes; 0 if the system does not report it. Takes
+/// microseconds.
 std::uint64_t residentMemoryBytes();
 
-/// Largest resident size of the process while the object lives, with all that others had in it.
-/// Nothing in the process is changed for it, so that several may live at once: the system's own
-/// peak is taken where it has risen, and where the process has been larger before, a thread looks
-/// every kMemoryMilliseconds.
+/// Measures the largest resident size of the process during the life of this object, whatever part
+/// of the process uses the memory. Several objects may live at once, since none changes the
+/// process. If the system's own peak rises, the object uses that peak. If the process has been
+/// larger before, a thread reads the size every kMemoryMilliseconds.
 class MemoryWatch {
  public:
   MemoryWatch();
   ~MemoryWatch();
   MemoryWatch(const MemoryWatch&) = delete;
   MemoryWatch& operator=(const MemoryWatch&) = delete;
-  /// Bytes; 0 where the system does not say.
+  /// Bytes; 0 if the system does not report it.
   std::uint64_t peakBytes() const;
 
  private:
   void look();
 
-  std::uint64_t processPeak_;  ///< at the start
+  std::uint64_t processPeak_;  ///< bytes, at construction
   std::atomic<std::uint64_t> most_;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool ended_ = false;
   std::thread thread_;
 };
-/// A look takes some 10 microseconds: 0.2 % of a thread.
+/// Time between two readings. A reading takes about 10 microseconds: 0.2 % of a thread.
 constexpr int kMemoryMilliseconds = 5;
 
-/// Memory that could be taken without swapping, bytes; 0 where the system does not tell.
+/// Returns the memory that the process can take without swapping, in bytes; 0 if not known.
 std::uint64_t availableMemoryBytes();
-/// What a run may take: its own limit, else three quarters of what is available; 0: not known.
+/// Returns the memory limit of a run, in bytes: the limit that the user set, else three quarters of
+/// the available memory; 0 if not known.
 std::uint64_t memoryLimit(const RunContext& run);
 
-/// Hands free memory back to the system: the allocator keeps what many threads have freed, several
-/// times what a run needs, until somebody asks. Milliseconds; nothing where there is no such call.
+/// Returns free memory to the system. The allocator otherwise keeps what many threads have freed,
+/// which can be several times the memory that a run needs. Takes milliseconds; does nothing if the
+/// C library has no such call.
 void returnFreeMemory();
 
 }  // namespace swept

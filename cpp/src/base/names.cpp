@@ -1,4 +1,4 @@
-// Names of enumerations and units, as they stand on the command line, in Python and in reports.
+// Names of enumerations and units, as the command line, Python and reports write them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <array>
 #include <utility>

@@ -1,4 +1,4 @@
-// Numbers in messages, the same in every locale.
+// Numbers in messages, written the same way in every locale.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -7,15 +7,15 @@
 
 namespace swept {
 
-/// Enough digits to tell a value from the limit that it breaks.
+/// Enough digits to show that a value breaks a limit to which it is close.
 constexpr int kTellingDigits = 12;
 
-/// With so many significant digits at most; as %g prints it in the locale "C".
+/// Formats a number with at most `digits` significant digits, as %g does in the locale "C".
 std::string numberText(double value, int digits = 6);
-/// With so many digits after the point; as %.nf prints it in the locale "C".
+/// Formats a number with `decimals` digits after the point, as %.nf does in the locale "C".
 std::string fixedText(double value, int decimals);
 
-/// Texts and numbers one after the other; floating-point ones as numberText() has them.
+/// Joins texts and numbers. Floating-point numbers are formatted by numberText().
 template <class... Parts>
 std::string textOf(int digits, const Parts&... parts) {
   std::string text;

@@ -1,6 +1,6 @@
-// Loops over all cores. Same result for any number of threads: work is cut into items that do not
-// depend on the thread count, and items write to places of their own. Same failure as well: that of
-// the first item that fails.
+// Loops over all cores. The result is the same for any number of threads: the items of work do not
+// depend on the thread count, and each item writes to its own places. A failure is the same, too:
+// the loop throws the exception of the first item, in the order of the loop, that fails.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,13 +18,13 @@
 
 namespace swept {
 
-/// body(i) for i in [0, n), one item a task: for items that are each worth microseconds or more.
-/// What an item throws leaves the loop when the other tasks are done. Were it to leave its task at
-/// once, it would cancel the loops within the tasks beside it: these return early and say nothing,
-/// and what follows them would read half of their results.
+/// Calls body(i) for i in [0, n), one task per item. Use it for items that take microseconds or
+/// more. An exception of an item leaves the loop only after all tasks have ended. An exception that
+/// left its task at once would cancel the nested loops in the other tasks. Such a loop returns
+/// early without an error, and the code after it would read incomplete results.
 template <class Body>
 void parallelFor(std::size_t n, const Body& body) {
-  std::atomic<std::size_t> failed{n};  // the first
+  std::atomic<std::size_t> failed{n};  // smallest index of an item that failed
   std::mutex mutex;
   std::exception_ptr what;
   const auto guarded = [&](std::size_t i) {
@@ -45,7 +45,7 @@ void parallelFor(std::size_t n, const Body& body) {
   if (what) std::rethrow_exception(what);
 }
 
-/// body(begin, end) over blocks of fixed size: for cheap items.
+/// Calls body(begin, end) for blocks of fixed size. Use it for cheap items.
 template <class Body>
 void parallelBlocks(std::size_t n, std::size_t block, const Body& body) {
   const std::size_t blocks = (n + block - 1) / block;
@@ -55,7 +55,7 @@ void parallelBlocks(std::size_t n, std::size_t block, const Body& body) {
   });
 }
 
-/// Concatenates what use(n, part) appends for n in [0, count), in the order of n.
+/// Calls use(n, part) for n in [0, count) and concatenates all parts in the order of n.
 template <class T, class Use>
 std::vector<T> gather(std::size_t count, std::size_t block, const Use& use) {
   std::vector<std::vector<T>> parts(count / block + 1);
@@ -74,7 +74,7 @@ std::vector<T> gather(std::size_t count, std::size_t block, const Use& use) {
   return out;
 }
 
-/// Different actions side by side.
+/// Runs different actions in parallel.
 template <class... Actions>
 void parallelActions(const Actions&... actions) {
   const std::array<std::function<void()>, sizeof...(Actions)> all{std::ref(actions)...};

@@ -1,5 +1,5 @@
-// Array of plain values that is not cleared when it is made: threads that fill it touch its pages
-// first, side by side.
+// Array of plain values that is not cleared when it is created. The threads that fill it touch its
+// memory pages first, in parallel.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

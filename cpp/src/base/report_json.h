@@ -1,5 +1,5 @@
-// Reports as JSON, for those who add fields of their own to the same object.
-// Keys stand in the order in which they were added; docs/report.schema.json describes them.
+// Reports as JSON, for callers that add their own fields to the same object.
+// Keys stand in the order in which they are added. docs/report.schema.json describes them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,23 +13,23 @@ namespace swept {
 
 using Json = nlohmann::ordered_json;
 
-/// Raised when a key changes its meaning or goes; new keys do not raise it.
+/// Rises when a key changes its meaning or disappears. New keys do not change it.
 constexpr int kReportVersion = 1;
 
-/// Version, command and how it ended: what every report begins with.
+/// Returns the beginning of every report: version, command, status, code and message.
 Json reportHead(const char* command, Status status, const std::string& code,
                 const std::string& message);
-/// What the checker found; nothing where no mesh was checked.
+/// Returns the findings of the mesh checker; empty if no mesh was checked.
 Json checkJson(const MeshCheck& check);
 Json findingsJson(const std::vector<Finding>& findings);
 Json secondsJson(const std::vector<StageSeconds>& seconds);
 Json vectorJson(const Eigen::Vector3d& v);
 Json poseJson(const Pose& pose);
-/// The whole report of a run. Keys that do not apply are absent.
+/// Returns the whole report of a run. Keys that do not apply are absent.
 Json reportJson(const Report& report, const char* command = "envelope");
 
-/// UTF-8, two blanks an indent; bytes that are no UTF-8 are replaced, numbers that are not finite
-/// become null. The same text on every machine and in every locale.
+/// Returns the text in UTF-8, with two blanks per level. It replaces invalid UTF-8 bytes and writes
+/// null for numbers that are not finite. The text is the same on every machine and in every locale.
 std::string jsonText(const Json& json);
 
 }  // namespace swept

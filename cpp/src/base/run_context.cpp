@@ -8,7 +8,7 @@
 
 namespace swept {
 namespace {
-// Share of a typical run that is done when each phase starts and when it ends.
+// Fractions of a typical run at which each phase starts and ends, in the order of Phase.
 struct Span {
   double start, end;
 };

@@ -29,7 +29,7 @@ fs::path folderOf(const fs::path& target) {
   return target.has_parent_path() ? target.parent_path() : fs::path(".");
 }
 
-// The file behind a link is replaced, not the link.
+// Follows a symbolic link: the program replaces the file behind the link, not the link.
 fs::path resolved(const fs::path& path) {
   std::error_code error;
   if (!fs::is_symlink(fs::symlink_status(path, error))) return path;
@@ -37,12 +37,12 @@ fs::path resolved(const fs::path& path) {
   return error ? path : real;
 }
 
-// Unique within the machine: two runs may write the same target at the same time.
+// Returns a name that is unique on the machine: two runs may write the same target at once.
 fs::path temporaryBeside(const fs::path& target) {
   static std::atomic<unsigned> counter{0};
   std::random_device random;
   const std::string mark = std::to_string(random()) + "-" + std::to_string(counter.fetch_add(1));
-  // Short name: a target whose own name is close to the limit of the file system still works.
+  // The name is short, so that it fits even if the target's name nears the file system's limit.
   fs::path name = ".swept-" + mark;
   name += target.extension();
   return folderOf(target) / name;
@@ -52,9 +52,9 @@ std::string causeOf(int error) {
   return error != 0 ? std::system_category().message(error) : "unknown cause";
 }
 
-// A new file that only its owner may read until it is finished; never one that somebody else has
-// laid there, nor what a link leads to. Returns the mode that new files of this folder usually get,
-// 0 where the system has no modes or creating failed (errno tells why).
+// Creates a new file that only its owner may read until it is finished. Never opens a file that
+// exists already, nor the target of a link. Returns the mode that new files in this folder usually
+// get; 0 if the system has no modes or the file could not be created (errno gives the reason).
 unsigned createPrivate([[maybe_unused]] const fs::path& file) {
   errno = 0;
 #ifndef _WIN32
@@ -64,14 +64,15 @@ unsigned createPrivate([[maybe_unused]] const fs::path& file) {
   const bool known = ::fstat(handle, &usual) == 0;
   if (known) ::fchmod(handle, 0600);
   ::close(handle);
-  errno = 0;  // a file system without modes is not at fault
+  errno = 0;  // a file system without modes is no error
   return known ? usual.st_mode & 0777U : 0;
 #else
   return 0;
 #endif
 }
 
-// Flushes to the disk: a full disk may show only here. Systems without it are not at fault.
+// Flushes the file to the disk: a full disk may only show here. A system that cannot flush (EINVAL)
+// is no error.
 void syncToDisk([[maybe_unused]] const fs::path& file, [[maybe_unused]] const std::string& name) {
 #ifndef _WIN32
   const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
@@ -84,7 +85,7 @@ void syncToDisk([[maybe_unused]] const fs::path& file, [[maybe_unused]] const st
 #endif
 }
 
-// The library's file buffer may throw from close() when the disk is full.
+// Closes a stream without an exception: the library may throw from close() if the disk is full.
 void closeQuietly(std::ofstream& stream) {
   try {
     stream.close();
@@ -150,7 +151,7 @@ TemporaryName::~TemporaryName() {
   if (!path.empty()) fs::remove(path, ignored);
 }
 
-// Permission bits do not tell the whole truth (read-only mounts, full quotas): it is tried.
+// Throws if the file exists.
 void requireAbsent(const std::string& role, const std::string& path) {
   std::error_code code;
   if (!fs::exists(fs::symlink_status(pathFromUtf8(path), code))) return;
@@ -178,7 +179,7 @@ SafeFile::~SafeFile() { closeQuietly(stream_); }
 
 void SafeFile::close() {
   if (!stream_.is_open()) return;
-  if (stream_.good()) errno = 0;  // else it may still tell why an earlier write failed
+  if (stream_.good()) errno = 0;  // else errno may still hold the cause of an earlier failure
   stream_.flush();
   const bool written = stream_.good();
   const int error = errno;

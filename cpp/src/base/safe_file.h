@@ -1,6 +1,7 @@
-// Writing without ever leaving a half-written file: a temporary beside the target, then a rename.
-// In:   target path (UTF-8). Out: the finished file, or the old one untouched and no temporary.
-// Links are followed, the mode of an old file is kept. Only the owner can read the temporary.
+// Writes files so that no half-written file ever remains: into a temporary file beside the target,
+// then a rename.
+// In:   target path (UTF-8). Out: the finished file; or, after a failure, the old file unchanged.
+// Links are followed. An old file keeps its mode. Only the owner can read the temporary file.
 // Throws Error(ExportFailed, "BadTarget" | "MissingFolder" | "ReadOnly" | "WriteFailed") that
 // names the file or folder and the cause.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -13,47 +14,48 @@
 
 namespace swept {
 
-/// Path object for a UTF-8 name, and back, on every system.
+/// Convert a UTF-8 name to a path object and back, on every system.
 std::filesystem::path pathFromUtf8(const std::string& text);
 std::string utf8FromPath(const std::filesystem::path& path);
 
-/// Lower-case suffix without the dot ("ply"), empty if there is none.
+/// Returns the suffix in lower case without the dot ("ply"); empty if there is none.
 std::string suffixOf(const std::string& path);
 
-/// Throws unless a file could be written there now: folder present and writable, target neither a
-/// folder nor a device nor write-protected. To be called before minutes of computing.
+/// Throws if a file cannot be written there now: the folder must exist and be writable, and the
+/// target must not be a folder, a device or write-protected. Call it before a long computation.
 void checkTarget(const std::string& path);
 
-/// Name of a file that is removed at the end, also when opening it created it and then failed.
+/// Name of a file. The destructor removes the file, even if it was created but could not be opened.
 struct TemporaryName {
-  std::filesystem::path path;  ///< empty: nothing to remove
+  std::filesystem::path path;  ///< empty: no file to remove
   ~TemporaryName();
 };
 
-/// A file that appears under its name only when commit() has succeeded.
+/// A file that appears under its name only after commit() has succeeded.
 class SafeFile {
  public:
   explicit SafeFile(const std::string& path);
-  ~SafeFile();  ///< removes the temporary if commit() was not reached
+  ~SafeFile();  ///< removes the temporary file unless commit() succeeded
   SafeFile(const SafeFile&) = delete;
   SafeFile& operator=(const SafeFile&) = delete;
 
-  /// To write into; open from the start.
+  /// The stream to write to. It is open from the start.
   std::ofstream& stream() { return stream_; }
-  /// For writers that open files themselves, and for reading back; ends in the target's suffix.
+  /// Name of the temporary file, for writers that open files themselves and for reading the file
+  /// back. It has the suffix of the target.
   std::string temporary() const { return utf8FromPath(temporary_.path); }
   std::string target() const { return utf8FromPath(target_); }
-  /// Closes the stream and checks that every byte arrived; commit() does so as well.
+  /// Closes the stream and checks that all bytes were written. commit() calls it as well.
   void close();
-  /// Puts the file in its place. Returns its size in bytes.
+  /// Renames the temporary file to the target. Returns its size in bytes.
   std::uint64_t commit();
 
  private:
   std::string name_;
   std::filesystem::path target_;
-  TemporaryName temporary_;  // goes after the stream is closed
+  TemporaryName temporary_;  // removed after the stream is closed
   std::ofstream stream_;
-  unsigned mode_ = 0;  // of the finished file where there is no old one
+  unsigned mode_ = 0;  // of the finished file, if no old file gives its own mode
 };
 
 }  // namespace swept

@@ -6,7 +6,7 @@
 
 namespace swept {
 
-/// Sorts a list and keeps one of each of its values.
+/// Sorts a list and removes repeated values.
 template <class T>
 void sortUnique(std::vector<T>& list) {
   std::sort(list.begin(), list.end());

@@ -1,4 +1,4 @@
-// Threads of one run.
+// Number of threads of a run.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -6,7 +6,8 @@
 
 namespace swept {
 
-/// As many as the run is given, all cores for 0. Throws Error(InvalidInput, "BadOption").
+/// Returns the number of threads of the run; a setting of 0 means all cores. Throws
+/// Error(InvalidInput, "BadOption").
 int threadsOf(const RunContext& run);
 
 }  // namespace swept

@@ -1,4 +1,4 @@
-// Wall-clock time of stages, and processor time of trials.
+// Wall-clock time for stages, and processor time for trials.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,7 +13,7 @@ class Timer {
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
-  /// Seconds since construction or the last lap.
+  /// Returns the seconds since construction or the last call of lap().
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     const double s = std::chrono::duration<double>(now - lap_).count();
@@ -25,7 +25,7 @@ class Timer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), lap_ = start_;
 };
 
-/// Processor time of the calling thread.
+/// Returns the processor time of the calling thread, in seconds.
 inline double threadSeconds() {
   timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -1,6 +1,6 @@
-// Union-find that many threads may join at once (Anderson, Woll 1991; path halving).
-// Each set is a tree of links to smaller numbers; its root is its smallest member, in whatever
-// order the sets were joined. Numbers are indices of members.
+// Union-find on which many threads may work at once (Anderson, Woll 1991; path halving).
+// Each set is a tree whose links lead to smaller indices. Its root is its smallest member, in
+// whatever order the sets were united. Members are numbered from 0.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace swept {
 
-/// Every member in a set of its own.
+/// Returns one set per member.
 template <class Number>
 std::vector<Number> singleSets(std::size_t members) {
   std::vector<Number> parent(members);
@@ -31,7 +31,8 @@ Number findRoot(std::vector<Number>& parent, Number i) {
   }
 }
 
-/// Links the larger root below the smaller one, so that the final roots do not depend on the order.
+/// Unites two sets. The larger root gets the smaller root as its parent, so the final roots do not
+/// depend on the order of the calls.
 template <class Number>
 void unite(std::vector<Number>& parent, Number a, Number b) {
   for (;;) {

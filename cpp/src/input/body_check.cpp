@@ -35,7 +35,8 @@ void refuseBadFaces(const TriMesh& body) {
                         "; faces are numbered from 0");
 }
 
-/// Faces of the triangles where they are asked for: every triangle has one then.
+/// Keeps the given faces of the triangles if `wanted`. Without given faces, each triangle becomes
+/// its own face.
 void takeFaces(CheckedBody& result, bool wanted) {
   std::vector<std::int32_t>& faceOf = result.mesh.faceOf;
   result.namedFaces = wanted && !faceOf.empty();
@@ -97,7 +98,7 @@ double boxDiagonal(const TriMesh& mesh) {
   return (high - low).norm();
 }
 
-/// Welds what the exact weld left open, and keeps that only where it closes something.
+/// Joins vertices on open edges within `tolerance`. Keeps the result only if fewer edges are open.
 void weldOpenEdges(CheckedBody& result, EdgeTable& table, EdgeCounts& edges, CleanCounts& cleaned,
                    double tolerance, bool keepSheets) {
   if (edges.open == 0 || !(tolerance > 0)) return;
@@ -167,8 +168,8 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
   const std::int64_t joined = applyMap(exactWeld(body.vertices), result.mesh);
   run.checkpoint(Phase::Input);
   CleanCounts cleaned;
-  // A sheet modelled from both sides has no volume, but the part has it: what holds all of the part
-  // holds the sheet.
+  // A sheet with both sides modelled has no volume, but the real part contains it. So a
+  // conservative envelope, which must contain the whole part, keeps such a sheet.
   const bool keepSheets = options.conservative;
   EdgeTable table = cleanTriangles(result.mesh, cleaned, keepSheets);
   const std::string before = std::to_string(body.vertices.size());

@@ -1,7 +1,7 @@
-// Input check of the generator.
-// In:    any triangles. Out: the same body welded, cleaned and oriented, with findings.
-// Units: mm. Cost: O(n log n) time, about 200 bytes a triangle.
-// Rows 1 to 12 of the table of bad input (docs/bad_input.md).
+// Checks the generator (the moving part) before a run.
+// In:    any triangles. Out: the same body, welded, cleaned and oriented, with findings.
+// Units: mm. Cost: O(n log n) time, about 200 bytes per triangle.
+// Covers rows 1 to 12 of docs/bad_input.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,20 +14,21 @@
 namespace swept {
 
 struct CheckedBody {
-  TriMesh mesh;         ///< welded, no degenerate or duplicate triangles, no unused vertices
-  bool closed = false;  ///< every edge has an even number of triangles
-  /// Closed, every edge balanced (as many triangles in one direction as in the other), outer shells
-  /// outward, cavities inward: what the culling of enclosed faces needs.
+  TriMesh mesh;         ///< welded; without degenerate triangles, duplicates and unused vertices
+  bool closed = false;  ///< every edge belongs to an even number of triangles
+  /// True if the body is closed, equally many triangles run along each edge in both directions,
+  /// outer shells point outward and cavities inward. Culling enclosed faces requires all of this.
   bool orientable = false;
-  /// The faces of its triangles were given; else, where sources are asked for, each triangle's own
-  /// number stands for its face.
+  /// True if the caller gave a face for each triangle. Else, if sources are requested, the index of
+  /// a triangle stands for its face.
   bool namedFaces = false;
   std::vector<Finding> findings;
 };
 
-/// Throws Error(InvalidInput) with code EmptyMesh, BadFaces, BadIndex, NonFiniteVertex,
-/// NoVolume, OutOfRange.
-/// An open body is accepted here (row 6); whether the sweep closes it is seen after sampling.
+/// Throws Error(InvalidInput) with the code EmptyMesh, BadFaces, BadIndex, NonFiniteVertex,
+/// NoVolume or OutOfRange, and Error(ResourceLimit, "TooManyVertices").
+/// Accepts an open body (row 6 of docs/bad_input.md): only the sampling shows whether the sweep
+/// closes it.
 CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& run);
 
 }  // namespace swept

@@ -16,22 +16,22 @@
 namespace swept {
 namespace {
 
-/// Triangles joined by edges that exactly two of them share.
+/// Groups of triangles that are connected by edges with exactly two triangles.
 struct Patches {
   std::vector<std::int32_t> ofTriangle;
-  std::vector<std::uint8_t> flip;               ///< per triangle: turn over to agree with its patch
-  std::vector<std::uint8_t> mixed, consistent;  ///< per patch
+  std::vector<std::uint8_t> flip;               ///< per triangle: 1 if it must be reversed
+  std::vector<std::uint8_t> mixed, consistent;  ///< per patch; mixed: has reversed triangles
   std::int64_t turned = 0;
   std::int32_t count() const { return static_cast<std::int32_t>(mixed.size()); }
 };
 
 struct Shell {
-  bool closed = true;  ///< balanced at every edge
+  bool closed = true;  ///< equally many triangles in both directions at every edge
   bool consistent = true;
   bool mixed = false;
-  ShellExtent extent;                    ///< as the file has it
-  std::vector<std::int32_t> containers;  ///< closed shells that hold this one wholly
-  int winding = 0;                       ///< inside this shell
+  ShellExtent extent;                    ///< before any shell is reversed
+  std::vector<std::int32_t> containers;  ///< closed shells that wholly contain this one
+  int winding = 0;                       ///< winding number inside this shell
   bool invert = false;
 };
 
@@ -67,7 +67,7 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
     }
     std::size_t flips = 0;
     for (const std::int32_t t : stack) flips += patches.flip[t];
-    // The majority keeps the orientation it has in the file; where there is none, the file's order.
+    // The majority keeps its orientation; in a tie, the triangles that agree with the first one do.
     const bool other = 2 * flips > stack.size();
     for (const std::int32_t t : stack) {
       patches.flip[t] = consistent && (patches.flip[t] != 0) != other ? 1 : 0;
@@ -79,7 +79,8 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
   return patches;
 }
 
-/// Joins patches at edges where a patch alone is not balanced; returns shell of each patch.
+/// Joins patches at edges where the directions of one patch alone do not cancel. Returns the shell
+/// of each patch.
 std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& patches,
                                       std::vector<Shell>& shells) {
   auto parent = singleSets<std::int32_t>(patches.count());
@@ -130,7 +131,7 @@ std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& pat
   return shellOf;
 }
 
-/// Triangles spread over each shell: its first, middle and last one.
+/// Returns three triangles of each shell: its first, middle and last one.
 std::vector<std::vector<std::int32_t>> sampleShells(const Shells& shells) {
   std::vector<std::int64_t> sizes(shells.count, 0), seen(shells.count, 0);
   for (const std::int32_t s : shells.ofTriangle) ++sizes[s];
@@ -164,15 +165,16 @@ void findContainers(const ShellNesting& nesting,
     for (const std::int32_t t : samples[s]) {
       for (const std::int32_t c : nesting.shellsAround(t)) ++votes[c];
     }
-    // Only a shell that lies inside with all its samples is nested; else the two overlap.
+    // A shell is nested only if all its samples lie inside; else the two shells overlap.
     for (const std::int32_t c : candidates) {
       if (votes[c] == samples[s].size()) inner.containers.push_back(c);
     }
   }
 }
 
-/// Decides which shells are turned over: outer ones outward; inner ones that the file has the other
-/// way round than the shell around them are cavities and end inward.
+/// Decides which shells to reverse. Outer shells must point outward. An inner shell is a cavity,
+/// and must point inward, if its direction in the file is opposite to that of its outermost
+/// container.
 void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
   std::vector<std::int32_t> order(shells.size());
   std::iota(order.begin(), order.end(), 0);
@@ -193,7 +195,7 @@ void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
     bool cavity = false;
     if (around > 0) {
       const bool opposite = (shell.extent.volume < 0) != (shells[outermost].extent.volume < 0);
-      // A shell whose own triangles disagreed says nothing by its direction: nesting decides.
+      // If the triangles of a shell disagreed, its direction means nothing; then nesting decides.
       cavity = shell.mixed || shells[outermost].mixed ? around == 1 : opposite;
       cavity ? ++result.cavities : ++result.nested;
     }
@@ -203,11 +205,11 @@ void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
   }
 }
 
-/// True if along sample lines no shell is ever entered from its wrong side: shells that cross
-/// themselves can have lobes that are inside out although their volume is positive.
+/// Returns true if no shell is entered from its wrong side along sample lines. A shell that
+/// intersects itself can have lobes that are inside out although its volume is positive.
 bool windingHolds(const RayColumns& columns, const std::vector<std::int32_t>& shellOfTriangle,
                   const std::vector<Shell>& shells) {
-  constexpr int kLines = 96;  // a side
+  constexpr int kLines = 96;  // lines per side of the box
   std::atomic<bool> holds{true};
   const Eigen::Vector3d extent = columns.high() - columns.low();
   const double samePlace = 1e-9 * extent.norm();
@@ -223,7 +225,7 @@ bool windingHolds(const RayColumns& columns, const std::vector<std::int32_t>& sh
         const std::int32_t s = shellOfTriangle[crossing.triangle];
         auto it = std::find_if(sums.begin(), sums.end(), [&](auto& e) { return e.first == s; });
         if (it == sums.end()) it = sums.insert(sums.end(), {s, 0});
-        // Cavities count the other way round. Crossings at one place may come in any order.
+        // A cavity counts with the opposite sign. Crossings at one place may come in any order.
         it->second += shells[s].winding < 1 ? -crossing.direction : crossing.direction;
         const bool last = &crossing == &line.back() || (&crossing)[1].x > crossing.x + samePlace;
         if (last) {

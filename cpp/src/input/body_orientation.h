@@ -1,6 +1,6 @@
-// Orientation of the generator, the second half of the body check.
-// In:    welded triangles without duplicates. Out: the same triangles, some of them turned over.
-// Cost:  O(n), plus one ray a shell where shells lie inside each other's boxes.
+// Orients the generator (the moving part): the second half of the body check.
+// In:    welded triangles without duplicates. Out: the same triangles, some of them reversed.
+// Cost:  O(n), plus one ray per sample if shells lie inside the bounding boxes of others.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,24 +14,24 @@
 namespace swept {
 
 struct EdgeCounts {
-  std::int64_t open = 0;                                  ///< odd number of triangles
-  std::int64_t nonManifold = 0;                           ///< more than two triangles
-  std::vector<std::int64_t> firstOpen, firstNonManifold;  ///< smaller vertex of the edge, at most 8
-  std::vector<std::uint8_t> openVertices;                 ///< 1: ends an open edge
+  std::int64_t open = 0;                                  ///< edges with an odd number of triangles
+  std::int64_t nonManifold = 0;                           ///< edges with more than two triangles
+  std::vector<std::int64_t> firstOpen, firstNonManifold;  ///< lower vertex of each, at most 8
+  std::vector<std::uint8_t> openVertices;                 ///< per vertex: 1 if it ends an open edge
 };
 EdgeCounts countEdges(const EdgeTable& edges);
 
 struct OrientationResult {
-  std::int64_t shells = 0;        ///< pieces that share edges
-  std::int64_t mixed = 0;         ///< triangles turned to agree with the rest of their shell
-  std::int64_t inverted = 0;      ///< shells turned as a whole
-  std::int64_t cavities = 0;      ///< closed shells that bound a hollow space from outside of it
-  std::int64_t nested = 0;        ///< closed shells wholly inside another one, normals outward
+  std::int64_t shells = 0;        ///< pieces of surface connected by edges
+  std::int64_t mixed = 0;         ///< triangles reversed to agree with the rest of their shell
+  std::int64_t inverted = 0;      ///< shells reversed as a whole
+  std::int64_t cavities = 0;      ///< closed shells that bound a hollow space inside the body
+  std::int64_t nested = 0;        ///< closed shells wholly inside another one that point outward
   std::int64_t inconsistent = 0;  ///< shells that have no consistent orientation
-  bool insideOut = false;         ///< parts of a shell are inside out where it crosses itself
+  bool insideOut = false;         ///< a shell that crosses itself has parts that are inside out
   bool orientable = false;        ///< see CheckedBody
 };
-/// `edges` are those of `mesh`; `closed`: every edge has an even number of triangles.
+/// `edges`: those of `mesh`. `closed`: true if every edge has an even number of triangles.
 OrientationResult orientShells(TriMesh& mesh, const EdgeTable& edges, bool closed, RunContext& run);
 
 }  // namespace swept

@@ -9,7 +9,7 @@
 namespace swept {
 namespace {
 
-// Cross product below this share of the product of two edges: no direction is left after rounding.
+// A cross product below this fraction of the product of two edge lengths is only rounding.
 constexpr double kNoArea = 1e-15;
 
 std::uint64_t mix(std::uint64_t x) {
@@ -33,7 +33,7 @@ bool hasNoArea(const TriMesh& mesh, const std::array<std::int32_t, 3>& t) {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
   const Eigen::Vector3d u = mesh.vertices[t[1]] - mesh.vertices[t[0]];
   const Eigen::Vector3d v = mesh.vertices[t[2]] - mesh.vertices[t[0]];
-  // Scaled so that neither tiny nor huge bodies leave the range of double.
+  // Scaling keeps the squares of tiny and huge coordinates within the range of double.
   const double scale = std::max(u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
   if (!(scale > 0)) return true;
   const Eigen::Vector3d a = u / scale;
@@ -46,7 +46,7 @@ std::array<std::int32_t, 3> sorted(std::array<std::int32_t, 3> t) {
   return t;
 }
 
-/// True if the triangle's order is an even permutation of its sorted order.
+/// True if the corners are an even permutation of the sorted corners.
 bool isEven(const std::array<std::int32_t, 3>& t) {
   return (t[0] < t[1]) == ((t[1] < t[2]) == (t[0] < t[2]));
 }
@@ -69,7 +69,8 @@ void dropTriangles(TriMesh& mesh, const std::vector<std::uint8_t>& dead) {
   keepLiving(mesh.faceOf, dead);
 }
 
-/// Marks duplicates among the triangles of one group of equal corners (sorted by number).
+/// Marks duplicates in `group`, which holds all triangles with the same three corners, sorted by
+/// index.
 void markGroup(const TriMesh& mesh, const std::vector<std::int64_t>& group, bool keepSheets,
                std::vector<std::uint8_t>& dead, CleanCounts& counts) {
   std::int64_t firstOf[2] = {-1, -1};
@@ -132,7 +133,7 @@ std::vector<std::int32_t> toleranceWeld(const std::vector<Eigen::Vector3d>& vert
     map[v] = static_cast<std::int32_t>(v);
     count += candidates[v];
   }
-  // Boxes of two tolerances: whatever lies within one tolerance is in this box or in a neighbour.
+  // Boxes of two tolerances: all points within one tolerance lie in this box or an adjacent one.
   const double box = 2 * tolerance;
   auto cellOf = [&](const Eigen::Vector3d& p, int axis, int step) {
     return std::floor(p[axis] / box) + step;
@@ -186,8 +187,8 @@ EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets) {
   }
   if (any) dropTriangles(mesh, dead);
 
-  // Equal corners means equal edges: only edges at which two triangles have the same third corner
-  // are looked at, and of those only the one made of the two smallest corners.
+  // Triangles with the same corners share all edges. So look only at edges at which several
+  // triangles have the same third corner, and only at the edge between the two lowest corners.
   dropUnused(mesh);
   EdgeTable edges(mesh);
   dead.assign(mesh.triangles.size(), 0);

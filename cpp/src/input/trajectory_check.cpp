@@ -11,11 +11,11 @@ namespace swept {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kRigidLimit = 1e-4;  // largest |q| - 1 that is taken for rounding of the source
-constexpr double kMendNote = 1e-9;    // below: not worth a note
+constexpr double kRigidLimit = 1e-4;  // larger deviations of |q| from 1 are no rounding errors
+constexpr double kMendNote = 1e-9;    // smaller deviations get no note
 constexpr double kAmbiguousDegrees = 1.0;
 
-// Poses are counted from 1, as the rows of a table.
+// Users count poses from 1, like the rows of a table.
 std::string poseName(std::size_t index) { return "pose " + std::to_string(index + 1); }
 
 void checkFinite(const Pose& pose, std::size_t index) {
@@ -37,7 +37,7 @@ void checkFinite(const Pose& pose, std::size_t index) {
   }
 }
 
-/// Returns | |q| - 1 |; throws if that is more than rounding.
+/// Returns | |q| - 1 |. Throws if rounding cannot explain the deviation.
 double checkNorm(const Pose& pose, std::size_t index) {
   const double norm = pose.rotation.norm();
   if (norm < 1e-12) {
@@ -125,7 +125,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
     }
     pose.rotation.normalize();
     if (!poses.empty()) {
-      // One sign for neighbours, so that interpolation takes the shorter way without asking again.
+      // Adjacent quaternions get the same sign, so that interpolation takes the shorter way.
       if (poses.back().rotation.dot(pose.rotation) < 0) pose.rotation.coeffs() *= -1;
       const bool later = pose.timeSeconds > poses.back().timeSeconds;
       if (samePlacement(poses.back(), pose) && !(waits == RepeatedPoses::Keep && later)) {

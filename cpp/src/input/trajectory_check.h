@@ -1,7 +1,8 @@
-// Input check of the trajectory.
-// In:    any poses. Out: finite, normalised, strictly ordered in time, equal neighbours collapsed.
+// Checks the trajectory before a run.
+// In:    any poses. Out: finite poses with unit quaternions and times that never decrease.
+//        Successive poses with equal placements become one.
 // Units: mm, s, rad. Cost: O(poses).
-// Rows 17 to 23 of the table of bad input (docs/bad_input.md).
+// Covers rows 17 to 23 of docs/bad_input.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,23 +13,23 @@
 
 namespace swept {
 
-/// What becomes of a pose that repeats the placement before it at a later time: for the shape of a
-/// sweep it says nothing; where others move meanwhile it says that the body waits.
+/// What to do with a pose that repeats the placement before it at a later time. It does not change
+/// the shape of a sweep (Drop). If other parts move meanwhile, it means that the body waits (Keep).
 enum class RepeatedPoses { Drop, Keep };
 
 struct CheckedTrajectory {
   Trajectory trajectory;
-  std::vector<std::int32_t> given;  ///< per pose: its number among those given
+  std::vector<std::int32_t> given;  ///< per pose: its index in the given trajectory
   std::vector<Finding> findings;
 };
 
-/// Throws Error(InvalidInput) with code EmptyTrajectory, BadPose, NotRigid, AmbiguousTurn (only
-/// where poses are interpolated: a turn within 1 degree of 180 between two poses has no shortest
-/// way).
+/// Throws Error(InvalidInput) with the code EmptyTrajectory, BadPose, NotRigid or AmbiguousTurn.
+/// The last one only occurs if poses are interpolated: a turn within 1 degree of 180 between two
+/// poses has no unique shortest way.
 CheckedTrajectory checkTrajectory(const Trajectory& trajectory,
                                   RepeatedPoses repeated = RepeatedPoses::Drop);
 
-/// Throws Error(InvalidInput, "BadOption", name, value and allowed range in the text). Row 16.
+/// Throws Error(InvalidInput, "BadOption") with the name, value and allowed range (row 16).
 void checkOptions(const Options& options);
 
 }  // namespace swept

@@ -1,6 +1,7 @@
-// The bytes of a mesh file of FreeCAD (.bms).
-// In:   a triangle mesh (mm). Out: single precision, with the neighbours of each triangle, so that
-// nothing is left to be found out by the reader. Cost: O(n).
+// The bytes of a FreeCAD mesh file (.bms).
+// In:   a triangle mesh (mm).
+// Out:  single precision coordinates and the neighbours of each triangle, so that FreeCAD need not
+//       compute them. Cost: O(n).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

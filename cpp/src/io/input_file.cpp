@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of a pipe, which is held in memory: a mesh of 40 million triangles, or an endless device.
+// Limit for a pipe, which is held in memory: room for a mesh of 40 million triangles. It also stops
+// the reading of an endless device.
 constexpr std::uint64_t kMaxPipeBytes = 2ULL << 30;
 
 [[noreturn]] void badFile(const std::string& text) {

@@ -1,7 +1,7 @@
-// Files to read, of any kind: those on a disk are read where they stand; pipes, standard input and
-// devices, which cannot be read twice, are taken into memory whole.
-// Throws Error(InvalidInput, "BadFile") that names the file and the cause,
-// Error(ResourceLimit, "FileTooLarge") for a pipe that does not end.
+// Opens files of any kind for reading. Files on a disk are read in place. Pipes, standard input and
+// devices, which cannot be read twice, are read into memory as a whole.
+// Throws Error(InvalidInput, "BadFile") that names the file and the cause, or
+// Error(ResourceLimit, "FileTooLarge") if a pipe delivers too much.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -58,7 +58,7 @@ class GzipSource final : public ByteSource {
         if (state_.avail_in == 0 && ended_) return 0;
         if (state_.avail_in == 0) badFile("'" + path_ + "' is truncated (gzip)");
       }
-      if (ended_) {  // several members one after another are one file
+      if (ended_) {  // a gzip file may consist of several members
         inflateReset(&state_);
         ended_ = false;
       }

@@ -1,8 +1,8 @@
-// Lines of a plain, gzip or xz file, one at a time, whatever the size of the file.
-// In:   path (UTF-8); the packing is told by the first bytes, not by the name.
-// Out:  lines without their end (LF or CRLF), without a UTF-8 byte-order mark.
-// Throws Error(InvalidInput, "BadFile") for damaged packing, UTF-16, NUL bytes, endless lines and
-// Error(ResourceLimit, "FileTooLarge") when the unpacked text passes kMaxTextBytes.
+// Reads lines from a plain, gzip or xz file, one at a time, so the file may have any size.
+// In:   path (UTF-8). The first bytes determine the compression, not the name.
+// Out:  lines without their end (LF or CRLF) and without a UTF-8 byte-order mark.
+// Throws Error(InvalidInput, "BadFile") for damaged compression, UTF-16, NUL bytes and endless
+// lines, and Error(ResourceLimit, "FileTooLarge") if the text exceeds kMaxTextBytes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,11 +15,11 @@ namespace swept {
 constexpr std::uint64_t kMaxTextBytes = 8ULL << 30;
 constexpr std::size_t kMaxLineBytes = 1 << 16;
 
-/// Delivers unpacked bytes.
+/// Delivers the uncompressed bytes of a file.
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
-  /// Up to `capacity` bytes; 0 at the end.
+  /// Reads up to `capacity` bytes. Returns their number, 0 at the end.
   virtual std::size_t read(char* buffer, std::size_t capacity) = 0;
 };
 
@@ -28,9 +28,9 @@ std::unique_ptr<ByteSource> openByteSource(const std::string& path);
 class LineSource {
  public:
   explicit LineSource(const std::string& path);
-  /// False at the end of the file.
+  /// Returns false at the end of the file.
   bool next(std::string& line);
-  std::int64_t number() const { return number_; }  ///< of the line last delivered, from 1
+  std::int64_t number() const { return number_; }  ///< of the line last returned, counted from 1
 
  private:
   bool fill();

@@ -1,5 +1,5 @@
-// Mesh files: STL through OpenMesh's reader (see openmesh_bridge.h for why not its mesh); the rest
-// through readers and writers of our own.
+// Reads and writes mesh files. OpenMesh's reader parses STL, but not into OpenMesh's mesh class
+// (openmesh_bridge.h gives the reason). The project's own code reads and writes all other formats.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <OpenMesh/Core/IO/IOManager.hh>
 #include <OpenMesh/Core/IO/MeshIO.hh>
@@ -32,11 +32,11 @@ constexpr std::size_t kMaxPolygonCorners = 20000;
   throw Error(Status::InvalidInput, "BadFile", text);
 }
 
-// OpenMesh's readers keep state between calls and print their complaints: one call at a time, and
-// what they say goes into our message instead of onto the user's terminal.
+// OpenMesh's readers keep state between calls, so only one call may run at a time. They also print
+// errors; this class catches that text for the error message instead.
 class OpenMeshCall {
  public:
-  // The buffers are exchanged: OpenMesh's own connect() and disconnect() leak with every call.
+  // Exchanges the stream buffers: OpenMesh's own connect() and disconnect() leak with every call.
   OpenMeshCall()
       : lock_(mutex()), errors_(omerr().rdbuf(text_.rdbuf())), log_(omlog().rdbuf(&silence_)) {}
   ~OpenMeshCall() {
@@ -46,7 +46,7 @@ class OpenMeshCall {
   OpenMeshCall(const OpenMeshCall&) = delete;
   OpenMeshCall& operator=(const OpenMeshCall&) = delete;
 
-  /// What was printed, on one line.
+  /// Returns the text that OpenMesh printed, on one line.
   std::string said() const {
     std::string text = text_.str();
     for (char& c : text) {
@@ -72,7 +72,7 @@ bool isMeshSuffix(const std::string& suffix) {
   return suffix == "ply" || suffix == "stl" || suffix == "obj" || suffix == "off";
 }
 
-// A text STL may not say "solid" and a binary one may: the size decides.
+// A text STL need not begin with "solid", and a binary STL may. So the file size decides.
 bool isBinaryStl(std::istream& stream, std::uint64_t fileBytes, const std::string& path) {
   std::array<char, 84> head{};
   stream.read(head.data(), head.size());
@@ -145,7 +145,7 @@ PolygonList readStl(InputFile& file, const std::string& path) {
   }
   file.stream->clear();
   file.stream->seekg(0);
-  const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // each takes a byte at least
+  const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // at least a byte per element
   ListImporter found(limit, 4 * limit);
   OpenMeshCall call;
   if (!OpenMesh::IO::IOManager().read(*file.stream, "stl", found, options)) {

@@ -12,7 +12,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little && sizeof(Eigen::Vector3d) == 24);
 
-/// Bytes or text that reach the stream in large pieces.
+/// Collects bytes or text and writes them to the stream in large pieces.
 class Block {
  public:
   explicit Block(std::ostream& stream) : stream_(stream) {}
@@ -25,7 +25,7 @@ class Block {
     if (text_.size() > kBytes) flush();
   }
   void add(const char* text) { add(text, std::strlen(text)); }
-  /// The shortest text that is read back as this very number.
+  /// Writes the shortest text that reads back as exactly this number.
   template <class Number>
   void addNumber(Number number) {
     std::array<char, 40> digits;
@@ -44,7 +44,8 @@ class Block {
   std::string text_;
 };
 
-/// Rows "HEAD x y z" and "HEAD a b c", the latter counted from `first`.
+/// Writes rows "HEAD x y z" for vertices and "HEAD a b c" for triangles. Vertex numbers start at
+/// `first`.
 void addRows(const TriMesh& mesh, const char* vertexHead, const char* triangleHead,
              std::int32_t first, Block& block) {
   const auto add = [&](const char* head, const auto& row, auto plus) {

@@ -1,6 +1,6 @@
-// Triangles as PLY, OBJ, OFF (each number as it is) and STL (single precision, which is all that
-// the format has: io/single_precision.h). Not OpenMesh's writers: they know single precision only.
-// Units: mm. Errors stand in the stream.
+// Writes triangles as PLY, OBJ and OFF (every number exactly) and as STL, whose format only holds
+// single precision (io/single_precision.h). OpenMesh's writers would use single precision only.
+// Units: mm. The state of the stream shows errors.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,7 +13,7 @@ namespace swept {
 void writePly(const TriMesh& mesh, std::ostream& stream);  ///< binary
 void writeObj(const TriMesh& mesh, std::ostream& stream);
 void writeOff(const TriMesh& mesh, std::ostream& stream);
-/// Binary. The vertices have single precision.
+/// Binary. Rounds the vertices to single precision.
 void writeStl(const TriMesh& mesh, std::ostream& stream);
 
 }  // namespace swept

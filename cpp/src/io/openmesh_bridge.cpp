@@ -44,7 +44,7 @@ void ListImporter::set_point(VertexHandle vertex, const OpenMesh::Vec3f& point) 
 }
 
 void ListImporter::reserve(unsigned int nV, unsigned int /*nE*/, unsigned int nF) {
-  // The counts come from the file: believe them only as far as the file is long.
+  // The counts come from the file. Trust them only as far as the length of the file allows.
   list.vertices.reserve(std::min<std::uint64_t>(nV, maxVertices_));
   list.faceStart.reserve(std::min<std::uint64_t>(nF, maxCorners_ / 3) + 1);
   list.corners.reserve(std::min<std::uint64_t>(3 * static_cast<std::uint64_t>(nF), maxCorners_));

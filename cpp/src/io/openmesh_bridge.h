@@ -1,7 +1,7 @@
-// The class through which OpenMesh's readers see our plain triangle lists.
-// OpenMesh's own mesh classes refuse non-manifold faces; this keeps every face as it stands.
+// Connects OpenMesh's readers to the project's plain triangle lists. OpenMesh's own mesh classes
+// refuse non-manifold faces; this class keeps every face unchanged.
 // In:   faces with any number of corners.
-// Out:  vertices and corner lists in file order; nothing is welded, dropped or turned.
+// Out:  vertices and corner lists in file order. Nothing is welded, dropped or reversed.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,11 +14,11 @@
 
 namespace swept {
 
-/// Collects what a reader finds. Attributes (normals, colours, texture) are ignored.
+/// Collects the vertices and faces that a reader finds. Ignores normals, colours and texture.
 class ListImporter final : public OpenMesh::IO::BaseImporter {
  public:
-  /// Above these counts a file cannot be honest; the importer throws Error(InvalidInput,
-  /// "BadFile").
+  /// A file with more elements than these counts must be damaged. The importer then throws
+  /// Error(InvalidInput, "BadFile").
   ListImporter(std::uint64_t maxVertices, std::uint64_t maxCorners)
       : maxVertices_(maxVertices), maxCorners_(maxCorners) {}
 

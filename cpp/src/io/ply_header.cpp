@@ -46,7 +46,7 @@ PlyProperty parseProperty(std::istringstream& words, const std::string& path, in
   return property;
 }
 
-// What is not as it should be is refused here: what the data mean follows from it.
+// Reads one line of the header. Refuses every error, since the meaning of the data depends on it.
 void parseLine(const std::string& text, const std::string& path, PlyHeader& header) {
   std::istringstream words(text);
   std::string key;
@@ -84,7 +84,7 @@ void parseLine(const std::string& text, const std::string& path, PlyHeader& head
 void checkSize(const PlyHeader& header, std::uint64_t fileBytes, const std::string& path) {
   std::uint64_t left = fileBytes - header.dataStart;
   for (const PlyElement& element : header.elements) {
-    // A number and a separator in text, the exact width otherwise.
+    // At least a digit and a separator per value in text files, else the exact size.
     const std::uint64_t least = header.format == PlyHeader::Format::Ascii
                                     ? 2 * element.properties.size()
                                     : element.leastBytes();

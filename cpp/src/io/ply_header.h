@@ -1,6 +1,8 @@
-// What a PLY file says about itself, read before anything is allocated for it.
-// In:   stream at the start of the file, size of the file. Out: counts, layout, start of the data.
-// Throws Error(InvalidInput, "BadFile") where the header is broken or promises more than is there.
+// The header of a PLY file, read before any memory is allocated for the data.
+// In:   stream at the start of the file, size of the file.
+// Out:  counts, layout, start of the data.
+// Throws Error(InvalidInput, "BadFile") if the header is damaged or declares more data than the
+// file holds.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,17 +15,17 @@ namespace swept {
 
 struct PlyProperty {
   std::string name;
-  int bytes = 0;       ///< of the value, or of one list entry
-  int countBytes = 0;  ///< lists: of the count; 0 for a plain value
+  int bytes = 0;       ///< size of the value, or of one list entry
+  int countBytes = 0;  ///< lists: size of the number of entries; 0 for a plain value
   bool isFloat = false;
-  bool isSigned = false;  ///< a whole number that may be below 0
+  bool isSigned = false;  ///< an integer that may be negative
 };
 
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
-  /// Least bytes of one element in a binary file (empty lists).
+  /// Smallest size of one element in a binary file, in bytes: all lists are empty.
   std::uint64_t leastBytes() const;
 };
 
@@ -31,8 +33,8 @@ struct PlyHeader {
   enum class Format { Ascii, LittleEndian, BigEndian };
   Format format = Format::Ascii;
   std::vector<PlyElement> elements;
-  std::uint64_t dataStart = 0;  ///< bytes
-  int lines = 0;                ///< of the header
+  std::uint64_t dataStart = 0;  ///< offset in the file, bytes
+  int lines = 0;                ///< lines of the header
   const PlyElement* find(const std::string& name) const;
 };
 

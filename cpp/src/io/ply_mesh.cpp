@@ -15,7 +15,7 @@ namespace {
   throw Error(Status::InvalidInput, "BadFile", "'" + path + "'" + what);
 }
 
-/// What a property is to the mesh.
+/// The part of the mesh that a property holds.
 enum class Role { None, X, Y, Z, Corners };
 
 Role roleOf(const PlyElement& element, const PlyProperty& property) {
@@ -55,12 +55,12 @@ void requireRoles(const PlyHeader& header, const std::string& path) {
   }
 }
 
-/// The mesh as it grows, value after value.
+/// The mesh so far. The readers add one value after another.
 class Growing {
  public:
   void value(Role role, double number) { point_[static_cast<int>(role) - 1] = number; }
   void corner(std::int64_t index) {
-    // What 32 bits do not hold does not exist: it is refused with the other numbers out of range.
+    // An index that does not fit into 32 bits becomes -1. The later index check refuses it.
     const bool holds = index >= 0 && index <= static_cast<std::int64_t>(kMaxElements);
     list.corners.push_back(holds ? static_cast<std::int32_t>(index) : -1);
   }
@@ -75,7 +75,7 @@ class Growing {
   Eigen::Vector3d point_ = Eigen::Vector3d::Zero();
 };
 
-/// Bytes of a binary file in order, through a buffer of its own.
+/// Reads the bytes of a binary file in order, through its own buffer.
 class BinaryRows {
  public:
   BinaryRows(std::istream& stream, const PlyHeader& header, std::uint64_t fileBytes)
@@ -86,10 +86,10 @@ class BinaryRows {
     stream_.seekg(static_cast<std::streamoff>(header.dataStart));
   }
 
-  /// Of the file, not yet taken.
+  /// Number of bytes of the file that have not been taken yet.
   std::uint64_t left() const { return left_; }
 
-  /// Whether there were as many bytes.
+  /// Takes `count` bytes as one number. Returns false if the file has too few bytes.
   bool take(int count, std::uint64_t& bits) {
     if (static_cast<std::uint64_t>(count) > left_ || !fill(count)) return false;
     bits = 0;

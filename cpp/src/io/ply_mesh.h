@@ -1,9 +1,10 @@
-// PLY files, text and binary, in double precision and with properties of any kind beside the mesh.
-// OpenMesh's reader is not asked: it rounds to single precision, reads on for ever over a header it
-// does not understand, and its version 11 crashes on properties that it does not know.
-// In:   stream, its header and size. Out: vertices and faces in file order, indices not yet
-// checked. Throws Error(InvalidInput, "BadFile") with the place of what is wrong. Cost: one pass,
-// O(file size); text files are held in memory meanwhile.
+// Reads PLY files, text and binary, in double precision. They may have any additional properties.
+// OpenMesh's reader is not used: it rounds to single precision, never stops on a header that it
+// does not understand, and its version 11 crashes on unknown properties.
+// In:   stream, its header and size.
+// Out:  vertices and faces in file order. The indices are not checked yet.
+// Throws Error(InvalidInput, "BadFile") with the place of the error.
+// Cost: one pass, O(file size). Text files are held in memory during the reading.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -12,7 +12,7 @@ double turn(const Point& a, const Point& b, const Point& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// The polygon seen along its Newell normal, so that it runs counter-clockwise in the plane.
+// Projects the polygon along its Newell normal, so that it runs counter-clockwise in the plane.
 std::vector<Point> flatten(const std::vector<Eigen::Vector3d>& vertices,
                            std::span<const std::int32_t> corners) {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
@@ -38,7 +38,7 @@ std::vector<Point> flatten(const std::vector<Eigen::Vector3d>& vertices,
 }
 
 bool contains(const Point& a, const Point& b, const Point& c, const Point& p) {
-  // A polygon may touch itself (a slit to a hole): its own corners do not block an ear.
+  // A polygon may touch itself (a slit to a hole). A corner at the same place blocks no ear.
   if (p == a || p == b || p == c) return false;
   return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
@@ -78,7 +78,7 @@ void splitPolygon(const std::vector<Eigen::Vector3d>& vertices,
       ear = (ear + 1) % n;
       ++tried;
     }
-    // No ear left: the rest is degenerate or crosses itself. Clip anyway; the boundary is kept.
+    // No ear is left: the rest is degenerate or crosses itself. Clipping anyway keeps the boundary.
     if (tried == n) ear = start % n;
     triangles.push_back(
         {corners[ring[(ear + n - 1) % n]], corners[ring[ear]], corners[ring[(ear + 1) % n]]});

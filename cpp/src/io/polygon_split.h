@@ -1,7 +1,8 @@
-// Polygons of mesh files -> triangles.
-// In:   corners of one planar (or nearly planar) polygon, convex or not, counter-clockwise.
-// Out:  n - 2 triangles over the same corners and boundary edges, in the polygon's own sense.
-// Cost: O(n^2), ear clipping in the plane of Newell's normal; what cannot be clipped is fanned.
+// Splits polygons of mesh files into triangles.
+// In:   corners of one polygon, planar or nearly so, convex or not, counter-clockwise.
+// Out:  n - 2 triangles with the same corners, boundary edges and orientation.
+// Cost: O(n^2). Method: ear clipping in the plane of Newell's normal. If no ear is left, the next
+//       corner is clipped.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// Row-major 4x4 matrix -> rigid pose, with the reason named where it is none.
+// Converts a row-major 4x4 matrix to a rigid pose. If the matrix is not rigid, the error says why.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Dense>
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr double kRigidLimit = 1e-4;
                      "); export placements as rotation and translation only"));
 }
 
-// Describes a matrix that is not a rotation: scale, shear or mirror, and how much.
+// Says why a matrix is not a rotation (scale, shear or mirror) and by how much.
 std::string describe(const Eigen::Matrix3d& m, double deviation) {
   const Eigen::Vector3d lengths = m.colwise().norm();
   const double spread = lengths.maxCoeff() - lengths.minCoeff();

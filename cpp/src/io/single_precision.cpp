@@ -18,7 +18,7 @@ namespace {
 
 using Point = Eigen::Vector3f;
 
-/// By the bytes of the coordinates.
+/// Hashes the bytes of the coordinates.
 struct Hash {
   template <class Vector>
   std::size_t operator()(const Vector& p) const {
@@ -27,7 +27,7 @@ struct Hash {
   }
 };
 
-/// Zero has one sign, so that equal points have equal bytes.
+/// Rounds to single precision. Turns -0 into 0, so that equal points have equal bytes.
 Point rounded(const Eigen::Vector3d& p) { return p.cast<float>() + Point::Zero(); }
 
 float stepped(float value, int steps) {
@@ -37,7 +37,7 @@ float stepped(float value, int steps) {
   return value + 0.0F;
 }
 
-/// Works on places: vertices at one place stay together.
+/// Rounds a mesh. Works on places (distinct positions), so vertices at one place stay together.
 class Rounding {
  public:
   explicit Rounding(const TriMesh& mesh) : mesh_(mesh) {
@@ -109,7 +109,7 @@ class Rounding {
                      points_[c].cast<double>());
   }
 
-  /// To the free point nearest to where the place is that suits; stays where none does.
+  /// Moves a place to the nearest free point for which suits() is true. Leaves it if there is none.
   template <class Suits>
   void move(std::size_t place, const Suits& suits) {
     constexpr int kReach = 2;
@@ -133,9 +133,9 @@ class Rounding {
   }
 
   const TriMesh& mesh_;
-  std::vector<std::size_t> placeOf_;    // of a vertex
-  std::vector<Eigen::Vector3d> exact_;  // of a place
-  std::vector<Point> points_;           // where it comes to be
+  std::vector<std::size_t> placeOf_;    // per vertex
+  std::vector<Eigen::Vector3d> exact_;  // per place
+  std::vector<Point> points_;           // per place: its rounded position
   std::unordered_set<Point, Hash> taken_;
   std::vector<std::size_t> joined_;
 };

@@ -15,7 +15,7 @@
 namespace swept {
 namespace {
 
-constexpr std::int64_t kMaxIndex = kMaxElements;  // of the index type
+constexpr std::int64_t kMaxIndex = kMaxElements;  // largest value of the index type
 
 Eigen::Vector3d threeNumbers(TextScanner& scan) {
   Eigen::Vector3d p;
@@ -29,7 +29,7 @@ void checkCount(std::size_t count, const char* what, const TextScanner& scan) {
            ")");
 }
 
-// The corners behind the last face become one.
+// Completes a face from the corners after the last face.
 void endFace(PolygonList& list, const TextScanner& scan) {
   const std::size_t corners = list.corners.size() - list.faceStart.back();
   if (corners < 3) scan.bad("a face needs 3 corners, this one has " + std::to_string(corners));
@@ -74,7 +74,7 @@ bool parseNumber(std::string_view text, double& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (end != text.data() + text.size()) return false;
   if (error == std::errc::result_out_of_range) {
-    // Smaller than the smallest double is zero; larger than the largest is no number to work with.
+    // A number below the smallest double counts as zero. A number above the largest one is refused.
     const std::size_t mark = text.find_first_of("eE");
     const bool tiny =
         mark != std::string_view::npos && mark + 1 < text.size() && text[mark + 1] == '-';
@@ -137,7 +137,7 @@ PolygonList readOff(std::istream& stream, const std::string& path) {
     }
     return word;
   };
-  // Colours, normals and texture behind the position are skipped.
+  // Colours, normals and texture after the position are skipped.
   const std::string_view kind = nextFilledLine();
   static const std::vector<std::string_view> kinds{"OFF",   "COFF",   "NOFF",   "CNOFF",  "NCOFF",
                                                    "STOFF", "STCOFF", "STNOFF", "STCNOFF"};

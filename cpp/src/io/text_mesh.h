@@ -1,9 +1,10 @@
-// OBJ and OFF files, in double precision and file order; a look at STL files before OpenMesh reads
-// them, which reads on over text that is no number and welds by value, which must not see NaN.
-// In:   stream at the start of the file. Out: vertices and faces. OpenMesh's readers are not asked
-// for OBJ and OFF: they round to single precision and crash on texture numbers that do not exist.
-// Throws Error(InvalidInput, "BadFile") with line and column of what is wrong. Cost: one pass,
-// O(file size); text files are held in memory meanwhile.
+// Reads OBJ and OFF files in double precision and file order, and checks STL files before OpenMesh
+// reads them. OpenMesh silently skips text that is not a number, and it welds vertices by value,
+// which NaN would disturb. Its readers for OBJ and OFF are not used: they round to single precision
+// and crash on missing texture indices.
+// In:   stream at the start of the file. Out: vertices and faces.
+// Throws Error(InvalidInput, "BadFile") with the line and column of the error.
+// Cost: one pass, O(file size). Text files are held in memory during the reading.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,18 +19,18 @@
 
 namespace swept {
 
-/// Attributes (normals, colours, texture) are skipped; every index is seen to exist.
+/// Skip normals, colours and texture; check that every index exists.
 PolygonList readObj(std::istream& stream, const std::string& path);
 PolygonList readOff(std::istream& stream, const std::string& path);
-/// Refuses what is no number or not finite.
+/// Throw if a value is not a finite number.
 void checkTextStl(std::istream& stream, const std::string& path);
 void checkBinaryStl(std::istream& stream, const std::string& path);
 
 std::string readAll(std::istream& stream);
-/// What a word says; throws as TextScanner::expected() where it is no number.
+/// Convert a word to a number. Throw like TextScanner::expected() if it is not one.
 double toNumber(TextScanner& scan, std::string_view word);
 std::int64_t toInteger(TextScanner& scan, std::string_view word);
-/// Whole-text number parsing, independent of the locale; a leading + is accepted.
+/// Parse a text that must be one number as a whole, in any locale. They accept a leading +.
 bool parseNumber(std::string_view text, double& value);
 bool parseInteger(std::string_view text, std::int64_t& value);
 

@@ -1,4 +1,4 @@
-// Words of a text file with the line and column where each one stands.
+// Splits a text file into words and knows the line and column of each word.
 // In:   the whole text. Out: words, lines; nothing is copied.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -16,7 +16,7 @@ class TextScanner {
   TextScanner(std::string_view text, std::string path, std::int64_t firstLine = 1)
       : text_(text), path_(std::move(path)), line_(firstLine) {}
 
-  /// Next word of the current line; empty at its end.
+  /// Returns the next word of the current line; empty at the end of the line.
   std::string_view word() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\r'))
       ++at_;
@@ -24,13 +24,13 @@ class TextScanner {
     while (at_ < text_.size() && !isSpace(text_[at_])) ++at_;
     return text_.substr(wordStart_, at_ - wordStart_);
   }
-  /// Next word of the file, over line ends; empty at the end of the file.
+  /// Returns the next word of the file, on this or a later line; empty at the end of the file.
   std::string_view wordAnywhere() {
     std::string_view found = word();
     while (found.empty() && nextLine()) found = word();
     return found;
   }
-  /// Moves behind the next line end; false at the end of the file.
+  /// Moves to the start of the next line. Returns false at the end of the file.
   bool nextLine() {
     const std::size_t end = text_.find('\n', at_);
     if (end == std::string_view::npos) {

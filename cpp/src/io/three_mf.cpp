@@ -14,11 +14,11 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kChunk = 1U << 18U;  // bytes handed to the packer at once: few calls
-// Characters that a line of the model has at most, XML and three numbers of 25 characters.
+constexpr std::size_t kChunk = 1U << 18U;  // bytes per call of the compressor
+// Largest number of characters in a line of the model: XML and three numbers of 25 characters.
 constexpr std::uint64_t kMaxLine = 110;
 
-// Parts one after another, each packed, written by minizip.
+// Writes a ZIP file through minizip: several entries, one after another, each compressed.
 class Package {
  public:
   explicit Package(const std::string& path) : zip_(zipOpen64(path.c_str(), APPEND_STATUS_CREATE)) {
@@ -30,10 +30,10 @@ class Package {
   Package(const Package&) = delete;
   Package& operator=(const Package&) = delete;
 
-  /// Parts of more than 4 GB need to be told before.
+  /// Begins an entry. `mostBytes`: upper bound of its size, required if it may exceed 4 GB.
   void begin(const char* name, std::uint64_t mostBytes = 0) {
     zip_fileinfo information{};
-    information.tmz_date.tm_mday = 1;  // 1 January 1980: the same mesh gives the same file
+    information.tmz_date.tm_mday = 1;  // 1 January 1980, so that equal meshes give equal files
     information.tmz_date.tm_year = 1980;
     const int large = mostBytes > std::numeric_limits<std::uint32_t>::max() ? 1 : 0;
     check(zipOpenNewFileInZip64(zip_, name, &information, nullptr, 0, nullptr, 0, nullptr,

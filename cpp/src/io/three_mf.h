@@ -1,5 +1,5 @@
-// A mesh as 3MF: XML in a packed ZIP file, unit mm.
-// In: mesh whose indices are checked. Out: the file, written over an old one. Cost: O(n).
+// Writes a mesh as 3MF: XML in a compressed ZIP file, unit mm.
+// In: mesh with checked indices. Out: the file; an existing file is overwritten. Cost: O(n).
 // Throws Error(ExportFailed, "WriteFailed").
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -1,4 +1,4 @@
-// Table of poses -> trajectory. Row by row, under a row limit; no partial trajectory on any error.
+// Reads a table of poses row by row, up to a limit of rows. Any error refuses the whole table.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <array>
@@ -90,7 +90,7 @@ class CsvReader {
       fields_.push_back(trim(line.substr(start, end - start)));
       start = end + 1;
     }
-    // One separator at the end of the row is a habit of some spreadsheets.
+    // Some spreadsheets write one separator at the end of each row.
     if (fields_.size() > 1 && fields_.back().empty()) fields_.pop_back();
   }
 
@@ -106,7 +106,7 @@ class CsvReader {
                         [](std::string_view field) { return startsLikeNumber(field); });
   }
 
-  // A row of separators only, as spreadsheets write empty lines.
+  // True for a row with separators only: some spreadsheets write empty lines so.
   bool isBlank() const {
     return std::all_of(fields_.begin(), fields_.end(),
                        [](std::string_view field) { return field.empty(); });
@@ -114,7 +114,8 @@ class CsvReader {
 
   static bool isMatrix(std::size_t width) { return width == 12 || width == 16 || width == 17; }
 
-  // The columns of recordings are often named in a comment; one that names all eight counts.
+  // Recordings often name their columns in a comment. Such a comment counts as a header if it names
+  // all eight columns of a pose.
   void takeComment(std::string_view text) {
     const char rows = separator_;
     chooseSeparator(text);
@@ -130,13 +131,13 @@ class CsvReader {
   }
 
   void takeHeader(const std::string& line) {
-    if (line == headerLine_) return;  // recordings joined one after another repeat it
+    if (line == headerLine_) return;  // concatenated recordings repeat the header
     if (width_ != 0 && !fromComment_) notANumber(0);
     headerLine_ = line;
     fromComment_ = false;
     TrajectoryHeader header = readTrajectoryHeader(fields_);
     if (header.missing && isMatrix(fields_.size())) {
-      setWidth(fields_.size());  // the names of a matrix's entries vary, their order does not
+      setWidth(fields_.size());  // names of matrix entries vary, but not their order
       return;
     }
     if (header.unknown && (header.missing || fields_.size() <= kPoseColumns.size())) {
@@ -192,7 +193,7 @@ class CsvReader {
     poses_.back().translation *= scale_;
   }
 
-  // A comma is a decimal sign where something else separates.
+  // Parses a number. Accepts a decimal comma if the separator is another character.
   bool parseField(std::string_view field, double& value) const {
     if (parseNumber(field, value)) return true;
     const std::size_t comma = field.find(',');
@@ -204,7 +205,7 @@ class CsvReader {
     return parseNumber(pointed, value);
   }
 
-  // 0,5 split at its comma: more columns than expected, all of them whole numbers.
+  // A decimal comma, such as 0,5, splits a number in two: the row then has too many columns.
   std::string hint() const {
     const bool doubled = separator_ == ',' && fields_.size() > 8;
     return doubled ? "; a decimal comma? write numbers with a point" : "";
@@ -260,7 +261,7 @@ class CsvReader {
   bool rowsBegun_ = false;
   bool fromComment_ = false;
   std::string headerLine_;
-  TrajectoryHeader columns_;  // no targets: as kPoseColumns, or a matrix
+  TrajectoryHeader columns_;  // target empty: order of kPoseColumns, or a matrix
   std::vector<std::string_view> fields_;
   std::vector<double> values_;
   std::vector<Pose> poses_;

@@ -7,7 +7,7 @@
 namespace swept {
 namespace {
 
-// Index into kPoseColumns of a plain name.
+// Returns the index into kPoseColumns for a plain name; kNoPoseColumn for an unknown name.
 std::size_t targetOf(const std::string& name) {
   static const std::map<std::string_view, std::size_t> known{
       {"t", 0},        {"t_s", 0},    {"time", 0},    {"time_s", 0}, {"timestamp", 0},
@@ -21,7 +21,7 @@ std::size_t targetOf(const std::string& name) {
   return found == known.end() ? kNoPoseColumn : found->second;
 }
 
-// EuRoC's tables of ground truth name their positions p_RS_R_x and do not say that times are in ns.
+// EuRoC ground-truth tables give times in ns without a unit. Their column p_RS_R_x identifies them.
 double secondsPerUnitOf(std::string_view field, bool euroc) {
   if (field.find("[s]") != std::string_view::npos) return 1.0;
   if (euroc || field.find("[ns]") != std::string_view::npos) return 1e-9;

@@ -1,4 +1,5 @@
-// The motion as the samplers see it: placements so close that points move along chords.
+// The motion as the samplers use it: placements so close together that a straight chord can replace
+// the path of every point between two placements.
 // Units: mm, s.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -9,7 +10,7 @@
 
 namespace swept {
 
-/// x_world = rotation * x + translation
+/// x_world = rotation * x_body + translation
 struct Placement {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
@@ -20,13 +21,15 @@ struct Placement {
 
 struct Motion {
   std::vector<Placement> placements;
-  /// placements[i] -> placements[i+1] is swept continuously; false: a union of posed copies.
+  /// True: the body moves continuously from placements[i] to placements[i + 1]. False: the
+  /// placements are separate copies of the body.
   bool continuous = false;
-  /// Placement in the middle of each step (continuous only): how the true path leaves the chord.
+  /// Placement in the middle of each step (only if continuous). It shows how far the true path
+  /// leaves the chord.
   std::vector<Placement> midpoints;
-  std::vector<std::uint32_t> poses;  ///< per pose of the trajectory: its placement
-  double chordError = 0;             ///< mm, bound on how far any body point leaves its chord
-  double largestStepTravel = 0;      ///< mm, between the poses as given
+  std::vector<std::uint32_t> poses;  ///< per pose of the trajectory: index of its placement
+  double chordError = 0;             ///< mm, bound on the distance of any body point from its chord
+  double largestStepTravel = 0;      ///< mm, between successive poses of the trajectory
 
   std::size_t steps() const { return continuous ? placements.size() - 1 : 0; }
 };

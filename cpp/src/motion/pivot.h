@@ -1,7 +1,7 @@
-// The pivot of a trajectory: the point of the body that moves straight between two poses. With
-// S = translation to the pivot, the poses P S and the body S^-1 x are the same motion, and there
-// the pivot is the origin; so nothing else of the core needs to know of it. Units: mm. Cost:
-// O(vertices), O(poses).
+// The pivot of a trajectory: the point of the body that moves along a straight line between two
+// poses. Let S be the translation to the pivot. The poses P S with the body S^-1 x give the same
+// motion as the poses P with the body x, and their origin is the pivot. So no other part of the
+// core needs to know the pivot. Units: mm. Cost: O(vertices), O(poses).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,17 +9,17 @@
 
 namespace swept {
 
-/// Zero where it changes nothing: copies and screws do not depend on a point of the body. Throws
-/// Error(InvalidInput, "BadOption") for what is not finite or beyond the limit of lengths.
+/// Returns the pivot; zero unless the interpolation is linear, since copies and screw motions do
+/// not depend on it. Throws Error(InvalidInput, "BadOption") if it is not finite or too far away.
 Eigen::Vector3d pivotOf(const Trajectory& trajectory);
 
-/// The body in coordinates whose origin is the pivot.
+/// Returns the body in coordinates whose origin is the pivot.
 TriMesh seenFromPivot(TriMesh body, const Eigen::Vector3d& pivot);
 
-/// The placements of those coordinates; rotations are unit quaternions.
+/// Returns the poses of these coordinates. Rotations must be unit quaternions.
 Trajectory carriedByPivot(Trajectory trajectory, const Eigen::Vector3d& pivot);
 
-/// The placement of the body, from that of the coordinates round the pivot.
+/// Returns the pose of the body for a pose of the coordinates about the pivot.
 Pose backFromPivot(Pose pose, const Eigen::Vector3d& pivot);
 
 }  // namespace swept

@@ -20,7 +20,8 @@ Corners cornersAt(const Pose& pose, const Eigen::AlignedBox3d& body) {
   return corners;
 }
 
-/// The distance between two places of a point is convex in the point: the box's corners bound it.
+/// Returns how far a point of the box moves at most between two placements. `a` and `b`: the
+/// corners at both. They suffice, since the distance is a convex function of the point.
 double farthest(const Corners& a, const Corners& b) {
   double most = 0;
   for (int c = 0; c < 8; ++c) most = std::max(most, (a[c] - b[c]).norm());

@@ -1,12 +1,12 @@
-// Position filter: leaves out poses while the body stays near the last one that was kept.
-// In:    a checked trajectory, the body's box. Out: the trajectory with fewer poses, how many were
-//        dropped, and the largest distance of any point of the box between a dropped pose and the
-//        kept one before it. The first pose is always kept, of interpolated motions the last as
-//        well.
+// Position filter: drops poses while the body stays near the last pose that was kept.
+// In:    a checked trajectory and the bounding box of the body.
+// Out:   the trajectory with fewer poses, the number of dropped poses, and the largest distance of
+//        any point of the box between a dropped pose and the kept pose before it. The filter always
+//        keeps the first pose and, if poses are interpolated, the last one.
 // Units: mm. Cost: O(poses).
-// Invariant: a dropped pose's copy of the body stays within `distance` of a kept copy, so what the
-// envelope loses is no deeper than that. Poses of interpolated motions are never dropped where the
-// turn between their kept neighbours would reach 90 degrees: the path between these stays unique.
+// Promise: at a dropped pose the body stays within `distance` of its copy at a kept pose, so the
+//        envelope loses no more than this depth. If poses are interpolated, the filter keeps a pose
+//        where the turn between its kept neighbours would reach 90 degrees: the path stays unique.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,9 +18,9 @@ namespace swept {
 
 struct FilteredTrajectory {
   Trajectory trajectory;
-  std::vector<std::int32_t> kept;  ///< per pose: its number in the trajectory before
+  std::vector<std::int32_t> kept;  ///< per kept pose: its index in the given trajectory
   std::int64_t dropped = 0;
-  double distance = 0;  ///< mm, at most the given one
+  double distance = 0;  ///< mm, see Out above; at most the given distance
 };
 
 FilteredTrajectory filterPositions(const Trajectory& trajectory, const Eigen::AlignedBox3d& body,

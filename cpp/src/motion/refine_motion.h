@@ -1,7 +1,8 @@
-// Trajectory -> motion whose chords stay within a given distance of the true paths.
-// Cost: O(placements). Source of the bound: sagitta of a circular arc, r (1 - cos(angle / 2)), at
-// the largest radius of the body about the centre of rotation (the body's origin for linear
-// interpolation, the screw axis for screw interpolation).
+// Converts a trajectory into a motion whose chords stay within a given distance of the true paths.
+// Cost: O(placements).
+// Source: the error bound is the sagitta of a circular arc, r (1 - cos(angle / 2)). Here r is the
+// largest distance of a body point from the centre of rotation: the origin of the body for linear
+// interpolation, the screw axis for screw interpolation.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,7 +12,7 @@
 
 namespace swept {
 
-/// chord: mm, > 0. Throws Error(ResourceLimit) when more than 4 million placements would be needed.
+/// chord: mm, > 0. Throws Error(ResourceLimit) if more than 4 million placements are necessary.
 Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double chord,
                     RunContext& run);
 

@@ -12,26 +12,26 @@
 namespace swept {
 namespace {
 
-// What sampling takes, in ns: for a copy of a face with its share of side patches, for a cell of
-// its length where it is not culled, and for a crossing. Only their ratios matter. Fitted to the
-// times of 40 runs of eight drawn inputs with edges of 1 to 75 cells.
+// Time of the sampling in ns: per copy of a face with its share of side patches, per cell of the
+// length of a face that is not culled, and per crossing. Only the ratios matter. They are fitted to
+// the times of 40 runs of eight random inputs with edges of 1 to 75 cells.
 constexpr double kFaceCost = 70, kLengthCost = 28, kCrossingCost = 7;
-/// Nor is a body to take more memory than the envelope does.
+/// Largest number of triangles after a split: the body must not need more memory than the envelope.
 constexpr double kMaxTriangles = 2e6;
-/// A finer body has to be worth more than doubts about these figures: to be split at all, and to be
-/// split once more.
+/// Required ratio of the estimated times before and after: for a first split, and for each further
+/// halving. Smaller gains are within the uncertainty of the estimates.
 constexpr double kGain = 2, kFurtherGain = 1.2;
 
 struct Step {
   double radius, angle;
 };
 
-/// A triangle's longest side, and its height over it.
+/// The longest side of a triangle and the height on that side.
 struct Extent {
   double side, height;
 };
 
-/// What a run takes with edges of a given length.
+/// Estimates the work of a run if all edges are at most `longest` mm long.
 class SamplingCost {
  public:
   SamplingCost(const TriMesh& body, const Trajectory& trajectory, double cell, RunContext& run) {
@@ -53,7 +53,7 @@ class SamplingCost {
       extents_.push_back({side, twice / side});
       area += twice / 2;
     }
-    constexpr double kThreeAxes = 1.5;  // crossings a cell of area, in the mean over directions
+    constexpr double kThreeAxes = 1.5;  // crossings per cell of area, averaged over all directions
     crossings_ = kThreeAxes * area / (cell * cell);
   }
 
@@ -74,7 +74,7 @@ class SamplingCost {
     return triangles(longest) * placements(longest, chord);
   }
 
-  /// ns
+  /// Returns the time in ns.
   double of(double longest, double chord) const {
     const double count = triangles(longest);
     if (count > std::max(kMaxTriangles, static_cast<double>(extents_.size()))) {
@@ -84,7 +84,7 @@ class SamplingCost {
            (count * kFaceCost + lengthLeft(longest) * kLengthCost + crossings_ * kCrossingCost);
   }
 
-  /// `longest`: of the body as it is.
+  /// Returns the edge length with the least work. `longest`: longest edge of the unsplit body.
   double bestEdge(double longest, double chord, double cell) const {
     double best = longest, enough = of(longest, chord) / kGain;
     for (double edge = longest / 2; edge > cell; edge /= 2) {
@@ -97,13 +97,15 @@ class SamplingCost {
   }
 
  private:
-  /// Halving leaves triangles of a quarter of the square of their longest edge.
+  /// Number of pieces of a triangle. Halving leaves triangles with an area of about a quarter of
+  /// longest^2.
   static double pieces(const Extent& e, double longest) {
     return e.side <= longest ? 1 : 2 * e.side / longest * std::max(1.0, e.height / longest);
   }
 
-  /// Cells, of the triangles that culling leaves of one copy. A triangle is left where part of it
-  /// moves outwards and part inwards; the longer it is in the body, the more often that happens.
+  /// Returns the total length, in cells, of the triangles of one copy that are not culled. A
+  /// triangle remains if one part of it moves outward and another part inward. This happens more
+  /// often the longer the triangle is compared with the body.
   double lengthLeft(double longest) const {
     double sum = 0;
     for (const Extent& e : extents_) {
@@ -119,7 +121,7 @@ class SamplingCost {
   std::vector<Extent> extents_;
 };
 
-/// Vertices in the middle of edges, each made once.
+/// Creates vertices in the middle of edges, one per edge.
 class Midpoints {
  public:
   explicit Midpoints(TriMesh& mesh) : mesh_(mesh) {}
@@ -174,7 +176,7 @@ TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run) {
       for (int c = 0; c < 3; ++c) split += (isLong[c] = length2(c) > longest2) ? 1 : 0;
       if (split == 0) continue;
       changed = true;
-      // Turned so that the side that differs from the two others comes first.
+      // Rotate the corners so that the first side is the only long one or the only short one.
       while (split < 3 && isLong[0] != (split == 1)) {
         std::rotate(t.begin(), t.begin() + 1, t.end());
         std::rotate(isLong.begin(), isLong.begin() + 1, isLong.end());

@@ -1,10 +1,12 @@
-// Splits the long edges of a body that turns, so that fewer placements follow its motion.
-// The side patch of an edge of length L over a turn by a is warped: its two triangles leave the
-// ruled surface by up to L a / 4 (refine_motion.h), which calls for L a / (4 chord) placements,
-// each with a copy of every face. Shorter edges need fewer, and cost copies of more faces; lattice
-// lines are crossed as often as the copies' area asks.
-// In:    body, trajectory. Out: the same surface with shorter edges, conforming: an edge is split
-//        for all its triangles alike. Units: mm. Cost: O(triangles) a halving.
+// Splits the long edges of a turning body, so that fewer placements approximate its motion.
+// During a turn by the angle a, an edge of length L sweeps a warped patch. The two triangles that
+// replace the patch leave the true ruled surface by up to L a / 4 (warpOf() in step_path.h). To
+// stay within `chord`, the turn needs L a / (4 chord) placements, each with a copy of every face.
+// Shorter edges need fewer placements but more faces per copy. The number of crossings with grid
+// lines depends only on the total area of the copies.
+// In:    body, trajectory.
+// Out:   the same surface with shorter edges. All triangles of a split edge share the new vertex.
+// Units: mm. Cost: O(triangles) per halving.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,19 +15,20 @@
 
 namespace swept {
 
-/// How a motion is followed.
+/// How to approximate a motion.
 struct Following {
-  double longestEdge;  ///< mm, that the body should have; infinite where splitting gains little
-  double chord;        ///< mm, larger than asked for only where that would take too many copies
+  double longestEdge;  ///< mm, split edges longer than this; infinite if it gains little
+  double chord;        ///< mm, larger than requested only if there would be too many copies
 };
 
-/// The edge that takes the least work. `mostCopies` of triangles are allowed, but never less than
-/// twice those that a chord of a cell takes. `maySplit`: false if the body stays as it is.
+/// Returns the edge length with the least work, and the chord to use. `mostCopies`: largest number
+/// of triangle copies; the limit is never below twice the number for a chord of one cell.
+/// `maySplit`: false if the body must stay unsplit.
 Following planFollowing(const TriMesh& body, const Trajectory& trajectory, double chord,
                         double cell, double mostCopies, bool maySplit, RunContext& run);
 
-/// Halves the edges that are longer than `longest` until none is. Old vertices keep their numbers,
-/// the pieces of a triangle its face.
+/// Halves all edges longer than `longest` until none is left. Old vertices keep their indices. The
+/// pieces of a triangle belong to the face of that triangle.
 TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run);
 
 }  // namespace swept

@@ -7,9 +7,9 @@
 namespace swept {
 namespace {
 
-// A smaller turn counts as none. A step of length d and angle a turns about a point up to d / a
-// away, which costs eps d / a of its places by rounding; the straight line is off by d a / 8. Both
-// are equal, and about 5e-9 d, at a = sqrt(8 eps).
+// A turn below this angle counts as none. A screw of length d and angle a turns about a point up to
+// d / a away, so rounding displaces its points by eps d / a. A straight line instead is off by
+// d a / 8. Both errors are equal, about 5e-9 d, at a = sqrt(8 eps).
 constexpr double kMinScrewAngle = 4e-8;
 
 }  // namespace
@@ -32,8 +32,9 @@ StepPath::StepPath(const Pose& from, const Pose& to, Interpolation interpolation
   axis_ = turn.angle() < 0 ? Eigen::Vector3d(-turn.axis()) : turn.axis();
   screw_ = interpolation == Interpolation::Screw && angle_ > kMinScrewAngle;
   if (!screw_) return;
-  // Relative motion x -> R x + d in the first pose's frame: pitch along the axis, the rest of d
-  // fixes a point c on it, d = (I - R) c  =>  c = (d + cot(angle/2) axis x d) / 2.
+  // Relative motion x -> R x + d in the frame of the first pose. The component of d along the axis
+  // is the pitch. The rest determines a point c of the axis:
+  // d = (I - R) c  =>  c = (d + cot(angle/2) axis x d) / 2.
   const Eigen::Vector3d d = from.rotation.conjugate() * (to.translation - from.translation);
   pitch_ = axis_.dot(d);
   const Eigen::Vector3d across = d - axis_ * pitch_;
@@ -62,7 +63,7 @@ Pose StepPath::poseAt(double s) const {
   const Eigen::Quaterniond turned(Eigen::AngleAxisd(angle_ * s, axis_));
   pose.rotation = (from_.rotation * turned).normalized();
   if (screw_) {
-    // x -> c + R(s)(x - c) + s * pitch * axis, in the body frame of the first pose
+    // x -> c + R(s)(x - c) + s * pitch * axis, in the body frame at the first pose
     const Eigen::Vector3d local = axisPoint_ - turned * axisPoint_ + axis_ * (s * pitch_);
     pose.translation = from_.rotation * local + from_.translation;
   } else {

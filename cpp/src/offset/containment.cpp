@@ -13,8 +13,8 @@ namespace {
 using Eigen::Vector3d;
 using Corners = std::array<Vector3d, 3>;
 
-constexpr double kSmallest = 0.01;  // cells: pieces below this radius are not quartered further
-constexpr double kTight = 0.1;      // cells: how close the bound from above shall come
+constexpr double kSmallest = 0.01;  // cells: no triangle with a smaller radius is split further
+constexpr double kTight = 0.1;      // cells: required tightness of the upper bound
 
 class Prover {
  public:
@@ -22,7 +22,7 @@ class Prover {
 
   double nearest = 1e300, farthest = 0;
 
-  /// False if some point of the triangle may have too little reach.
+  /// Returns false if some point of the triangle may have less than the required reach.
   bool prove(const Corners& corner) {
     const Vector3d middle = (corner[0] + corner[1] + corner[2]) / 3;
     double radius = 0;

@@ -1,12 +1,13 @@
-// Proof that a closed mesh contains a swept volume, and how far it lies from it at most.
+// Proves that a closed mesh contains a swept volume, and bounds its distance from that volume.
 //
-// In:    cover of the swept volume, a closed mesh, the least distance wanted. Out: bounds over the
-//        whole mesh, not samples of it.
-// Method: the reach changes by at most the distance between two points: a triangle whose middle is
-//        farther away than its radius does not come near; others are quartered. The distance to one
-//        convex piece of the cover is largest at a corner. If no point of the mesh is near the
-//        cover, every connected piece of the cover is wholly inside or wholly outside; a ray from
-//        one of its points decides.
+// In:    cover of the swept volume (cover.h), a closed mesh, the smallest reach allowed (the reach
+//        is the distance to the cover minus its slack, cover_search.h).
+// Out:   bounds that hold for the whole mesh, not only for sample points.
+// Method: between two points the reach differs by at most their distance. So a triangle is far
+//        enough away if the reach of its centre exceeds the limit by the triangle's radius; other
+//        triangles are split into four. The distance to one convex cover triangle is largest at a
+//        corner of the mesh triangle. If no point of the mesh is near the cover, every connected
+//        piece of the cover is wholly inside or wholly outside; one ray per piece decides.
 // Units: cells. Cost: O(triangles) queries.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -20,13 +21,13 @@ namespace swept::offset {
 
 struct Containment {
   bool holds = false;
-  double nearest = 0;        ///< no point of the mesh has less reach than this (cells)
-  double farthest = 0;       ///< every point of the mesh is at most this far from the cover (cells)
+  double nearest = 0;   ///< lower bound of the reach of all points of the mesh (cells)
+  double farthest = 0;  ///< upper bound of the distance of all mesh points from the cover (cells)
   std::int64_t tooNear = 0;  ///< triangles for which the proof failed
-  std::int64_t outside = 0;  ///< pieces of the cover that are not inside
+  std::int64_t outside = 0;  ///< points of Cover::inside that are not inside the mesh
 };
 
-/// least: the reach that every point of the mesh must have at least.
+/// least: the smallest reach that is allowed for a point of the mesh.
 Containment proveContainment(const Cover& cover, const CoverSearch& tree, const TriMesh& mesh,
                              const GridPlan& grid, double least, RunContext& run);
 

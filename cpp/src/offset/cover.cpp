@@ -13,13 +13,13 @@
 namespace swept::offset {
 namespace {
 
-constexpr double kTwist = 0.005;  // cells: patches are cut along their edge until flat to this
+constexpr double kTwist = 0.005;  // cells: largest warp of a piece; patches are cut to meet it
 constexpr int kMaxParts = 256;
 
-/// Everything about one step that the elements at its ends need.
+/// The data of one motion step that the triangles at both of its ends need.
 struct Step {
-  Placement from, to;  // in cells
-  double turn = 0;     // rad, at least
+  Placement from, to;  // body to cells
+  double turn = 0;     // rad, an upper bound
   double slack(double displacement) const { return turn * displacement / 4; }
 };
 
@@ -116,8 +116,9 @@ class MotionCover {
   Step stepBefore_, stepAfter_;
 };
 
-/// How far the true motion leaves the chords: the departure of a point is an arc of constant
-/// curvature in time, so it is largest in the middle of a step, but for terms of the fourth order.
+/// Returns how far the true motion leaves the chords, in cells. Up to terms of the fourth order, a
+/// point moves on an arc of constant curvature during a step, so its deviation is largest in the
+/// middle of the step.
 double chordOf(const SamplerInput& input) {
   Eigen::AlignedBox3d box;
   for (const auto& v : input.body.vertices) box.extend(v);
@@ -142,11 +143,11 @@ void coverCopies(const SamplerInput& input, std::size_t k, CoverTriangle* out) {
   }
 }
 
-/// Long triangles are cut: a box round a long oblique one is nearly empty, and searches would open
-/// it for nothing.
+/// Cuts long triangles. The bounding box of a long oblique triangle is nearly empty, and searches
+/// would look into it in vain.
 void cutLong(std::vector<CoverTriangle>& triangles) {
   constexpr double kLong = 6;       // cells
-  constexpr double kMaxPieces = 3;  // times the triangles, and a million more
+  constexpr double kMaxPieces = 3;  // limit: this many times the triangles, plus a million
   const auto longest = [](const CoverTriangle& t) {
     int best = 0;
     double length = -1;
@@ -203,7 +204,7 @@ std::size_t copiesOf(const SamplerInput& input) {
 Cover coverOfMotion(const SamplerInput& input, bool widened, RunContext& run) {
   Cover cover;
   const std::size_t placements = input.motion.placements.size();
-  // One vertex of every connected piece of the body.
+  // One vertex per connected piece of the body.
   std::vector<std::int32_t> roots = smallestJoinedVertices(input.body);
   sortUnique(roots);
   const auto addInside = [&](std::size_t k) {

@@ -1,17 +1,19 @@
-// Triangles that cover the boundary of the swept volume: what an offset is measured from.
+// The cover: triangles that cover the boundary of the swept volume. Offsets are measured from it.
 //
-// In:    body, motion, grid; or a closed mesh. Out: triangles in cells from the grid's origin, each
-//        with the slack within which the piece of boundary that it stands for lies.
-// Cost:  O(elements kept by culling), about 110 bytes a triangle.
-// Bounds (all of one motion step, turn a, displacement d(p)):
-//   side patch   two flat triangles leave the ruled surface by at most |e1 - e0| / 4, e the edge
-//                vector at either end of the step; it is cut along the edge until this is small;
-//   face         where a face moves partly outward, partly inward in a step, the boundary may bulge
-//                between its two copies: at a grazing point n(s) . d = 0, so it lies within
-//                a |d| / 4 of the plane of the nearer copy. Both copies are then kept and have this
-//                slack.
+// In:    body, motion and grid; or a closed mesh.
+// Out:   triangles in cells from the origin of the grid. Each stands for a piece of the boundary
+//        and has a slack: the piece lies within this distance of the triangle.
+// Cost:  O(elements that culling keeps), about 110 bytes per triangle.
+// Bounds of the slack (for one motion step with turn a and displacement d(p) of a point p):
+//   side patch   two flat triangles leave the ruled surface by at most |e1 - e0| / 4, where e0 and
+//                e1 are the edge vectors at both ends of the step. The patch is cut along the edge
+//                until this is small.
+//   face         if one part of a face moves outward in a step and another part inward, the
+//                boundary may bulge between the two copies of the face. At a grazing point
+//                n(s) . d = 0, so the point lies within a |d| / 4 of the plane of the nearer copy.
+//                The cover then keeps both copies, with this slack.
 //   chord        the true motion leaves the chords by at most `chord`, for all elements alike.
-// Everything else that is left out lies inside the swept volume (swept_elements.h).
+// All elements that culling drops lie inside the swept volume (swept_elements.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -26,25 +28,25 @@ namespace swept::offset {
 struct CoverTriangle {
   std::array<Eigen::Vector3d, 3> corner;  ///< cells from the grid's origin
   std::array<float, 3> timeSeconds{0, 0, 0};
-  float slack = 0;  ///< cells
+  float slack = 0;  ///< cells, see above
 };
 
 struct Cover {
   std::vector<CoverTriangle> triangles;
   double largestSlack = 0;  ///< cells
   double chord = 0;         ///< cells, bound on how far the true motion leaves the chords
-  std::vector<Eigen::Vector3d> inside;  ///< cells; a surface point of every connected piece
+  std::vector<Eigen::Vector3d> inside;  ///< cells; a point on the surface of every connected piece
 };
 
-/// Number of triangles that coverOfMotion would at most make for a union of copies; continuous
-/// motions: 0, culling decides.
+/// Returns the number of triangles for a union of copies, before long ones are cut. Returns 0 for
+/// continuous motions, whose number of triangles depends on culling.
 std::size_t copiesOf(const SamplerInput& input);
 
-/// widened: the triangles keep their slack, for a surface that shall hold everything; else they are
-/// taken as they are, for one that shall lie as near as possible.
+/// widened: true keeps the slack of the triangles, for a surface that must contain everything;
+/// false sets it to 0, for a surface that should lie as close as possible.
 Cover coverOfMotion(const SamplerInput& input, bool widened, RunContext& run);
 
-/// A mesh that is known to be the boundary, such as an envelope made before. contactTime may be
+/// Uses a mesh that is known to be the boundary, such as an earlier envelope. contactTime may be
 /// empty.
 Cover coverOfMesh(const TriMesh& mesh, const std::vector<double>& contactTime,
                   const GridPlan& grid);

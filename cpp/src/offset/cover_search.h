@@ -1,6 +1,7 @@
-// Distance to a cover.
-// In:    cover triangles. Out: the nearest one, slack taken off its distance.
-// Units: cells. Cost: O(n) to build, O(log n) a query; 36 bytes a triangle.
+// Finds the nearest triangle of a cover (cover.h).
+// The reach of a point: the smallest value of distance to a triangle minus slack of that triangle.
+// In:    cover triangles. Out: the triangle that gives the reach, and the reach.
+// Units: cells. Cost: O(n) to build, O(log n) per query; 36 bytes per triangle.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,20 +21,20 @@ inline Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& x, const CoverTr
 
 class CoverSearch {
  public:
-  /// Keeps a reference to the triangles, sorted by place.
+  /// Sorts `triangles` by position, in place, and keeps a reference to them.
   explicit CoverSearch(std::vector<CoverTriangle>& triangles);
 
   struct Nearest {
-    double reach = 0;            ///< distance less slack; `below` if nothing is nearer
-    std::int32_t triangle = -1;  ///< -1: nothing is nearer than `below`
+    double reach = 0;            ///< distance minus slack; `below` if no triangle is nearer
+    std::int32_t triangle = -1;  ///< -1: no triangle is nearer than `below`
   };
-  /// hint: a triangle to start from, -1 for none. Nothing at or above `below` is looked for; a
-  /// reach of `enough` or less ends the search.
+  /// Finds the triangle with the smallest reach below `below`. hint: a triangle to start with, -1
+  /// for none. The search ends early at a reach of `enough` or less.
   Nearest nearest(const Eigen::Vector3d& x, double below, std::int32_t hint = -1,
                   double enough = 0) const;
 
-  /// Calls visit(number of a triangle) for each whose box, slack included, comes within `distance`
-  /// of a box.
+  /// Calls visit(index) for each triangle whose bounding box, slack included, comes within
+  /// `distance` of the box from `low` to `high`.
   template <class Visit>
   void forNear(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double distance,
                const Visit& visit) const {

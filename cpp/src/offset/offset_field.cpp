@@ -11,8 +11,9 @@ namespace {
 
 const double kHalfDiagonal = std::sqrt(3.0) / 2;
 
-/// A reach from which on a search about a node need not go on: enough to call it near or, where it
-/// cannot be near as a whole, enough to call it mixed.
+/// Returns the reach at which a search about the centre of a node may stop. If `distance` is larger
+/// than the radius of the node, the node is then known to be near as a whole. A smaller distance
+/// rules that out, so the search stops as soon as the node is known to be mixed.
 double enoughFor(double distance, double radius) {
   return distance > radius ? distance - radius : distance + radius;
 }
@@ -21,7 +22,7 @@ Eigen::Vector3d middleOf(const std::array<std::int32_t, 3>& low, std::int32_t si
   return Eigen::Vector3d(low[0], low[1], low[2]) + Eigen::Vector3d::Constant((size - 1) / 2.0);
 }
 
-/// Calls use(low) for the eight halves of a node of twice this size.
+/// Calls use(low) for the eight halves of a node. `half`: size of a half.
 template <class Use>
 void forHalves(const std::array<std::int32_t, 3>& low, std::int32_t half, const Use& use) {
   for (int c = 0; c < 8; ++c) {
@@ -52,12 +53,12 @@ OffsetField::OffsetField(const CoverSearch& tree, double distance, const GridPla
   });
 }
 
-/// Looks at nodes of this size; returns what has to be looked at with half the size (at the size of
-/// a block: the blocks at the surface).
+/// Classifies nodes of this size. Returns the mixed nodes, split into halves; at the size of a
+/// block they are the blocks at the surface.
 std::vector<OffsetField::Node> OffsetField::refineTo(std::int32_t size,
                                                      const std::vector<Node>& nodes,
                                                      RunContext& run) {
-  // One more cell: the edges that leave a node of one kind are then not crossed either.
+  // One cell more: then the edges from a uniform node to its neighbours are not crossed, either.
   const double radius = kHalfDiagonal * (size - 1) + 1;
   std::vector<std::int8_t> kinds(nodes.size(), 0);
   std::vector<std::int32_t> hints(nodes.size(), -1);
@@ -106,7 +107,7 @@ void OffsetField::setBlocks(const Node& node, std::int32_t size, std::int32_t ki
   }
 }
 
-/// Gaps of the points of a node within a block.
+/// Computes the gaps of all points of a node inside a block.
 void OffsetField::fill(const Node& node, std::int32_t size, Gaps& gaps) const {
   const double radius = kHalfDiagonal * 2 * (size - 1) / 2;
   Node at = node;

@@ -1,12 +1,14 @@
-// On which side of the offset surface every lattice point lies.
+// Determines for every lattice point on which side of the offset surface it lies.
 //
-// In:    distance to a cover (cover_search.h), offset distance, grid. Out: for every lattice point
-//        the gap = reach - distance, above 0 outside; far from the surface only its sign.
-// Method: octree of lattice points. The reach changes by at most the distance of two points, so a
-//        node whose middle is far enough from the surface is of one kind. One value a lattice
-//        point, read by all three axes: signs always agree.
-// Units: cells. Cost: O(surface cells) queries, 2 kB a block of 8^3 points at the surface, 4 bytes
-//        elsewhere.
+// In:    search for the reach, i.e. the distance to a cover minus slack (cover_search.h); offset
+//        distance; grid.
+// Out:   for every lattice point its gap = reach - distance, positive outside. Far from the surface
+//        only the sign is correct.
+// Method: octree of lattice points. Between two points the reach differs by at most their distance,
+//        so a node whose centre is far enough from the surface is wholly outside or wholly near
+//        (inside). All three axes read the same value of a lattice point, so signs always agree.
+// Units: cells. Cost: O(surface cells) queries, 2 kB per block of 8^3 points at the surface,
+//        4 bytes per block elsewhere.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -27,7 +29,8 @@ class OffsetField {
   OffsetField(const CoverSearch& tree, double distance, const GridPlan& grid, RunContext& run);
 
   double distance() const { return distance_; }
-  /// Blocks that the surface may touch, edges to the next blocks included; others are of one kind.
+  /// True for blocks that the surface may touch, including their edges to the next blocks. All
+  /// points of another block lie on the same side.
   bool isMixed(std::int32_t bi, std::int32_t bj, std::int32_t bk) const {
     return block(bi, bj, bk) >= 0;
   }

@@ -11,16 +11,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRounding = 1e-6;      // cells: gaps are stored as floats
-constexpr double kFromPoint = 1e-3;     // cells that crossings keep from lattice points
-constexpr double kDipsBelow = 2;        // cells: dips are shallower than 1 / (8 distance)
-constexpr double kShortest = 1.0 / 32;  // of an edge: shorter dips are not looked for
-// In cells, of bodies that are grown by less than this:
-constexpr double kApart = 0.5;           // an edge may cross two walls that are apart
-constexpr double kThin = kShortest / 2;  // walls are shorter dips, which must not be lost
-constexpr double kFlat = 1e-3;           // normals are those of the cover
+constexpr double kRounding = 1e-6;   // cells: gaps are stored as floats
+constexpr double kFromPoint = 1e-3;  // cells: smallest distance of crossings from lattice points
+// cells: from this distance on no dip is looked for; a dip is less than 1 / (8 distance) deep
+constexpr double kDipsBelow = 2;
+constexpr double kShortest = 1.0 / 32;  // fraction of an edge: shorter dips are not looked for
+// Offset distances, in cells, below which ...
+constexpr double kApart = 0.5;           // ... an edge may pass through two separate walls
+constexpr double kThin = kShortest / 2;  // ... shorter dips, at thin walls, are looked for, too
+constexpr double kFlat = 1e-3;           // ... crossings have the normals of the cover triangles
 
-/// Where the ray origin + t * path, t in [0, 1], enters the rounded triangle; 1 if it never does.
+/// Returns t in [0, 1] at which origin + t * path first comes within `radius` of the triangle; 1 if
+/// nowhere.
 double entry(const Vector3d& origin, const Vector3d& path, const CoverTriangle& triangle,
              double radius) {
   double t = 0;
@@ -30,7 +32,7 @@ double entry(const Vector3d& origin, const Vector3d& path, const CoverTriangle& 
     const double distance = apart.norm(), over = distance - radius;
     if (over <= 1e-10) break;
     const double speed = -apart.dot(path) / distance;
-    if (!(speed > 1e-9)) return 1;  // the line passes by
+    if (!(speed > 1e-9)) return 1;  // the path does not come nearer
     t += over / speed;
     if (t >= 1) return 1;
   }
@@ -38,11 +40,12 @@ double entry(const Vector3d& origin, const Vector3d& path, const CoverTriangle& 
 }
 
 struct Entry {
-  double t = 1;  ///< fraction of the path
+  double t = 1;  ///< fraction of the path, 1 if there is no entry
   std::int32_t triangle = -1;
 };
 
-/// Where a path along an axis enters the first rounded triangle, if it enters any.
+/// Finds where a path along an axis first comes within `distance` plus slack of a triangle. Returns
+/// triangle -1 if nowhere.
 Entry firstEntry(const CoverSearch& tree, double distance, const Vector3d& origin,
                  const Vector3d& path) {
   Entry first;
@@ -55,7 +58,8 @@ Entry firstEntry(const CoverSearch& tree, double distance, const Vector3d& origi
   return first;
 }
 
-/// A point of the edge at which the gap is 0 or less, or -1.
+/// Searches an edge between t0 and t1 for a point whose gap is 0 or less. Returns its position, -1
+/// if there is none. gap0 and gap1: the gaps at t0 and t1.
 double findDip(const CoverSearch& tree, double distance, const Vector3d& origin, int axis,
                double t0, double gap0, double t1, double gap1) {
   if (gap0 + gap1 >= t1 - t0 + kRounding) return -1;
@@ -75,7 +79,7 @@ double findDip(const CoverSearch& tree, double distance, const Vector3d& origin,
   return below >= 0 ? below : findDip(tree, distance, origin, axis, middle, gap, t1, gap1);
 }
 
-/// Where the path enters what has grown, if its end lies inside.
+/// Finds where the path enters the offset body. The end of the path must lie inside.
 Entry entryOf(const CoverSearch& tree, double distance, const Vector3d& origin,
               const Vector3d& path) {
   const auto atEnd = [&] { return tree.nearest(origin + path, distance + kRounding); };
@@ -95,7 +99,7 @@ Entry entryOf(const CoverSearch& tree, double distance, const Vector3d& origin,
   return first;
 }
 
-/// Unit normal of the side that the path comes from; against the path where there is no area.
+/// Returns the unit normal that points against the path; the reversed path if there is no area.
 Vector3d normalAgainst(const Vector3d& path, const CoverTriangle& t) {
   const Vector3d normal = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]);
   if (!(normal.norm() > 0)) return -path.normalized();
@@ -106,7 +110,7 @@ float timeAt(const CoverTriangle& t, const Vector3d& p) {
   const Vector3d u = t.corner[1] - t.corner[0], v = t.corner[2] - t.corner[0], w = p - t.corner[0];
   const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm();
   const double det = uu * vv - uv * uv;
-  if (!(det > 1e-12 * uu * vv)) {  // a needle: along its longer side
+  if (!(det > 1e-12 * uu * vv)) {  // a needle: interpolate along its longer side
     const int far = uu > vv ? 1 : 2;
     const double s = std::max(uu, vv) > 0 ? w.dot(uu > vv ? u : v) / std::max(uu, vv) : 0;
     return static_cast<float>((1 - s) * t.timeSeconds[0] + s * t.timeSeconds[far]);
@@ -116,7 +120,7 @@ float timeAt(const CoverTriangle& t, const Vector3d& p) {
                             c * t.timeSeconds[2]);
 }
 
-/// Marks the edges of one layer.
+/// Marks the edges of one lattice layer.
 class LayerMarker {
  public:
   LayerMarker(const OffsetField& field, const CoverSearch& tree, const GridPlan& grid,

@@ -1,14 +1,18 @@
-// The surface at a distance from a cover, as marked edges and crossings on the lattice.
+// The surface at a given distance from a cover, as marked edges and crossings on the lattice. The
+// offset body is the union of the grown triangles: all points within `distance` plus slack of a
+// cover triangle.
 //
-// In:    cover tree, field of gaps. Out: marked edges (for the signs), then for each contributing
-//        one the exact crossing: point, normal and time.
-// An edge is marked where its ends lie on different sides, or where both lie outside and the offset
-// body dips in between (only looked for where it is less than two cells round).
-// A crossing is where the line enters the union of rounded triangles (points within the distance of
-// a triangle): each of them is convex, so Newton's method from outside reaches its skin without
-// overshooting; from there a triangle that the line entered earlier is looked for, until none is
-// left. Where the body is grown by less than half a cell, the line may pass walls apart from each
-// other: all on the edge are queried. The normal points from the nearest point of that triangle.
+// In:    cover search, field of gaps.
+// Out:   marked edges, from which the signs follow; then, for each contributing edge, the exact
+//        crossing: point, normal and time.
+// Method: an edge is marked if its ends lie on different sides, or if both lie outside and the
+//        offset body reaches in between (a dip). Dips are only looked for if the distance is below
+//        two cells. A crossing is the point at which the grid line enters the offset body. Every
+//        grown triangle is convex, so Newton's method from outside reaches its surface without
+//        overshooting. From there the search goes on for a triangle that the line entered earlier,
+//        until there is none. If the distance is below half a cell, the line may pass through
+//        separate walls; then all triangles near the edge are queried. The normal points away from
+//        the nearest point of the triangle.
 // Units: cells. Cost: O(marked edges) queries.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -19,11 +23,11 @@
 
 namespace swept::offset {
 
-/// MarkedEdge::lowFraction = highFraction = where on the edge a point inside is known.
+/// Sets lowFraction and highFraction of each marked edge to the position of a known inside point.
 MarkedEdges markOffset(const OffsetField& field, const CoverSearch& tree, const GridPlan& grid,
                        RunContext& run);
 
-/// The crossing of a marked edge seen from its low or high end.
+/// Returns the crossing of a marked edge as seen from its low or high end.
 Crossing offsetCrossing(const CoverSearch& tree, double distance, int axis, std::int32_t i,
                         std::int32_t j, const MarkedEdge& edge, bool fromLow);
 

@@ -9,14 +9,15 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kMinDistance = 0.5;  // cells
-/// Cells that a vertex may be too near, or too far. On a round offset the corners of a triangle
-/// have to lie a little outside, or its middle would be too near.
+/// Cells by which a vertex may be too near or too far. On a round offset the corners of a triangle
+/// must lie slightly outside, or the middle of the triangle would be too near.
 constexpr double kMaxShort = 0.002, kMaxLong = 0.08;
-/// Cells: a vertex does not leave its place by more.
+/// Cells: a vertex moves by at most this distance.
 constexpr double kMaxMove = 1.5;
 constexpr int kRounds = 40;
 
-/// hint: the nearest triangle, also of the vertex before.
+/// Returns the settled position of a vertex. `hint`: a triangle to start the search with, such as
+/// that of the vertex before; receives the nearest one.
 Vector3d settled(const Vector3d& start, const CoverSearch& tree, double distance,
                  std::int32_t& hint) {
   Vector3d x = start;

@@ -1,13 +1,15 @@
-// Where the vertices of a contoured offset belong that are not at the distance asked for.
+// Moves the vertices of a contoured offset surface to the requested distance.
 //
-// In:    vertices in mm, distance to a cover. Out: those that have to move, and where to.
-// Units: the distance in cells. Cost: a query a vertex, a few more for those that have to move.
-// Method: a vertex is the best point of the planes at the crossings of its cell. An offset is round
-//         between them, so that point may lie too far out, and where the cell hides a valley, too
-//         far in. A vertex that is too far goes straight to its nearest point of the cover: no
-//         other one comes nearer than asked by that. One that is too near goes straight away from
-//         it, again and again, since that may bring it nearer to another one.
-// Source: own method; alternating projections (Bregman 1965) for the second.
+// In:    vertices in mm, search of the nearest cover triangle, distance in cells.
+// Out:   the vertices that must move, and their new positions in mm.
+// Cost:  one query per vertex, a few more for each vertex that moves.
+// Method: contouring places a vertex at the best point of the planes at the crossings of its cell.
+//        An offset is round between these planes, so the vertex may lie too far out; if the cell
+//        hides a valley, it may lie too far in. A vertex that is too far out goes straight towards
+//        its nearest point of the cover, which brings it too near to no other part of the cover. A
+//        vertex that is too near goes straight away from its nearest point, repeatedly, since each
+//        step may bring it too near to another part.
+// Source: own method; for vertices that are too near, alternating projections (Bregman 1965).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,8 +23,8 @@
 
 namespace swept::offset {
 
-/// Does nothing below a distance of half a cell, where a vertex may lie on the wrong side of the
-/// cover. vertices: those to look at; the moves are in their order.
+/// Returns the moves, in the order of `vertices` (the vertices to inspect). Returns none if the
+/// distance is below half a cell: there a vertex may lie on the wrong side of the cover.
 std::vector<VertexMove> settlingMoves(const TriMesh& mesh,
                                       const std::vector<std::int32_t>& vertices,
                                       const CoverSearch& tree, double distance,

@@ -15,14 +15,14 @@ namespace {
 constexpr double kWidth = 880, kHeight = 340, kLeft = 56, kRight = 14, kTop = 14, kBottom = 40;
 constexpr std::array kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                               "#56b4e9", "#e69f00", "#7a4fbf", "#8c564b"};  // Okabe and Ito, 2008
-constexpr std::size_t kRowLength = 4;                                       // names in a row
-constexpr std::size_t kLetters = 26;                                        // of a name below
+constexpr std::size_t kRowLength = 4;                                       // names per row
+constexpr std::size_t kLetters = 26;                                        // letters per name
 constexpr double kTickGap = 16, kLegendRow = 19;
 constexpr const char* kOther = "#999999";
 
 std::string at(double value) { return fixedText(value, 1); }
 
-// Whole letters of UTF-8.
+// Cuts a long name after kLetters letters, never inside a UTF-8 character.
 std::string shortened(const std::string& text) {
   std::size_t count = 0;
   for (std::size_t end = 0; end < text.size(); ++end) {
@@ -53,7 +53,7 @@ class Graph {
 
   bool isEmpty() const { return curves_.empty(); }
 
-  /// follows: with the line that the 3D view moves.
+  /// follows: true adds the line that marks the moment shown in the 3D view.
   std::string text(bool follows) const {
     const std::size_t named = std::min(curves_.size(), kColours.size());
     const std::size_t names = named + (curves_.size() > named ? 1 : 0);
@@ -131,7 +131,7 @@ class Graph {
     return svg + label(0.5 * (kLeft + kWidth), kHeight - 6, "middle", words_("axis_time"));
   }
 
-  // Distances that are asked for, each once.
+  // Draws each required distance once.
   std::string demands() const {
     std::string svg;
     for (const double distance : asked_) {
@@ -146,7 +146,7 @@ class Graph {
 
   static const char* colour(std::size_t i) { return i < kColours.size() ? kColours[i] : kOther; }
 
-  // With a wide invisible one over it, which is easier to point at.
+  // Draws a curve with a wide invisible line over it, which is easier to point at.
   std::string curve(std::size_t i) const {
     const Row& row = *curves_[i];
     const std::string title =
@@ -180,7 +180,7 @@ class Graph {
   }
 
   const Words& words_;
-  std::vector<const Row*> curves_;  // the worst first
+  std::vector<const Row*> curves_;  // worst first
   std::vector<double> asked_;       // ascending
   double from_ = 0, to_ = 1, most_ = 0, bend_ = 1;
 };

@@ -1,7 +1,7 @@
 // The graph of distances over time as an svg element.
-// The scale is linear near 0 and logarithmic beyond (asinh), so that the required distance can be
-// seen whatever the largest one is. Every curve tells its name when it is pointed at. Colours stand
-// in attributes, for readers without style sheets; the page's style changes some of them.
+// The scale is linear near 0 and logarithmic beyond (asinh), so that the required distance stays
+// visible however large the largest distance is. A curve shows its name if the reader points at it.
+// Colours are attributes, for readers without style sheets; the page's style sheet changes some.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,9 +12,10 @@
 
 namespace swept::page {
 
-/// A section; empty where the report holds no curves.
+/// Returns the section; empty if the report has no curves.
 std::string graphOf(const Told& told, const Words& words);
-/// Its content, of one of several on a page: without the line that follows the 3D view.
+/// Returns only the content of the section, for a page with several graphs. This graph has no line
+/// for the moment shown in the 3D view.
 std::string graphFigure(const Told& told, const Words& words);
 
 }  // namespace swept::page

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kNoCharacter = "\xEF\xBF\xBD";  // U+FFFD
 
-/// With every byte that is no UTF-8 replaced, as in reports.
+/// Replaces every byte that is not valid UTF-8, as reports do.
 std::string asUtf8(const std::string& text) {
   const std::string json = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
   return Json::parse(json).get<std::string>();
@@ -49,7 +49,7 @@ std::string escaped(const std::string& text) {
 std::string dataElement(const char* id, const Json& json) {
   std::string out = std::string("<script type=\"application/json\" id=\"") + id + "\">";
   for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<' || c == '>' || c == '&')  // only inside texts, where JSON takes them as numbers
+    if (c == '<' || c == '>' || c == '&')  // occur only in strings, where JSON allows \u
       out += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : "\\u0026";
     else
       out += c;

@@ -8,7 +8,7 @@
 namespace swept::page {
 namespace {
 
-constexpr std::size_t kTold = 40;  // bytes of a wrong placeholder in a message
+constexpr std::size_t kTold = 40;  // bytes of a wrong placeholder that a message quotes
 
 [[noreturn]] void badTemplate(const std::string& layout, std::size_t at, const std::string& text) {
   const auto line = 1 + std::count(layout.begin(), layout.begin() + std::ptrdiff_t(at), '\n');

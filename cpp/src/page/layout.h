@@ -7,9 +7,9 @@
 
 namespace swept::page {
 
-/// The layout with each {{name}} (blanks inside are allowed) replaced by its value, once: what a
-/// value holds is left alone. Throws Error(InvalidInput, "BadTemplate"), naming the line and what
-/// stands there, for an unknown name and for {{ without }}.
+/// Replaces each {{name}} in the layout by its value. Blanks inside the braces are allowed. Braces
+/// in a value are not replaced. Throws Error(InvalidInput, "BadTemplate") with the line and the
+/// text for an unknown name and for {{ without }}.
 std::string filled(const std::string& layout, const std::map<std::string, std::string>& values);
 
 }  // namespace swept::page

@@ -34,7 +34,7 @@ Values checkValues(const Told& told, const PageOptions& options, const Words& wo
           {"data", dataElement("report", told.report)}};
 }
 
-/// A study has no 3D view; graphs, rules and findings stand with their runs.
+/// A study has no 3D view. Graphs, rules and findings stand in the parts of its runs.
 Values studyValues(const ToldStudy& study, const Words& words) {
   return {{"title", escaped(study.report.value("name", words("title_study")))},
           {"verdict", studyBanner(study, words)},
@@ -67,7 +67,7 @@ std::string pageOf(const std::string& text, const PageOptions& options, RunConte
   return filled(options.layout.empty() ? pageTemplate() : options.layout, values);
 }
 
-/// What pageOf() fills in.
+/// The placeholders that pageOf() fills.
 constexpr std::array kPlaceholders{
     "data", "date",     "findings", "graph", "inputs", "language", "made_by", "pictures", "rules",
     "runs", "settings", "style",    "table", "title",  "verdict",  "version", "view"};

@@ -1,4 +1,4 @@
-// Texts that the build puts into the library (cmake/embed_texts.cmake).
+// Texts that the build embeds into the library (cmake/embed_texts.cmake).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace swept::page {
 
-/// A file of resources/page, or "view": the bundled 3D view, empty where there is none. Null:
-/// unknown name.
+/// Returns the text of a file in resources/page. "view" gives the bundled 3D view, which is empty
+/// if the build has none. Returns null for an unknown name.
 const char* resourceText(const std::string& name);
 
 }  // namespace swept::page

@@ -82,7 +82,7 @@ std::vector<std::string> namesOf(const Json& report, const char* key) {
   return names;
 }
 
-// What a run measures of itself is not the same the next time.
+// Removes the measurements of a run's own time and memory: they differ from run to run.
 void dropMeasures(Json& report) {
   for (const char* key : {"seconds", "threads", "estimated_memory_bytes", "peak_memory_bytes"})
     report.erase(key);
@@ -139,7 +139,7 @@ Json parseReport(const std::string& text) {
   if (command != "clearance" && command != "mechanism" && command != "study")
     badReport("its command is '" + command +
               "'; pages tell of 'clearance', 'mechanism' and 'study'");
-  // A study with runs that failed is told with them.
+  // A page of a study also shows its failed runs.
   if (command != "study" && report.value("status", "") != "Ok")
     badReport("the run ended with " + report.value("status", "?") + ": " +
               report.value("message", ""));

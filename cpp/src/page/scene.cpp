@@ -19,9 +19,9 @@ namespace swept::page {
 namespace {
 
 constexpr int kMoments = 120;             // frames besides those of the rows
-constexpr std::size_t kMostCopies = 400;  // the same where only copies are checked
-constexpr double kCrease = 0.5;           // rad, as in FreeCAD's view of the workbench
-constexpr double kSteps = 65535;          // of the box, in each direction
+constexpr std::size_t kMostCopies = 400;  // most such frames if only copies are checked
+constexpr double kCrease = 0.5;           // rad, as in the workbench's 3D view in FreeCAD
+constexpr double kSteps = 65535;          // steps of a position along each side of the box
 
 template <class Number>
 std::string bytesOf(const std::vector<Number>& numbers) {
@@ -30,10 +30,11 @@ std::string bytesOf(const std::vector<Number>& numbers) {
 
 struct Frame {
   double time = 0;
-  const Row* row = nullptr;  // whose moment it is
+  const Row* row = nullptr;  // the row whose moment this is, if any
 };
 
-/// For each part how many triangles it may show: what small ones leave is shared by the others.
+/// Returns for each part how many triangles it may have. Small parts leave their rest to the
+/// others.
 std::vector<std::size_t> sharesOf(const std::vector<PagePart>& parts, std::size_t all) {
   std::vector<std::size_t> order(parts.size()), shares(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) order[i] = i;
@@ -49,7 +50,7 @@ std::vector<std::size_t> sharesOf(const std::vector<PagePart>& parts, std::size_
   return shares;
 }
 
-/// Throws Error(InvalidInput) for what cannot be drawn.
+/// Throws Error(InvalidInput) if the part cannot be drawn.
 void checkPart(const PagePart& part) {
   const auto refuse = [&](const char* code, const std::string& text) {
     throw Error(Status::InvalidInput, code, "part '" + part.name + "' of the 3D view: " + text);
@@ -138,7 +139,7 @@ std::vector<Frame> framesOf(const Told& told, const std::vector<PagePart>& parts
 std::vector<float> posesOf(const PagePart& part, const std::vector<Frame>& frames, bool mechanism) {
   std::vector<float> numbers;
   for (const Frame& frame : frames) {
-    const bool told = frame.row && !mechanism;  // where the report says what the pose is
+    const bool told = frame.row && !mechanism;  // the report gives the pose
     const Pose pose = told                        ? frame.row->pose
                       : part.motion.poses.empty() ? Pose{}
                                                   : poseAt(part.motion, frame.time);
@@ -173,7 +174,7 @@ Json rowsJson(const Told& told, const std::vector<Frame>& frames,
   return list;
 }
 
-/// The worst verdict of a part; the one body of a clearance report has none of its own.
+/// Returns the worst verdict of a part; none for the moving body of a clearance report.
 std::string verdictOf(const PagePart& part, const Told& told) {
   if (part.moves && !told.mechanism) return "none";
   for (const std::size_t index : told.order) {

@@ -1,8 +1,8 @@
-// The 3D view of a page: shapes, motion and places as data for resources/page/view.js.
-// Shapes are thinned to about a number of triangles (drawable.h); positions are 16 bits of the
-// shape's box, normals 8 bits. The motion is a list of frames: about 120 moments and the moment of
-// each row, at which every moving part has its pose.
-// Cost: O(triangles); a frame is 28 bytes a part.
+// The 3D view of a page: shapes, motion and pairs as data for resources/page/view.js.
+// Shapes are simplified to about a given number of triangles (drawable.h). Positions have 16 bits
+// along each side of the shape's box, normals 8 bits. The motion is a list of frames with the poses
+// of every moving part: about 120 moments, plus the moment of each row.
+// Cost: O(triangles); 28 bytes per frame and moving part.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,13 +15,13 @@
 
 namespace swept::page {
 
-/// Markup with its data and its script; a sentence where this program has no 3D view, nothing where
-/// there are no parts. Throws Error(Cancelled).
+/// Returns markup with data and script; a sentence if this program has no 3D view; nothing if there
+/// are no parts. Throws Error(Cancelled).
 std::string viewOf(const Told& told, const PageOptions& options, const Words& words,
                    RunContext& run);
 
-/// Where a part is at a moment, clamped to its motion. Without interpolation: the last pose that
-/// is not after it.
+/// Returns the pose of a part at a moment, clamped to its motion. Without interpolation: the last
+/// pose that is not later.
 Pose poseAt(const Trajectory& motion, double time);
 
 }  // namespace swept::page

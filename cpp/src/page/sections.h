@@ -1,4 +1,4 @@
-// The parts of a page that are text and tables.
+// The parts of a page that consist of text and tables.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,20 +11,21 @@
 
 namespace swept::page {
 
-/// "All 12 checked pairs meet their rules." with the worst distance, coloured.
+/// Returns a coloured sentence such as "All 12 checked pairs meet their rules." with the worst
+/// distance.
 std::string verdictBanner(const Told& told, const Words& words);
 std::string verdictTable(const Told& told, const Words& words);
 std::string rulesTable(const Told& told, const Words& words);
-/// What stands in the two sections above.
+/// Return only the tables of the two sections above.
 std::string verdictRows(const Told& told, const Words& words);
 std::string rulesRows(const Told& told, const Words& words);
-/// A verdict of a report in its colour; allowed: of contact that a rule allows.
+/// Returns the verdict in its colour. `allowed`: a rule allows this contact.
 std::string verdictMark(const std::string& verdict, bool allowed, const Words& words);
 std::string settingsTable(const Told& told, const Words& words);
 std::string inputsTable(const std::vector<PageInput>& inputs, const Words& words);
 std::string findingsList(const Told& told, const Words& words);
-std::string findingsItems(const Told& told, const Words& words);  ///< empty: there are none
-/// Throws Error(InvalidInput, "BadOption") for a media type that is no picture's.
+std::string findingsItems(const Told& told, const Words& words);  ///< empty if there are none
+/// Throws Error(InvalidInput, "BadOption") for a media type that is not a picture.
 std::string picturesOf(const std::vector<PagePicture>& pictures, const Words& words);
 
 }  // namespace swept::page

@@ -13,8 +13,10 @@ namespace {
 
 using Cells = std::vector<std::vector<std::string>>;
 
+/// The state of a run. `told`: its name in the rows of a report; `key`: its key in the report and
+/// in Words; `kind`: the class of its mark.
 struct State {
-  const char *told, *key, *kind;  ///< in a row, in the report and in Words, class of its mark
+  const char *told, *key, *kind;
 };
 constexpr std::array kStates{
     State{"failed", "failed", "clash"}, State{"not clear", "not_clear", "below"},
@@ -39,8 +41,8 @@ std::string linkTo(const std::string& address, const std::string& text) {
          "</a>";
 }
 
-/// The address of a run's own page: a place in the folder of the study's. Throws Error(BadReport)
-/// for another one: a page must not lead away.
+/// Returns the address of a run's own page, inside the folder of the study's page. Throws
+/// Error(BadReport) for any other address: a page must not lead elsewhere.
 std::string pageOf(const Json& row) {
   const std::string address = row.value("page", "");
   if (address.find(':') != std::string::npos || address.starts_with("/"))
@@ -48,7 +50,7 @@ std::string pageOf(const Json& row) {
   return address;
 }
 
-/// Without the columns that hold nothing below their head.
+/// Returns the table without columns that are empty below their head.
 std::string tableOf(const Cells& cells, const std::string& columns) {
   Cells kept(cells.size());
   std::string kinds;

@@ -1,6 +1,6 @@
-// What a page tells of a study: a table of its runs, the worst first, and a part for each run with
-// its verdicts, graph and rules. The rows and their order are those of the report, where every run
-// whose clearances were computed has their report as "clearance", and may have the address of its
+// The page of a study: a table of its runs, the worst first, and a part for each run with its
+// verdicts, graph and rules. The rows and their order come from the report of the study. In it, a
+// run with computed clearances has their report as "clearance". A run may have the address of its
 // own page as "page" (docs/studies.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -20,14 +20,14 @@ struct ToldRun {
 };
 
 struct ToldStudy {
-  Json report;  ///< without what differs from run to run and from folder to folder
+  Json report;  ///< without data that differ from run to run or folder to folder
   std::vector<ToldRun> runs;
 };
 
-/// Throws Error(InvalidInput, "BadReport").
+/// Reads the report of a study. Throws Error(InvalidInput, "BadReport").
 ToldStudy tellStudy(Json report);
 
-/// How many runs are done, and the one to look at first.
+/// Returns how many runs are done, and which run to look at first.
 std::string studyBanner(const ToldStudy& study, const Words& words);
 std::string studyTable(const ToldStudy& study, const Words& words);
 std::string studyRuns(const ToldStudy& study, const Words& words);

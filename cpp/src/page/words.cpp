@@ -200,7 +200,7 @@ std::string Words::operator()(const std::string& key, const std::string& zero,
 }
 
 std::string Words::number(double value, int digits) const {
-  constexpr double kNothing = 1e-9;  // mm or s: what is left of rounding
+  constexpr double kNothing = 1e-9;  // mm or s: smaller values are rounding errors
   std::string text = numberText(std::abs(value) < kNothing ? 0.0 : value, digits);
   if (language_ == "de")
     for (char& c : text)

@@ -1,4 +1,4 @@
-// The texts of a page in its languages, and its numbers.
+// The texts of a page in its languages, and the format of its numbers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,7 +10,7 @@ namespace swept::page {
 struct Word {
   const char *key, *english, *german;
 };
-/// All of them.
+/// Returns all texts.
 std::span<const Word> allWords();
 
 class Words {
@@ -19,11 +19,11 @@ class Words {
   explicit Words(const std::string& language);
   const std::string& language() const { return language_; }
   bool has(const std::string& key) const;
-  /// The text of a key, with {0} and {1} replaced. Throws std::logic_error where there is none: a
-  /// fault of this program.
+  /// Returns the text of a key, with {0} and {1} replaced. Throws std::logic_error for an unknown
+  /// key, which is a fault of this program.
   std::string operator()(const std::string& key, const std::string& zero = {},
                          const std::string& one = {}) const;
-  /// With the decimal sign of the language.
+  /// Formats a number with the decimal sign of the language.
   std::string number(double value, int digits = 4) const;
   std::string millimetres(double value) const { return number(value) + " mm"; }
   std::string seconds(double value) const { return number(value) + " s"; }

@@ -28,7 +28,8 @@ SampledSurface sampleOnCpu(const SamplerInput& input, const FindSigns& findSigns
 
 SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double cpuSeconds,
                              const FindSigns& findSigns, RunContext& run) {
-  // A small choice of copies on the CPU beats all of them on any device.
+  // If the dense sampler suits the input, it samples only some of the copies. On the CPU this takes
+  // less time than all copies take on any GPU.
   if (wanted != Backend::Gpu) {
     if (auto dense = dense::sampleDense(input, {}, run)) {
       SampledSurface out;
@@ -53,7 +54,7 @@ SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double c
         throw;
       }
       why = error.what();
-      why = why.substr(0, why.find("; use --backend"));  // advice for those who demanded it
+      why = why.substr(0, why.find("; use --backend"));  // advice only for users who chose the GPU
     }
     SampledSurface out = sampleOnCpu(input, findSigns, run);
     out.notes.push_back({"CpuSampler", 1, {}, "sampled on the CPU: " + why});

@@ -1,9 +1,11 @@
-// Which sampler a run uses, and what happens when the GPU fails it.
+// Chooses the sampler of a run and handles failures of the GPU.
 //
-// cpu: never touches GL. gpu: demanded; Error(DeviceUnavailable) or Error(DeviceLost) with the
-// reason. auto: the CPU, unless the run is long and a real GPU (no software rasteriser) passes the
-// self-test and was faster than the CPU on a probe; whatever fails, the CPU takes over and one note
-// says which step failed. Both samplers give the same marks, so the result does not depend on it.
+// Backend cpu: never touches GL.
+// Backend gpu: throws Error(DeviceUnavailable) or Error(DeviceLost) with the reason on failure.
+// Backend auto: uses the GPU only if the run is long, and if a real GPU (no software rasteriser)
+//        passes the self-test and beats the CPU in a short probe. Else the CPU samples, and one
+//        note says which step failed.
+// Promise: CPU and GPU give the same marks, so the result does not depend on the choice.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,8 +13,8 @@
 
 namespace swept {
 
-/// cpuSeconds: estimate of the whole run on the CPU; below kMinAutoSeconds auto does not look for
-/// a GPU. GPU runs of one process take turns.
+/// cpuSeconds: estimated time of the whole run on the CPU. Below kMinAutoSeconds, `auto` does not
+/// look for a GPU. Only one run per process uses the GPU at a time.
 constexpr double kMinAutoSeconds = 3;
 SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double cpuSeconds,
                              const FindSigns& findSigns, RunContext& run);

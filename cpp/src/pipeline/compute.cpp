@@ -19,11 +19,11 @@
 namespace swept {
 namespace {
 
-/// What becomes of the memory that a run has freed: a session's next run takes it again.
+/// Whether to return the memory freed by a run to the system. A session keeps it for its next run.
 enum class Freed : std::uint8_t { Returned, Kept };
 
-/// Runs work(run) in an arena of the wanted number of threads and puts how it went in the report.
-/// The arena is all that is limited: what the process does beside the run goes on as it is.
+/// Runs work(run) in a task arena with the requested number of threads and writes the outcome to
+/// the report. Only this arena is limited; other work of the process continues unchanged.
 template <class Work>
 Result runWith(const Options& options, RunContext& run, Freed freed, const Work& work) {
   Result result;
@@ -50,7 +50,7 @@ Result runWith(const Options& options, RunContext& run, Freed freed, const Work&
   } else {
     try {
       close();
-    } catch (const std::bad_alloc&) {  // the failure is told already, only its figures are missing
+    } catch (const std::bad_alloc&) {  // the report names the failure; only figures are missing
     }
   }
   return result;

@@ -16,16 +16,16 @@ namespace {
 using Triangle = std::array<std::int32_t, 3>;
 using Eigen::Vector3d;
 
-/// Thinning stops when there are at most this many times the triangles that were asked for.
+/// Thinning stops at this many times the requested number of triangles.
 constexpr double kEnough = 1.2;
-/// Weight of a cell's mean point against the planes that meet in it.
+/// Weight of the mean point of a cell, relative to the planes in the cell.
 constexpr double kMeanWeight = 0.001;
-/// Cells along one side of the grid.
+/// Largest index of a cell along one side of the grid: a key holds 21 bits per axis.
 constexpr double kMaxCells = 0x1fffff;
-/// Corners of one vertex share a point while the cosine between their normals is above this.
+/// Corners of one vertex share a point if the cosine between their normals is above this.
 constexpr double kSameNormal = 0.999;
 
-/// Twice the area of a triangle along its normal.
+/// Returns the normal of a triangle, with twice the area as its length.
 Vector3d areaNormal(const TriMesh& mesh, const Triangle& t) {
   const Vector3d& a = mesh.vertices[t[0]];
   return (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
@@ -37,7 +37,7 @@ double areaOf(const TriMesh& mesh) {
   return 0.5 * twice;
 }
 
-/// Numbers keys in the order in which they come.
+/// Gives consecutive numbers to keys, in the order of their first use.
 class Numbering {
  public:
   explicit Numbering(std::size_t most) {
@@ -68,7 +68,7 @@ class Numbering {
   std::int32_t count_ = 0;
 };
 
-/// For each vertex the number of the grid's cell that it lies in, counted without gaps.
+/// Returns for each vertex the number of its grid cell. Only cells with vertices get a number.
 std::vector<std::int32_t> cellsOf(const TriMesh& mesh, double cell, std::int32_t& count) {
   Vector3d low = mesh.vertices[0];
   for (const Vector3d& v : mesh.vertices) low = low.cwiseMin(v);
@@ -86,8 +86,8 @@ std::vector<std::int32_t> cellsOf(const TriMesh& mesh, double cell, std::int32_t
   return cells;
 }
 
-/// The planes in a cell, as the normal equations of the point that is nearest to all of them (least
-/// squares), relative to their mean point.
+/// The planes in a cell, as the normal equations (least squares) of the point nearest to all of
+/// them. Coordinates are relative to the mean point of the cell.
 struct Planes {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;  ///< symmetric matrix
   Vector3d pull = Vector3d::Zero();
@@ -102,7 +102,7 @@ struct Planes {
     yz += n[1] * unit[2];
     pull += distance * n;
   }
-  /// From the mean point to where they meet.
+  /// Returns the nearest point to all planes, relative to the mean point.
   Vector3d meet() const {
     Eigen::Matrix3d m;
     m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
@@ -111,7 +111,7 @@ struct Planes {
   }
 };
 
-/// One point a cell, where the planes of the triangles at its vertices meet.
+/// Merges the vertices of each cell into one point, where the planes of their triangles meet.
 TriMesh clustered(const TriMesh& mesh, double cell) {
   std::int32_t count = 0;
   const std::vector<std::int32_t> cells = cellsOf(mesh, cell, count);
@@ -148,7 +148,7 @@ TriMesh clustered(const TriMesh& mesh, double cell) {
 
 TriMesh thinned(const TriMesh& mesh, std::size_t most) {
   const double wanted = static_cast<double>(most);
-  double cell = std::sqrt(3 * areaOf(mesh) / wanted);  // three triangles for each cell in a plane
+  double cell = std::sqrt(3 * areaOf(mesh) / wanted);  // about three triangles per cell in a plane
   if (!(cell > 0)) return mesh;
   TriMesh out;
   for (int round = 0; round < 4; ++round) {
@@ -160,7 +160,8 @@ TriMesh thinned(const TriMesh& mesh, std::size_t most) {
   return out;
 }
 
-/// The point of a corner: one of vertex v with nearly this normal, or a new one.
+/// Returns the point for a corner of vertex v: an existing one with nearly this normal, or a new
+/// one. `first`: the first point of the vertex.
 std::int32_t pointFor(Drawable& out, std::size_t first, const Vector3d& at,
                       const Vector3d& normal) {
   const Eigen::Vector3f wanted = normal.cast<float>();
@@ -196,7 +197,7 @@ Drawable drawableOf(const TriMesh& given, std::size_t maxTriangles, double creas
     Vector3d all = Vector3d::Zero();
     for (const std::uint32_t* i = begin; i != end; ++i) all += normals[*i / 3];
     all.normalize();
-    // Where all are near the mean normal, each is near each other, and one point does.
+    // If all normals are near the mean, they are near each other, and one point suffices.
     const bool smooth =
         std::all_of(begin, end, [&](std::uint32_t i) { return units[i / 3].dot(all) >= half; });
     for (const std::uint32_t* i = begin; i != end; ++i) {

@@ -13,7 +13,7 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
                    const Prepared& prepared, bool keepCavities, Report& report, RunContext& run) {
   if (!keepCavities) return findOutside(marks, prepared.grid, run);
   const auto note = [&](const char* code, std::int64_t count, const std::string& text) {
-    auto& notes = report.warnings;  // signs may be asked for again
+    auto& notes = report.warnings;  // this function may run again for the same report
     notes.erase(std::remove_if(notes.begin(), notes.end(),
                                [&](const Finding& f) { return f.code == code; }),
                 notes.end());
@@ -36,7 +36,7 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
 
 namespace {
 
-/// Of a plate its thickness, of a rod half of it; 0: the body is open.
+/// Returns 2 volume / area: the thickness of a plate, half that of a rod; 0 for an open body.
 double meanThickness(const CheckedBody& body, RunContext& run) {
   if (!body.closed) return 0;
   const MeshCheck check = checkMesh(body.mesh, false, run);

@@ -1,8 +1,8 @@
-// What is outside, and whether it is kept out.
-// In:    marked edges or a Hermite grid, and the run's inputs. Out: which lattice points the
-// outside
-//        reaches; warnings in the report; Error(InvalidInput) where there is nothing to contour
-//        ("CellTooLarge") or the outside reaches in through an open body ("OpenMesh").
+// Finds the outside of a sweep and checks that it stays out of the body.
+// In:    marked edges or a Hermite grid, and the inputs of the run.
+// Out:   the lattice points that the outside reaches; warnings in the report.
+// Throws Error(InvalidInput, "CellTooLarge") if there is nothing to contour, and
+// Error(InvalidInput, "OpenMesh") if the outside enters through holes in an open body.
 // Cost:  one pass over the marks.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -14,14 +14,15 @@
 
 namespace swept {
 
-/// The outside, and where cavities are kept the hollow spaces that it does not reach.
+/// Finds the outside. With keepCavities, hollow spaces that it cannot reach count as outside, too.
 SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const SolidPoint& isSolid,
                    const Prepared& prepared, bool keepCavities, Report& report, RunContext& run);
 
-/// There must be something to contour, and something must come of it.
+/// Throw if no grid line crosses the surface, or if contouring gave no triangles.
 void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared, RunContext& run);
 void requireSurface(const TriMesh& mesh, const Prepared& prepared, RunContext& run);
-/// And the outside must not reach in through an open body.
+/// Throws if the outside enters through holes of an open body. Only warns if the motion is
+/// continuous, or if at most 1 % of the surface has the outside on both sides.
 void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Report& report,
                      RunContext& run);
 

@@ -19,7 +19,8 @@
 namespace swept {
 namespace {
 
-/// Copies of triangles up to which an offset is measured from the copies themselves.
+/// Up to this number of triangle copies, an offset is measured from the copies. Above it, the
+/// offset is measured from the mesh of the envelope.
 constexpr std::size_t kMaxCopies = 8'000'000;
 
 void add(std::vector<Finding>& to, const std::vector<Finding>& from) {
@@ -82,7 +83,7 @@ void EnvelopeRun::sweep(const Trajectory& trajectory) {
   describePlan();
   adviseFilter();
   if (warm_ != nullptr && prepared_.body.mesh.triangles != warm_->body.mesh.triangles) {
-    warm_->setBody(prepared_.body);  // long edges have been split
+    warm_->setBody(prepared_.body);  // its long edges have been split
   }
   BodyTopology own;
   if (warm_ == nullptr) own = buildTopology(prepared_.body.mesh);
@@ -172,7 +173,7 @@ SamplerInput EnvelopeRun::samplerInput(const BodyTopology& topology, bool cull) 
 void EnvelopeRun::envelope(const BodyTopology& topology) {
   const SamplerInput input = samplerInput(topology, options_.cull);
   HermiteGrid hermite = sample(topology, options_.cull);
-  // In a preview the ends of thin walls are not worth the time that looking for them takes.
+  // A preview saves the time of the probe, which looks for the ends of thin walls.
   std::optional<ElementProbe> probe;
   if (warm_ == nullptr) probe.emplace(input, elements_, hermite.winner);
   Surface surface = contourUniform(hermite, options_, run_, probe ? &*probe : nullptr);
@@ -239,7 +240,7 @@ void EnvelopeRun::grow(const BodyTopology& topology) {
     report_.conservativeBound = (proof.farthest + chord - wanted) * cell;
     report_.warnings.push_back(
         sweep.conservativeFinding(proof, options_.offset, report_.conservativeBound));
-    result_.kept.reset();  // another tolerance would need a proof of its own
+    result_.kept.reset();  // each tolerance would need its own proof
     return;
   }
   throw Error(Status::InternalError, "NotProven",
@@ -261,7 +262,7 @@ void EnvelopeRun::growTo(const GrownSweep& sweep, const SamplerInput& input, dou
   Surface surface = contourUniform(hermite, options_, run_);
   stage("contour");
   SettlingMoves settlingMoves;
-  if (!options_.conservative) {  // a proof is made with room to spare
+  if (!options_.conservative) {  // a conservative envelope has a margin instead
     settlingMoves = [&](const TriMesh& mesh, const std::vector<std::int32_t>& vertices) {
       return sweep.settlingMoves(mesh, vertices, distance, run_);
     };

@@ -1,7 +1,9 @@
-// One run from a body and a trajectory to the envelope in a result, stage by stage.
-// In:    options, body, trajectory. Out: mesh, contact times, feature edges, and the report with
-//        each stage's seconds; throws Error.
-// Cost:  see docs/performance.md. Invariants: the same bytes for any number of threads.
+// One run from body and trajectory to the envelope, stage by stage.
+// In:    options, body, trajectory.
+// Out:   mesh, contact times, feature edges, and the report with the seconds of each stage. Throws
+//        Error.
+// Cost:  see docs/performance.md.
+// Promise: the same bytes for any number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,7 +23,7 @@
 
 namespace swept {
 
-/// What a preview session keeps between calls.
+/// The data that a preview session keeps between calls.
 struct WarmBody {
   CheckedBody body;
   BodyTopology topology;
@@ -41,7 +43,8 @@ class EnvelopeRun {
       : options_(options), run_(context), result_(result), report_(result.report) {}
 
   void compute(const TriMesh& body, const Trajectory& trajectory);
-  /// The same for a body that has been checked before. `sketch`: the surface as contoured.
+  /// Does the same with a body that is checked already. `sketch`: leaves the contoured surface
+  /// without repair, check and simplification.
   void compute(WarmBody& warm, const Trajectory& trajectory, bool sketch);
 
  private:
@@ -54,11 +57,11 @@ class EnvelopeRun {
   void adviseFilter();
   SamplerInput samplerInput(const BodyTopology& topology, bool cull) const;
 
-  /// The swept volume as it is: result_.mesh.
+  /// Computes the swept volume itself into result_.mesh.
   void envelope(const BodyTopology& topology);
   void finish(Surface surface, const HermiteGrid& hermite, SettlingMoves settlingMoves = {});
 
-  /// The swept volume grown by the safety distance, or so far that it is proven to be held.
+  /// Computes the swept volume grown by the offset, or a conservative envelope with its proof.
   void grow(const BodyTopology& topology);
   void growTo(const GrownSweep& sweep, const SamplerInput& input, double distance);
   HermiteGrid sample(const BodyTopology& topology, bool cull);
@@ -69,10 +72,10 @@ class EnvelopeRun {
   Result& result_;
   Report& report_;
   Prepared prepared_;
-  WarmBody* warm_ = nullptr;  ///< of a session
+  WarmBody* warm_ = nullptr;  ///< null without a session
   bool sketch_ = false;
-  MeshTopology topology_;  ///< of the mended surface, if it was checked without its pairs
-  std::vector<SweptElement> elements_;  // while the contouring may ask for them
+  MeshTopology topology_;               ///< of the mended surface; empty if it was not computed
+  std::vector<SweptElement> elements_;  // kept until contouring no longer needs them
   Timer timer_;
   double cpuSeconds_ = 0;
 };

@@ -14,8 +14,8 @@
 namespace swept {
 namespace {
 
-/// A body that stands still may have parts as small as specks, but none without volume; what it
-/// sweeps hangs together.
+/// Removes specks. A body that stands still may have real parts as small as specks, so there only
+/// parts without volume are dropped. The sweep of a moving body is connected and has no such parts.
 void dropSpecks(Surface& surface, SelfIntersections& pairs, const Finishing& with, Report& report) {
   if (with.options.conservative) return;
   const double cell = with.prepared.grid.cell;
@@ -61,7 +61,7 @@ void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs
   with.stage("mend");
 }
 
-/// Consistent components: all that can be dealt with is.
+/// Repairs and checks a surface with consistent components.
 MeshTopology mendAll(Surface& surface, const HermiteGrid& hermite, const Finishing& with,
                      Report& report) {
   MeshTopology topology;

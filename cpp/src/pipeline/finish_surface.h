@@ -1,9 +1,10 @@
-// From a contoured surface to one that may be handed out.
-// In:    the surface as contoured, the grid that it came from, the run's inputs.
-// Out:   the surface without the pairs of triangles that met, specks and inverted shells that could
-//        be dealt with; what the checker found, and warnings, in the report. With consistent
-//        components Error(InternalError, "CheckFailed") unless it passes.
-// Units: cells; mm in what is told.
+// Turns a contoured surface into the surface of the result.
+// In:    the contoured surface, its grid, the inputs of the run.
+// Out:   the surface without intersecting pairs of triangles, specks (tiny separate shells, see
+//        contour/mend/specks.h) and inverted shells, as far as they can be repaired. The report
+//        gets the findings of the checker and warnings. With consistent components the surface must
+//        pass the check, else Error(InternalError, "CheckFailed").
+// Units: cells; mm in the report.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,7 +17,8 @@
 
 namespace swept {
 
-/// Which vertices of a mesh belong elsewhere, and where. The list: those to look at.
+/// Returns the vertices that must move, and their new positions. The second argument lists the
+/// vertices to inspect.
 using SettlingMoves =
     std::function<std::vector<VertexMove>(const TriMesh&, const std::vector<std::int32_t>&)>;
 
@@ -24,11 +26,11 @@ struct Finishing {
   const Options& options;
   const Prepared& prepared;
   RunContext& run;
-  std::function<void(const char*)> stage;  ///< told the name of each stage at its end
-  SettlingMoves settlingMoves = {};        ///< not set: every vertex is where it belongs
+  std::function<void(const char*)> stage;  ///< receives the name of each stage at its end
+  SettlingMoves settlingMoves = {};        ///< empty: no vertex has to move
 };
 
-/// Returns the neighbours of the mesh's triangles, if they were found on the way.
+/// Returns the neighbours of the triangles; empty if they were not computed.
 MeshTopology checkAndMend(Surface& surface, const HermiteGrid& hermite, const Finishing& with,
                           Report& report);
 

@@ -1,7 +1,8 @@
-// A swept volume grown by a length: safety distance, conservative envelope.
+// A swept volume grown by a distance, for a safety distance or a conservative envelope.
 //
-// In:    a cover of the swept volume (offset/). Out: Hermite grids at any distance from it,
-//        the proof that a mesh made from one holds the swept volume, and what the report says.
+// In:    a cover of the swept volume (offset/cover.h).
+// Out:   Hermite grids at any distance from it, the proof that a mesh made from such a grid
+//        contains the swept volume, and the findings for the report.
 // Units: cells. Cost: see offset/.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -22,10 +23,10 @@ class GrownSweep {
   GrownSweep& operator=(const GrownSweep&) = delete;
 
   const offset::Cover& cover() const { return cover_; }
-  /// Which lattice points the outside reaches; those within the distance are solid.
+  /// Finds the lattice points that the outside reaches. Points within the distance are solid.
   using FindSigns = std::function<SignRuns(const MarkedEdges&, const SolidPoint&)>;
   HermiteGrid hermite(double distance, const FindSigns& findSigns, RunContext& run) const;
-  /// Which of some vertices of a surface made from such a grid are not at the distance.
+  /// Returns the moves of those `vertices` that are not at the distance (see offset/settle.h).
   std::vector<VertexMove> settlingMoves(const TriMesh& mesh,
                                         const std::vector<std::int32_t>& vertices, double distance,
                                         RunContext& run) const {
@@ -35,8 +36,8 @@ class GrownSweep {
     return offset::proveContainment(cover_, tree_, mesh, grid_, least, run);
   }
 
-  /// What the report says. `offset`, `bound` (how far outside a point may lie): mm. `fromMesh`: the
-  /// cover is that of an envelope.
+  /// Findings for the report. `offset` and `bound` (largest distance of an envelope point from the
+  /// grown volume): mm. `fromMesh`: the cover was made from an envelope.
   Finding offsetFinding(double offset, bool fromMesh) const;
   Finding conservativeFinding(const offset::Containment& proof, double offset, double bound) const;
 

@@ -7,7 +7,7 @@
 namespace swept {
 namespace {
 
-/// `remedy`: what the user can do; it is appended to messages that come from a library.
+/// `remedy`: advice for the user, appended to the message.
 void fail(Result& result, Status status, const char* code, const char* message,
           const char* remedy = "") {
   result.mesh = TriMesh{};
@@ -21,14 +21,14 @@ void fail(Result& result, Status status, const char* code, const char* message,
     result.report.message = message;
     result.report.message += remedy;
   } catch (const std::bad_alloc&) {
-    // Both short enough to need no memory.
+    // Both texts are short enough to need no allocation.
     result.report.status = Status::OutOfMemory;
     result.report.code = "OutOfMemory";
     result.report.message = "out of memory";
   }
 }
 
-/// What to do about a failure that nobody foresaw.
+/// Advice for a failure that nobody foresaw.
 constexpr const char* kReport =
     ": a fault of the program; another cell size may avoid it. Please report it with body, motion "
     "and options";

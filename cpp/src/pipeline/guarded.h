@@ -1,9 +1,9 @@
-// The one wall where exceptions become a status.
+// The only place where exceptions become a status.
 //
 // In:  a result, and the work that fills it.
-// Out: what the work left, or, if it threw, an empty result whose report says how it ended.
-// Invariant: nothing of ours or of the standard library is thrown on, also without memory to say
-// so.
+// Out: the result of the work; or, if it threw, an empty result whose report names the failure.
+// Promise: no exception of this project or of the standard library passes, even without free
+// memory.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace swept {
 
-/// Within a catch block: empties the result and puts into its report what was caught.
+/// Call it in a catch block: empties the result and writes the caught exception to its report.
 void failAsThrown(Result& result);
 
-// A template, since a std::function may need memory of its own, outside of the wall.
+// A template: a std::function might allocate memory before the try block.
 template <class Work>
 void guarded(Result& result, const Work& work) {
   try {

@@ -34,8 +34,8 @@ void cutOnce(Result& result, double tolerance, RunContext& run) {
 
 }  // namespace
 
-// Within a tolerance as large as the body its surface may turn inside out: then half of it, and so
-// on, and in the end the surface as it is, which has passed.
+// A tolerance as large as the body may turn its surface inside out. Then this function halves the
+// tolerance repeatedly and at last uses 0: the unsimplified surface has passed the check.
 void cutKept(Result& result, double tolerance, RunContext& run) {
   auto& notes = result.report.warnings;
   std::erase_if(notes, [](const Finding& f) { return f.code == "SimplifiedLess"; });

@@ -1,9 +1,8 @@
-// The surface that a simplified envelope is cut from, kept so that another tolerance needs no
-// sweep. In:    a result with its simplification tree, a tolerance in mm. Out: the same result with
-// the
-//        mesh, contact times, sources and feature edges of that cut, checked; Error(InternalError,
-//        "CheckFailed") unless it passes.
-// Cost:  that of the cut and of one check.
+// Simplifies the stored surface of an earlier result, so that another tolerance needs no new sweep.
+// In:    a result with its simplification tree, a tolerance in mm.
+// Out:   the same result with a new mesh, contact times, sources and feature edges, checked. Throws
+//        Error(InternalError, "CheckFailed") unless it passes.
+// Cost:  one cut of the tree and one check.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,7 +10,7 @@
 
 namespace swept {
 
-/// Simplifies the surface that was kept with a result. `tolerance` in mm; 0: no simplification.
+/// Simplifies the surface stored with a result. `tolerance` in mm; 0: no simplification.
 void cutKept(Result& result, double tolerance, RunContext& run);
 
 }  // namespace swept

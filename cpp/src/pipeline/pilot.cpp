@@ -11,12 +11,12 @@
 namespace swept {
 namespace {
 
-/// Measured at the peak of runs (docs/performance.md): 240 to 300 a crossing; thin walls need more,
-/// for what may meet there is compared.
+/// Bytes per crossing and per edge with a thin wall. Peaks of runs show 240 to 300 per crossing
+/// (docs/performance.md). Thin walls need more, to compare the surfaces that may touch there.
 constexpr double kBytesPerCrossing = 310, kBytesPerWall = 700;
 constexpr double kRoom = 1.1;
-constexpr double kMinRatio = 2;          ///< of the resolutions
-constexpr double kMaxCopiedFaces = 5e7;  ///< of a union of copies
+constexpr double kMinRatio = 2;          ///< least ratio of the resolutions of run and pilot
+constexpr double kMaxCopiedFaces = 5e7;  ///< faces times placements, for a union of copies
 
 }  // namespace
 
@@ -43,7 +43,8 @@ Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
   };
   const std::optional<CrossingCounts> coarse = countAt(2 * ratio), fine = countAt(ratio);
   if (!coarse || !fine || coarse->crossings == 0) return estimate;
-  // A surface grows by four from one to the next; thin walls that come into sight, by more.
+  // A surface has four times as many crossings on a grid twice as fine; thin walls that only the
+  // finer grid shows have more.
   const double power = std::clamp(
       std::log2(static_cast<double>(fine->crossings) / static_cast<double>(coarse->crossings)), 2.0,
       2.5);

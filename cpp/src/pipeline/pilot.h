@@ -1,8 +1,9 @@
-// A second look at a run that may take too much memory: the same sweep on a coarse grid.
+// A better estimate for runs that may need too much memory: samples the same sweep on coarse grids.
 //
-// The estimate of plan.h knows the box of the sweep only: two or three times too much for most
-// sweeps, too little where thin walls abound. Here the crossings are counted on two coarse grids,
-// which tells how their number grows. Cost: a run's sampling at kPilotCells and at half of it.
+// The estimate of plan.h only knows the bounding box of the sweep. It is two or three times too
+// high for most sweeps, and too low if thin walls abound. The pilot counts the crossings on two
+// coarse grids and extrapolates their growth. Cost: sampling with kPilotCells and with half as
+// many.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,8 +14,9 @@ namespace swept {
 
 constexpr double kPilotCells = 256;  ///< along the longest side
 
-/// The estimate, with what the pilot says of memory and triangles. Unchanged if
-/// the grid is not much finer than the pilot's, or what is asked for is no plain sweep.
+/// Returns `estimate` with better values for memory and triangles. Returns it unchanged for offsets
+/// and conservative envelopes, if the grid is not much finer than the pilot's, or if a union has
+/// too many copies for a pilot.
 Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
                          const BodyTopology& topology, const Options& options, RunContext& run);
 

@@ -19,7 +19,7 @@
 namespace swept {
 namespace {
 
-/// The box of the sweep with the room that an offset or a conservative surface takes.
+/// Enlarges the box of the sweep by the space that an offset or a conservative envelope needs.
 Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options& options) {
   const double cells = options.conservative ? kMaxMarginCells : 0;
   const double room =
@@ -29,8 +29,8 @@ Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options
   return box;
 }
 
-/// Margin on every side, as a fraction of the longest side: room for the next motions of a preview
-/// session, so that the grid can stay the same.
+/// Margin on every side of the grid of a preview session, as a fraction of the longest side. The
+/// next motions can then use the same grid.
 constexpr double kRoom = 0.03;
 
 Eigen::AlignedBox3d withRoom(Eigen::AlignedBox3d box) {
@@ -40,14 +40,14 @@ Eigen::AlignedBox3d withRoom(Eigen::AlignedBox3d box) {
   return box;
 }
 
-/// Memory (bytes) that a copy of a triangle and its side patches takes, in the mean: most cross no
-/// line of the grid, or lie within the sweep.
+/// Mean memory (bytes) per copy of a triangle with its side patches. It is small, since most copies
+/// cross no grid line or lie inside the sweep.
 constexpr double kBytesPerCopy = 24;
-/// Previews are to be quick: copies of triangles that they may take to follow a turn.
+/// Largest number of triangle copies in a preview, so that it stays quick.
 constexpr double kPreviewCopies = 4e6;
 
-/// Splits the long edges of a body that turns, where it may, and refines the motion within half of
-/// the memory.
+/// Refines the motion so that it needs at most half of the memory. Splits the long edges of a
+/// turning body if `maySplit`.
 Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, RunContext& run) {
   const Trajectory& trajectory = p.trajectory.trajectory;
   const double chord = options.chordTolerance * cell;
@@ -60,14 +60,15 @@ Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, 
     if (std::isfinite(how.longestEdge)) p.body.mesh = splitEdges(p.body.mesh, how.longestEdge, run);
     return refineMotion(p.body.mesh, trajectory, how.chord, run);
   }
-  // The cover (offset/) flattens side patches by itself: only points need to be followed.
-  // Offsets are measured from the chords, envelopes from the true motion beside them.
+  // The cover (offset/) flattens side patches itself. So only the chords of points count here: the
+  // body has no triangles. An offset is measured from the chords, a conservative envelope from the
+  // true motion near them.
   TriMesh points;
   points.vertices = p.body.mesh.vertices;
   return refineMotion(points, trajectory, chord / 2, run);
 }
 
-/// False if the sweep leaves the last grid or fills too little of it.
+/// Returns false if the sweep leaves the last grid or fills too little of it.
 bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
   const GridPlan& last = *p.lastGrid;
   Motion motion = refined(p, options, last.cell, false, run);
@@ -108,7 +109,8 @@ void prepareTrajectory(Prepared& p, const Trajectory& trajectory, const Options&
   p.positionFilterDistance = filtered.distance;
 }
 
-// Motion and grid depend on each other through the cell: a first, coarse motion gives the cell.
+// The grid depends on the motion, and the refined motion on the cell. So a first, coarse motion
+// determines the cell.
 void planRun(Prepared& p, const Options& options, RunContext& run) {
   if (p.lastGrid != nullptr && planOnLastGrid(p, options, run)) return;
   const Eigen::AlignedBox3d bodyBox = boxOf(p.body.mesh);
@@ -121,8 +123,9 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
     if (p.keepRoom) box = withRoom(box);
     for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
   }
-  const TriMesh given = p.body.mesh;  // its corners stay the outermost where edges are split
-  // A cell that no grid has room for is refused before long edges are split for it.
+  const TriMesh given = p.body.mesh;  // has the same box as after the split, with fewer vertices
+  // Before edges are split for a given cell, planGrid() refuses a cell that is too small for any
+  // grid.
   if (!p.keepBody && options.cellSize > 0 && trajectory.interpolation != Interpolation::None) {
     const Motion coarse = refineMotion(p.body.mesh, trajectory, size / 50, run);
     planGrid(sweptBox(p.body.mesh, coarse, run), bodyBox, options);
@@ -134,7 +137,8 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   p.grid = planGrid(p.keepRoom ? withRoom(box) : box, bodyBox, fixed);
 }
 
-// Largest of: raw crossings twice (12 bytes), later edges, crossings, cells and mesh (about 170).
+// Peak memory per crossing of the surface, the larger of two phases: sampling keeps raw crossings
+// twice (12 bytes each); later there are edges, crossings, cells and the mesh (about 170 bytes).
 double bytesOfCrossing(const Options& options) {
   constexpr double kSource = sizeof(SurfaceSource) + sizeof(double);  // and its exact time
   return options.sources ? 180 + kSource : 180;
@@ -144,7 +148,7 @@ std::uint64_t denseBytes(const TriMesh& body) {
   return 250'000'000 + 3200 * static_cast<std::uint64_t>(body.triangles.size());
 }
 
-// Rough: the sweep's surface is taken as one and a half times that of its box.
+// A rough estimate: assumes that the surface of the sweep is 1.5 times that of its bounding box.
 Estimate estimateOf(const Prepared& p, const Options& options) {
   Estimate e;
   e.grid = p.grid.cells();
@@ -160,8 +164,8 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
   double elements = faces * placements * (p.motion.continuous ? 5e-9 : 8e-8);
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, true, {})) {
-    // The best placements of every vertex are searched, and some tens of copies of each face
-    // sampled, in batches.
+    // The dense sampler searches for the best placements of every vertex and samples some tens of
+    // copies of each face, in batches.
     elements = 0.4 + placements * 2e-6 + faces * 1.1e-4 + crossings * 1e-6;
     e.memoryBytes += denseBytes(p.body.mesh);
   }
@@ -174,7 +178,7 @@ double usefulFilterOf(const Prepared& p, const Options& options) {
   const std::size_t poses = p.trajectory.trajectory.poses.size();
   const double distance = options.chordTolerance * p.grid.cell;
   if (poses < kManyPoses || options.positionFilter > 0 || options.conservative) return 0;
-  // What all copies together take has nothing to win.
+  // The time of the dense sampler hardly depends on the number of poses: a filter saves nothing.
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, true, {})) {
     return 0;
@@ -202,7 +206,7 @@ void requireMemory(const Estimate& e, const RunContext& run) {
 
 namespace {
 
-/// `body`: as seen from the pivot of the trajectory.
+/// `body`: in coordinates about the pivot of the trajectory.
 Prepared preparedFor(CheckedBody body, const Trajectory& trajectory, const Options& options,
                      RunContext& run) {
   Prepared prepared;

@@ -1,8 +1,8 @@
-// What a run needs to know before it samples: checked inputs, placements, grid, and what it takes.
-// In:    checked body, any trajectory, options. Out: motion refined to the chord of the options,
-// grid
-//        with room for an offset, estimate of memory and time; refuses what does not fit.
-// Cost:  O(placements), but for the box of the sweep.
+// Plans a run before it samples.
+// In:    checked body, any trajectory, options.
+// Out:   checked trajectory, motion refined to the chord tolerance, grid with room for an offset,
+//        estimate of memory and time. Refuses a run that does not fit.
+// Cost:  O(placements), plus the bounding box of the sweep.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,44 +17,45 @@
 
 namespace swept {
 
-/// A conservative surface is looked for at these distances (cells) until one is proven.
+/// Margins (cells) of a conservative envelope. The run tries them in turn until one is proven.
 constexpr std::array<double, 4> kMarginCells{1.0, 1.5, 2.0, 2.5};
 constexpr double kMaxMarginCells = kMarginCells.back();
 
 struct Prepared {
-  /// Origin of the coordinates of body and trajectory, in those of the body as given.
+  /// Origin of the coordinates of body and trajectory, in the coordinates of the given body.
   Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
   CheckedBody body;
   CheckedTrajectory trajectory;
-  std::size_t givenPoses = 0;         ///< before the position filter
+  std::size_t givenPoses = 0;         ///< number of poses before the position filter
   double positionFilterDistance = 0;  ///< mm
-  /// Grid of the run before, to be used again if the sweep still suits it; a new one then gets some
-  /// room for sweeps to come.
+  /// Grid of the previous run, used again if it still suits the sweep. With keepRoom, a new grid
+  /// gets some room for later sweeps.
   const GridPlan* lastGrid = nullptr;
   bool keepRoom = false;
-  bool keepBody = false;  ///< its topology is known: long edges stay as they are
+  bool keepBody = false;  ///< its topology is in use: do not split long edges
   Motion motion;
   GridPlan grid;
 };
 
-/// Checks the trajectory and leaves out what the position filter drops. Needs the body.
+/// Checks the trajectory and applies the position filter. Requires prepared.body.
 void prepareTrajectory(Prepared& prepared, const Trajectory& trajectory, const Options& options);
 
-/// Motion and grid. Needs body and trajectory.
+/// Computes motion and grid. Requires prepared.body and prepared.trajectory.
 void planRun(Prepared& prepared, const Options& options, RunContext& run);
 
 Estimate estimateOf(const Prepared& prepared, const Options& options);
-/// At the peak of a run.
+/// Returns the bytes per crossing of the surface at the peak of a run.
 double bytesOfCrossing(const Options& options);
-/// What estimateOf() takes for the dense sampler; most of it is the largest batch.
+/// Returns the bytes that estimateOf() adds for the dense sampler; most belong to its largest
+/// batch.
 std::uint64_t denseBytes(const TriMesh& body);
 
-/// See Estimate::usefulFilter. Needs the grid, and the poses without a filter.
+/// See Estimate::usefulFilter. Requires the grid and the unfiltered poses.
 double usefulFilterOf(const Prepared& prepared, const Options& options);
 
-/// Does the run fit into its budget if it takes `times` what the estimate says?
+/// Returns whether the run fits into its memory limit if it takes `times` the estimated memory.
 bool fitsMemory(const Estimate& estimate, const RunContext& run, std::uint64_t times = 1);
-/// Throws Error(ResourceLimit) if the run would take more memory than it may.
+/// Throws Error(ResourceLimit) if the run would exceed its memory limit.
 void requireMemory(const Estimate& estimate, const RunContext& run);
 
 }  // namespace swept

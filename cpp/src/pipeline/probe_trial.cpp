@@ -13,10 +13,11 @@
 namespace swept {
 namespace {
 
-/// So many cells are looked at, unless these take far more CPU seconds than that.
+/// At least kFewestCells cells are tried, unless they take more than kFewestSeconds of CPU time.
 constexpr std::size_t kFewestCells = 48;
 constexpr double kFewestSeconds = 0.6;
-/// Then more, for so many seconds, or for that part of what all are going to take.
+/// Further cells are tried for the fraction kProbePart of the expected CPU time of all cells, but
+/// at least for kProbeSeconds and at most for kMostSeconds.
 constexpr double kProbeSeconds = 0.15, kProbePart = 0.03, kMostSeconds = 2;
 
 using CellKey = std::uint64_t;
@@ -33,13 +34,13 @@ Eigen::Vector3i cellOf(CellKey key) {
           static_cast<int>(key & kMask)};
 }
 
-/// Numbers without a pattern.
+/// Scrambles a number, so that sorted results have no pattern.
 std::uint64_t mixed(std::uint64_t key) {
   key = (key ^ key >> 31) * 0x9e3779b97f4a7c15u;
   return (key ^ key >> 29) * 0xbf58476d1ce4e5b9u;
 }
 
-/// The cells that crossings lie round, in an order without a pattern.
+/// Returns the cells at edges with crossings, in an order without a pattern.
 std::vector<CellKey> mixedCells(const HermiteGrid& grid) {
   std::vector<CellKey> cells;
   for (std::size_t i = 0; i < grid.layers.size(); ++i) {
@@ -63,7 +64,7 @@ std::vector<CellKey> mixedCells(const HermiteGrid& grid) {
   return cells;
 }
 
-/// A cell with crossings of its own, and the numbers that these have in the grid.
+/// A cell with a copy of its crossings, and the indices of these crossings in the grid.
 struct OwnCell {
   Cell cell;
   std::vector<Crossing> crossings;
@@ -92,7 +93,7 @@ struct OwnCell {
     }
   }
 
-  /// Moves the crossings to where a probe along their edges finds them.
+  /// Moves each crossing to the point at which a probe along its edge finds the surface.
   void move(const SurfaceProbe& probe) {
     std::vector<ProbeLine> lines(slots.size());
     for (std::size_t n = 0; n < slots.size(); ++n) {
@@ -109,10 +110,10 @@ struct OwnCell {
   }
 };
 
-/// Casts for one cell, which takes itself to lie at the origin; says what that takes.
+/// A probe for one cell, whose origin is the corner of the cell. Records count and time of casts.
 class CellProbe : public SurfaceProbe {
  public:
-  /// `starts`: numbers of the crossings whose elements every search starts at.
+  /// `starts`: indices of the crossings with whose elements every search begins.
   CellProbe(const ElementProbe& whole, const Eigen::Vector3d& corner,
             const std::vector<std::uint32_t>& starts)
       : whole_(whole), corner_(corner), starts_(starts) {}
@@ -143,7 +144,8 @@ class CellProbe : public SurfaceProbe {
   mutable ProbeCost cost_;
 };
 
-/// The element of the whole motion at the time of a crossing of the rough one.
+/// Returns the element of the whole motion that corresponds to a crossing of the rough motion.
+/// `seconds`: time of the crossing.
 SweptElement elementOfWhole(SweptElement element, const Motion& whole, const Motion& rough,
                             double seconds) {
   const auto& all = whole.placements;

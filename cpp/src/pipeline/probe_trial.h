@@ -1,12 +1,12 @@
-// What the probes of contouring take, from some of its cells.
+// Estimates the cost of the probes that contouring casts, from a sample of the cells.
 // In:    the whole motion; a rough surface of it on the same grid (rough_surface.h).
-// Out:   how many probes contouring casts, and their CPU seconds.
-// Cost:  about kProbeSeconds, or kProbePart of what it finds.
-// What a cell asks depends on its crossings to the last digit: a
-// recording trembles between the placements of a rough sweep, and its creases ask many times more.
-// The crossings on the edges of each cell are therefore looked for on the whole motion first. Then
-// the cell asks as in a run, and every probe starts at elements of the whole motion and gets its
-// true answer, on which the next one may depend.
+// Out:   number of probes and their CPU seconds.
+// Cost:  about kProbeSeconds, or the fraction kProbePart of the estimated time.
+// Method: the probes of a cell depend on the exact positions of its crossings. A recorded motion
+//        trembles between the placements of a rough sweep, and the creases that this makes need
+//        many more probes. So the trial first moves the crossings of a cell to the surface of the
+//        whole motion. Then it casts the same probes as a run, against elements of the whole
+//        motion, so that later probes depend on true answers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,12 +22,12 @@ struct ProbeCost {
 };
 
 struct RoughSweep {
-  const Motion& motion;  ///< some placements of the whole motion
+  const Motion& motion;  ///< has some placements of the whole motion
   const MarkedEdges& marked;
   const HermiteGrid& hermite;
 };
 
-/// For one thread.
+/// Takes the time of one thread.
 ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough, ComponentMethod components);
 
 }  // namespace swept

@@ -1,6 +1,6 @@
-// The last gate before a mesh is handed out.
-// In:    what the checker found in this run, and the cell. Out: nothing, or Error(InternalError,
-//        "CheckFailed") with every fault and its count and what the user can do.
+// The last test before a run returns a mesh.
+// In:    the findings of the checker in this run, and the cell. Throws Error(InternalError,
+//        "CheckFailed") with every fault, its count and advice for the user.
 // Units: mm.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

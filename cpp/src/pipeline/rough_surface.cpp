@@ -13,25 +13,26 @@
 namespace swept {
 namespace {
 
-/// How many placements are taken: so many, unless their faces are too many together.
+/// Bounds of the number of placements of the rough motion. The limit of faces decides between them.
 constexpr std::size_t kFewest = 6, kMost = 192;
-/// A motion of no more placements is taken whole.
+/// A motion of at most this many placements is used whole, if its faces are within the limit.
 constexpr std::size_t kMostWhole = 384;
-/// The grid is up to so many times coarser, with at least so many cells along its longest side.
+/// The grid is at most this many times coarser and has at least this many cells along its longest
+/// side.
 constexpr std::int32_t kCoarsest = 8, kFewestCells = 12;
-/// Motions of fewer steps are looked at in one place before they are sampled.
+/// For a motion of fewer steps, one place is sampled to choose the coarsening; else two.
 constexpr std::size_t kFewSteps = 16;
-/// Of so many crossings about normals and times are found.
+/// Normals and times are computed for about this many crossings at most.
 constexpr double kRoughCrossings = 5e5;
 
-/// The same room in larger cells; its outermost points stay outside.
+/// Returns a grid for the same space with larger cells. Its outermost points stay outside.
 GridPlan coarser(GridPlan grid, std::int32_t times) {
   grid.cell *= times;
   for (std::int32_t& points : grid.points) points = (points - 2) / times + 2;
   return grid;
 }
 
-/// The motion along `wanted` of its placements.
+/// Returns the motion with only `wanted` of its placements, evenly spaced.
 Motion thinned(const Motion& motion, std::size_t wanted) {
   Motion part;
   part.continuous = motion.continuous;
@@ -49,8 +50,8 @@ Motion thinned(const Motion& motion, std::size_t wanted) {
   return part;
 }
 
-/// The smallest cells that there is room for, in cells of the run: from a few placements on the
-/// coarsest grid.
+/// Returns the factor by which the cells must be larger to stay within `room`. Estimates the number
+/// of crossings from a few placements on the coarsest grid.
 std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion, const RoughRoom& room,
                            RunContext& run) {
   const std::int32_t longest =
@@ -109,8 +110,9 @@ RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
   const SamplerInput onGrid = whole.with(whole.motion, grid);
   found.probes = tryProbes(onGrid, {part, marked, hermite}, components);
   if (hermite.crossings.empty()) return found;
-  // In cells r times smaller, between r (creases) and r * r (what trembles) times as many probes
-  // are cast, each at r * r times fewer pieces.
+  // The cells of the run are r times smaller than those of the rough grid. The run casts between r
+  // (at creases) and r * r (where the motion trembles) times as many probes, and each probe
+  // searches r * r times fewer elements.
   const double r = times, taken = crossings / static_cast<double>(hermite.crossings.size());
   found.probes.casts *= taken * r * std::sqrt(r);
   found.probes.seconds *= taken / std::sqrt(r);

@@ -1,10 +1,10 @@
-// How large the surface of a sweep is, and what contouring it takes: from a sweep along a few of
-// its placements, on the run's grid or one of larger cells.
-// In:    the run's sampler input. Out: crossings, and probes of contouring: guesses for estimates.
-// Cost:  sampling within RoughRoom, and that of probe_trial.h. Counted, not timed.
-// The chords between the placements make much the same surface, with the same creases and crowds,
-// but for what trembles between them. In cells r times as large, a surface has r * r times fewer
-// crossings; thin walls still have two.
+// Estimates the size of a sweep's surface and the cost of contouring it, from a sweep along a few
+// of its placements, on the grid of the run or on a coarser one.
+// In:    the sampler input of the run. Out: estimated crossings and probes.
+// Cost:  sampling within RoughRoom, plus the cost of probe_trial.h. Limits are counts, not times.
+// Method: the rough sweep has nearly the same surface and creases; it only misses the trembling of
+//        the motion between its placements. In cells r times as large, a surface has r * r times
+//        fewer crossings; an edge through a thin wall still has two.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,12 +16,13 @@
 
 namespace swept {
 
-/// What a rough sweep may have, about.
+/// Approximate limits of a rough sweep.
 struct RoughRoom {
-  double faces = 1.5e6;    ///< of all placements together
-  double crossings = 1e7;  ///< of all pieces, before the first on each edge are taken
+  double faces = 1.5e6;    ///< faces of the body times placements
+  double crossings = 1e7;  ///< raw crossings, before only the first on each edge remain
 };
-/// A small part of what the run itself has, but no less than the above.
+/// Returns limits that are a small fraction of the run's own figures, but no less than the
+/// defaults.
 RoughRoom roomBeside(const SamplingCost& sampling, double copies);
 
 struct RoughSurface {
@@ -29,7 +30,7 @@ struct RoughSurface {
   ProbeCost probes;  ///< of contouring
 };
 
-/// `known`: the whole motion as sampled on the run's grid, where that has been done; consumed.
+/// `known`: the marked edges of the whole motion on the grid of the run, if they exist; consumed.
 RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
                           std::optional<MarkedEdges> known, ComponentMethod components,
                           RunContext& run);

@@ -1,4 +1,4 @@
-// What sampling a part of a motion takes, for estimates: seconds and counts.
+// Cost of sampling a part of a motion, for estimates.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace swept {
 
-/// CPU seconds, and counts.
+/// CPU seconds, and numbers of crossings and swept elements.
 struct SamplingCost {
   double seconds = 0, crossings = 0, elements = 0;
 
@@ -17,7 +17,7 @@ struct SamplingCost {
   }
 };
 
-/// Samples on the calling thread, and adds what that takes.
+/// Samples on the calling thread and adds the cost to `cost`.
 MarkedEdges sampleCounted(SamplerInput input, SamplingCost& cost, RunContext& run);
 
 }  // namespace swept

@@ -13,22 +13,22 @@
 namespace swept {
 namespace {
 
-/// Copies of triangles that are sampled; a crossing takes as long as so many of them.
+/// Work of the trial, counted in copies of triangles. A crossing counts as kCrossingWork copies.
 constexpr double kTrialWork = 2.4e6, kCrossingWork = 0.25;
-/// Steps that are sampled, and copies of a union at least; of bodies of few triangles more: long
-/// windows show what pieces far apart in time hide.
+/// Bounds of the number of sampled steps, or of copies of a union. Bodies with few triangles get up
+/// to kMostCheap: long windows also show parts that hide each other although far apart in time.
 constexpr std::size_t kFewest = 24, kFewestCopies = 8, kMost = 192, kMostCheap = 1536;
 constexpr double kCheapCopies = 4e5;
-/// Places of the motion where two trials begin, one of them of twice as many steps. Bodies of many
-/// triangles get fewer.
+/// Number of windows of the motion that are sampled, each with two lengths, one twice the other.
+/// Bodies with many triangles get fewer windows.
 constexpr std::size_t kMostWindows = 32, kFewestWindows = 2;
-/// Places, and faces at each, that tell how many crossings a copy has.
+/// Number of places of the motion, and of faces at each, that estimate the crossings of a copy.
 constexpr std::size_t kLooks = 4, kLookFaces = 4096;
-/// Parts of the clusters that are shown at least, each of kClustersTogether.
+/// A trial shows at least this many groups of kClustersTogether clusters.
 constexpr std::size_t kFewestParts = 24;
-/// Of what the copies take in the mean, one more takes this at least.
+/// Each further copy costs at least this fraction of the mean cost of a sampled copy.
 constexpr double kLeastFraction = 0.2;
-/// Bytes of a crossing that is sorted, with its share of what sorting needs, and of an element.
+/// Bytes of a crossing that is being sorted (with its share of the buffer), and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
 
 double times(std::size_t all, std::size_t part) {
@@ -53,7 +53,7 @@ SamplingTrial::SamplingTrial(const SamplerInput& whole, RunContext& run)
 
 double SamplingTrial::bytesOf(const SamplingCost& sampling, double surface, double threads) const {
   const SamplerInput whole = input(whole_.motion);
-  // A union of many placements has thousands of items, and none may have enough to be thinned.
+  // A union of many placements has thousands of items; perhaps none has enough crossings to thin.
   const double items = static_cast<double>(workItems(whole).size());
   const bool thins =
       sampling.crossings > items * kMinThinRecords && placementsOfItem(whole) >= kMinThinPlacements;
@@ -82,7 +82,8 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   const std::size_t most = byClusters() ? mostClusterParts() : 1;
   const std::size_t lookParts =
       std::clamp<std::size_t>(static_cast<std::size_t>(faces) / kLookFaces, 1, most);
-  // Crossings that lie deep inside are left out with groups and without.
+  // Groups of placements would take time to build and change nothing here: the map of the inside
+  // hides the same crossings without them. Without a map, `none` has no groups.
   SamplerInput plain = input(whole_.motion);
   plain.inside = nullptr;
   const PlaceGroups none(plain, *whole_.clusters, run_);
@@ -103,7 +104,7 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   const std::size_t cap =
       std::clamp(static_cast<std::size_t>(kCheapCopies / faces), kMost, kMostCheap);
   if (count <= 2 * cap && affordable((count + 1) / 2)) return {count, 1, true};
-  // All steps with some of the clusters rather than some of the steps: speeds differ more.
+  // Sample all steps with some clusters, not some steps with all: steps differ more than clusters.
   if (whole_.motion.continuous &&
       (count <= 2 * kFewest || (count <= kMost && affordable(count / most)))) {
     return {count, partsOf(count), true};
@@ -113,7 +114,8 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   return {steps, partsOf(steps), false};
 }
 
-/// Some of a union at once, less what sampling takes for the grid alone.
+/// Samples some copies of a union at once, and a single copy. The difference is the cost of the
+/// copies without the fixed cost of the grid.
 SamplingCost SamplingTrial::bySomeCopies(std::size_t count, std::size_t wanted) const {
   Motion some;
   for (std::size_t n = 0; n < wanted; ++n)
@@ -129,7 +131,7 @@ SamplingCost SamplingTrial::bySomeCopies(std::size_t count, std::size_t wanted) 
   return largerOf(sum, least);
 }
 
-/// All steps, with some of the clusters.
+/// Samples all steps with some of the clusters, and without any to measure the fixed cost.
 SamplingCost SamplingTrial::byAllSteps(std::size_t count, const Parts& parts) const {
   const SamplingCost shown = at({0, count + 1}, parts.clusterParts), bare = at({0, count + 1}, 0);
   const double fraction = fractionShown(parts.clusterParts);
@@ -139,9 +141,10 @@ SamplingCost SamplingTrial::byAllSteps(std::size_t count, const Parts& parts) co
   return largerOf(sum, shown);
 }
 
-/// What a step takes lies between half of what two take and their difference to one: a window takes
-/// something for itself, at most about a step, and the difference alone would be left to chance on
-/// a machine with other work. What a window takes without any faces is what a work item takes.
+/// Samples windows of `steps` and of 2 * `steps` steps. A window has a fixed cost of at most about
+/// `steps` steps. So the cost of `steps` steps lies between a third and a half of that of a double
+/// window. Between these bounds, the difference of both windows decides; alone it would be
+/// unreliable on a busy machine. A window without faces gives the fixed cost of a work item.
 SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) const {
   const std::size_t item = placementsOfItem(input(whole_.motion));
   const std::size_t windows = std::clamp(parts.steps / 3, kFewestWindows, kMostWindows);
@@ -164,7 +167,7 @@ SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) con
     const PlacementRange half{both.begin, both.begin + steps};
     const SamplingCost bare = at(half, 0, &groups), one = at(half, parts.clusterParts, &groups),
                        two = at(both, parts.clusterParts, &groups);
-    SamplingCost each = two;  // of so many steps
+    SamplingCost each = two;  // for 2 * steps steps
     const double shown = std::max(0.0, two.seconds - bare.seconds);
     each.seconds = 2 * std::clamp(two.seconds - one.seconds, shown / 3, shown / 2);
     sum.add(each, times(count, 2 * windows * steps) / fraction);
@@ -177,7 +180,7 @@ SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) con
 
 std::size_t SamplingTrial::mostClusterParts() const {
   const FaceClusters& clusters = *whole_.clusters;
-  // Patches on open borders are shown with all clusters.
+  // Patches at open borders belong to no cluster, so a trial always shows all of them.
   if (clusters.firstBorder.back() < clusters.borders.size()) return 1;
   return std::max<std::size_t>(1, clusters.clusters.size() / (kClustersTogether * kFewestParts));
 }

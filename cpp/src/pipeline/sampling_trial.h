@@ -1,11 +1,12 @@
-// What sampling a motion takes, from parts of it that are sampled on its own grid.
-// In:    the run's sampler input with clusters.
-// Out:   CPU seconds, crossings and elements of the whole.
-// Cost:  counted in copies of triangles and in crossings, not in time: about kTrialWork, and twice
-//        as many where that is all; finding out what lies deep inside, as in a run.
-// A part is a few steps at some places of the motion; of bodies with many triangles only some
-// clusters of faces, those of the whole body being culled as in the run. They are parts of the
-// run's own work items, with what its blocks and groups of placements leave out.
+// Estimates the cost of sampling a motion by sampling parts of it on the grid of the run.
+// In:    the sampler input of the run, with clusters.
+// Out:   CPU seconds, crossings and elements of the whole motion.
+// Cost:  limited by counts of triangle copies and crossings, not by time: about kTrialWork, or up
+//        to twice as much if that covers the whole motion. The map of the inside costs as in a run.
+// Method: a part consists of a few steps at some places of the motion. For a body with many
+//        triangles it shows only some clusters of faces, while culling uses the whole body. Parts
+//        use the work items of the run and leave out the same blocks and groups of placements
+//        (sampling/culling/step_blocks.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,35 +24,35 @@ class SamplingTrial {
  public:
   SamplingTrial(const SamplerInput& whole, RunContext& run);
 
-  /// CPU seconds of finding out what lies deep inside the whole motion.
+  /// CPU seconds to find the deep inside of the whole motion (sampling/cpu/deep_inside.h).
   double insideSeconds() const { return insideSeconds_; }
   struct Whole {
     SamplingCost cost;
-    std::optional<MarkedEdges> marked;  ///< where all of it has been sampled
+    std::optional<MarkedEdges> marked;  ///< set if the trial sampled the whole motion
   };
-  /// The whole motion, without that.
+  /// Cost of sampling the whole motion, without insideSeconds().
   Whole whole() const;
-  /// Of what is held while the whole motion is sampled; before that, of what the map of what lies
-  /// inside is made of. `surface`: crossings of the surface.
+  /// Returns the peak memory in bytes: the larger of sampling the whole motion and of building the
+  /// map of the inside before. `surface`: number of crossings of the surface.
   double bytesOf(const SamplingCost& sampling, double surface, double threads) const;
 
  private:
-  /// What of the motion is sampled.
+  /// The part of the motion that a trial samples.
   struct Parts {
-    std::size_t steps = 0;         ///< at most, all together
+    std::size_t steps = 0;         ///< upper limit for all windows together
     std::size_t clusterParts = 1;  ///< see SamplerInput
-    bool all = false;              ///< all steps
+    bool all = false;              ///< true: all steps
   };
 
-  /// Whether the sampler looks at clusters of faces: not at a union of which nothing is known to
-  /// lie inside.
+  /// True if the sampler tests clusters of faces. It does not for a union without a map of the
+  /// inside.
   bool byClusters() const { return whole_.motion.continuous || inside_.has_value(); }
   Parts partsFor(std::size_t count) const;
   SamplingCost bySomeCopies(std::size_t count, std::size_t wanted) const;
   SamplingCost byWindows(std::size_t count, const Parts& parts) const;
   SamplingCost byAllSteps(std::size_t count, const Parts& parts) const;
   std::size_t mostClusterParts() const;
-  /// Of the faces, that `clusterParts` shows.
+  /// Returns the fraction of all faces that a trial with `clusterParts` shows.
   double fractionShown(std::size_t clusterParts) const;
 
   SamplerInput input(const Motion& motion) const;

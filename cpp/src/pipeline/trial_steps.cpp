@@ -17,8 +17,8 @@
 namespace swept {
 namespace {
 
-/// CPU seconds: of a triangle that is checked and gets its topology, of a pose that is read and
-/// planned, and of a crossing that becomes surface.
+/// CPU seconds per triangle (check and topology), per pose (reading and planning) and per crossing
+/// of the surface (contouring).
 constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1.5e-6, kCrossingSeconds = 3e-6;
 
 }  // namespace
@@ -42,7 +42,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
       surface = roughSurface(input, {}, std::nullopt, options.components, run);
       const dense::DenseCost cost = dense::tryDense(input, surface.crossings, run);
       seconds += cost.seconds / threads;
-      // It ends before the mesh is made: the larger of both counts.
+      // The dense sampler frees its memory before the mesh is made: only the larger amount counts.
       bytes = std::max(0.0, cost.bytes - surface.crossings * bytesOfCrossing(options)) -
               static_cast<double>(denseBytes(p.body.mesh));
       return;
@@ -60,7 +60,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   better.triangles = static_cast<std::int64_t>(2 * surface.crossings);
   better.seconds =
       seconds + (surface.crossings * kCrossingSeconds + surface.probes.seconds) / threads;
-  // What the check of the body has taken is free again when the motion is sampled.
+  // The memory for checking the body is free again when sampling begins.
   const double byBox = static_cast<double>(estimate.triangles) / 2;
   const double held = static_cast<double>(estimate.memoryBytes) +
                       (surface.crossings - byBox) * bytesOfCrossing(options);

@@ -1,4 +1,4 @@
-// The result of a sampling run, whichever sampler made it.
+// The result of a sampling run, in the same form for every sampler.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,7 +19,7 @@ struct SampledSurface {
   std::vector<Finding> notes;
 };
 
-/// Computes signs from marks; called between the passes, and again if a sampler had to be changed.
+/// Computes signs from marks. Samplers call it between their passes; a fallback calls it again.
 using FindSigns = std::function<SignRuns(const MarkedEdges&)>;
 
 }  // namespace swept

@@ -1,7 +1,8 @@
 // The contract of every sampler (cpu, gl, dense, fake): body + motion + grid -> marked edges.
-// In: SamplerInput. Out: for every lattice edge that the swept surface crosses, the first crossing
-// seen from each end. Units: mm; fractions of an edge. Promise: exact decisions, the same bytes for
-// any number of threads. Source: METHOD.md section 2.
+// In: SamplerInput.
+// Out: for every lattice edge that the swept surface crosses, the first crossing from each end.
+// Units: mm; fractions of an edge.
+// Promise: exact decisions, the same bytes for any number of threads. Source: METHOD.md section 2.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -32,33 +33,33 @@ struct SamplerInput {
   const Motion& motion;
   const GridPlan& grid;
   bool cull = true;  ///< drop provably enclosed faces and side patches
-  /// Closed and consistently oriented outward: culling by direction is valid.
+  /// True if the body is closed and its normals point outward; culling by direction is then valid.
   bool orientable = true;
-  const FaceClusters* clusters = nullptr;  ///< of the body, where they are known already
+  const FaceClusters* clusters = nullptr;  ///< of the body, if they exist already
   SampleCache* cache = nullptr;            ///< of the CPU sampler, for continuous motions
-  /// Receives the number of crossings that the CPU sampler sorts, which is what its memory holds.
+  /// Receives the number of crossings that the CPU sampler sorts, which determines its memory.
   std::uint64_t* crossings = nullptr;
-  /// Enclosed spaces count as inside, whatever they are: what lies deep inside may be left out.
+  /// True if enclosed spaces always count as inside. Then the deep inside may be left out.
   bool fillsHollows = false;
-  const InsideMap* inside = nullptr;  ///< what is known to lie inside, for the CPU sampler
-  /// Trials of the CPU sampler take some placements of a continuous motion, each with the step that
-  /// starts there, as a run does.
+  const InsideMap* inside = nullptr;  ///< known inside of the sweep, for the CPU sampler
+  /// Placements that a trial of the CPU sampler samples. In a continuous motion, each comes with
+  /// the step that starts there.
   PlacementRange only{};
-  const PlaceGroups* groups = nullptr;  ///< of the whole motion, where they are known already
-  /// Trials show only one part in so many of the clusters of a closed body; 0: none of them.
+  const PlaceGroups* groups = nullptr;  ///< of the whole motion, if they exist already
+  /// A trial shows one of this many parts of the clusters of a closed body; 0: no clusters.
   std::size_t clusterParts = 1;
 
-  /// The same body along another motion or on another grid, without what is known of this one.
+  /// Returns the input for another motion or grid, without data that belong to this motion.
   SamplerInput with(const Motion& otherMotion, const GridPlan& otherGrid) const {
     return {body,       topology, otherMotion, otherGrid, cull,
             orientable, clusters, nullptr,     nullptr,   fillsHollows};
   }
 };
 
-/// The reference sampler: native code on all cores. Exact: vertices are snapped to odd multiples of
-/// 2^-17 cell; every decision (does a line hit a triangle, on which side of a lattice point) is
-/// then made in integers, with ties by simulation of simplicity (the lattice is shifted by (e, e^2,
-/// e^3)). A closed surface therefore gives a closed set of crossings.
+/// The reference sampler: native code on all cores. It snaps vertices to odd multiples of 2^-17
+/// cell. Then it decides exactly, in integers, whether a line hits a triangle and on which side of
+/// a lattice point. Ties are decided by simulation of simplicity (the lattice is shifted by
+/// (e, e^2, e^3)). So a closed surface gives a closed set of crossings.
 MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run);
 
 }  // namespace swept

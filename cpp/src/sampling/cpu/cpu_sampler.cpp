@@ -20,15 +20,15 @@
 namespace swept {
 namespace {
 
-/// Counts the crossings of all items together. Where large faces turn, thousands of side patches
-/// cover each other, and no estimate tells beforehand how many; a run that would exceed its memory
-/// limit ends here.
+/// Counts the crossings of all work items together and stops a run that would exceed its memory
+/// limit. If large faces turn, thousands of side patches overlap, and no estimate knows in advance
+/// how many crossings they have.
 class CrossingBudget {
  public:
   CrossingBudget(const RunContext& run, double cell) : limit_(memoryLimit(run)), cell_(cell) {}
 
-  /// The argument may be negative (a step that thins its crossings): unsigned arithmetic wraps
-  /// round, and the sum is right.
+  /// `crossings` may be negative, converted to unsigned, if a step thins its crossings: the sum
+  /// wraps around to the correct value.
   void add(std::size_t crossings) {
     const std::uint64_t bytes = kBytes * (taken_ += crossings);
     if (limit_ == 0 || bytes <= limit_) return;
@@ -40,14 +40,14 @@ class CrossingBudget {
   }
 
  private:
-  // Each crossing is counted twice: sorting them needs a second array of the same size.
+  // Each crossing counts twice: sorting needs a second array of the same size.
   static constexpr std::uint64_t kBytes = 2 * sizeof(CrossingRecord);
   std::uint64_t limit_;
   double cell_;
   std::atomic<std::uint64_t> taken_{0};
 };
 
-/// The vertices of the body at one placement, each computed when it is first asked for.
+/// The vertices of the body at one placement. Each is computed at its first use.
 class PosedVertices {
  public:
   explicit PosedVertices(const SamplerInput& input)
@@ -76,7 +76,7 @@ class PosedVertices {
   std::uint32_t placement_ = kNowhere;
   Placement pose_;
   std::vector<SnappedPoint> points_;
-  std::vector<std::uint32_t> knownAt_;  // placement
+  std::vector<std::uint32_t> knownAt_;  // placement for which the point is known
 };
 
 /// Rasterises the elements of one work item along all three axes.
@@ -101,8 +101,9 @@ class ItemSampler {
       rasteriseAllAxes(a, c, d, unlessHidden(emit));
     });
   }
-  /// Faces that slide within themselves cross the same lattice edges at every placement. When there
-  /// are many crossings, those that cannot be first or last on their edge any more are removed.
+  /// Once there are many crossings, removes those that are neither first nor last on their lattice
+  /// edge. Faces that slide within themselves cross the same edges at every placement. `last`: true
+  /// for the last call of the item.
   void thin(bool last) {
     if (out_.records.size() < limit_ && !(last && thinned_)) return;
     keepEnds(out_.records, input_.grid);
@@ -148,7 +149,7 @@ class ItemSampler {
 /// Samples one work item of a union of copies.
 class UnionSampler {
  public:
-  /// `posed`: for the items of one thread, which often share a placement.
+  /// `posed`: shared by all items of one thread, which often have the same placement.
   UnionSampler(const SamplerInput& input, PosedVertices& posed, RecordChunk& out,
                CrossingBudget& budget)
       : input_(input), sampler_(input, out), out_(out), budget_(budget), posed_(posed) {}
@@ -161,7 +162,7 @@ class UnionSampler {
       count(item, k + 1 == item.end);
     }
   }
-  /// Only the faces that can matter.
+  /// Samples only the faces that can matter (step_blocks.h).
   void sampleShown(const WorkItem& item, const FaceClusters& clusters, const PlaceGroups& groups,
                    RunContext& run) {
     StepBlocks blocks(input_, clusters, groups, item.begin, item.end);
@@ -262,7 +263,7 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   const bool byClusters = input.motion.continuous || input.inside != nullptr;
   if (byClusters && input.clusters == nullptr) own = buildClusters(input.body, input.topology);
   const FaceClusters& clusters = input.clusters != nullptr ? *input.clusters : own;
-  // Steps that the last run has sampled as well; only items of one placement are kept.
+  // Finds the steps that the last run sampled, too. The cache only keeps items of one placement.
   std::vector<SampleCache::Key> keys;
   std::vector<std::uint8_t> known(items.size(), 0);
   if (input.cache != nullptr && input.motion.continuous && items.front().end == 1) {
@@ -276,7 +277,7 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   if (input.groups == nullptr) ownGroups.emplace(input, clusters, run);
   const PlaceGroups& groups = input.groups != nullptr ? *input.groups : *ownGroups;
   CrossingBudget budget(run, input.grid.cell);
-  // One per thread: buffers that grow once, and the vertices of a union.
+  // One per thread: buffers that keep their size, and the posed vertices of a union.
   tbb::enumerable_thread_specific<std::vector<CrossingRecord>> rooms;
   tbb::enumerable_thread_specific<PosedVertices> posed([&] { return PosedVertices(input); });
   parallelFor(items.size(), [&](std::size_t i) {

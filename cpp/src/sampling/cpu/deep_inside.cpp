@@ -12,11 +12,12 @@
 namespace swept {
 namespace {
 
-/// One placement in so many is sampled as a whole copy at most, and at least so many copies or
-/// none; from the second number on, those farthest along many directions are among them.
+/// At most one placement per kPlacementsPerCopy is sampled as a whole copy; none if that gives
+/// fewer than kFewest copies. From kWithExtreme copies on, the placements farthest along many
+/// directions are among them.
 constexpr std::size_t kPlacementsPerCopy = 128, kFewest = 8, kWithExtreme = 176, kMost = 256;
-/// The map is used where it hides at least this part of the crossings of a few other copies: thin
-/// parts on long ways hide little, and asking takes time.
+/// The map is used only if it hides at least this fraction of the crossings of some other copies.
+/// Thin parts on long ways hide little, and the queries take time.
 constexpr double kLeastHidden = 0.5;
 constexpr std::size_t kTrials = 8;
 
@@ -37,7 +38,8 @@ bool hidesEnough(const SamplerInput& input, const InsideMap& inside) {
   return static_cast<double>(hidden) >= kLeastHidden * static_cast<double>(all);
 }
 
-/// Where the placements carry four points of the body: enough to tell placements apart.
+/// The positions of four points of the body at every placement, which suffice to compare
+/// placements.
 class Places {
  public:
   Places(const SamplerInput& input) {
@@ -56,8 +58,8 @@ class Places {
     });
   }
 
-  /// Placements that carry one of the points farthest along any of a few directions: the surface of
-  /// the sweep is theirs, or not far above them.
+  /// For each of some directions, adds the placements that carry a point of the body farthest that
+  /// way. These placements form the surface of the sweep, or lie close below it.
   void addExtreme(std::vector<std::size_t>& chosen) const {
     constexpr int kFine = 2;
     for (int x = -kFine; x <= kFine; ++x) {
@@ -75,7 +77,7 @@ class Places {
     sortUnique(chosen);
   }
 
-  /// Adds the placement farthest from all that are chosen, until there are `count`.
+  /// Adds the placement farthest from all chosen ones, until there are `count`.
   void addSpread(std::vector<std::size_t>& chosen, std::size_t count) const {
     std::vector<float> distance(at_.size(), std::numeric_limits<float>::max());
     const auto take = [&](std::size_t from) {
@@ -119,7 +121,7 @@ class Places {
 std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& run) {
   const std::size_t placements = input.motion.placements.size();
   const std::size_t count = std::min(kMost, placements / kPlacementsPerCopy);
-  // What is kept for the next run must not depend on the rest of this motion.
+  // The cache keeps results for the next run; they must not depend on the rest of this motion.
   const bool mayHide = input.cull && input.orientable && input.fillsHollows && !input.cache;
   if (count < kFewest || !mayHide) {
     return std::nullopt;

@@ -1,8 +1,8 @@
-// Keeps the crossings of the steps of a continuous motion from one run to the next for the same
-// body, so that after a change of a few poses only the steps near them are sampled again.
-// The crossings of a step depend on the grid, on culling, and on three placements: the one before
-// (culling uses its direction), its own, and the next. The key compares these to the last bit.
-// Memory: what the last run sampled, up to kMaxBytes. Not safe for several threads at a time.
+// Keeps the crossings of each step of a continuous motion for the next run with the same body.
+// After a change of a few poses, only the steps near them are sampled again.
+// The crossings of a step depend on the grid, on culling and on three placements: the one before
+// (culling uses its direction), its own and the next. The key contains their exact numbers.
+// Memory: the chunks of the last run, up to kMaxBytes. Not safe for several threads at a time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,21 +17,21 @@ namespace swept {
 
 class SampleCache {
  public:
-  // A motion whose crossings take more is not cached; a preview at 64 to 128 cells takes far less.
+  // A motion with more crossings is not cached. A preview at 64 to 128 cells takes far less.
   static constexpr std::size_t kMaxBytes = 256u << 20;
 
   using Key = std::array<double, 43>;
   static Key keyOf(const SamplerInput& input, std::size_t placement);
 
-  /// Copies the chunk of this key with its elements renumbered to `placement`; false if the key is
-  /// not known.
+  /// Copies the chunk of this key, with its elements moved to `placement`. Returns false if the key
+  /// is not known.
   bool find(const Key& key, std::size_t placement, RecordChunk& out) const;
-  /// Replaces the contents: chunks[k] are the crossings for keys[k].
+  /// Replaces the contents: chunks[k] holds the crossings for keys[k].
   void replace(const std::vector<Key>& keys, const std::vector<RecordChunk>& chunks);
 
   void clear() { chunks_.clear(); }
 
-  std::int64_t hits() const { return hits_; }  ///< number of known steps over all runs
+  std::int64_t hits() const { return hits_; }  ///< number of known steps in all runs
   void countHit() { ++hits_; }
 
  private:

@@ -6,12 +6,11 @@
 namespace swept {
 namespace {
 
-/// Faces of an item of a union: one item is some milliseconds of work, and large bodies are shared
-/// by all cores.
+/// Faces per item of a union: an item takes some milliseconds, and all cores share a large body.
 constexpr std::size_t kFaces = 8192;
-/// About so many items of a union are enough for all cores: each has a list of the grid's layers.
-/// Where faces can be left out, items are longer, so that it is decided for many placements at
-/// once.
+/// About this many items of a union suffice for all cores. More items take more memory: each has
+/// its own list of grid layers. If faces can be left out, there are fewer and longer items, since
+/// blocks of many placements are decided at once.
 constexpr std::size_t kUnionItems = 4096, kCulledItems = 512;
 
 }  // namespace
@@ -26,9 +25,9 @@ std::size_t placementsOfItem(const SamplerInput& input) {
     return std::max(
         {std::size_t{1}, std::min(kFaces / faces, placements / 64), placements / kUnionItems});
   }
-  // The direction of a face is decided once per step within an item, and once more where two items
-  // meet, so that items should be long. With a cache, items of one placement are kept for the next
-  // run, unless the motion has many placements.
+  // Items should be long: a face gets its direction once per step, and once more where two items
+  // meet. With a cache, an item has one placement and is kept for the next run, unless the motion
+  // has many placements.
   const bool kept = input.cache != nullptr && placements < 256;
   return std::max<std::size_t>(1, placements / (kept ? placements : kMotionItems));
 }

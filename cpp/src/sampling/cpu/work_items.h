@@ -1,4 +1,5 @@
-// How sampling/cpu cuts a motion and a body into tasks, and which of these thin their crossings.
+// Splits the sampling of a motion and a body into tasks, and decides which tasks thin their
+// crossings.
 // In: sampler input. Out: work items, the same for any number of threads. Cost: O(items).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -10,10 +11,10 @@
 
 namespace swept {
 
-/// Work items of a continuous motion, about.
+/// Approximate number of work items of a continuous motion.
 constexpr std::size_t kMotionItems = 48;
-/// A work item with this many placements or crossings may contain many crossings that do not
-/// matter; then they are reduced on the way.
+/// A work item with at least this many placements or crossings may hold many crossings that cannot
+/// matter. It removes them on the way (thinning).
 constexpr std::size_t kMinThinPlacements = 16, kMinThinRecords = std::size_t{1} << 20;
 
 /// Work item: the placements [begin, end) with the faces [faceBegin, faceEnd).
@@ -21,7 +22,7 @@ struct WorkItem {
   std::size_t begin, end, faceBegin, faceEnd;
 };
 
-/// Of one work item of the whole motion; the last one may have fewer.
+/// Returns the number of placements per work item; the last item may have fewer.
 std::size_t placementsOfItem(const SamplerInput& input);
 std::vector<WorkItem> workItems(const SamplerInput& input);
 

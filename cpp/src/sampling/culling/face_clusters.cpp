@@ -10,7 +10,7 @@
 namespace swept {
 namespace {
 
-constexpr float kMinCosine = 0.985f;  ///< to the seed's normal: a cone of at most 10 degrees
+constexpr float kMinCosine = 0.985f;  ///< to the first face's normal; a cone of at most 10 degrees
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 void measure(const TriMesh& body, const BodyTopology& topology, const FaceClusters& all,
@@ -40,7 +40,7 @@ void measure(const TriMesh& body, const BodyTopology& topology, const FaceCluste
     cosine = std::min(cosine, cluster.axis.dot(topology.normals[f].cast<double>()));
   });
   cluster.radius = std::sqrt(radius2);
-  // The normals are 32-bit floats; this covers their rounding.
+  // The margin covers the rounding of the normals, which are 32-bit floats.
   const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) + 1e-6;
   cluster.cosCone = std::cos(angle);
   cluster.sinCone = std::sin(angle);
@@ -89,7 +89,7 @@ std::vector<FaceClusters::EdgeEnds> endsOf(const BodyTopology& topology, const F
   return ends;
 }
 
-/// Grows clusters breadth first from the first face that has none.
+/// Grows clusters breadth first, each from the first face that has no cluster yet.
 void growClusters(const TriMesh& body, const BodyTopology& topology, FaceClusters& out) {
   const auto faces = static_cast<std::uint32_t>(body.triangles.size());
   const Adjacency adjacency = findAdjacency(body);
@@ -121,8 +121,8 @@ void growClusters(const TriMesh& body, const BodyTopology& topology, FaceCluster
   }
 }
 
-/// Separates the edges within clusters from those between them; returns where the inner edges of
-/// each cluster start.
+/// Separates the edges inside clusters from those between clusters. Returns where the inner edges
+/// of each cluster start.
 std::vector<std::uint32_t> splitEdges(const BodyTopology& topology, FaceClusters& out) {
   std::vector<std::uint32_t> start(out.clusters.size() + 1, 0);
   const auto inner = [&](const BodyEdge& e) {

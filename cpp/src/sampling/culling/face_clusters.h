@@ -1,5 +1,5 @@
-// Groups of neighbouring faces with similar normals. Most groups are decided as a whole, so that
-// culling does not have to visit every face in every step. Cost: O(faces) to build.
+// Groups adjacent faces with similar normals into clusters. Culling decides most clusters as a
+// whole, so it need not visit every face in every step. Cost: O(faces) to build.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,7 +23,8 @@ struct FaceCluster {
 };
 
 struct FaceClusters {
-  /// Faces of a cluster: larger clusters have wider cones, and more of them would be mixed.
+  /// Largest number of faces. Larger clusters have wider normal cones; fewer are decided as a
+  /// whole.
   static constexpr std::uint32_t kMaxFaces = 24;
 
   std::vector<FaceCluster> clusters;
@@ -32,29 +33,28 @@ struct FaceClusters {
   std::vector<std::uint32_t> indexOf;      ///< per face: its index in `faces`
   std::vector<std::uint32_t> innerEdges;   ///< edges whose two faces are in one cluster, by cluster
   std::vector<std::uint32_t> borderEdges;  ///< all other edges, by pair of clusters
-  /// What sampling needs of these edges, in their order: the indices in `faces` of the two faces
-  /// (for a boundary edge the left one twice), and the end points.
+  /// Data of these edges for sampling, in the same order: the indices in `faces` of the two faces
+  /// (twice the left one for a boundary edge), and the end vertices.
   struct EdgeEnds {
     std::uint32_t left, right;
     std::int32_t a, b;
   };
   std::vector<EdgeEnds> innerEnds, borderEnds;
 
-  /// A range of border edges with the same pair of clusters, whose faces run along the edge in the
-  /// same sense.
+  /// A range of border edges between the same two clusters, all with the same value of `opposed`.
   struct Border {
     std::uint32_t firstEdge = 0, edgeCount = 0;
     std::int32_t left = 0;
-    /// Cluster; -1: boundary and non-manifold edges, which are never enclosed.
+    /// Cluster; -1 for boundary and non-manifold edges, whose side patches are never enclosed.
     std::int32_t right = -1;
     bool opposed = false;
   };
   std::vector<Border> borders;
-  /// Per cluster the first border that has it on its left, and one entry behind the last: from
-  /// there on come those with no cluster on their right.
+  /// Per cluster: index of the first border with this cluster on its left. One more entry: index of
+  /// the first border without a cluster on its right.
   std::vector<std::uint32_t> firstBorder;
 
-  /// What a first test of a face needs, in the order of `faces`.
+  /// Data for the first test of a face, in the order of `faces`.
   struct FaceBall {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();  ///< mm
     float radius = 0;                                  ///< mm; the ball contains all corners

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint8_t kDeepest = 255;
 
-/// Distances of blocks from those that hold 0, where a step to any of the 26 neighbours counts as
-/// one: one pass forwards over half of the neighbours and one back over the others. The rim of the
-/// lattice holds 0.
+/// Computes for each block the distance to the nearest block that holds 0. A step to any of the 26
+/// neighbours counts as one. One forward pass looks at half of the neighbours, one backward pass at
+/// the others. Blocks at the rim of the lattice hold 0.
 class Distances {
  public:
   Distances(std::vector<std::uint8_t>& depth, const std::array<std::size_t, 3>& blocks)
@@ -27,7 +27,7 @@ class Distances {
   }
 
  private:
-  /// way: -1 looks at the rows and the block before, 1 at those behind.
+  /// way: -1 looks at the rows and the block before, 1 at those after.
   void pass(std::size_t row, int way) {
     const auto i = static_cast<std::ptrdiff_t>(row / blocks_[1]);
     const auto j = static_cast<std::ptrdiff_t>(row % blocks_[1]);
@@ -51,7 +51,7 @@ class Distances {
       if (way > 0) limit(n - 1 - k, values[n - k]);
     }
   }
-  /// Keeps the smallest of what the rows hold.
+  /// Replaces each value of near_ by the value of the row if that is smaller.
   void take(std::ptrdiff_t i, std::ptrdiff_t j) {
     if (i < 0 || j < 0 || i >= static_cast<std::ptrdiff_t>(blocks_[0]) ||
         j >= static_cast<std::ptrdiff_t>(blocks_[1])) {
@@ -93,7 +93,7 @@ InsideMap::InsideMap(const MarkedEdges& marked, const SignRuns& signs, const Gri
       LineReader line(marked, signs, i, j);
       for (std::int32_t k = 0; k < grid.points[2]; ++k) {
         if (!line.outside(k)) continue;
-        // The eight cells at this point.
+        // The eight cells around this point are not deep inside.
         for (std::int32_t i0 = std::max(i - 1, 0); i0 <= i; ++i0) {
           for (std::int32_t j0 = std::max(j - 1, 0); j0 <= j; ++j0) {
             clear(i0, j0, std::max(k - 1, 0));
@@ -108,7 +108,8 @@ InsideMap::InsideMap(const MarkedEdges& marked, const SignRuns& signs, const Gri
 }
 
 void InsideMap::findFronts(const MarkedEdges& marked, const SignRuns& signs, const GridPlan& grid) {
-  /// Part of an edge: well above the precision of crossings, so that none counts as equal.
+  /// Only crossings at least this far behind a known one are hidden, in 1 / kParts of an edge. This
+  /// is well above the precision of crossings, so an equal crossing is never hidden.
   constexpr float kApart = 0.01f;
   for (auto& fronts : fronts_) fronts.resize(depth_.size());
   parallelFor(static_cast<std::size_t>(grid.points[0]), [&](std::size_t layer) {
@@ -144,19 +145,20 @@ void InsideMap::findFronts(const MarkedEdges& marked, const SignRuns& signs, con
   });
 }
 
-/// Lines along the axis W that the triangle can meet, each with the range where it does.
+/// The part of hides() for lines along the axis W. Returns true if, on each line that the triangle
+/// may meet, all crossings in the possible range are hidden.
 template <int W>
 bool InsideMap::hidesAlong(const std::array<Eigen::Vector3d, 3>& corner,
                            const Eigen::Vector3d& normal, const Eigen::Array3d& low,
                            const Eigen::Array3d& high, double reach) const {
   constexpr int U = W == 0 ? 1 : 0, V = W == 2 ? 1 : 2;
-  /// Steeper planes tell nothing about where a line meets the triangle.
+  /// If the plane is closer than this to parallel with the lines, it gives no useful range.
   constexpr double kLeastSlope = 1e-3;
   const double across = std::abs(normal[W]);
   const bool steep = across < kLeastSlope * normal.norm();
   const double slack =
       steep ? 0 : reach * (1 + (std::abs(normal[U]) + std::abs(normal[V])) / across) + 1e-9;
-  // The triangle turns with the normal about W, against it where U x V points the other way.
+  // Sense of the triangle in the (U, V) plane: the sign of normal[W], reversed if U x V is -W.
   const double turn = (normal[W] > 0) == (W != 1) ? 1 : -1;
   std::array<std::int32_t, 3> p;
   for (p[U] = static_cast<std::int32_t>(low[U]) + 1; p[U] <= high[U]; ++p[U]) {

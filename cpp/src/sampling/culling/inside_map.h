@@ -1,15 +1,16 @@
-// Which lattice points are known to lie inside the swept volume, and how deep: what lies deep
-// inside cannot reach the surface.
+// Knows which lattice points lie inside the swept volume, and how deep. Pieces of the sweep that
+// lie deep inside cannot reach the surface.
 //
-// In: marked edges and signs of some true pieces of the sweep (whole copies of the body). Out: for
-// a box, whether crossings within it can matter. Units: cells. Cost: O(lattice points) once; a few
-// look-ups for a query. Memory: 7 bytes a lattice point up to kMaxBlocks of them; beyond, one byte
-// for each block of several. Promise: a crossing that is hidden changes neither signs nor other
-// crossings. The outside of the whole sweep is reached along unmarked edges, and more pieces only
-// mark more edges, so that what a part of the sweep encloses stays enclosed: an edge between two
-// enclosed points has no outside end and is never walked. On an edge with an outside end only the
-// first crossing from there counts, and a crossing behind a known one is not the first. Source:
-// METHOD.md section 2, "what is inside stays inside".
+// In: marked edges and signs of some true pieces of the sweep (whole copies of the body).
+// Out: for a box, a triangle or a crossing, whether it can be left out ("hidden").
+// Units: cells. Cost: O(lattice points) once; a few look-ups per query.
+// Memory: 7 bytes per lattice point up to kMaxBlocks of them; above, one byte per block of cells.
+// Promise: leaving out a hidden crossing changes neither signs nor other crossings. Reason: the
+//        search for the outside follows unmarked edges, and more pieces only mark more edges. So
+//        points that a part of the sweep encloses stay enclosed, and the search never reaches an
+//        edge between two of them. On an edge with an outside end, only the first crossing from
+//        that end counts, so a crossing behind a known one does not.
+// Source: METHOD.md section 2, "what is inside stays inside".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -32,7 +33,7 @@ class InsideMap {
 
   InsideMap(const MarkedEdges& marked, const SignRuns& signs, const GridPlan& grid);
 
-  /// Whether no crossing within the box (grid coordinates, cells) can matter.
+  /// True if no crossing inside the box (grid coordinates, cells) can matter.
   bool hides(const Eigen::Array3d& low, const Eigen::Array3d& high) const {
     std::size_t at = 0;
     std::int32_t reach = 0;
@@ -46,18 +47,19 @@ class InsideMap {
     return depth_[at] > reach;
   }
 
-  /// Whether no crossing of the triangle can matter, wherever its points move by at most `reach`
-  /// along each axis (grid coordinates, cells).
+  /// True if no crossing of the triangle can matter, even if its points move by up to `reach` along
+  /// each axis (grid coordinates, cells).
   bool hides(const std::array<Eigen::Vector3d, 3>& corner, double reach) const;
 
-  /// Whether a crossing of the edge that leaves the lattice point (i, j, k) cannot matter.
+  /// True if a crossing cannot matter that lies at `fraction` of the edge from (i, j, k) along
+  /// `axis`.
   bool hides(int axis, std::int32_t i, std::int32_t j, std::int32_t k, double fraction) const {
     if (!hasFronts()) return false;
     const Front front = fronts_[axis][pointOf(i, j, k)];
     return fraction * kParts >= front.from && fraction * kParts <= front.to;
   }
 
-  /// Whether single crossings can be told: not on grids of more than kMaxBlocks points.
+  /// True if the map can hide single crossings: only on grids of at most kMaxBlocks points.
   bool hasFronts() const { return !fronts_[0].empty(); }
   std::size_t bytes() const { return depth_.size() + 3 * fronts_[0].size() * sizeof(Front); }
 
@@ -77,13 +79,13 @@ class InsideMap {
                   const Eigen::Array3d& low, const Eigen::Array3d& high, double reach) const;
   void findFronts(const MarkedEdges& marked, const SignRuns& signs, const GridPlan& grid);
 
-  int shift_ = 0;  // blocks have 2^shift_ cells along each axis
+  int shift_ = 0;  // a block has 2^shift_ cells along each axis
   Eigen::Array3d limit_ = Eigen::Array3d::Zero();
   std::array<std::size_t, 3> blocks_{};
-  /// Per block of cells: how many blocks along any axis to the nearest one that has a corner
-  /// outside (0: itself); at most 255.
+  /// Per block of cells: number of blocks, along any axis, to the nearest block with a corner
+  /// outside (0: this block itself), at most 255.
   std::vector<std::uint8_t> depth_;
-  /// Per axis and lattice point: of the edge that starts there; empty if blocks are not cells.
+  /// Per axis and lattice point, for the edge that starts there. Empty if a block is not one cell.
   std::array<std::vector<Front>, 3> fronts_;
 };
 

@@ -1,6 +1,6 @@
-// Walks a continuous motion placement by placement over the faces and side patches that culling
-// keeps, in one fixed order: all samplers that use it number the same elements alike. Which
-// clusters and borders are looked at may be narrowed beforehand (step_blocks.h).
+// Visits the faces and side patches that culling keeps, placement by placement, for a continuous
+// motion. The order is fixed, so all samplers number the elements in the same way. The caller gives
+// the clusters that matter ("shown", step_blocks.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace swept {
 
-/// A cluster that a placement and the step after it can need, and a bit for each of its faces that
-/// they can need.
+/// A cluster that can matter at a placement and in the step after it, with one bit for each of its
+/// faces that can matter.
 struct ShownCluster {
   std::uint32_t cluster, faces;
 
@@ -22,13 +22,13 @@ struct ShownCluster {
   static constexpr std::uint32_t kAll = 0xffffffffu;
   bool shows(std::uint32_t number) const { return (faces >> number & 1u) != 0; }
 };
-using ShownClusters = std::vector<ShownCluster>;  // clusters rise
+using ShownClusters = std::vector<ShownCluster>;  // in ascending order
 
-/// Clusters that are left out or shown together where not all are: those on their borders are
-/// looked at as well, and neighbours have numbers near each other.
+/// A trial shows or leaves out this many clusters together. Clusters with near indices are near
+/// each other, so a trial also covers the borders between them.
 constexpr std::size_t kClustersTogether = 16;
 
-/// All, or one part in `parts` of them, spread over the body; none for 0.
+/// Returns all clusters, or one of `parts` parts of them, spread over the body; none for 0.
 inline ShownClusters allClusters(const FaceClusters& clusters, std::size_t parts = 1) {
   ShownClusters all;
   for (std::uint32_t c = 0; parts > 0 && c < clusters.clusters.size(); ++c) {
@@ -42,7 +42,7 @@ class KeptElements {
   KeptElements(const SamplerInput& input, const FaceClusters& clusters)
       : input_(input), clusters_(clusters), before_(input, clusters), after_(input, clusters) {}
 
-  /// Goes to a placement; to the next one is cheapest.
+  /// Goes to a placement. Going to the next one is cheapest.
   void goTo(std::size_t placement) {
     if (placement > 0 && placement == placement_ + 1) {
       std::swap(before_, after_);
@@ -73,8 +73,8 @@ class KeptElements {
     }
   }
 
-  /// Calls use(edge, ends) for the side patches kept in the step that starts here; there must be
-  /// such a step.
+  /// Calls use(edge, ends) for the side patches kept in the step that starts at this placement. The
+  /// placement must not be the last one.
   template <class Use>
   void forPatches(const ShownClusters& shown, const Use& use) const {
     for (const ShownCluster& s : shown) {
@@ -82,7 +82,7 @@ class KeptElements {
       const FaceCluster& cluster = clusters_.clusters[s.cluster];
       for (std::uint32_t n = cluster.firstEdge; n < cluster.firstEdge + cluster.edgeCount; ++n) {
         const FaceClusters::EdgeEnds& ends = clusters_.innerEnds[n];
-        // An edge lies in both of its faces: it is hidden with either.
+        // An edge belongs to both of its faces, so it is hidden with either of them.
         if (!s.shows(ends.left - cluster.firstFace) || !s.shows(ends.right - cluster.firstFace)) {
           continue;
         }
@@ -102,7 +102,7 @@ class KeptElements {
   }
 
  private:
-  /// `s`: the cluster on the left of the border. With kAll, every face is shown.
+  /// `s`: the cluster on the left of the border. If its bits are kAll, every face is shown.
   template <class Use>
   void borderPatches(const FaceClusters::Border& border, std::uint32_t firstFace,
                      const ShownCluster& s, const Use& use) const {
@@ -129,8 +129,7 @@ class KeptElements {
   }
   static constexpr std::size_t kNowhere = ~std::size_t{0} - 1;
   bool hasAfter() const { return placement_ < input_.motion.steps(); }
-  /// Whether the two faces of an edge move in the same direction, so that its side patch is
-  /// enclosed.
+  /// True if both faces of an edge move in the same direction; then its side patch is enclosed.
   bool inSameDirection(const FaceClusters::EdgeEnds& ends, bool opposed) const {
     const int left = after_.ofIndex(ends.left), right = after_.ofIndex(ends.right);
     return left != 0 && left == (opposed ? -right : right);

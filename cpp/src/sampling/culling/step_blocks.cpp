@@ -15,22 +15,22 @@ namespace swept {
 namespace {
 
 constexpr double kRoom = 1 + 1e-9;   ///< covers the rounding of the bounds
-constexpr double kSnapReach = 1e-4;  ///< cells: more than snapping moves a corner
-/// Cells: sizes of a group of placements.
+constexpr double kSnapReach = 1e-4;  ///< cells: above the largest displacement by snapping
+/// Cells: largest and smallest size of a group of placements.
 constexpr double kLargestGroup = 2, kSmallestGroup = 1e-3;
-constexpr double kFaceGroup = 0.5;  ///< from this size down faces are looked at one by one
-/// Placements in a group, in the mean, from which groups are worth their tests.
+constexpr double kFaceGroup = 0.5;  ///< from this size down, single faces are tested
+/// Groups are worth their tests if they have at least this many placements on average.
 constexpr std::size_t kWorthGroup = 8;
 
-/// A triangle or a flat quad meets a line along an axis only where its box holds whole numbers
-/// along both others.
+/// Returns whether a triangle or flat quad with this bounding box can meet a line along an axis:
+/// the box must contain whole numbers along both other axes.
 bool meetsLines(const Eigen::Array3d& low, const Eigen::Array3d& high) {
   int axes = 0;
   for (int axis = 0; axis < 3; ++axis) axes += std::floor(low[axis]) < std::floor(high[axis]);
   return axes >= 2;
 }
 
-/// The groups of some placements, rising.
+/// Returns the groups of some placements, in ascending order.
 std::vector<std::uint32_t> groupsOf(const std::vector<PlacementRange>& ranges,
                                     const std::vector<std::uint32_t>& groupOf) {
   std::vector<std::uint32_t> groups;
@@ -105,7 +105,8 @@ PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters
   parallelBlocks(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) boxes[k] = bounds.boxOf(k);
   });
-  // Smaller groups hide more and are more; each looks only at what the larger one round it shows.
+  // Smaller groups hide more, but there are more of them. Each only tests what its larger group
+  // shows.
   for (double cells = kLargestGroup; cells > kSmallestGroup; cells /= 2) {
     std::vector<std::uint32_t> groupOf;
     const auto groups = group(boxes, cells, bounds.radius(), groupOf);

@@ -1,16 +1,18 @@
-// Which clusters of faces need to be looked at at which placements: blocks of placements are
-// decided as a whole, and what they leave out is not looked at again one by one.
+// Decides which clusters of faces can matter at which placements ("are shown"). It decides blocks
+// of placements as a whole; what a block leaves out is not tested again for its single placements.
 //
-// In: body, motion, clusters, and, where known, what lies inside. Out: the clusters shown at every
-// placement. Units: mm, cells. Cost: that of the clusters that are shown, and O(placements).
-// Promise: what is left out crosses no line of the lattice, or its crossings cannot matter
-// (inside_map.h): the marks that count are the same to the last bit.
+// In: body, motion, clusters, and, if known, the map of the inside.
+// Out: the clusters shown at every placement.
+// Units: mm, cells. Cost: O(shown clusters + placements).
+// Promise: an element that is left out crosses no lattice line, or its crossings cannot matter
+//        (inside_map.h). The marks that count are the same to the last bit.
 // Source: own method; METHOD.md section 2, "Dense motions", space-time subdivision.
 //
 // A block bounds where its placements, and the steps that start at them, carry the body: an affine
-// map, and how far they leave it. A box round a cluster's ball at that map holds all its copies and
-// side patches. Blocks are of two kinds: neighbours in time, of 8 and 64 placements; and neighbours
-// in place, since a recording comes back to the same places over and over (PlaceGroups).
+// map and the largest deviation from it. The map takes the ball of a cluster to a box that contains
+// all its copies and side patches. There are two kinds of blocks. One kind has 8 or 64 successive
+// placements. The other kind, PlaceGroups, has placements at nearly the same place, since a
+// recorded motion often returns to the same places.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -25,16 +27,16 @@ namespace swept {
 struct PlaceBlock {
   Eigen::Matrix3d turn;
   Eigen::Vector3d place;
-  double placeSpread = 0;  ///< how far they leave the map at the centre, cells
-  double turnSpread = 0;   ///< and how much more for each mm of distance from it
+  double placeSpread = 0;  ///< largest deviation at the centre, cells
+  double turnSpread = 0;   ///< further deviation per mm of distance from it
 };
 
-/// The body about its centre, and the placements as numbers that can be bounded by boxes.
+/// Bounds of placements. A placement is twelve numbers here; boxes bound these numbers.
 class PlaceBounds {
  public:
   PlaceBounds(const SamplerInput& input, const FaceClusters& clusters);
 
-  /// Bounds of the nine numbers of a matrix and the three of a vector.
+  /// Bounds of the nine entries of a matrix and the three of a vector.
   struct Box {
     using Map = Eigen::Array<double, 12, 1>;
     Map low = Map::Constant(1e300), high = -low;
@@ -43,13 +45,13 @@ class PlaceBounds {
       high = high.max(other.high);
     }
   };
-  /// The placement k and the step that starts there.
+  /// Bounds of the placement k and of the step that starts there.
   Box boxOf(std::size_t k) const;
   static PlaceBlock blockOf(const Box& box);
 
-  /// Whether the copies and side patches of a cluster in these placements can matter.
+  /// True if the copies and side patches of a cluster in these placements can matter.
   bool shows(const PlaceBlock& block, const FaceCluster& cluster) const;
-  /// The same for one face of it.
+  /// The same for one face. Requires the map of the inside.
   bool shows(const PlaceBlock& block, std::uint32_t face) const;
   bool hasInside() const { return input_.inside != nullptr; }
   double radius() const { return radius_; }  ///< mm
@@ -60,11 +62,12 @@ class PlaceBounds {
   double radius_ = 0;
 };
 
-/// Groups of placements that are a small part of a cell apart, whenever they come, each with the
-/// clusters that it shows. Empty unless placements come back to the same places.
+/// Groups of placements that lie within a small part of a cell, at whatever times, with the
+/// clusters that each group shows. Empty unless the motion often returns to the same places.
 class PlaceGroups {
  public:
-  /// Decides only the groups of these placements, and says what the others would take.
+  /// For a trial: the constructor only decides the groups of the placements `only`, and estimates
+  /// the time for the other groups.
   struct Trial {
     std::vector<PlacementRange> only;
     double secondsOfOthers = 0;  ///< CPU seconds, on one thread
@@ -77,8 +80,8 @@ class PlaceGroups {
   const ShownClusters& shownAt(std::size_t placement) const { return shown_[groupOf_[placement]]; }
 
  private:
-  /// Boxes of the groups of this size, and the group of each placement; ends early if there are too
-  /// many to be worth it.
+  /// Returns the boxes of the groups of this size, and the group of each placement. Ends early if
+  /// there are too many groups to be worth it.
   static std::vector<PlaceBounds::Box> group(const std::vector<PlaceBounds::Box>& boxes,
                                              double cells, double radius,
                                              std::vector<std::uint32_t>& groupOf);
@@ -89,12 +92,12 @@ class PlaceGroups {
 
 class StepBlocks {
  public:
-  /// Of the placements [begin, end).
+  /// Blocks for the placements [begin, end).
   StepBlocks(const SamplerInput& input, const FaceClusters& clusters, const PlaceGroups& groups,
              std::size_t begin, std::size_t end);
 
-  /// Calls use(placement, shown) for the placements that show clusters, in rising order, and
-  /// passed(placement) now and then.
+  /// Calls use(placement, shown) in ascending order for the placements that show clusters. Calls
+  /// passed(placement) once per block, to report progress.
   template <class Passed, class Use>
   void forPlacements(const Passed& passed, const Use& use) {
     const ShownClusters all = allClusters(clusters_, parts_);
@@ -109,7 +112,7 @@ class StepBlocks {
  private:
   static constexpr std::size_t kShift = 3, kMostLevels = 2;
 
-  /// level 0: a placement.
+  /// level 0: a single placement.
   template <class Use>
   void visit(std::size_t level, std::size_t at, const ShownClusters& above, const Use& use) {
     if (level == 0) {
@@ -128,16 +131,16 @@ class StepBlocks {
       visit(level - 1, child, shown, use);
     }
   }
-  /// What of the clusters is shown at one placement.
+  /// Returns the clusters of `above` that one placement shows.
   const ShownClusters& narrow(std::size_t at, const ShownClusters& above);
 
   const FaceClusters& clusters_;
   const PlaceGroups& groups_;
   PlaceBounds bounds_;
   std::size_t parts_, begin_, end_;
-  bool narrows_ = false;  // whether a look at single placements can leave anything out
-  std::vector<std::vector<PlaceBlock>> levels_;  // blocks of 8, of 64 placements
-  std::vector<PlaceBlock> single_;               // placements
+  bool narrows_ = false;  // whether testing single placements can hide anything
+  std::vector<std::vector<PlaceBlock>> levels_;  // blocks of 8 and of 64 placements
+  std::vector<PlaceBlock> single_;               // single placements
   std::vector<ShownClusters> below_;             // by level
 };
 

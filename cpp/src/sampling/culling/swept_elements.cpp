@@ -30,8 +30,8 @@ int FaceDirections::decideCluster(const FaceCluster& cluster) const {
                         travel * (step.angle * step.angle + kNormalRounding +
                                   snapAngle(cluster.minHeight, input_->grid.cell)) +
                         step.snap;
-  // The smallest n . d over the cone, on the side that the axis points to, at either end of the
-  // step.
+  // Smallest |n . d| over the normal cone, at both ends of the step. `side` returns the sign of n .
+  // d; 0 if n . d may be within the margin.
   const auto side = [&](double along) {
     const double across = std::sqrt(std::max(0.0, length * length - along * along));
     const double least = std::abs(along) * cluster.cosCone - across * cluster.sinCone;
@@ -41,8 +41,8 @@ int FaceDirections::decideCluster(const FaceCluster& cluster) const {
   return first != 0 && first == side(cluster.axis.dot(step.turnBack * d)) ? first : 0;
 }
 
-/// Decides from the middle of the face alone: n . d changes by at most angle * radius over the
-/// ball. Most faces are decided here.
+/// Decides a face from the centre of its ball alone: n . d changes by at most angle * radius inside
+/// the ball. This decides most faces.
 int FaceDirections::decideBall(const FaceClusters::FaceBall& ball) const {
   const MotionStep& step = step_;
   const Eigen::Vector3f d = bendFloat_ * ball.centre + shiftFloat_;
@@ -82,7 +82,7 @@ MotionStep::MotionStep(const SamplerInput& input, std::size_t k) {
   bend = turn - Eigen::Matrix3d::Identity();
   turnBack = turn.transpose();
   shift = p.rotation.transpose() * (q.translation - p.translation);
-  // No vector changes by more than twice the sine of half the turn; with a little room for
+  // The turn changes a vector by at most twice the sine of half its angle. The factor covers
   // rounding.
   angle = bend.norm() / std::sqrt(2.0) * (1 + 1e-9);
   snap = 4 * kSnapCells * input.grid.cell;

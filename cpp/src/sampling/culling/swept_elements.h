@@ -1,20 +1,21 @@
-// Which faces and side patches of the swept surface have to be sampled, step by step.
+// Decides step by step which faces and side patches of the swept surface must be sampled.
 //
-// In: body, motion, clusters. Out: a direction per face and step. Units: mm. Cost: O(clusters), and
-// O(faces) where a cluster is mixed.
-// Promise: what is dropped is enclosed; the argument needs only bodies that are closed and have
-// positive volume on both sides of the dropped piece.
+// In: body, motion, clusters. Out: a direction per face and step. Units: mm.
+// Cost: O(clusters), plus O(faces) for undecided clusters.
+// Promise: a dropped element is enclosed by the swept volume. The proof only requires a closed body
+// with positive volume on both sides of the dropped piece.
 // Source: METHOD.md section 2, "every face of every prism is sent"; docs/pipeline.md, "Culling".
 //
-// A face that moves outward at all its points throughout a step has direction +1, inward -1,
-// otherwise 0. During the chord motion of the step, points are p + s d(p); a face has +1 if n(s) .
-// d > 0 at its corners for all s. (n is quadratic in s; a margin covers its middle coefficient,
-// snapping and rounding.)
-//   A face copy at placement k is enclosed if it has the same direction (+1,+1 or -1,-1) before and
-//   after k: it lies between the two prisms. For closed bodies that are oriented outward it is also
-//   enclosed if it moves outward after k (prism outside, body inside), or inward before k.
+// A face has direction +1 if all its points move outward during a whole step, -1 if all move
+// inward, otherwise 0. During the chord motion of the step, a point p is at p + s d(p). The
+// direction is +1 if n(s) . d > 0 at all corners for all s. (n is quadratic in s. A margin covers
+// its middle coefficient, snapping and rounding.)
+//   A copy of a face at placement k is enclosed if it has the same direction, +1 or -1, before and
+//   after k: it lies between the two prisms that the face sweeps. For closed bodies with outward
+//   normals it is also enclosed if it moves outward after k (prism outside, body inside), or inward
+//   before k.
 //   A side patch is enclosed if both faces at its edge have the same direction in the step.
-// Clusters of faces are decided as a whole where their normal cone and ball allow it.
+// Clusters of faces are decided as a whole if their normal cone and ball allow it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -26,30 +27,30 @@
 
 namespace swept {
 
-/// The step placements[k] -> placements[k + 1] as seen from the body at its start: a point p moves
-/// by bend * p + shift.
+/// The step placements[k] -> placements[k + 1], seen from the body at its start: a point p moves by
+/// bend * p + shift.
 struct MotionStep {
   MotionStep() = default;
   MotionStep(const SamplerInput& input, std::size_t k);
 
   Eigen::Matrix3d bend, turnBack;
   Eigen::Vector3d shift;
-  double angle = 0;  ///< rad, at least the turn of the step
-  double snap = 0;   ///< mm
+  double angle = 0;  ///< rad, upper bound of the turn
+  double snap = 0;   ///< mm, bound on the effect of snapping
 };
 
-/// The direction of one face during a step.
+/// Returns the direction of one face during a step.
 int directionOf(const SamplerInput& input, const MotionStep& step, std::size_t face);
 
-/// Directions of faces during one step, each cluster and each face decided when it is first asked
-/// for; the buffers are reused from step to step. Not for several threads at a time.
+/// Directions of faces during one step. Each cluster and face is decided at its first query. The
+/// buffers are reused for the next step. Not for several threads at a time.
 class FaceDirections {
  public:
   FaceDirections(const SamplerInput& input, const FaceClusters& clusters);
-  /// From now on the step is placements[k] -> placements[k + 1].
+  /// Changes the step to placements[k] -> placements[k + 1].
   void setStep(std::size_t k);
 
-  /// -1, 0 (mixed, or known only face by face) or +1.
+  /// -1, +1, or 0: no common direction, or only known per face.
   int ofCluster(std::size_t cluster) const {
     if (decidedAt_[cluster] != stamp_) decide(cluster);
     return clusterDirection_[cluster];
@@ -58,7 +59,8 @@ class FaceDirections {
     ofCluster(clusters_->clusterOf[face]);
     return ofIndex(clusters_->indexOf[face]);
   }
-  /// The same for a face, by its index in FaceClusters::faces; its cluster has been asked for.
+  /// The same for a face, by its index in FaceClusters::faces. Call ofCluster() for its cluster
+  /// first.
   int ofIndex(std::size_t index) const {
     if (faceDirection_[index] == kNotDecided) decideFace(index);
     return faceDirection_[index];
@@ -78,17 +80,17 @@ class FaceDirections {
   Eigen::Matrix3f bendFloat_, turnBackFloat_;
   Eigen::Vector3f shiftFloat_;
   float rounding_ = 0;                            // mm: rounding of a displacement in float
-  std::uint32_t stamp_ = 0;                       // number of the step, in the order of setStep()
-  mutable std::vector<std::uint32_t> decidedAt_;  // per cluster: stamp of the step it is known for
+  std::uint32_t stamp_ = 0;                       // number of the setStep() call
+  mutable std::vector<std::uint32_t> decidedAt_;  // per cluster: stamp of its direction
   mutable std::vector<std::int8_t> clusterDirection_, faceDirection_;
 };
 
 /// Snapping moves a corner by at most this many cells along each axis.
 constexpr double kSnapCells = 0x1p-17;
-/// Of a displacement: the normals are 32-bit floats, with room to spare.
+/// Error of n . d from normals in 32-bit floats, as a fraction of |d|; includes a safety factor.
 constexpr double kNormalRounding = 1e-6;
-/// Snapping the corners turns the normal of a triangle of this height (mm) by at most about this
-/// angle.
+/// Approximate bound of the angle by which snapping the corners turns the normal of a triangle.
+/// `height`: the smallest height of the triangle (mm).
 double snapAngle(double height, double cell);
 
 bool faceIsEnclosed(int directionBefore, int directionAfter, bool hasBefore, bool hasAfter,

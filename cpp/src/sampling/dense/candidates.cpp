@@ -13,10 +13,10 @@ namespace swept::dense {
 namespace {
 
 constexpr std::size_t kBlock = 256;  // vertices per task
-/// Cosine (1.1 degrees): normals closer than this are queried once.
+/// Cosine of 1.1 degrees: of several normals closer than this, only one is queried.
 constexpr double kMinSameCosine = 0.9998;
-// Queries per vertex, and halvings of an arc between two normals: both bound the time per vertex.
-// What is missed is found and closed by leak_repair.h.
+// Queries per vertex, and halvings of an arc between two normals. Both bound the time per vertex.
+// leak_repair.h finds and adds the pairs that these limits miss.
 constexpr std::size_t kMaxNormals = 8;
 constexpr int kArcDepth = 3;
 
@@ -27,7 +27,7 @@ void insert(Set& set, std::uint32_t placement) {
   if (at == set.end() || *at != placement) set.insert(at, placement);
 }
 
-/// One query at a vertex, and the best advance that was found.
+/// A query at a vertex, and the largest advance found.
 struct Query {
   Point6 gradient;
   float best;
@@ -82,14 +82,14 @@ class CandidateSearch {
     return best.placement;
   }
 
-  /// Queries the normals on the arc between two (point, normal) pairs that have been queried.
+  /// Queries normals on the arc between two (point, normal) pairs that have been queried already.
   void queryBetween(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::uint32_t winner,
                     const Eigen::Vector3d& y, const Eigen::Vector3d& m, std::uint32_t other,
                     int depth, Set& out) const {
     if (winner == other || depth == 0) return;
     Eigen::Vector3d between = n + m;
     const double length = between.norm();
-    if (length < 0.2) return;  // nearly opposite normals: there is no arc between them
+    if (length < 0.2) return;  // nearly opposite normals have no arc between them
     between /= length;
     const Eigen::Vector3d z = (x + y) / 2;
     const std::uint32_t middle = query(space_.gradient(z, between), winner);
@@ -121,15 +121,15 @@ class CandidateSearch {
     }
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
-        if (i > 0 && queried[i].dot(queried[j]) > 0.9) continue;  // between creases only
+        if (i > 0 && queried[i].dot(queried[j]) > 0.9) continue;  // faces: only across creases
         queryBetween(x, queried[i], answer[i], x, queried[j], answer[j], kArcDepth, winners_[v]);
       }
     }
     queries_[v].shrink_to_fit();
   }
 
-  /// Where the winners at the two ends of an edge differ, the winners between them belong to both
-  /// ends.
+  /// Queries along the edges whose ends have different winners. The winners in between belong to
+  /// both ends.
   void queryAlongEdges() {
     const auto& edges = input_.topology.edges;
     std::vector<Set> found(edges.size());
@@ -159,7 +159,7 @@ class CandidateSearch {
     return false;
   }
 
-  /// Spreads the winners by one ring of vertices; false if nothing changed.
+  /// Spreads the winners by one ring of vertices. Returns false if nothing changed.
   bool spread(bool freely) {
     if (fresh_.empty()) fresh_ = winners_;
     std::vector<Set> next(vertices_);
@@ -215,7 +215,7 @@ class CandidateSearch {
   const SamplerInput& input_;
   const PlacementSpace& space_;
   const DenseSettings& settings_;
-  float slack_;  // mm: how far behind the local best a winner that has spread is still kept
+  float slack_;  // mm: a winner spreads if its advance is less than the best by at most this
   const ListsByKey<>& corners_;
   RunContext& run_;
   std::size_t vertices_;

@@ -33,7 +33,7 @@ class DenseRun {
     for (std::size_t v = 0; v < corners_.keys(); ++v) corners_.of(v);
   }
 
-  /// Returns nothing if too much stayed open.
+  /// Returns nothing if too much remains open and `mayGiveUp` is set.
   std::optional<DenseSurface> sample(bool mayGiveUp) {
     const std::size_t faces = input_.body.triangles.size();
     const double cell = input_.grid.cell;
@@ -104,7 +104,7 @@ class DenseRun {
   const DenseSettings& settings_;
   RunContext& run_;
   PairSampler sampler_;
-  ListsByKey<> corners_;  // of the body, by vertex; sorted
+  ListsByKey<> corners_;  // per vertex of the body; sorted
 };
 
 }  // namespace

@@ -2,13 +2,13 @@
 //
 // In: body and placements. Out: marked edges, and the finding "DensePruned". Units: mm, cells.
 // Cost: a few seconds for 10^5 placements (docs/performance.md).
-// Promise: errs towards the outside only, by what "DensePruned" reports. Brute force (sampleCpu) is
-// the oracle.
+// Promise: the envelope may be too small by the figure in "DensePruned", but never too large. Tests
+// compare with brute force (sampleCpu).
 // Source: METHOD.md section 2, "Dense motions".
 //
-// Only the (face, placement) pairs that can reach the envelope are sampled (candidates.h), besides
-// a few whole copies that close the inside. What this choice left open is searched for against all
-// placements and closed, round by round (leak_repair.h).
+// It samples only the (face, placement) pairs that can reach the envelope (candidates.h) and a few
+// whole copies that close the inside. Then it searches, against all placements, for places that
+// this choice leaves open, and adds the missing pairs, round by round (leak_repair.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,26 +24,27 @@ namespace swept::dense {
 
 struct DenseSettings {
   double minPairs = 5e7;    ///< faces x placements from which this sampler is used
-  double maxTurn = 0.15;    ///< rad, from the mean placement
-  double maxReach = 0.25;   ///< fraction of the body's radius, from the mean placement
-  double maxRemainder = 2;  ///< cells, of the linearisation
-  /// How far behind the local best a winner that has spread is still kept; the remainder of the
-  /// linearisation is added.
+  double maxTurn = 0.15;    ///< rad, largest turn relative to the mean placement
+  double maxReach = 0.25;   ///< largest displacement from it, as a fraction of the body's radius
+  double maxRemainder = 2;  ///< cells, largest error of the linear form (placement_space.h)
+  /// A winner spreads while its advance is less than the local best by at most this (cells) plus
+  /// the error of the linear form.
   double slackCells = 0.3;
-  /// A placement that reaches less far beyond a point does not count as missed.
+  /// A placement is missed only if it reaches beyond a point by more than this (cells).
   double marginCells = 0.05;
-  /// mm; `remainder`: of the linearisation.
+  /// Returns this margin in mm, plus an allowance for the error `remainder` (mm) of the linear
+  /// form.
   double margin(double cell, double remainder) const {
     return marginCells * cell + 0.25 * remainder;
   }
-  int freeRings = 1;  ///< rings of vertices over which winners spread whatever their advance
-  int rings = 8;      ///< rings over which they spread within the slack
-  std::size_t maxAtVertex = 96;  ///< a vertex accepts no more placements beyond this number
+  int freeRings = 1;             ///< rings of vertices over which all winners spread
+  int rings = 8;                 ///< rings over which winners spread within the slack
+  std::size_t maxAtVertex = 96;  ///< a vertex accepts at most this many placements
   int wholeCopies = 12;
-  /// Fraction of the surface points still open: above it, brute force takes over ...
+  /// Fraction of the surface points that remain open. Above it, brute force takes over ...
   double maxOpenFraction = 1e-3;
-  double bruteForcePairs = 2e9;  ///< ... if it has at most this many pairs to sample
-  int rounds = 6;                ///< of repair
+  double bruteForcePairs = 2e9;  ///< ... unless it has more pairs than this to sample
+  int rounds = 6;                ///< largest number of repair rounds
 };
 
 struct DenseSurface {
@@ -51,18 +52,18 @@ struct DenseSurface {
   std::vector<Finding> notes;
 };
 
-/// Returns nothing if the motion or the body is not suitable (no union of copies, few copies, large
-/// motions, an open body, culling switched off), or if too much stayed open and brute force is
-/// affordable.
+/// Returns nothing if the motion or the body is not suitable: no union of copies, too few copies,
+/// motions too large, an open body, or culling switched off. Also returns nothing if too much
+/// remains open and brute force is affordable.
 std::optional<DenseSurface> sampleDense(const SamplerInput& input, const DenseSettings& settings,
                                         RunContext& run);
 
-/// The placement nearest to the mean, and those farthest along fixed directions in the six
-/// coordinates, each once: they are sampled whole.
+/// Returns the placements that are sampled as whole copies: the one nearest to the mean, and those
+/// farthest along fixed directions in the six coordinates. Each occurs once.
 std::vector<std::uint32_t> wholeCopies(const PlacementSpace& space, std::size_t placements,
                                        int count);
 
-/// Whether sampleDense() is suitable; O(placements), without building anything.
+/// Returns whether sampleDense() suits the input. O(placements), builds nothing.
 bool suits(const TriMesh& body, const Motion& motion, double cell, bool cull, bool orientable,
            const DenseSettings& settings);
 

@@ -17,32 +17,33 @@
 namespace swept::dense {
 namespace {
 
-/// Patches, evenly spaced in the order of the faces; about a part of the body's faces, all
-/// together.
+/// The patches lie evenly spaced in the order of the faces. Together they have about the fraction
+/// 1 / kPartOfFaces of the faces of the body.
 constexpr std::size_t kFacesOfPatch = 1300, kFewestPatches = 4, kMostPatches = 12, kPartOfFaces = 4;
-/// Of a patch, the middle: what a rim lacks of its surroundings does not reach it.
+/// Only the middle of a patch is sampled, the fraction 1 / kPartOfPatch of its faces. There the
+/// missing surroundings of the patch have no effect.
 constexpr std::size_t kPartOfPatch = 6;
-/// Most faces at one vertex that are followed. The hub of a fan touches faces that are far apart.
+/// Largest number of faces at one vertex that join a patch. The hub of a fan has faces far apart.
 constexpr std::size_t kMostOfStar = 48;
-/// Points that are tested exactly, and such tests while what is open round a point is followed.
+/// Number of points for timing exact tests, and exact tests per open point while it is followed.
 constexpr std::size_t kTests = 500;
 constexpr double kFollowed = 3;
-/// Bytes of a placement in the tree and in cells, of a face in the lists of candidates, whole
-/// copies and leaks, of a candidate while the lists of blocks become one, and of a crossing of the
-/// batch that is sorted.
+/// Bytes of a placement (in the tree and in cells), of a face (in the lists of candidates, whole
+/// copies and leaks), of a candidate (while lists of blocks are joined), and of a crossing in the
+/// batch that is being sorted.
 constexpr double kPlacementBytes = 250, kFaceBytes = 300, kPairBytes = 8,
                  kSortedBytes = 2 * sizeof(CrossingRecord);
 
-/// Faces of the body, with their vertices.
+/// Some faces of the body, with their vertices.
 struct Patches {
   TriMesh mesh;
-  std::vector<std::uint8_t> inner;    ///< per face: in the middle of a patch
-  std::vector<std::uint32_t> faceOf;  ///< its number in the body
+  std::vector<std::uint8_t> inner;    ///< per face: whether it is in the middle of a patch
+  std::vector<std::uint32_t> faceOf;  ///< per face: its index in the body
 };
 
 enum Place : std::uint8_t { kNone, kRim, kMiddle };
 
-/// Adds the faces round one, the nearest first.
+/// Adds one patch: the faces around a first face, the nearest ones first.
 void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t number,
               std::size_t patches, std::vector<Place>& places) {
   const std::size_t first = (2 * number + 1) * body.triangles.size() / (2 * patches);
@@ -55,7 +56,7 @@ void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t numb
       spread[static_cast<std::size_t>(v)] = true;
       const auto star = corners.asTheyStand(static_cast<std::size_t>(v));
       const std::size_t some = std::min(star.size(), kMostOfStar);
-      const std::size_t from = star.size() * number / patches;  // other faces of a hub than others
+      const std::size_t from = star.size() * number / patches;  // other faces for other patches
       for (std::size_t i = 0; i < some && faces.size() < kFacesOfPatch; ++i) {
         const std::uint32_t face = star[(i * star.size() + from) / some] / 3;
         if (!taken[face]) faces.push_back(face);
@@ -101,7 +102,7 @@ Patches somePatchesOf(const TriMesh& body) {
   return some;
 }
 
-/// CPU seconds of an exact test of a point.
+/// Returns the CPU seconds of an exact test of a point.
 double secondsOfTest(const TriMesh& body, const BodyTests& tests) {
   const std::size_t step = 1 + body.vertices.size() / kTests;
   const double start = threadSeconds();
@@ -111,10 +112,10 @@ double secondsOfTest(const TriMesh& body, const BodyTests& tests) {
   return inside < 0 ? 0 : (threadSeconds() - start) / count;
 }
 
-/// Per copy of the body, and of the inner faces: crossings as they are expected.
+/// Expected crossings: of a copy of the body, and of a copy of the inner faces.
 struct Work {
   double body = 0, inner = 0;
-  double pairs = 0;  ///< of the pairs of inner faces
+  double pairs = 0;  ///< of all candidate pairs of inner faces
 };
 
 }  // namespace

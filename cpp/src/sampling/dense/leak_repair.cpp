@@ -13,14 +13,14 @@
 namespace swept::dense {
 namespace {
 
-// Limit of memory and time: the table of covered points then takes some hundred MB.
+// Limits memory and time: the table of covered points then takes several hundred MB.
 constexpr std::size_t kMaxFollowed = 6'000'000;
-constexpr std::size_t kMaxTried = 8;  // placements tested exactly at one point
+constexpr std::size_t kMaxTried = 8;  // placements tested exactly per point
 constexpr std::size_t kTrialPoints = 4000;
 
 using Lattice = std::array<std::int32_t, 3>;
 
-/// Looks for placements that cover lattice points.
+/// Searches for placements whose copies cover lattice points.
 class CoverSearch {
  public:
   CoverSearch(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
@@ -52,7 +52,7 @@ class CoverSearch {
   }
   bool isInside(const Eigen::Vector3d& x) const { return tests_.rays.winding(x) > 0; }
 
-  /// Lattice point g lies near `face` at `placement`, outside of that copy. Looks for another
+  /// Lattice point g lies near `face` at `placement`, outside of that copy. Searches for another
   /// placement whose copy covers it.
   bool findCover(const Lattice& g, std::uint32_t face, std::uint32_t placement, Scratch& s,
                  Covered& out) const {
@@ -103,7 +103,7 @@ class LeakFinder : CoverSearch {
   }
 
  private:
-  /// A key that rises in the order in which the edges of a layer are visited.
+  /// Returns a key that rises in the order in which the edges of a layer are visited.
   static std::uint64_t orderOf(int axis, std::int32_t j, std::int32_t k, std::uint64_t side) {
     return static_cast<std::uint64_t>(axis) << 32 | static_cast<std::uint64_t>(j) << 17 |
            static_cast<std::uint64_t>(k) << 1 | side;
@@ -112,7 +112,7 @@ class LeakFinder : CoverSearch {
     return {static_cast<std::int32_t>(key >> 26), static_cast<std::int32_t>(key >> 13 & 0x1fff),
             static_cast<std::int32_t>(key & 0x1fff)};
   }
-  /// The segment passes through the triangle, borders included.
+  /// Returns whether the segment passes through the triangle, including its border.
   bool meets(std::uint32_t triangle, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
     const auto& t = input_.body.triangles[triangle];
     const Eigen::Vector3d &a = input_.body.vertices[t[0]], &b = input_.body.vertices[t[1]],
@@ -125,7 +125,7 @@ class LeakFinder : CoverSearch {
     return n.dot((b - a).cross(x - a)) >= room && n.dot((c - b).cross(x - b)) >= room &&
            n.dot((a - c).cross(x - c)) >= room;
   }
-  /// Triangles of the body that the segment meets, sorted.
+  /// Finds the triangles of the body that the segment meets, sorted.
   void findHits(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                 std::vector<std::uint32_t>& out) const {
     out.clear();
@@ -144,7 +144,8 @@ class LeakFinder : CoverSearch {
     parallelFor(layers, [&](std::size_t layer) {
       run_.checkpoint(Phase::Signs, layer, layers);
       Scratch scratch;
-      // Both lists rise in the same order, so one pass over the old list finds what is known.
+      // Both lists have the same ascending order, so one pass over the old list finds all known
+      // points.
       std::vector<ClearPoints::Point> known = std::move(clear_.layers[layer]);
       std::vector<ClearPoints::Point>& clear = clear_.layers[layer];
       clear.clear();
@@ -194,7 +195,7 @@ class LeakFinder : CoverSearch {
     if (cover_.size() > kMaxFollowed) out_.complete = false;
   }
 
-  /// Goes from one covered point to its six neighbours.
+  /// Goes from one covered point to its six neighbours. Adds covered neighbours and missing pairs.
   void step(const Covered& from, Scratch& s, std::vector<Covered>& covered,
             std::vector<std::pair<std::uint32_t, std::uint32_t>>& missing) const {
     const Lattice g = unpack(from.point);

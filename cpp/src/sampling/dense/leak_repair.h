@@ -1,16 +1,16 @@
-// Finds where a choice of (face, placement) pairs left the envelope open, and which pairs are
-// missing.
+// Finds where a choice of (face, placement) pairs leaves the envelope open, and the missing pairs.
 //
 // In: marked edges and signs of the choice, placement space. Out: missing pairs, and how much is
 // open. Units: mm. Cost: one support query and one exact test per surface point.
 // Source: own method; docs/pipeline.md, "Dense motions".
 //
-// A choice can err towards the outside only: every sampled crossing is a true one, so that what it
-// calls inside is inside. Lattice points next to the surface are tested against all placements: the
-// placement that pushes the surface farthest there (support query) is tested exactly, body against
-// point. Covered points that the choice called outside are followed through unmarked edges to where
-// the covering body ends. An unmarked edge that its surface crosses is a hole, and the triangle
-// there at that placement is the missing pair.
+// The choice can only call covered points outside: each sampled crossing is a true one, so a point
+// that it calls inside is inside. The search tests each lattice point next to the surface against
+// all placements. A support query gives the placement that pushes the surface farthest there; an
+// exact test shows whether the body at this placement covers the point. From a covered point that
+// the choice called outside, the search follows unmarked edges to the surface of the covering copy.
+// An unmarked edge that this surface crosses is a hole. The missing pair is the triangle there with
+// the placement of the copy.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -29,19 +29,19 @@
 namespace swept::dense {
 
 struct LeakSearch {
-  std::int64_t tested = 0;   ///< surface points (ends of contributing edges) that were tested
-  std::int64_t covered = 0;  ///< of these, covered by a placement although called outside
-  double deepest = 0;        ///< mm: largest advance by which one of these was missed
-  bool complete = true;      ///< false: stopped at a limit
-  /// (face, placement), sorted, without repetition
+  std::int64_t tested = 0;   ///< number of surface points (outside ends of edges) that were tested
+  std::int64_t covered = 0;  ///< of these, number covered by a placement although called outside
+  double deepest = 0;        ///< mm: largest advance of a missed placement beyond such a point
+  bool complete = true;      ///< false: the search stopped at a limit
+  /// (face, placement) pairs, sorted, each once
   std::vector<std::pair<std::uint32_t, std::uint32_t>> missing;
 };
 
-/// Surface points that no placement covers, by layer, in the order of the tests. Whether a point is
-/// covered does not depend on what has been sampled, so that the next round need not test it again.
+/// Surface points that no placement covers, by layer, in the order of the tests. This does not
+/// depend on the choice of pairs, so the next round need not test these points again.
 struct ClearPoints {
   struct Point {
-    /// Key of the lattice point, and of the axis and side of the edge that it belongs to.
+    /// Key of the lattice point, and of the axis and side of its edge.
     std::uint64_t place;
     std::uint32_t face, placement;
     bool operator==(const Point&) const = default;
@@ -49,7 +49,7 @@ struct ClearPoints {
   std::vector<std::vector<Point>> layers;
 };
 
-/// Exact tests of points and segments against the body; made once for all calls.
+/// Exact tests of points and segments against the body. Build it once for all calls.
 struct BodyTests {
   explicit BodyTests(const TriMesh& body)
       : rays(body), tree(boxTreeOf(body.vertices, body.triangles)) {}
@@ -58,27 +58,28 @@ struct BodyTests {
   BoxTree tree;
 };
 
-/// margin: mm by which a placement must reach beyond a point to count as missed; the same for all
-/// calls that share `clear`.
+/// margin: mm by which a placement must reach beyond a point to count as missed. All calls that
+/// share `clear` must use the same margin.
 LeakSearch findLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                      const MarkedEdges& marked, const SignRuns& signs, double margin,
                      ClearPoints& clear, RunContext& run);
 
-/// Some faces of the body as they have been chosen and sampled, numbered from 0.
+/// Some faces of the body, with their chosen placements and the result of sampling them.
 struct ChosenFaces {
-  const std::vector<std::uint32_t>& faces;  ///< their numbers in the body
+  const std::vector<std::uint32_t>& faces;  ///< indices in the body
   const FacePlacements& placements;
   const MarkedEdges& marked;
   std::size_t crossings;
 };
 
 struct LeakTrial {
-  double open = 0;     ///< part of the points next to the surface that the choice leaves open
-  double seconds = 0;  ///< of the CPU, for a point
+  double open = 0;     ///< fraction of the points next to the surface that the choice leaves open
+  double seconds = 0;  ///< CPU seconds per point
 };
 
-/// For estimates, without signs: points that a placement covers which has not been chosen for the
-/// face count as open; those that another chosen one covers do not lie next to the surface.
+/// For estimates, without signs. A point counts as open if the placement that covers it is not
+/// chosen for the face. A point covered by another chosen placement does not lie next to the
+/// surface and does not count.
 LeakTrial tryLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                    const ChosenFaces& chosen, double margin);
 

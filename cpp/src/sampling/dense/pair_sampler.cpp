@@ -11,11 +11,11 @@
 namespace swept::dense {
 namespace {
 
-// Crossings per task: a batch makes 160 tasks, enough to balance all cores.
+// Crossings per task: a batch has 160 tasks, enough to balance all cores.
 constexpr double kTaskCrossings = 150e3;
 
-/// Expected number for a face of this area (cells^2): half the sum of the three projections, at
-/// most 1.74 times the area.
+/// Expected number of crossings of a face with this area (cells^2): half the sum of its three
+/// projections, at most 1.74 times the area.
 double expectedCrossings(double area) { return 1.74 * area + 0.5; }
 
 }  // namespace
@@ -58,17 +58,17 @@ void PairSampler::sampleItem(const Item& item, RecordChunk& chunk) const {
   }
 }
 
-/// The edges marked so far become records again: two per edge.
+/// Turns the edges marked so far into records again, two per edge.
 void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
   const std::size_t layers = marked_.layers.size();
-  // Layers per task; one chunk each.
+  // Layers per task; each task writes one chunk.
   constexpr std::size_t kLayers = 16;
   const std::size_t first = chunks.size();
   chunks.resize(first + (layers + kLayers - 1) / kLayers);
   parallelBlocks(layers, kLayers, [&](std::size_t begin, std::size_t end) {
     RecordChunk& chunk = chunks[first + begin / kLayers];
-    // One element often marks many neighbouring edges; an element that was written lately is not
-    // written again.
+    // One element often marks many adjacent edges. So an element that was written shortly before is
+    // not written again.
     struct Carried {
       std::uint32_t from = 0xffffffffu, to = 0;
     };
@@ -81,7 +81,8 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
       }
       return slot.to;
     };
-    // Back to the same fixed-point fraction: the middle of its step is safe against rounding.
+    // Gives the same fixed-point fraction again: the middle of its interval is safe against
+    // rounding.
     constexpr double kHalf = 0.5 / ((1 << CrossingRecord::kFractionBits) - 1);
     const auto fractionOf = [](float f) { return std::min(static_cast<double>(f) + kHalf, 1.0); };
     for (std::size_t i = begin; i < end; ++i) {

@@ -1,6 +1,8 @@
 // Samples chosen (face, placement) pairs, batch by batch, into one set of marked edges.
-// In: pairs. Out: marked edges. Memory: the crossings of one batch (bounded) and the marked edges
-// so far; never all raw crossings. Promise: the result depends on the pairs only.
+// In: pairs. Out: marked edges.
+// Memory: the crossings of one batch (bounded) and the marked edges so far, never all raw
+//        crossings.
+// Promise: the result depends on the pairs only.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,17 +22,18 @@ class PairSampler {
   void add(std::uint32_t face, const std::uint32_t* begin, const std::uint32_t* end);
   /// Adds all faces at one placement.
   void addWhole(std::uint32_t placement);
-  /// Samples what was added.
+  /// Samples all pairs added so far.
   void flush();
 
   const MarkedEdges& marked() const { return marked_; }
   MarkedEdges take() { return std::move(marked_); }
   std::int64_t pairs() const { return pairs_; }
-  /// That the pairs have given, before those of one edge became one.
+  /// Number of raw crossings of all pairs, before those on one edge are merged.
   std::int64_t crossings() const { return crossings_; }
-  /// Crossings of a face at one placement, as they are expected; a batch has about so many.
+  /// Returns the expected number of crossings of a face at one placement. A batch has about
+  /// kBatchWork of these; each takes 12 bytes, and twice that while they are sorted.
   double workOf(std::uint32_t face) const;
-  static constexpr double kBatchWork = 24e6;  ///< 12 bytes each, twice while they are sorted
+  static constexpr double kBatchWork = 24e6;
 
  private:
   struct Item {
@@ -44,7 +47,7 @@ class PairSampler {
   const SamplerInput& input_;
   RunContext& run_;
   std::vector<Placement> placements_;    // with results in cells
-  std::vector<std::uint32_t> identity_;  // 0, 1, 2 ...: used as lists of one placement
+  std::vector<std::uint32_t> identity_;  // 0, 1, 2 ...: entries serve as lists of one placement
   std::vector<Item> items_;
   MarkedEdges marked_;
   std::int64_t pairs_ = 0, crossings_ = 0;

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kLeaf = 8;
 
 Placement meanOf(const std::vector<Placement>& placements, const Eigen::Vector3d& centre) {
-  // For small turns the mean rotation is the mean of the matrices, made a rotation again.
+  // For small turns the mean rotation is the rotation nearest to the mean of the matrices.
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   for (const Placement& p : placements) {
@@ -104,7 +104,7 @@ Point6 PlacementSpace::gradient(const Eigen::Vector3d& x, const Eigen::Vector3d&
   return g;
 }
 
-/// Calls visit(leaf) best branches first, as long as isWanted(bound of a branch) says so.
+/// Visits leaves, best branches first. Enters a branch only if isWanted(its bound) is true.
 template <class IsWanted, class Visit>
 void PlacementSpace::descend(const Point6& g, const IsWanted& isWanted, const Visit& visit) const {
   struct Open {

@@ -1,17 +1,16 @@
 // The placements of a dense motion as points in six dimensions, and support queries over them.
 //
-// In: body, placements. Out: the placement of largest advance along a normal. Units: mm; w is
-// scaled by the body's radius, so that all six coordinates are lengths. Cost: O(n log n) to build;
-// microseconds per query.
-// Promise: of equal values the lower index wins, so that results are the same for any number of
-// threads.
+// In: body, placements. Out: the placement with the largest advance along a normal.
+// Units: mm; w is scaled by the body's radius, so that all six coordinates are lengths.
+// Cost: O(n log n) to build; microseconds per query.
+// Promise: of equal values the lower index wins, so results are the same for any number of threads.
 // Source: METHOD.md section 2, "Support queries in placement space".
 //
-// Relative to a mean placement, a body point with mean position c + q moves by dt + w x q (to first
-// order in the turn w), so that its advance along a unit normal n is n.dt + (q x n).w: linear in
-// the point (dt, w). Which placement pushes a bit of surface farthest is therefore a support query,
-// answered by branch and bound over a tree of boxes. remainder() bounds what the linear form leaves
-// out along any direction, to second order: radius * |w|^2 / 2.
+// Relative to a mean placement, a body point with mean position c + q moves by dt + w x q, to first
+// order in the turn w. So its advance along a unit normal n is n.dt + (q x n).w, which is linear in
+// the point (dt, w). The placement that pushes a piece of surface farthest is therefore the answer
+// to a support query. Branch and bound over a tree of boxes finds it. remainder() bounds the error
+// of the linear form in any direction, to second order: radius * |w|^2 / 2.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -39,37 +38,37 @@ class PlacementSpace {
   };
 
   enum Wanted { kAll, kExtentOnly };
-  /// kExtentOnly: no tree and no queries, only how much the placements differ.
+  /// kExtentOnly: measures only how much the placements differ; builds no tree for queries.
   PlacementSpace(const TriMesh& body, const std::vector<Placement>& placements,
                  Wanted wanted = kAll);
 
-  /// The advance along n (unit, body frame) at body point x is dot(gradient(x, n),
-  /// point(placement)).
+  /// Returns the gradient of the advance: the advance along n (unit, body frame) at body point x is
+  /// dot(gradient(x, n), point(placement)).
   Point6 gradient(const Eigen::Vector3d& x, const Eigen::Vector3d& n) const;
   const Point6& point(std::uint32_t placement) const { return points_[placement]; }
-  /// The placement of largest advance; `guess` makes it faster and does not change the answer.
+  /// Returns the placement of largest advance. `guess` only makes the search faster.
   Best support(const Point6& gradient, std::uint32_t guess) const;
-  /// Up to `maxCount` placements with an advance above `minAdvance`, best branches first.
+  /// Finds up to `maxCount` placements with an advance above `minAdvance`, best branches first.
   void above(const Point6& gradient, float minAdvance, std::size_t maxCount,
              std::vector<Best>& out) const;
 
   const Placement& mean() const { return mean_; }
   double remainder() const { return remainder_; }  ///< mm
   double reach() const { return reach_; }          ///< mm: largest |dt| + |w| radius
-  double turn() const { return turn_; }            ///< rad, largest |w|
+  double turn() const { return turn_; }            ///< rad: largest |w|
 
  private:
   struct Node {
     Point6 low, high;
     std::uint32_t begin = 0, end = 0;
-    /// Index of the second child, the first one follows directly; 0: leaf.
+    /// Index of the second child; the first child follows directly. 0: leaf.
     std::uint32_t right = 0;
   };
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
   template <class IsWanted, class Visit>
   void descend(const Point6& gradient, const IsWanted& isWanted, const Visit& visit) const;
-  /// A gradient split for bounds over boxes: its positive part applies to their high sides, the
-  /// rest to their low sides.
+  /// A gradient split for bounds over boxes: its positive part applies to their upper sides, the
+  /// negative part to their lower sides.
   struct Split {
     Point6 up, down;
     explicit Split(const Point6& g) {

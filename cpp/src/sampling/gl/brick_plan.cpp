@@ -12,7 +12,7 @@ std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
                               std::uint64_t budgetBytes) {
   const std::int32_t image = std::min(limits.texture3d, 4096);
   const std::int32_t view = std::min(limits.viewport, limits.framebuffer);
-  // The codes of edges are 32-bit bit numbers, so that an image may have at most 2^27 texels.
+  // The code of an edge is the 32-bit index of its bit, so an image may have at most 2^27 texels.
   const std::uint64_t texels = std::min<std::uint64_t>(budgetBytes / 4, std::uint64_t{1} << 26);
   if (image < 3 || view < 32 || texels < 3) {
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",

@@ -50,8 +50,8 @@ ElementSource planElements(const SamplerInput& input, RunContext& run) {
 
 std::vector<ElementChunk> planChunks(const ElementSource& source, std::uint64_t bytes) {
   std::vector<ElementChunk> chunks;
-  // Element numbers within a chunk have 32 bits; a side patch needs the placement after its own as
-  // well.
+  // Element numbers within a chunk have 32 bits. A side patch also needs the placement after its
+  // own.
   const std::uint64_t window = std::max<std::uint64_t>(2, bytes / kPlacementBytes);
   if (source.listed) {
     const std::uint64_t maxCount = std::max<std::uint64_t>(1, bytes / sizeof(SweptElement));

@@ -1,8 +1,9 @@
-// Which elements of the swept surface are drawn, and how they are numbered.
+// Decides which elements of the swept surface are drawn, and numbers them.
 //
-// Listed: the kept elements of a continuous motion, one by one, in the order of the CPU sampler.
-// Otherwise (dense motions, or culling switched off): every face at every placement and, if the
-// motion is continuous, every edge in every step. Then no list is stored; the shader derives the
+// Listed: the elements of a continuous motion that culling keeps, one by one, in the order of the
+// CPU sampler.
+// Not listed (dense motions, or culling switched off): every face at every placement and, if the
+// motion is continuous, every edge in every step. Then there is no list; the shader derives the
 // elements from their numbers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -30,21 +31,21 @@ struct ElementSource {
     const auto placement = static_cast<std::uint32_t>(number / perPlacement);
     return {local < faces ? local : (local - faces) | SweptElement::kSidePatchBit, placement};
   }
-  /// The last placement of a continuous motion starts no step.
+  /// False for side patches at the last placement, where no step starts.
   bool exists(const SweptElement& element) const {
     return !element.isSidePatch() || element.placement + 1 < placements;
   }
 };
 
-/// A run of consecutive elements whose data are on the device at one time.
+/// Consecutive elements whose data are on the device at the same time.
 struct ElementChunk {
   std::uint64_t first = 0, count = 0;
-  std::uint32_t placementBase = 0, placementCount = 0;  ///< the placements that it needs
+  std::uint32_t placementBase = 0, placementCount = 0;  ///< the placements that the chunk needs
 };
 
 ElementSource planElements(const SamplerInput& input, RunContext& run);
 
-/// Chunks of at most `bytes` of placements and of listed elements each.
+/// Returns chunks with at most `bytes` of placements, and at most `bytes` of listed elements.
 std::vector<ElementChunk> planChunks(const ElementSource& source, std::uint64_t bytes);
 
 }  // namespace swept::gl

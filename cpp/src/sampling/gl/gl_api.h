@@ -13,7 +13,7 @@
 
 namespace swept::gl {
 
-/// Where entry points come from. Tests use a loader of their own.
+/// The source of entry points. Tests use their own loader.
 class GlLoader {
  public:
   virtual ~GlLoader() = default;
@@ -23,7 +23,7 @@ class GlLoader {
   virtual void* find(const char* name) = 0;
 };
 
-/// The EGL library of this name or in this file.
+/// Returns a loader for the EGL library with this name or file path.
 std::shared_ptr<GlLoader> systemLoader(const std::string& library = "libEGL.so.1");
 
 #define SWEPT_EGL_FUNCTIONS(X)                      \
@@ -41,7 +41,7 @@ std::shared_ptr<GlLoader> systemLoader(const std::string& library = "libEGL.so.1
   X(PFNEGLGETCURRENTSURFACEPROC, GetCurrentSurface) \
   X(PFNEGLGETERRORPROC, GetError)
 
-/// These may be absent; then they are null.
+/// These entry points may be missing; they are then null.
 #define SWEPT_EGL_EXTENSIONS(X)                           \
   X(PFNEGLQUERYDEVICESEXTPROC, QueryDevicesEXT)           \
   X(PFNEGLQUERYDEVICESTRINGEXTPROC, QueryDeviceStringEXT) \
@@ -104,7 +104,7 @@ struct EglApi {
   SWEPT_EGL_FUNCTIONS(SWEPT_MEMBER)
   SWEPT_EGL_EXTENSIONS(SWEPT_MEMBER)
 #undef SWEPT_MEMBER
-  /// Returns false and the first missing name.
+  /// Returns false and the first missing name if a required entry point is missing.
   bool load(GlLoader& loader, std::string& missing);
 };
 

@@ -20,7 +20,7 @@ namespace {
 std::mutex setupMutex;
 std::optional<GlSetup> testSetup;
 
-/// A bumpy disc on a turning path: enough work to show which of the two is faster.
+/// A bumpy disc that turns and moves: enough work to show whether GPU or CPU is faster.
 struct Probe {
   TriMesh body;
   Motion motion;
@@ -53,7 +53,7 @@ struct Probe {
   }
 };
 
-/// GPU seconds divided by CPU seconds.
+/// Returns GPU seconds divided by CPU seconds.
 double probe(const std::shared_ptr<GlDevice>& device, const GlSetup& setup, RunContext& run) {
   const Probe p;
   const BodyTopology topology = buildTopology(p.body);
@@ -123,8 +123,8 @@ SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup, bool
   const std::lock_guard lock(oneAtATime);
   std::shared_ptr<GlDevice> device = openTested(setup, run);
   if (mustBeFaster) requireFaster(device, setup, run);
-  // The first device is the one that was just tested; after a loss a new one is opened and tested
-  // again.
+  // The first call gives the device that was just tested. After a loss, a new one is opened and
+  // tested.
   const auto next = [&] { return device ? std::move(device) : openTested(setup, run); };
   GlSampler sampler(input, next, setup.settings, run);
   SampledSurface out;

@@ -10,26 +10,25 @@
 namespace swept::gl {
 
 struct GlSetup {
-  std::shared_ptr<GlLoader> loader;  ///< null: this system's
+  std::shared_ptr<GlLoader> loader;  ///< null: the system's EGL library
   DeviceWish wish;
   GlSettings settings;
   int verifiedElements = 512, verifiedEdges = 512;
-  double assumedProbe =
-      0;  ///< testing hook: GPU seconds / CPU seconds instead of a probe; 0: probe
+  double assumedProbe = 0;  ///< testing hook: ratio of GPU to CPU seconds; 0: measure it by a probe
 };
 
-/// Opens and self-tests a device. Throws Error(DeviceUnavailable) / Error(DeviceLost).
+/// Opens a device and tests it. Throws Error(DeviceUnavailable) or Error(DeviceLost).
 std::shared_ptr<GlDevice> openTested(const GlSetup& setup, RunContext& run);
 
-/// mustBeFaster: throws Error(DeviceUnavailable) if a probe of about 0.1 s finds the CPU faster;
-/// the answer is remembered per device.
+/// mustBeFaster: throws Error(DeviceUnavailable) if a probe of about 0.1 s finds the CPU faster.
+/// The ratio is remembered per device.
 SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup, bool mustBeFaster,
                            const FindSigns& findSigns, RunContext& run);
 
-/// What the variables of the environment in docs/gpu.md ask for; else the system's. No other part
-/// of this room reads them.
+/// Returns the settings from the environment variables in docs/gpu.md, else the system's defaults.
+/// Nothing else in this folder reads these variables.
 GlSetup currentSetup();
-/// Testing hook: what currentSetup() says from now on; null: the above.
+/// Testing hook: currentSetup() returns `setup` from now on; null restores the normal behaviour.
 void setSetupForTests(const GlSetup* setup);
 
 }  // namespace swept::gl

@@ -45,8 +45,8 @@ struct GlContext::Candidate {
   bool software;
 };
 
-/// The devices one by one where EGL lists them, else the surfaceless platform, else the default
-/// display.
+/// Returns the devices that EGL lists, hardware first. If there are none, returns the surfaceless
+/// platform or else the default display.
 std::vector<GlContext::Candidate> GlContext::candidates() const {
   const char* client = egl_.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   std::vector<Candidate> all;
@@ -131,7 +131,7 @@ std::string GlContext::tryOpen(const Candidate& candidate, const DeviceWish& wis
     if (!egl_.ChooseConfig(display_, wanted, &config, 1, &found) || found == 0)
       return "has no configuration for desktop OpenGL";
   }
-  // A robust context reports a reset; where there is none, fences still notice a loss.
+  // A robust context reports a reset. Without one, fences still detect a lost device.
   const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,       4,
                             EGL_CONTEXT_MINOR_VERSION,       5,
                             EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};

@@ -1,8 +1,8 @@
-// A headless OpenGL 4.5 context: which device, what it can do, and whether it still works.
+// A headless OpenGL 4.5 context: chooses the device, reads its limits, and detects its loss.
 //
-// Devices are listed through EGL; hardware is tried before software rasterisers. A context is
-// current on the thread that made it from construction to destruction; whatever was current before
-// is restored. The display is never terminated, because others in this process may use it.
+// EGL lists the devices; hardware is tried before software rasterisers. From construction to
+// destruction the context is current on the thread that created it. The destructor restores the
+// previous context. The display is never terminated, because others in the process may use it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,22 +17,22 @@ namespace swept::gl {
 
 struct DeviceWish {
   std::string name;           ///< part of vendor, renderer or version, any case; empty: any device
-  bool hardwareOnly = false;  ///< do not even open software rasterisers
+  bool hardwareOnly = false;  ///< true: does not even open software rasterisers
 };
 
 struct Limits {
-  std::int64_t storageBytes = 0;  ///< one shader storage block
+  std::int64_t storageBytes = 0;  ///< largest size of one shader storage block
   int texture3d = 0, viewport = 0, framebuffer = 0;
   int vertexStorageBlocks = 0, fragmentStorageBlocks = 0, fragmentImages = 0;
   int geometryInvocations = 0, viewports = 0;
 };
 
-/// Throws Error(DeviceLost, "DeviceGarbage"): the device answered, but wrongly.
+/// Throws Error(DeviceLost, "DeviceGarbage"): the device gave a wrong answer.
 [[noreturn]] void reportGarbage(const std::string& device, const std::string& what);
 
 class GlContext {
  public:
-  /// Throws Error(DeviceUnavailable) that names the step that failed for each device tried.
+  /// Throws Error(DeviceUnavailable) that names, for each device, the step that failed.
   static std::unique_ptr<GlContext> open(std::shared_ptr<GlLoader> loader, const DeviceWish& wish);
   ~GlContext();
   GlContext(const GlContext&) = delete;
@@ -42,15 +42,15 @@ class GlContext {
   const Limits& limits() const { return limits_; }
   const std::string& device() const { return device_; }  ///< vendor, renderer, version
 
-  /// Waits until all work so far is done. Throws Error(DeviceLost) if the context was reset, an
-  /// error was raised, or nothing came back within `timeoutSeconds`. Returns the seconds waited.
+  /// Waits until all work so far is done. Returns the seconds waited. Throws Error(DeviceLost) if
+  /// the context was reset, if GL reports an error, or after `timeoutSeconds`.
   double finish(double timeoutSeconds) const;
   [[noreturn]] void lost(const std::string& what) const;
 
  private:
   struct Candidate;
   GlContext() = default;
-  /// Both say why the candidate cannot be used; nothing if it can.
+  /// Both return why the candidate cannot be used; empty if it can.
   std::string tryOpen(const Candidate& candidate, const DeviceWish& wish);
   std::string describe(const DeviceWish& wish);
   std::vector<Candidate> candidates() const;

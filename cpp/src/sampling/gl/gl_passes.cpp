@@ -14,10 +14,10 @@
 namespace swept::gl {
 namespace {
 
-/// Seconds; the promise is 0.050 s per draw, so that a draw may take four times as long as the
-/// last.
+/// Seconds. The batch grows or shrinks to keep draws between these times. The promised limit is
+/// 0.050 s, so a draw may take four times as long as the one before.
 constexpr double kMaxDraw = 0.012, kMinDraw = 0.004;
-// Limits of the adaptive batch, so that one odd measurement cannot drive it to nothing or too far.
+// Limits of the batch, so that a single odd measurement cannot make it far too small or too large.
 constexpr std::uint64_t kMinBatch = 64, kMaxBatch = std::uint64_t{1} << 22;
 
 /// Locations of the uniforms in shaders/*.
@@ -96,7 +96,7 @@ void GlPasses::requireLimits() const {
 }
 
 void GlPasses::upload(Binding binding, const void* data, std::size_t bytes) {
-  constexpr std::size_t kMin = 16;  // OpenGL cannot bind a buffer without bytes
+  constexpr std::size_t kMin = 16;  // OpenGL cannot bind an empty buffer
   std::array<std::byte, kMin> padded{};
   if (data != nullptr && bytes < kMin) {
     if (bytes > 0) std::memcpy(padded.data(), data, bytes);

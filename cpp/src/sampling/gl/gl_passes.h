@@ -1,8 +1,8 @@
-// The two passes on the device, brick by brick. Owns all that is in the device's memory.
+// The two passes on the device, brick by brick. Owns all buffers in the device's memory.
 //
-// Cost: O(elements) vertices per pass, and brick + fragments. Every draw is kept below 50 ms, so
+// Cost: O(elements) vertices per pass and brick, plus fragments. A draw takes less than 50 ms, so
 // that a cancel is noticed and no watchdog of the driver ends it. Positions are doubles in cells of
-// the grid, snapped to 2^-17 cell on the device by the same operations as on the CPU.
+// the grid. The device snaps them to 2^-17 cell by the same operations as the CPU.
 // Source: thesis of 2017, chapter 3; docs/gpu.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -18,19 +18,19 @@
 namespace swept::gl {
 
 struct GlSettings {
-  std::uint64_t budgetBytes = std::uint64_t{192} << 20;  ///< marks, lists and chunks
-  std::uint64_t chunkBytes = 0;  ///< placements or elements at one time; 0: from the limits
+  std::uint64_t budgetBytes = std::uint64_t{192} << 20;  ///< for marks, lists and chunks
+  std::uint64_t chunkBytes = 0;  ///< placements or elements per chunk; 0: from the limits
   double fenceTimeoutSeconds = 10;
   std::uint32_t firstBatch = 1024;  ///< elements in the first draw; later draws adapt
   bool adaptBatch = true;
-  std::uint64_t epochElements = 0xfffffff0u;  ///< elements that 32-bit numbers can distinguish
+  std::uint64_t epochElements = 0xfffffff0u;  ///< limit for 32-bit element numbers
 };
 
-/// What pass 2 finds for a contributing edge; element numbers count from the first element of the
-/// epoch.
+/// Result of pass 2 for a contributing edge. Element numbers count from the first element of the
+/// epoch (a run of chunks with few enough elements for 32-bit numbers).
 struct EdgeWinner {
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  std::uint32_t lowFraction = kNone, highFraction = 0;  ///< of 2^23 - 1
+  std::uint32_t lowFraction = kNone, highFraction = 0;  ///< in units of 1 / (2^23 - 1)
   std::uint32_t lowElement = kNone, highElement = kNone;
 };
 
@@ -43,16 +43,16 @@ class GlPasses {
   GlPasses(const GlPasses&) = delete;
   GlPasses& operator=(const GlPasses&) = delete;
 
-  /// Pass 1: the marks of the brick, (3 * size[0]) x size[1] x words() texels.
+  /// Pass 1: returns the marks of the brick, (3 * size[0]) x size[1] x words() texels.
   std::vector<std::uint32_t> mark(const Brick& brick, const std::function<void()>& afterDraw);
-  /// Pass 2 for a sorted list of codes (bit numbers in the brick's marks) over the elements [first,
-  /// end); element numbers in the result count from `first`.
+  /// Pass 2 over the elements [first, end). `codes`: sorted codes of edges, i.e. indices of their
+  /// bits in the marks of the brick. Element numbers in the result count from `first`.
   std::vector<EdgeWinner> findWinners(const Brick& brick, const std::vector<std::uint32_t>& codes,
                                       std::uint64_t first, std::uint64_t end,
                                       const std::function<void()>& afterDraw);
-  /// Element numbers at which an epoch may end: the borders of chunks.
+  /// The chunks. An epoch may end between two of them.
   const std::vector<ElementChunk>& chunks() const { return chunks_; }
-  /// Largest number of contributing edges for one call of findWinners().
+  /// Largest number of codes for one call of findWinners().
   std::size_t maxCodes() const { return maxCodes_; }
   double longestDrawSeconds() const { return longestDraw_; }
   std::uint64_t draws() const { return draws_; }

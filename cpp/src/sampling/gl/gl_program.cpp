@@ -17,14 +17,15 @@ namespace {
                   (log.empty() ? "(nothing)" : log) + "; use --backend cpu or auto");
 }
 
-/// What the driver says of a shader or a program, through the two calls for its kind.
+/// Returns the driver's log of a shader or a program. `getNumber` and `getLog`: the GL calls for
+/// its kind.
 template <class GetNumber, class GetLog>
 std::string logOf(GetNumber getNumber, GetLog getLog, unsigned id) {
   GLint length = 0;
   getNumber(id, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(std::max(length, 0)), '\0');
   if (length > 0) getLog(id, length, nullptr, log.data());
-  return log.c_str();  // without the zero bytes at its end
+  return log.c_str();  // drops the zero bytes at the end
 }
 
 unsigned compile(const GlContext& context, GLenum stage, const std::vector<std::string>& files) {

@@ -1,4 +1,4 @@
-// The two programs of the sampler, compiled from the embedded shaders.
+// The two shader programs of the sampler, compiled from the embedded shaders.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -25,7 +25,7 @@ class Program {
   unsigned id_ = 0;
 };
 
-/// A context with the sampler's programs, opened and tested before any run relies on it.
+/// A context with the programs of the sampler. Test it before a run relies on it.
 struct GlDevice {
   std::unique_ptr<GlContext> context;
   Program mark, winner;

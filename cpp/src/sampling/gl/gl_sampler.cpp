@@ -14,11 +14,11 @@
 namespace swept::gl {
 namespace {
 
-// A device that is lost twice in one run is not tried again; the CPU takes over.
+// After a second loss in one run, the device is not tried again; the CPU takes over.
 constexpr int kReopenings = 1;
 constexpr float kFractionUnits = (1 << CrossingRecord::kFractionBits) - 1;
 
-/// Adds the marked edges of one brick to its layers; the columns of earlier bricks come first.
+/// Appends the marked edges of one brick to its layers, after the columns of earlier bricks.
 void collect(const Brick& brick, const std::vector<std::uint32_t>& marks,
              std::vector<LayerEdges>& layers, std::vector<std::vector<std::uint32_t>>& columns) {
   const auto words = static_cast<std::size_t>(brick.words());
@@ -45,7 +45,7 @@ void collect(const Brick& brick, const std::vector<std::uint32_t>& marks,
   });
 }
 
-/// Sorts the edges by column where bricks were cut along z, and writes where the columns start.
+/// Computes where the columns start. Sorts the edges by column first if bricks were cut along z.
 void finishLayer(LayerEdges& layer, int axis, std::vector<std::uint32_t>& column,
                  std::int32_t columns) {
   auto& edges = layer.edges[axis];
@@ -67,7 +67,7 @@ void finishLayer(LayerEdges& layer, int axis, std::vector<std::uint32_t>& column
   edges.shrink_to_fit();
 }
 
-/// Whether all edges of layer i end within the grid; the steps that follow rely on it.
+/// True if all edges of layer i end inside the grid. The later steps rely on it.
 bool staysInGrid(const LayerEdges& layer, std::int32_t i, const GridPlan& grid) {
   const auto& n = grid.points;
   if (i + 1 >= n[0] && !layer.edges[0].empty()) return false;
@@ -81,8 +81,8 @@ bool staysInGrid(const LayerEdges& layer, std::int32_t i, const GridPlan& grid) 
   return start[static_cast<std::size_t>(n[1]) - 1] == start[static_cast<std::size_t>(n[1])];
 }
 
-/// Element numbers at which epochs start, and the end. Element numbers on the device have 32 bits;
-/// an epoch is a run of whole chunks that stays below.
+/// Returns the first element number of each epoch, and the end. Element numbers on the device have
+/// 32 bits, so an epoch is a run of whole chunks with at most `maxElements` elements.
 std::vector<std::uint64_t> epochsOf(const std::vector<ElementChunk>& chunks, std::uint64_t count,
                                     std::uint64_t maxElements) {
   std::vector<std::uint64_t> epochs{0};
@@ -94,12 +94,12 @@ std::vector<std::uint64_t> epochsOf(const std::vector<ElementChunk>& chunks, std
   return epochs;
 }
 
-/// The extreme crossings of an edge over the epochs seen so far.
+/// The first and last crossing of an edge in the epochs so far.
 struct BestCrossings {
   std::uint32_t low = 0xffffffffu, high = 0;
   std::uint64_t lowElement = ~std::uint64_t{0}, highElement = ~std::uint64_t{0};
 
-  /// Takes in the winners of an epoch that starts with the given element.
+  /// Takes in the winners of an epoch. `epoch`: number of its first element.
   void add(const EdgeWinner& w, std::uint64_t epoch) {
     if (w.lowElement != EdgeWinner::kNone && w.lowFraction < low) {
       low = w.lowFraction;
@@ -133,7 +133,7 @@ void GlSampler::open() {
   passes_ = std::make_unique<GlPasses>(*device_, input_, source_, settings_);
 }
 
-/// Does the work; if the device is lost, does it once more on a new context.
+/// Runs work(). If the device is lost, runs it once more on a new context.
 template <class Work>
 auto GlSampler::withDevice(const Work& work) {
   for (;;) {
@@ -171,7 +171,7 @@ MarkedEdges GlSampler::mark(RunContext& run) {
   return out;
 }
 
-/// A contributing edge and its code in the brick.
+/// A contributing edge and its code: the index of its bit in the marks of the brick.
 struct GlSampler::Target {
   std::uint32_t code;
   MarkedEdge* edge;
@@ -239,8 +239,8 @@ void GlSampler::resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& 
                 "the envelope has " + std::to_string(winners_.size()) +
                     " crossings, the limit is 4294967280; use a larger cell");
   }
-  // The edges refer to the list of discoveries; each element is then stored once, in the order of
-  // its number.
+  // So far the edges refer to winners_, in order of discovery. Now each element is stored only
+  // once, in the order of the numbers, and the edges get their indices.
   std::vector<std::uint64_t> used(winners_);
   sortUnique(used);
   marked.elements.clear();

@@ -1,7 +1,8 @@
-// Sampling on the GPU: two passes, with the signs made on the CPU in between.
-// In: body, motion, grid. Out: the marked edges of sampleCpu(), bit for bit; elements and fractions
-// are filled in for contributing edges only. Cost: time O(elements x bricks + fragments), device
-// memory within a budget. Source: thesis of 2017, chapter 3 (docs/gpu.md).
+// Sampling on the GPU: two passes. The CPU computes the signs in between.
+// In: body, motion, grid. Out: the marked edges of sampleCpu(), bit for bit. Elements and fractions
+// are set for contributing edges only.
+// Cost: time O(elements x bricks + fragments), device memory within a budget.
+// Source: thesis of 2017, chapter 3 (docs/gpu.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,15 +18,15 @@ class GlSampler {
  public:
   using OpenDevice = std::function<std::shared_ptr<GlDevice>()>;
 
-  /// Opens a device; throws Error(DeviceUnavailable). `input` must outlive the sampler.
+  /// Opens a device. Throws Error(DeviceUnavailable). `input` must outlive the sampler.
   GlSampler(const SamplerInput& input, OpenDevice open, const GlSettings& settings,
             RunContext& run);
   ~GlSampler();
 
-  /// Pass 1. If the device is lost once, a new context does the brick again; if it is lost twice,
-  /// throws Error(DeviceLost).
+  /// Pass 1. After a first loss of the device, repeats the brick on a new context; after a second
+  /// loss throws Error(DeviceLost).
   MarkedEdges mark(RunContext& run);
-  /// Pass 2. Throws Error(DeviceLost) as above, and if an edge has no winner.
+  /// Pass 2. Throws Error(DeviceLost) in the same way, and also if an edge has no winner.
   void resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& run);
 
   const std::string& device() const { return deviceName_; }
@@ -50,7 +51,7 @@ class GlSampler {
   std::unique_ptr<GlPasses> passes_;
   std::vector<Brick> bricks_;
   std::string deviceName_;
-  std::vector<std::uint64_t> winners_;  // numbers of the elements that won, in order of discovery
+  std::vector<std::uint64_t> winners_;  // numbers of the winning elements, in order of discovery
   int reopened_ = 0;
 };
 

@@ -13,7 +13,7 @@
 namespace swept::gl {
 namespace {
 
-/// The same sequence in every run, so that a failure can be repeated.
+/// Random numbers with the same sequence in every run, so that a failure can be repeated.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -33,8 +33,8 @@ std::string edgeName(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
   return textOf(6, "lattice edge (", i, ", ", j, ", ", k, ") along ") + "xyz"[axis];
 }
 
-/// An octahedron that turns and moves: it has faces, side patches, ties with the lattice, and two
-/// bricks.
+/// A test case: an octahedron that turns and moves. It has faces, side patches, ties with the
+/// lattice, and two bricks.
 struct KnownField {
   TriMesh body;
   Motion motion;
@@ -152,7 +152,7 @@ void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const Sig
       high[axis] = std::max(high[axis], g);
     }
   }
-  // Change of the winding number at the lattice points of the chosen lines, going up.
+  // Changes of the winding number at the lattice points of the chosen lines, in ascending order.
   using Line = std::pair<std::int32_t, std::int32_t>;
   std::map<Line, std::map<std::int32_t, int>> lines;
   for (int n = 0; n < 64; ++n) {

@@ -1,4 +1,4 @@
-// Text of the files in shaders/, embedded when the program is built.
+// Texts of the files in shaders/, embedded by the build.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
