@@ -152,9 +152,9 @@ def test_random_rules_against_stamps(call, inputs):  # noqa: F811
         assert done.returncode in (0, 3), done.stderr
         stamped = {}
         for line in done.stdout.splitlines():
-            if line.startswith("stamped"):
+            if line.startswith("sampled at"):
                 name = line.split(" against ")[1].split(":")[0]
-                stamped[name] = float(line.split("smallest ")[1].split(" mm")[0])
+                stamped[name] = float(line.split("smallest distance ")[1].split(" mm")[0])
         report = json.loads((inputs / "r.json").read_text())
         assert len(stamped) == 5
         for row in report["neighbours"]:
