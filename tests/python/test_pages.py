@@ -218,7 +218,7 @@ def test_wrong_arguments_are_named(report):
             assert error.value.code == code
     damaged = json.loads(json.dumps(report))
     damaged["neighbours"][0]["distance"] = "near"
-    with pytest.raises(sv.InvalidInput, match="distance is no number"):
+    with pytest.raises(sv.InvalidInput, match="distance is not a number"):
         sv.report_page(damaged)
     damaged["neighbours"][0] = 5
     with pytest.raises(sv.InvalidInput, match="no page can be made"):

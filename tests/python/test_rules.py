@@ -91,14 +91,14 @@ def test_contacts_at_the_first_pose_are_offered(call, inputs, scene):  # noqa: F
     "rule, status, text",
     [
         ("post", 2, "'post' is not a rule; write NAME=RULE"),
-        ("post=-3", 2, "-3 mm is not possible; allowed: 0 to 1e9 mm"),
+        ("post=-3", 2, "-3 mm is not allowed; enter 0 to 1e9 mm"),
         ("post=contact:-1", 2, "-1 mm is not possible"),
         (
             "post=near",
             2,
-            "rule 'near' is not understood; allowed: a required distance in mm, contact",
+            "rule 'near' is not understood; allowed: a required distance in mm; contact",
         ),
-        ("hose=3", 1, "'hose' names no neighbour; there are: 'table', 'post', 'wall'"),
+        ("hose=3", 1, "'hose' names no neighbour; the neighbours are: 'table', 'post', 'wall'"),
         ("*=ignore", 1, "the rules ignore every neighbour"),
     ],
 )

@@ -237,7 +237,7 @@ void GlSampler::resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& 
   if (winners_.size() > 0xfffffff0u) {
     throw Error(Status::ResourceLimit, "ResourceLimit",
                 "the envelope has " + std::to_string(winners_.size()) +
-                    " crossings, the limit is 4294967280; use a larger cell");
+                    " grid crossings, but the limit is 4294967280; use a larger cell");
   }
   // The edges refer to the list of discoveries; each element is then stored once, in the order of
   // its number.
