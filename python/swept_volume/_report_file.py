@@ -33,9 +33,7 @@ def check_report(
     is_file = os.path.isfile(target)
     for name in inputs:
         if is_file and os.path.samefile(target, name):
-            text = (
-                f"--report '{path}' is an input, '{name}', which would be lost; name another file"
-            )
+            text = f"--report '{path}' is an input, '{name}', which would be overwritten; name another file"
             raise core_error(_core.InvalidInput, "SameFile", text)
     inside = pathlib.Path(os.path.relpath(target, os.path.realpath(folder))).parts
     if (path != "-" or is_file) and inside and inside[0] in results:

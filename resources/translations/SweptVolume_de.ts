@@ -123,16 +123,16 @@
    <translation>Abstand prüfen</translation>
   </message>
   <message>
-   <source>Measures the smallest distance from the moving parts to every neighbour over the whole motion. Select an envelope, or parts and a motion, or an existing check</source>
-   <translation>Misst den kleinsten Abstand der bewegten Teile zu jedem Nachbarn über die ganze Bewegung. Eine Hülle, Teile und eine Bewegung oder eine vorhandene Prüfung auswählen</translation>
+   <source>Measures the smallest distance between the moving parts and each neighbour over the whole motion. Select an envelope, or parts and a motion, or an existing check</source>
+   <translation>Misst den kleinsten Abstand der bewegten Teile von jedem Nachbarn über die ganze Bewegung. Wählen Sie eine Hülle, oder Teile und eine Bewegung, oder eine vorhandene Prüfung</translation>
   </message>
   <message>
    <source>Check mechanism</source>
    <translation>Mechanismus prüfen</translation>
   </message>
   <message>
-   <source>Measures the smallest distance between parts that move at the same time, for every pair and over the whole motion. Select their motions, or an existing check; without a selection all motions that know their parts are used</source>
-   <translation>Misst den kleinsten Abstand zwischen Teilen, die sich gleichzeitig bewegen, für jedes Paar und über die ganze Bewegung. Ihre Bewegungen oder eine vorhandene Prüfung auswählen; ohne Auswahl werden alle Bewegungen verwendet, die ihre Teile kennen</translation>
+   <source>Measures the smallest distance of every pair of parts that move at the same time, over the whole motion. Select their motions, or an existing check. Without a selection, the check takes all motions that list their parts</source>
+   <translation>Misst den kleinsten Abstand jedes Paars von Teilen, die sich gleichzeitig bewegen, über die ganze Bewegung. Wählen Sie ihre Bewegungen oder eine vorhandene Prüfung. Ohne Auswahl nimmt die Prüfung alle Bewegungen, die ihre Teile nennen</translation>
   </message>
   <message>
    <source>Check reserved spaces</source>
@@ -147,24 +147,24 @@
    <translation>Hülle erzeugen …</translation>
   </message>
   <message>
-   <source>Computes the space that the selected parts occupy during a motion. Select solids or meshes, also inside groups and links, and a motion</source>
-   <translation>Berechnet den Raum, den die ausgewählten Teile während einer Bewegung einnehmen. Festkörper oder Netze auswählen, auch in Gruppen und Verknüpfungen, und eine Bewegung</translation>
+   <source>Computes the space that the selected parts occupy during a motion. Select solids or meshes (also inside groups and links) and a motion</source>
+   <translation>Berechnet den Raum, den die gewählten Teile während einer Bewegung einnehmen. Wählen Sie Festkörper oder Netze (auch in Gruppen und Verknüpfungen) und eine Bewegung</translation>
   </message>
   <message>
    <source>Open the demo</source>
    <translation>Beispiel öffnen</translation>
   </message>
   <message>
-   <source>Opens an example: a starter motor is installed past its neighbours</source>
-   <translation>Öffnet ein Beispiel: Ein Anlasser wird an seinen Nachbarn vorbei eingebaut</translation>
+   <source>Opens an example, in which a starter motor is installed past the parts around it</source>
+   <translation>Öffnet ein Beispiel, in dem ein Anlasser an den Teilen um ihn herum vorbei eingebaut wird</translation>
   </message>
   <message>
    <source>Edit envelope...</source>
    <translation>Hülle bearbeiten …</translation>
   </message>
   <message>
-   <source>Changes parts, motion or accuracy of the selected envelope</source>
-   <translation>Ändert Teile, Bewegung oder Genauigkeit der ausgewählten Hülle</translation>
+   <source>Changes the parts, motion or settings of the selected envelope</source>
+   <translation>Ändert Teile, Bewegung oder Einstellungen der gewählten Hülle</translation>
   </message>
   <message>
    <source>Edit motion...</source>
@@ -179,32 +179,32 @@
    <translation>Einstellungen der Quelle...</translation>
   </message>
   <message>
-   <source>Changes how the source of the selected motion is read (accuracy, orientation, duration, start and end, unit), and reads it again</source>
-   <translation>Ändert, wie die Quelle der ausgewählten Bewegung gelesen wird (Genauigkeit, Ausrichtung, Dauer, Start und Ende, Einheit), und liest sie neu</translation>
+   <source>Changes the settings with which the source of the selected motion is read (such as accuracy, duration or unit), and reads the source again</source>
+   <translation>Ändert die Einstellungen, mit denen die Quelle der gewählten Bewegung gelesen wird (etwa Genauigkeit, Dauer oder Einheit), und liest die Quelle neu</translation>
   </message>
   <message>
    <source>Export envelope...</source>
    <translation>Hülle exportieren …</translation>
   </message>
   <message>
-   <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and checks the file. For a selected solid, its tolerance and limits apply</source>
-   <translation>Schreibt die ausgewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft die Datei. Bei einem ausgewählten Festkörper gelten dessen Toleranz und Grenzen</translation>
+   <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and checks the file. If a solid is selected, its tolerance and limits are used</source>
+   <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft die Datei. Ist ein Festkörper gewählt, gelten dessen Toleranz und Grenzen</translation>
   </message>
   <message>
    <source>Export report...</source>
    <translation>Bericht exportieren ...</translation>
   </message>
   <message>
-   <source>Writes the results of the selected check or study as one HTML file, for checks with a 3D view, or as PDF</source>
-   <translation>Schreibt die Ergebnisse der ausgewählten Prüfung oder Studie als eine HTML-Datei, bei Prüfungen mit 3D-Ansicht, oder als PDF</translation>
+   <source>Writes the results of the selected check or study as one HTML file or as PDF. The HTML file of a check has a 3D view</source>
+   <translation>Schreibt die Ergebnisse der gewählten Prüfung oder Studie als eine HTML-Datei oder als PDF. Die HTML-Datei einer Prüfung enthält eine 3D-Ansicht</translation>
   </message>
   <message>
    <source>Find path...</source>
    <translation>Bahn finden...</translation>
   </message>
   <message>
-   <source>Finds a path on which the selected part reaches its place without coming too close to its neighbours. Select the part first, then its neighbours; a selected motion gives start and goal</source>
-   <translation>Findet eine Bahn, auf der das ausgewählte Teil seinen Platz erreicht, ohne seinen Nachbarn zu nahe zu kommen. Zuerst das Teil auswählen, dann seine Nachbarn; eine ausgewählte Bewegung gibt Start und Ziel</translation>
+   <source>Finds a path on which the selected part reaches its place and keeps its distance from its neighbours. Select the part first, then its neighbours. A selected motion sets the start and the goal</source>
+   <translation>Findet eine Bahn, auf der das gewählte Teil seinen Platz erreicht und Abstand zu seinen Nachbarn hält. Wählen Sie zuerst das Teil, dann seine Nachbarn. Eine gewählte Bewegung legt Start und Ziel fest</translation>
   </message>
   <message>
    <source>Improve path...</source>
@@ -219,8 +219,8 @@
    <translation>Was hat das erzeugt?</translation>
   </message>
   <message>
-   <source>Colours the selected envelope by the faces that made it. A click on the envelope shows which face or edge of which part passed there, and when</source>
-   <translation>Färbt die ausgewählte Hülle nach den Flächen, die sie erzeugt haben. Ein Klick auf die Hülle zeigt, welche Fläche oder Kante welches Teils dort vorbeikam, und wann</translation>
+   <source>Colours the selected envelope by the faces that made it. Click on the envelope to see which part passed there, with which face or edge, and when</source>
+   <translation>Färbt die gewählte Hülle nach den Flächen, die sie erzeugt haben. Ein Klick auf die Hülle zeigt, welches Teil dort mit welcher Fläche oder Kante vorbeikam, und wann</translation>
   </message>
   <message>
    <source>Make solid</source>
@@ -235,32 +235,32 @@
    <translation>Bewegung aus gesteuertem Wert...</translation>
   </message>
   <message>
-   <source>Records the motion of a part while a value changes: a spreadsheet cell, a sketch dimension or a variable of an assembly. Select the object with the value, then the part; without a part, every part that moves gets a motion</source>
-   <translation>Zeichnet die Bewegung eines Teils auf, während sich ein Wert ändert: eine Tabellenzelle, ein Skizzenmaß oder eine Variable einer Baugruppe. Das Objekt mit dem Wert auswählen, dann das Teil; ohne Teil erhält jedes bewegte Teil eine Bewegung</translation>
+   <source>Changes a value (a spreadsheet cell, a sketch dimension or a variable of an assembly) and records how a part moves with it. Select the object with the value, then the part. Without a part, every part that moves gets a motion</source>
+   <translation>Ändert einen Wert (eine Tabellenzelle, ein Skizzenmaß oder eine Variable einer Baugruppe) und zeichnet auf, wie sich ein Teil damit bewegt. Wählen Sie das Objekt mit dem Wert, dann das Teil. Ohne Teil erhält jedes Teil, das sich bewegt, eine Bewegung</translation>
   </message>
   <message>
    <source>Motion from file...</source>
    <translation>Bewegung aus Datei …</translation>
   </message>
   <message>
-   <source>Reads a motion from a CSV file. Each row is time, position and quaternion (t,tx,ty,tz,qx,qy,qz,qw), or the 16 numbers of a matrix</source>
-   <translation>Liest eine Bewegung aus einer CSV-Datei. Jede Zeile ist Zeit, Ort und Quaternion (t,tx,ty,tz,qx,qy,qz,qw) oder die 16 Zahlen einer Matrix</translation>
+   <source>Reads a motion from a CSV file. Each row holds time, position and quaternion (t,tx,ty,tz,qx,qy,qz,qw), or the 16 numbers of a matrix</source>
+   <translation>Liest eine Bewegung aus einer CSV-Datei. Jede Zeile enthält Zeit, Position und Quaternion (t,tx,ty,tz,qx,qy,qz,qw) oder die 16 Zahlen einer Matrix</translation>
   </message>
   <message>
    <source>Motion from selected placements</source>
    <translation>Bewegung aus ausgewählten Platzierungen</translation>
   </message>
   <message>
-   <source>Makes a motion from the placements of the selected objects, in the order of selection. The motion stays linked: if you move an object, its pose follows</source>
-   <translation>Erzeugt eine Bewegung aus den Platzierungen der ausgewählten Objekte, in der Reihenfolge der Auswahl. Die Bewegung bleibt verknüpft: Wird ein Objekt verschoben, folgt seine Lage</translation>
+   <source>Makes a motion from the placements of the selected objects, in the order of selection. The motion stays linked to the objects: if you move an object, its pose changes too</source>
+   <translation>Macht eine Bewegung aus den Platzierungen der gewählten Objekte, in der Reihenfolge der Auswahl. Die Bewegung bleibt mit den Objekten verknüpft: Wenn Sie ein Objekt verschieben, ändert sich auch seine Lage</translation>
   </message>
   <message>
    <source>Motion from object...</source>
    <translation>Bewegung aus Objekt …</translation>
   </message>
   <message>
-   <source>Makes a motion from the selected wire, sketch, robot trajectory, link array, Draft array, CAM operation or assembly simulation. A second curve sets the orientation. The motion stays linked to its source</source>
-   <translation>Erzeugt eine Bewegung aus dem ausgewählten Linienzug, der Skizze, Roboterbahn, Link-Anordnung, Draft-Anordnung, CAM-Operation oder Baugruppen-Simulation. Eine zweite Kurve bestimmt die Ausrichtung. Die Bewegung bleibt mit ihrer Quelle verknüpft</translation>
+   <source>Makes a motion from the selected wire, sketch, robot trajectory, link array, Draft array, CAM operation or assembly simulation. If you select a second curve, it sets the orientation. The motion stays linked to its source</source>
+   <translation>Macht eine Bewegung aus dem gewählten Linienzug, der Skizze, Roboterbahn, Link-Anordnung, Draft-Anordnung, CAM-Operation oder Baugruppensimulation. Wenn Sie eine zweite Kurve wählen, bestimmt sie die Ausrichtung. Die Bewegung bleibt mit ihrer Quelle verknüpft</translation>
   </message>
   <message>
    <source>New motion...</source>
@@ -275,40 +275,40 @@
    <translation>Hülle neu berechnen</translation>
   </message>
   <message>
-   <source>Recomputes the selected envelope from its current parts and motion; without a selection, the first stale envelope</source>
-   <translation>Berechnet die ausgewählte Hülle aus ihren jetzigen Teilen und ihrer Bewegung neu; ohne Auswahl die erste veraltete Hülle</translation>
+   <source>Recomputes the selected envelope from its current parts and motion. Without a selection, recomputes the first stale envelope</source>
+   <translation>Berechnet die gewählte Hülle aus ihren jetzigen Teilen und ihrer jetzigen Bewegung neu. Ohne Auswahl wird die erste veraltete Hülle neu berechnet</translation>
   </message>
   <message>
    <source>Reload motion</source>
    <translation>Bewegung neu laden</translation>
   </message>
   <message>
-   <source>Reads the file or source of the selected motion again; motions of the same driven value or simulation are read together</source>
-   <translation>Liest die Datei oder Quelle der ausgewählten Bewegung neu; Bewegungen desselben gesteuerten Werts oder derselben Simulation werden gemeinsam gelesen</translation>
+   <source>Reads the file or source of the selected motion again. All motions of the same driven value or simulation are read together</source>
+   <translation>Liest Datei oder Quelle der gewählten Bewegung neu. Alle Bewegungen desselben gesteuerten Werts oder derselben Simulation werden zusammen gelesen</translation>
   </message>
   <message>
    <source>Sequence...</source>
    <translation>Einbaufolge...</translation>
   </message>
   <message>
-   <source>Finds installation paths for the selected parts, one after the other: each part keeps clear of those already in place. The order is given or found. Opens a selected sequence</source>
-   <translation>Findet Einbaubahnen für die ausgewählten Teile, eines nach dem anderen: Jedes Teil bleibt frei von denen, die schon da sind. Die Reihenfolge ist gegeben oder wird gefunden. Öffnet eine ausgewählte Einbaufolge</translation>
+   <source>Finds installation paths for the selected parts, one after the other. Each part keeps its distance from the parts already in place. You give the order, or the search finds one. If a sequence is selected, it is opened</source>
+   <translation>Findet Einbaubahnen für die gewählten Teile, eines nach dem anderen. Jedes Teil hält Abstand zu den Teilen, die schon eingebaut sind. Sie geben die Reihenfolge vor, oder die Suche findet eine. Ist eine Einbaufolge gewählt, wird sie geöffnet</translation>
   </message>
   <message>
    <source>Study...</source>
    <translation>Studie...</translation>
   </message>
   <message>
-   <source>Runs many computations, several at once: those of a study file, or the envelopes and clearance checks of the document. Select some of them, or an existing study</source>
-   <translation>Führt viele Berechnungen aus, mehrere gleichzeitig: die einer Studiendatei oder die Hüllen und Abstandsprüfungen des Dokuments. Einige davon auswählen oder eine vorhandene Studie</translation>
+   <source>Runs many computations, several at once. The runs come from a study file, or are envelopes and clearance checks of the document. Select envelopes and checks, or an existing study</source>
+   <translation>Führt viele Berechnungen aus, mehrere gleichzeitig. Die Läufe kommen aus einer Studiendatei oder sind Hüllen und Abstandsprüfungen des Dokuments. Wählen Sie Hüllen und Prüfungen aus, oder eine vorhandene Studie</translation>
   </message>
   <message>
    <source>Keyboard to the tree or panel</source>
    <translation>Tastatur zum Baum oder Panel</translation>
   </message>
   <message>
-   <source>Moves the keyboard focus to the tree: arrow keys select, Ctrl with arrow keys and Space selects more. From the tree, moves it to the open panel</source>
-   <translation>Setzt den Tastaturfokus in den Baum: Pfeiltasten wählen, Strg mit Pfeiltasten und Leertaste wählt weitere. Vom Baum geht er zum offenen Panel</translation>
+   <source>Moves the keyboard focus to the tree. There the arrow keys select; Ctrl with the arrow keys and Space selects more objects. If the focus is in the tree, moves it to the open panel</source>
+   <translation>Setzt den Tastaturfokus in den Baum. Dort wählen die Pfeiltasten aus; Strg mit Pfeiltasten und Leertaste wählt weitere Objekte. Ist der Fokus im Baum, springt er in das offene Panel</translation>
   </message>
   <message>
    <source>Improve path</source>
@@ -362,72 +362,72 @@
    <translation>Das Teil hat keine Oberfläche: Wählen Sie einen Festkörper oder ein Netz mit Dreiecken.</translation>
   </message>
   <message>
-   <source>The mesh has vertices whose coordinates are not numbers: repair the mesh or export it again.</source>
-   <translation>Das Netz hat Punkte, deren Koordinaten keine Zahlen sind: Reparieren Sie das Netz, oder exportieren Sie es neu.</translation>
+   <source>Some vertices of the mesh have coordinates that are not finite numbers: repair the mesh, or export it again.</source>
+   <translation>Einige Eckpunkte des Netzes haben Koordinaten, die keine endlichen Zahlen sind: Reparieren Sie das Netz, oder exportieren Sie es neu.</translation>
   </message>
   <message>
    <source>The part encloses no volume: choose a solid or a closed mesh.</source>
    <translation>Das Teil umschließt keinen Raum: Wählen Sie einen Festkörper oder ein geschlossenes Netz.</translation>
   </message>
   <message>
-   <source>The part has holes that its motion does not close, so inside and outside cannot be told apart: close the holes.</source>
-   <translation>Das Teil hat Löcher, die seine Bewegung nicht schließt; innen und außen sind nicht zu unterscheiden: Schließen Sie die Löcher.</translation>
+   <source>The part has holes that its motion does not close, so it has no clear inside and outside: close the holes.</source>
+   <translation>Das Teil hat Löcher, die seine Bewegung nicht schließt, daher sind innen und außen nicht eindeutig: Schließen Sie die Löcher.</translation>
   </message>
   <message>
-   <source>The part is too far from the origin for its size to be computed exactly: move it closer to the origin.</source>
-   <translation>Das Teil liegt für seine Größe zu weit vom Ursprung, um genau gerechnet zu werden: Rücken Sie es näher an den Ursprung.</translation>
+   <source>The part is so far from the origin that its coordinates are not exact enough: move the part and its motion closer to the origin.</source>
+   <translation>Das Teil liegt so weit vom Ursprung, dass seine Koordinaten nicht genau genug sind: Rücken Sie Teil und Bewegung näher an den Ursprung.</translation>
   </message>
   <message>
-   <source>The part or the motion is too large: check the unit of length.</source>
-   <translation>Das Teil oder die Bewegung ist zu groß: Prüfen Sie die Längeneinheit.</translation>
+   <source>The part or the motion reaches more than 1e9 mm from the origin: check the unit of length.</source>
+   <translation>Das Teil oder die Bewegung reicht weiter als 1e9 mm vom Ursprung: Prüfen Sie die Längeneinheit.</translation>
   </message>
   <message>
    <source>The cell is larger than the part: choose a smaller cell or a higher resolution.</source>
    <translation>Die Zelle ist größer als das Teil: Wählen Sie eine kleinere Zelle oder eine höhere Auflösung.</translation>
   </message>
   <message>
-   <source>A setting is outside its allowed range: the text in brackets names it and the range.</source>
-   <translation>Eine Einstellung liegt außerhalb des erlaubten Bereichs: Der Text in Klammern nennt sie und den Bereich.</translation>
+   <source>A setting is not allowed: the text in brackets names the setting and says what is allowed.</source>
+   <translation>Eine Einstellung ist nicht erlaubt: Der Text in Klammern nennt die Einstellung und sagt, was erlaubt ist.</translation>
   </message>
   <message>
    <source>The motion has no poses: give at least one.</source>
    <translation>Die Bewegung hat keine Lagen: Geben Sie mindestens eine an.</translation>
   </message>
   <message>
-   <source>A pose scales, shears or mirrors the part: a pose may only rotate and translate.</source>
-   <translation>Eine Lage skaliert, schert oder spiegelt das Teil: Eine Lage darf nur drehen und verschieben.</translation>
+   <source>A pose scales, shears or mirrors the part: use poses that only rotate and translate.</source>
+   <translation>Eine Lage skaliert, schert oder spiegelt das Teil: Verwenden Sie Lagen, die nur drehen und verschieben.</translation>
   </message>
   <message>
-   <source>A pose cannot be used: its numbers must be finite, and times must not decrease.</source>
-   <translation>Eine Lage ist nicht verwendbar: Ihre Zahlen müssen endlich sein, und Zeiten dürfen nicht abnehmen.</translation>
+   <source>A pose cannot be used: all its numbers must be finite, and the times must not decrease.</source>
+   <translation>Eine Lage kann nicht verwendet werden: Alle ihre Zahlen müssen endlich sein, und die Zeiten dürfen nicht abnehmen.</translation>
   </message>
   <message>
-   <source>The part turns by 180 degrees between two poses, so the direction is ambiguous: add a pose between them.</source>
-   <translation>Das Teil dreht sich zwischen zwei Lagen um 180 Grad, die Richtung ist mehrdeutig: Fügen Sie eine Lage dazwischen ein.</translation>
+   <source>The part turns by 180 degrees between two poses, so the direction of the turn is ambiguous: add a pose between them.</source>
+   <translation>Das Teil dreht sich zwischen zwei Lagen um 180 Grad, daher ist die Drehrichtung nicht eindeutig: Fügen Sie eine Lage dazwischen ein.</translation>
   </message>
   <message>
    <source>Two parts overlap in their installed positions: move one of them, or set the rule of the pair to Ignore.</source>
    <translation>Zwei Teile überschneiden sich in ihrer Einbaulage: Verschieben Sie eines, oder setzen Sie die Regel des Paars auf „Übergangen“.</translation>
   </message>
   <message>
-   <source>Two parts are nearer than the required distance in their installed positions: reduce the required distance, or allow contact for the pair.</source>
+   <source>Two parts are below the required distance in their installed positions: reduce the required distance, or allow contact for the pair.</source>
    <translation>Zwei Teile sind in ihrer Einbaulage näher als der Sollabstand: Verringern Sie den Sollabstand, oder erlauben Sie dem Paar Kontakt.</translation>
   </message>
   <message>
-   <source>The file cannot be read: the text in brackets says where it is damaged.</source>
-   <translation>Die Datei kann nicht gelesen werden: Der Text in Klammern sagt, wo sie beschädigt ist.</translation>
+   <source>The file cannot be read: the text in brackets says where and why.</source>
+   <translation>Die Datei kann nicht gelesen werden: Der Text in Klammern sagt, wo und warum.</translation>
   </message>
   <message>
-   <source>The file extension is not supported: use one of those in brackets.</source>
-   <translation>Die Dateiendung wird nicht unterstützt: Verwenden Sie eine der in Klammern genannten.</translation>
+   <source>The file extension is not supported: use an extension that the text in brackets names.</source>
+   <translation>Die Dateiendung wird nicht unterstützt: Verwenden Sie eine Endung, die der Text in Klammern nennt.</translation>
   </message>
   <message>
-   <source>The file is larger than the limit for reading: split it or reduce it.</source>
-   <translation>Die Datei ist größer als die Lesegrenze: Teilen oder verkleinern Sie sie.</translation>
+   <source>The file is larger than the limit for input files: split it, or reduce it.</source>
+   <translation>Die Datei ist größer als die Grenze für Eingabedateien: Teilen oder verkleinern Sie sie.</translation>
   </message>
   <message>
-   <source>The computation needs more memory than allowed: choose a larger cell, or raise the memory limit in the preferences.</source>
-   <translation>Die Berechnung braucht mehr Speicher als erlaubt: Wählen Sie eine größere Zelle, oder erhöhen Sie die Speichergrenze in den Einstellungen.</translation>
+   <source>The computation exceeds a limit, mostly that of memory: choose a larger cell, or raise the memory limit in the preferences.</source>
+   <translation>Die Berechnung überschreitet eine Grenze, meist die des Speichers: Wählen Sie eine größere Zelle, oder erhöhen Sie die Speichergrenze in den Einstellungen.</translation>
   </message>
   <message>
    <source>The result would have too many triangles: choose a larger cell or a lower resolution.</source>
@@ -438,52 +438,52 @@
    <translation>Der Festkörper hätte zu viele Flächen: Geben Sie eine größere Toleranz an, oder exportieren Sie eine Netzdatei.</translation>
   </message>
   <message>
-   <source>There was not enough memory: choose a larger cell or a lower resolution.</source>
-   <translation>Der Speicher reichte nicht aus: Wählen Sie eine größere Zelle oder eine geringere Auflösung.</translation>
+   <source>The computer ran out of memory: choose a larger cell or a lower resolution.</source>
+   <translation>Dem Rechner ging der Speicher aus: Wählen Sie eine größere Zelle oder eine geringere Auflösung.</translation>
   </message>
   <message>
    <source>Cancelled.</source>
    <translation>Abgebrochen.</translation>
   </message>
   <message>
-   <source>There is no neighbour to check: choose at least one part that stands still.</source>
-   <translation>Es gibt keinen Nachbarn zu prüfen: Wählen Sie mindestens ein stillstehendes Teil.</translation>
+   <source>There is no neighbour to check: choose at least one part as a neighbour.</source>
+   <translation>Es gibt keinen Nachbarn zu prüfen: Wählen Sie mindestens ein Teil als Nachbarn.</translation>
   </message>
   <message>
-   <source>A rule cannot be applied: correct it or remove it.</source>
+   <source>A rule cannot be applied: correct the rule, or remove it.</source>
    <translation>Eine Regel ist nicht anwendbar: Berichtigen oder entfernen Sie sie.</translation>
   </message>
   <message>
-   <source>The report template has an unknown placeholder: correct the template.</source>
-   <translation>Die Berichtsvorlage enthält einen unbekannten Platzhalter: Berichtigen Sie die Vorlage.</translation>
+   <source>The report template has an error: the text in brackets names the line. Correct the template.</source>
+   <translation>Die Berichtsvorlage hat einen Fehler: Der Text in Klammern nennt die Zeile. Berichtigen Sie die Vorlage.</translation>
   </message>
   <message>
-   <source>A neighbour is in the way at the goal: move it, reduce the required distance, or allow contact.</source>
-   <translation>Am Ziel ist ein Nachbar im Weg: Verschieben Sie ihn, verringern Sie den Sollabstand, oder erlauben Sie Kontakt.</translation>
+   <source>At the goal, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or set a release distance.</source>
+   <translation>Am Ziel ist das Teil zu nah an einem Nachbarn oder überschneidet ihn: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder setzen Sie einen Freigabeabstand.</translation>
   </message>
   <message>
-   <source>A neighbour is in the way at the start: move it, reduce the required distance, or allow contact.</source>
-   <translation>Am Start ist ein Nachbar im Weg: Verschieben Sie ihn, verringern Sie den Sollabstand, oder erlauben Sie Kontakt.</translation>
+   <source>At the start, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or set a release distance.</source>
+   <translation>Am Start ist das Teil zu nah an einem Nachbarn oder überschneidet ihn: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder setzen Sie einen Freigabeabstand.</translation>
   </message>
   <message>
-   <source>A neighbour is in the way at a locked key: move it, reduce the required distance, or unlock the key.</source>
-   <translation>An einer gesperrten Stützstelle ist ein Nachbar im Weg: Verschieben Sie ihn, verringern Sie den Sollabstand, oder entsperren Sie die Stützstelle.</translation>
+   <source>At a locked key, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or unlock the key.</source>
+   <translation>An einer gesperrten Stützstelle ist das Teil zu nah an einem Nachbarn oder überschneidet ihn: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder geben Sie die Stützstelle frei.</translation>
   </message>
   <message>
    <source>Start and goal are the same: choose another start.</source>
    <translation>Start und Ziel sind gleich: Wählen Sie einen anderen Start.</translation>
   </message>
   <message>
-   <source>No start is given: give a placement, a distance or a direction.</source>
-   <translation>Kein Start ist angegeben: Geben Sie eine Platzierung, einen Abstand oder eine Richtung an.</translation>
+   <source>No start is given: enter a placement, a distance or a direction.</source>
+   <translation>Es ist kein Start angegeben: Geben Sie eine Platzierung, eine Entfernung oder eine Richtung ein.</translation>
   </message>
   <message>
    <source>The file could not be written: check the folder, its permissions and the free disk space.</source>
    <translation>Die Datei konnte nicht geschrieben werden: Prüfen Sie Ordner, Rechte und freien Platz.</translation>
   </message>
   <message>
-   <source>OpenCASCADE could not build the solid: set a tolerance, or export a mesh file.</source>
-   <translation>OpenCASCADE konnte den Festkörper nicht bauen: Geben Sie eine Toleranz an, oder exportieren Sie eine Netzdatei.</translation>
+   <source>OpenCASCADE could not build the solid: set a larger Tolerance for the solid, or export a mesh file (STL, PLY).</source>
+   <translation>OpenCASCADE konnte den Festkörper nicht bauen: Setzen Sie eine größere Toleranz für den Festkörper, oder exportieren Sie eine Netzdatei (STL, PLY).</translation>
   </message>
   <message>
    <source>No usable graphics device was found: set Backend to CPU.</source>
@@ -498,11 +498,11 @@
    <translation>Festkörper eines Teils überschneiden sich: Wählen Sie jeden einzeln, oder vereinigen Sie sie vorher.</translation>
   </message>
   <message>
-   <source>The volume that two parts share cannot be computed: repair the meshes, or move one part slightly.</source>
-   <translation>Das gemeinsame Volumen zweier Teile ist nicht berechenbar: Reparieren Sie die Netze, oder verschieben Sie ein Teil geringfügig.</translation>
+   <source>The shared volume of two parts could not be computed: repair their meshes, or move one part slightly.</source>
+   <translation>Das gemeinsame Volumen zweier Teile konnte nicht berechnet werden: Reparieren Sie ihre Netze, oder verschieben Sie ein Teil etwas.</translation>
   </message>
   <message>
-   <source>The part has holes, but its motion closes them; the result is valid.</source>
+   <source>The part has holes, but its motion closes them, so the result is valid.</source>
    <translation>Das Teil hat Löcher, aber seine Bewegung schließt sie; das Ergebnis ist gültig.</translation>
   </message>
   <message>
@@ -514,72 +514,72 @@
    <translation>Doppelte Dreiecke wurden entfernt.</translation>
   </message>
   <message>
-   <source>Pairs of coincident triangles with opposite orientation were removed.</source>
-   <translation>Paare deckungsgleicher, entgegengesetzt ausgerichteter Dreiecke wurden entfernt.</translation>
+   <source>Pairs of triangles with the same corners but opposite directions were removed.</source>
+   <translation>Paare von Dreiecken mit denselben Ecken, aber entgegengesetzter Richtung wurden entfernt.</translation>
   </message>
   <message>
-   <source>The depth of an allowed contact was measured, but is not proven to be the largest.</source>
-   <translation>Die Tiefe eines erlaubten Kontakts wurde gemessen, ist aber nicht als größte bewiesen.</translation>
+   <source>The depth of an allowed contact was measured, but a deeper point cannot be excluded.</source>
+   <translation>Die Tiefe eines erlaubten Kontakts wurde gemessen, aber ein tieferer Punkt ist nicht ausgeschlossen.</translation>
   </message>
   <message>
-   <source>Some poses have the same time as the pose before; their order was kept.</source>
+   <source>Some poses have the same time as the pose before. Their order was kept.</source>
    <translation>Manche Lagen haben dieselbe Zeit wie die vorige; ihre Reihenfolge wurde beibehalten.</translation>
   </message>
   <message>
-   <source>The triangles of the part faced inwards; all were reversed.</source>
-   <translation>Die Dreiecke des Teils zeigten nach innen; alle wurden umgekehrt.</translation>
+   <source>The triangles of the part, or of one of its bodies, faced inwards. They were reversed.</source>
+   <translation>Die Dreiecke des Teils oder eines seiner Körper zeigten nach innen. Sie wurden umgedreht.</translation>
   </message>
   <message>
-   <source>Neighbouring triangles of the part have opposite orientations: check the mesh.</source>
-   <translation>Benachbarte Dreiecke des Teils sind entgegengesetzt ausgerichtet: Prüfen Sie das Netz.</translation>
+   <source>Some adjacent triangles face opposite ways: check the mesh if the result looks wrong.</source>
+   <translation>Einige aneinandergrenzende Dreiecke zeigen in entgegengesetzte Richtungen: Prüfen Sie das Netz, falls das Ergebnis falsch aussieht.</translation>
   </message>
   <message>
-   <source>The surface of the part cannot be oriented (as a Möbius strip): check the mesh.</source>
-   <translation>Die Oberfläche des Teils ist nicht orientierbar (wie ein Möbiusband): Prüfen Sie das Netz.</translation>
+   <source>The surface of the part has only one side, like a Möbius strip: check the mesh.</source>
+   <translation>Die Oberfläche des Teils hat nur eine Seite, wie ein Möbiusband: Prüfen Sie das Netz.</translation>
   </message>
   <message>
-   <source>Some edges of the part have more than two triangles: check the mesh.</source>
-   <translation>Manche Kanten des Teils haben mehr als zwei Dreiecke: Prüfen Sie das Netz.</translation>
+   <source>More than two triangles meet at some edges of the part: check the mesh.</source>
+   <translation>An manchen Kanten des Teils treffen sich mehr als zwei Dreiecke: Prüfen Sie das Netz.</translation>
   </message>
   <message>
    <source>The part intersects itself, and some of its regions face inwards: repair the mesh.</source>
    <translation>Das Teil durchdringt sich selbst, und Bereiche zeigen nach innen: Reparieren Sie das Netz.</translation>
   </message>
   <message>
-   <source>The part has cavities; they do not change the envelope unless Keep cavities is set.</source>
-   <translation>Das Teil hat Hohlräume; sie ändern die Hülle nur, wenn „Hohlräume behalten“ gesetzt ist.</translation>
+   <source>The part has cavities. They change the envelope only if Keep cavities is set.</source>
+   <translation>Das Teil hat Hohlräume. Sie ändern die Hülle nur, wenn „Hohlräume behalten“ gesetzt ist.</translation>
   </message>
   <message>
-   <source>Some bodies of the part lie inside others; they count as material.</source>
+   <source>Some bodies of the part lie inside other bodies. They count as material.</source>
    <translation>Manche Körper des Teils liegen in anderen; sie zählen als Material.</translation>
   </message>
   <message>
-   <source>Poses equal to the one before were removed.</source>
-   <translation>Lagen, die der vorigen gleichen, wurden entfernt.</translation>
+   <source>Poses with the same placement as the pose before were left out.</source>
+   <translation>Lagen mit derselben Platzierung wie die vorige Lage wurden ausgelassen.</translation>
   </message>
   <message>
-   <source>Poses with small rounding errors were corrected to rigid movements.</source>
-   <translation>Lagen mit kleinen Rundungsfehlern wurden zu starren Bewegungen berichtigt.</translation>
+   <source>The rotations of some poses had small rounding errors, which were corrected.</source>
+   <translation>Die Drehungen einiger Lagen hatten kleine Rundungsfehler, die berichtigt wurden.</translation>
   </message>
   <message>
-   <source>Cavities inside the envelope were filled; set Keep cavities to keep them.</source>
+   <source>Cavities inside the envelope were filled. Set Keep cavities to keep them.</source>
    <translation>Hohlräume in der Hülle wurden gefüllt; „Hohlräume behalten“ erhält sie.</translation>
   </message>
   <message>
-   <source>Some triangles of the envelope intersect: change the cell size slightly if you need a solid.</source>
-   <translation>Manche Dreiecke der Hülle durchdringen sich: Ändern Sie die Zellgröße etwas, wenn Sie einen Festkörper brauchen.</translation>
+   <source>Some triangles of the envelope intersect. If you need a solid, change the cell size slightly.</source>
+   <translation>Manche Dreiecke der Hülle durchdringen sich. Wenn Sie einen Festkörper brauchen, ändern Sie die Zellgröße etwas.</translation>
   </message>
   <message>
    <source>The envelope was not simplified: the text in brackets says why.</source>
    <translation>Die Hülle wurde nicht vereinfacht: Der Text in Klammern sagt, warum.</translation>
   </message>
   <message>
-   <source>The envelope was simplified less than the tolerance allows; it has more triangles than necessary.</source>
+   <source>The envelope was simplified less than the tolerance allows, so it has more triangles than necessary.</source>
    <translation>Die Hülle wurde weniger vereinfacht, als die Toleranz erlaubt; sie hat mehr Dreiecke als nötig.</translation>
   </message>
   <message>
-   <source>Intersections between triangles were not checked.</source>
-   <translation>Durchdringungen zwischen Dreiecken wurden nicht geprüft.</translation>
+   <source>This surface is a preview. It was not checked for errors such as intersecting triangles.</source>
+   <translation>Diese Oberfläche ist eine Vorschau. Sie wurde nicht auf Fehler wie sich durchdringende Dreiecke geprüft.</translation>
   </message>
  </context>
  <context>
@@ -589,8 +589,8 @@
    <translation>Öffnen Sie zuerst ein Dokument.</translation>
   </message>
   <message>
-   <source>The motion has no source whose settings can be changed.</source>
-   <translation>Die Bewegung hat keine Quelle, deren Einstellungen geändert werden können.</translation>
+   <source>This motion was not read from a source, so there are no settings to change.</source>
+   <translation>Diese Bewegung wurde nicht aus einer Quelle gelesen, daher gibt es keine Einstellungen zu ändern.</translation>
   </message>
   <message>
    <source>There is no check in the document: make one with Check clearance or Check mechanism.</source>
@@ -601,8 +601,8 @@
    <translation>Wählen Sie eine der {0} Prüfungen und Studien.</translation>
   </message>
   <message>
-   <source>Select the part whose path is to be found.</source>
-   <translation>Wählen Sie das Teil aus, dessen Bahn gefunden werden soll.</translation>
+   <source>Select the part for which to find a path.</source>
+   <translation>Wählen Sie das Teil aus, für das eine Bahn gesucht werden soll.</translation>
   </message>
   <message>
    <source>Select the part that moves together with the motion.</source>
@@ -613,24 +613,24 @@
    <translation>„{0}“ hat weniger als zwei Stützstellen, es gibt also keine Bahn zu verbessern: Fügen Sie eine Stützstelle hinzu.</translation>
   </message>
   <message>
-   <source>Select the object with the value, and the part that it moves.</source>
-   <translation>Das Objekt mit dem Wert auswählen und das Teil, das er bewegt.</translation>
+   <source>Select the object with the value, then the part that moves with the value.</source>
+   <translation>Wählen Sie das Objekt mit dem Wert, dann das Teil, das sich mit dem Wert bewegt.</translation>
   </message>
   <message>
-   <source>Select the object whose value is driven (spreadsheet, sketch, variables), then the part that it moves.</source>
-   <translation>Das Objekt wählen, dessen Wert gesteuert wird (Tabelle, Skizze, Variablen), dann das Teil, das es bewegt.</translation>
+   <source>Select the object with the value to change (a spreadsheet, a sketch or variables), then the part that moves with the value.</source>
+   <translation>Wählen Sie das Objekt mit dem Wert, der geändert wird (Tabelle, Skizze oder Variablen), dann das Teil, das sich mit dem Wert bewegt.</translation>
   </message>
   <message>
-   <source>Select at least two objects whose placements are the poses.</source>
-   <translation>Wählen Sie mindestens zwei Objekte aus, deren Platzierungen die Lagen sind.</translation>
+   <source>Select at least two objects: their placements become the poses.</source>
+   <translation>Wählen Sie mindestens zwei Objekte aus: Ihre Platzierungen werden zu den Lagen.</translation>
   </message>
   <message>
-   <source>Select at least two objects whose placements are the poses, in the order of the motion: copies or links of the part, or local coordinate systems.</source>
-   <translation>Mindestens zwei Objekte auswählen, deren Platzierungen die Lagen sind, in der Reihenfolge der Bewegung: Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
+   <source>Select at least two objects in the order of the motion: their placements become the poses. Use copies or links of the part, or local coordinate systems.</source>
+   <translation>Wählen Sie mindestens zwei Objekte in der Reihenfolge der Bewegung aus: Ihre Platzierungen werden zu den Lagen. Nehmen Sie Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
   </message>
   <message>
-   <source>Select a wire, sketch, array, CAM operation or robot trajectory, or a simulation and a part.</source>
-   <translation>Wählen Sie einen Linienzug, eine Skizze, Anordnung, CAM-Operation oder Roboterbahn aus, oder eine Simulation und ein Teil.</translation>
+   <source>Select a wire, sketch, array, CAM operation or robot trajectory; or an assembly simulation and a part.</source>
+   <translation>Wählen Sie einen Linienzug, eine Skizze, Anordnung, CAM-Operation oder Roboterbahn aus; oder eine Baugruppensimulation und ein Teil.</translation>
   </message>
   <message>
    <source>Select one wire, sketch, robot trajectory, link array, Draft array or CAM operation; or two curves; or an assembly simulation and the part to follow.</source>
@@ -641,11 +641,11 @@
    <translation>Keine Hülle ist veraltet. Eine auswählen, um sie neu zu berechnen.</translation>
   </message>
   <message>
-   <source>there is no moving part: select a solid or a mesh, then press Add selected.</source>
-   <translation>Es gibt kein bewegtes Teil: Wählen Sie einen Festkörper oder ein Netz und drücken Sie „Auswahl hinzufügen“.</translation>
+   <source>No moving part is chosen: select a solid or a mesh, then press Add selected.</source>
+   <translation>Es ist kein bewegtes Teil gewählt: Wählen Sie einen Festkörper oder ein Netz aus, und drücken Sie „Gewählte hinzufügen“.</translation>
   </message>
   <message>
-   <source>the link "{0}" is empty: its target was deleted, or the document of the target is not open. Open that document, or choose another target.</source>
+   <source>The link "{0}" is empty: its target was deleted, or the document of the target is not open. Open that document, or choose another target.</source>
    <translation>Die Verknüpfung „{0}“ ist leer: Ihr Ziel wurde gelöscht, oder dessen Dokument ist nicht geöffnet. Öffnen Sie dieses Dokument, oder wählen Sie ein anderes Ziel.</translation>
   </message>
   <message>
@@ -653,39 +653,39 @@
    <translation>„{0}“ enthält weder Festkörper noch Netz: Wählen Sie ein anderes Objekt.</translation>
   </message>
   <message>
-   <source>the moving part is empty: choose a part with a shape or a mesh.</source>
+   <source>The moving part has no faces: choose a part with a shape or a mesh.</source>
    <translation>Das bewegte Teil ist leer: Wählen Sie ein Teil mit einer Form oder einem Netz.</translation>
   </message>
   <message>
-   <source>the shape could not be meshed: check it with Part &gt; Check geometry.</source>
-   <translation>Die Form ließ sich nicht vernetzen: Prüfen Sie sie mit Part &gt; Geometrie überprüfen.</translation>
+   <source>The shape could not be turned into triangles: check it with Part &gt; Check geometry.</source>
+   <translation>Die Form konnte nicht in Dreiecke zerlegt werden: Prüfen Sie sie mit Part &gt; Geometrie überprüfen.</translation>
   </message>
   <message>
-   <source>the shape has {0} faces but no solid: convert it with Part &gt; Convert to solid or Part &gt; Shape builder, or choose a closed mesh.</source>
-   <translation>Die Form hat {0} Flächen, aber keinen Festkörper: Wandeln Sie sie mit Part &gt; In Festkörper umwandeln oder dem Formgenerator um, oder wählen Sie ein geschlossenes Netz.</translation>
+   <source>The shape has {0} faces but no solid: make it a solid with Part &gt; Convert to solid or Part &gt; Shape builder, or choose a closed mesh.</source>
+   <translation>Die Form hat {0} Flächen, aber keinen Festkörper: Machen Sie sie mit Part &gt; In Festkörper umwandeln oder Part &gt; Form-Generator zum Festkörper, oder wählen Sie ein geschlossenes Netz.</translation>
   </message>
   <message>
-   <source>"{0}" no longer leads to an object: choose the part again.</source>
-   <translation>„{0}“ führt zu keinem Objekt mehr: Wählen Sie das Teil neu.</translation>
+   <source>The path "{0}" no longer leads to an object: choose the part again.</source>
+   <translation>Der Pfad „{0}“ führt zu keinem Objekt mehr: Wählen Sie das Teil neu.</translation>
   </message>
   <message>
    <source>The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.
 Build it once, in the folder {1}:
     cmake --preset release &amp;&amp; cmake --build build
-README.md lists the packages this needs. A core that lies elsewhere is named by the environment variable SWEPT_CORE.
+README.md lists the packages that the build needs. If the core is elsewhere, set the environment variable SWEPT_CORE to its folder.
 Tried:
   {2}</source>
-   <translation>Der übersetzte Kern von Swept Volume (_swept, für Python {0}) kann nicht geladen werden.
-Einmal bauen, im Ordner {1}:
+   <translation>Der kompilierte Rechenkern von Swept Volume (_swept, für Python {0}) kann nicht geladen werden.
+Bauen Sie ihn einmal, im Ordner {1}:
     cmake --preset release &amp;&amp; cmake --build build
-README.md nennt die nötigen Pakete. Liegt der Kern woanders, nennt ihn die Umgebungsvariable SWEPT_CORE.
+README.md nennt die Pakete, die dafür nötig sind. Liegt der Rechenkern anderswo, setzen Sie die Umgebungsvariable SWEPT_CORE auf seinen Ordner.
 Versucht:
   {2}</translation>
   </message>
   <message>
-   <source>The compiled core of Swept Volume in {0} is of version {1}, the workbench of version {2}: install both of the same version, or build the core again in the folder {3}:
+   <source>The compiled core of Swept Volume in {0} has version {1}, but the workbench has version {2}. Install the same version of both, or build the core again in the folder {3}:
     cmake --preset release &amp;&amp; cmake --build build</source>
-   <translation>Der kompilierte Kern von Swept Volume in {0} hat die Version {1}, die Arbeitsumgebung die Version {2}: Installieren Sie beide in derselben Version, oder bauen Sie den Kern im Ordner {3} neu:
+   <translation>Der kompilierte Rechenkern von Swept Volume in {0} hat Version {1}, die Arbeitsumgebung aber Version {2}. Installieren Sie beide in derselben Version, oder bauen Sie den Rechenkern im Ordner {3} neu:
     cmake --preset release &amp;&amp; cmake --build build</translation>
   </message>
   <message>
@@ -769,20 +769,20 @@ Versucht:
    <translation>Abstand</translation>
   </message>
   <message>
-   <source>the rules ignore every neighbour: change at least one rule.</source>
-   <translation>Die Regeln übergehen jeden Nachbarn: Ändern Sie mindestens eine Regel.</translation>
+   <source>The rules ignore every neighbour, so there is nothing to check: change at least one rule.</source>
+   <translation>Die Regeln übergehen jeden Nachbarn, daher gibt es nichts zu prüfen: Ändern Sie mindestens eine Regel.</translation>
   </message>
   <message>
-   <source>{0} also moved when this motion was read, but stand still in this check: use Check mechanism for parts that move at the same time.</source>
-   <translation>{0} bewegten sich beim Lesen dieser Bewegung ebenfalls, stehen aber in dieser Prüfung still: Verwenden Sie „Mechanismus prüfen“ für Teile, die sich gleichzeitig bewegen.</translation>
+   <source>These parts also moved when this motion was read, but stand still in this check: {0}. If they move at the same time, use Check mechanism.</source>
+   <translation>Diese Teile bewegten sich beim Lesen dieser Bewegung ebenfalls, stehen in dieser Prüfung aber still: {0}. Wenn sie sich gleichzeitig bewegen, verwenden Sie „Mechanismus prüfen“.</translation>
   </message>
   <message>
    <source>"{0}" is not an envelope: choose an envelope.</source>
    <translation>„{0}“ ist keine Hülle: Wählen Sie eine Hülle.</translation>
   </message>
   <message>
-   <source>the parts of "{0}" have individual motions: use Check mechanism, or check each part with its motion.</source>
-   <translation>Die Teile von „{0}“ haben eigene Bewegungen: Verwenden Sie „Mechanismus prüfen“, oder prüfen Sie jedes Teil mit seiner Bewegung.</translation>
+   <source>Each part of "{0}" has its own motion: use Check mechanism, or check each part with its motion.</source>
+   <translation>Jedes Teil von „{0}“ hat seine eigene Bewegung: Verwenden Sie „Mechanismus prüfen“, oder prüfen Sie jedes Teil mit seiner Bewegung.</translation>
   </message>
   <message>
    <source>ignored</source>
@@ -845,12 +845,12 @@ Versucht:
    <translation>Hülle</translation>
   </message>
   <message>
-   <source>cavities cannot be kept if parts have individual motions: create one envelope for each motion.</source>
-   <translation>Hohlräume können nicht erhalten bleiben, wenn Teile eigene Bewegungen haben: Erzeugen Sie für jede Bewegung eine eigene Hülle.</translation>
+   <source>Cavities cannot be kept if parts have individual motions: clear Keep cavities, or create one envelope for each motion.</source>
+   <translation>Hohlräume können nicht behalten werden, wenn Teile einzelne Bewegungen haben: Schalten Sie „Hohlräume behalten“ aus, oder erzeugen Sie für jede Bewegung eine eigene Hülle.</translation>
   </message>
   <message>
-   <source>the number of individual motions ({1}) is not that of the moving parts ({0}): give one motion for each part, or none.</source>
-   <translation>Die Anzahl der eigenen Bewegungen ({1}) ist nicht die der bewegten Teile ({0}): Geben Sie für jedes Teil eine Bewegung an oder keine.</translation>
+   <source>There are {0} moving parts but {1} individual motions: give one motion for each part, or none.</source>
+   <translation>Es gibt {0} bewegte Teile, aber {1} einzelne Bewegungen: Geben Sie für jedes Teil eine Bewegung an, oder keine.</translation>
   </message>
   <message>
    <source>the core was built without OpenCASCADE, so FreeCAD made one face for each triangle and recognised no surfaces</source>
@@ -869,8 +869,8 @@ Versucht:
    <translation>{0}, verbessert</translation>
   </message>
   <message>
-   <source>there is no neighbour: choose parts, or make other parts visible.</source>
-   <translation>Es gibt keinen Nachbarn: Wählen Sie Teile, oder blenden Sie andere ein.</translation>
+   <source>There is no neighbour: choose parts as neighbours, or make other parts visible.</source>
+   <translation>Es gibt keinen Nachbarn: Wählen Sie Teile als Nachbarn, oder blenden Sie andere Teile ein.</translation>
   </message>
   <message>
    <source>"{0}" has the interpolation None: choose another interpolation first.</source>
@@ -881,7 +881,7 @@ Versucht:
    <translation>„{0}“ bewegt kein sichtbares Teil: die Teile zeigen oder eine andere Quelle wählen.</translation>
   </message>
   <message>
-   <source>"{0}" is left out, because it is only visible through a link: add its parts to the assembly itself.</source>
+   <source>"{0}" is left out, because it is visible only through a link: add its parts to the assembly itself.</source>
    <translation>„{0}“ wird ausgelassen, weil es nur durch eine Verknüpfung sichtbar ist: Fügen Sie seine Teile der Baugruppe selbst hinzu.</translation>
   </message>
   <message>
@@ -893,15 +893,15 @@ Versucht:
    <translation>Mechanismus</translation>
   </message>
   <message>
-   <source>the number of motions ({1}) is not that of the moving parts ({0}): give one motion for each part.</source>
-   <translation>Die Anzahl der Bewegungen ({1}) ist nicht die der bewegten Teile ({0}): Geben Sie für jedes Teil eine Bewegung an.</translation>
+   <source>There are {0} moving parts but {1} motions: give one motion for each part.</source>
+   <translation>Es gibt {0} bewegte Teile, aber {1} Bewegungen: Geben Sie für jedes Teil eine Bewegung an.</translation>
   </message>
   <message>
-   <source>the motions have no common time: "{0}" ends at {1} s, and "{2}" begins at {3} s. Change their times so that they overlap.</source>
-   <translation>Die Bewegungen haben keine gemeinsame Zeit: „{0}“ endet bei {1} s, und „{2}“ beginnt bei {3} s. Ändern Sie ihre Zeiten so, dass sie sich überschneiden.</translation>
+   <source>The motions do not overlap in time: "{0}" ends at {1} s, and "{2}" begins at {3} s. Change their times so that they overlap.</source>
+   <translation>Die Bewegungen überschneiden sich zeitlich nicht: „{0}“ endet bei {1} s, und „{2}“ beginnt bei {3} s. Ändern Sie ihre Zeiten so, dass sie sich überschneiden.</translation>
   </message>
   <message>
-   <source>the document changed while its parts were read: start the run again.</source>
+   <source>The document changed while its parts were read: start the run again.</source>
    <translation>Das Dokument hat sich geändert, während seine Teile gelesen wurden: Starten Sie den Lauf noch einmal.</translation>
   </message>
   <message>
@@ -913,16 +913,16 @@ Versucht:
    <translation>„{0}“ steht zweimal in der Liste: Entfernen Sie einen Eintrag.</translation>
   </message>
   <message>
-   <source>"{0}" and "{1}": one contains the other, which would move twice. Remove one of them.</source>
-   <translation>„{0}“ und „{1}“: Eines enthält das andere, das sich zweimal bewegen würde. Entfernen Sie eines davon.</translation>
+   <source>"{0}" and "{1}": one of them contains the other, so the inner part would move twice. Remove one of them from the list.</source>
+   <translation>„{0}“ und „{1}“: Eines enthält das andere, daher würde das innere Teil zweimal bewegt. Entfernen Sie eines aus der Liste.</translation>
   </message>
   <message>
-   <source>"{0}" has the interpolation None, but parts that move at the same time must move between their poses: choose another interpolation.</source>
-   <translation>„{0}“ hat die Interpolation „Keine“, aber Teile, die sich gleichzeitig bewegen, müssen sich zwischen ihren Lagen bewegen: Wählen Sie eine andere Interpolation.</translation>
+   <source>"{0}" has the interpolation None, so its part does not move between its poses: choose another interpolation for parts that move at the same time.</source>
+   <translation>„{0}“ hat die Interpolation „Keine“, daher bewegt sich das Teil zwischen seinen Lagen nicht: Wählen Sie für Teile, die sich gleichzeitig bewegen, eine andere Interpolation.</translation>
   </message>
   <message>
-   <source>only one part is given: add a second part, moving or standing still.</source>
-   <translation>Nur ein Teil ist angegeben: Fügen Sie ein zweites hinzu, bewegt oder stillstehend.</translation>
+   <source>Only one part is given: add a second part, either a moving part or a neighbour.</source>
+   <translation>Es ist nur ein Teil angegeben: Fügen Sie ein zweites hinzu, entweder ein bewegtes Teil oder einen Nachbarn.</translation>
   </message>
   <message>
    <source>{0}, none nearer than {1}</source>
@@ -949,40 +949,40 @@ Versucht:
    <translation>Bewegung von {0}</translation>
   </message>
   <message>
-   <source>the steps of "{0}" are large: near {1} s the part may deviate from its true motion by about {2}. Read the motion with smaller steps.</source>
-   <translation>Die Schritte von „{0}“ sind groß: Bei {1} s kann das Teil um etwa {2} von seiner wahren Bewegung abweichen. Lesen Sie die Bewegung mit kleineren Schritten.</translation>
+   <source>The steps of "{0}" are large: near t = {1} s the part may be about {2} away from its true position. Read the motion with smaller steps.</source>
+   <translation>Die Schritte von „{0}“ sind groß: Bei t = {1} s kann das Teil um etwa {2} von seiner wahren Position abweichen. Lesen Sie die Bewegung mit kleineren Schritten.</translation>
   </message>
   <message>
-   <source>there is no motion: make one with New motion, then choose it.</source>
-   <translation>Es gibt keine Bewegung: Legen Sie eine mit „Neue Bewegung“ an, und wählen Sie sie.</translation>
+   <source>No motion is chosen: choose one, or make one with New motion.</source>
+   <translation>Es ist keine Bewegung gewählt: Wählen Sie eine, oder erzeugen Sie eine mit „Neue Bewegung“.</translation>
   </message>
   <message>
-   <source>the reference part has no motion: choose its motion, or clear the reference part.</source>
+   <source>The reference part has no motion: choose its motion, or clear the reference part.</source>
    <translation>Das Bezugsteil hat keine Bewegung: Wählen Sie seine Bewegung, oder entfernen Sie das Bezugsteil.</translation>
   </message>
   <message>
-   <source>there is a reference motion but no reference part: choose the reference part as well.</source>
-   <translation>Es gibt eine Bezugsbewegung, aber kein Bezugsteil: Wählen Sie auch das Bezugsteil.</translation>
+   <source>A reference motion is chosen, but no reference part: choose the reference part too, or clear the reference motion.</source>
+   <translation>Es ist eine Bezugsbewegung gewählt, aber kein Bezugsteil: Wählen Sie auch das Bezugsteil, oder entfernen Sie die Bezugsbewegung.</translation>
   </message>
   <message>
    <source>"{0}" is not a motion: choose a motion.</source>
    <translation>„{0}“ ist keine Bewegung: Wählen Sie eine Bewegung.</translation>
   </message>
   <message>
-   <source>two rules for "{0}" contradict each other: remove one.</source>
+   <source>Two rules for "{0}" contradict each other: remove one of them.</source>
    <translation>Zwei Regeln für „{0}“ widersprechen einander: Entfernen Sie eine.</translation>
   </message>
   <message>
-   <source>"{0}": there is no rule "{1}"; use Required, Contact or Ignore.</source>
-   <translation>„{0}“: Es gibt keine Regel „{1}“; verwenden Sie Required, Contact oder Ignore.</translation>
+   <source>"{0}" has the unknown rule "{1}": use Required, Contact or Ignore.</source>
+   <translation>„{0}“ hat die unbekannte Regel „{1}“: Verwenden Sie Required, Contact oder Ignore.</translation>
   </message>
   <message>
-   <source>"{0}": a rule cannot have a length of {1} mm; enter 0 or more.</source>
-   <translation>„{0}“: Eine Regel kann keine Länge von {1} mm haben; geben Sie 0 oder mehr ein.</translation>
+   <source>The distance in the rule of "{0}" is {1} mm: enter 0 or more.</source>
+   <translation>Der Abstand in der Regel von „{0}“ ist {1} mm: Geben Sie 0 oder mehr ein.</translation>
   </message>
   <message>
-   <source>the rules of "{0}" are inconsistent: {1} parts, {2} kinds and {3} lengths, which must be equal in number. Enter the rules again.</source>
-   <translation>Die Regeln von „{0}“ sind widersprüchlich: {1} Teile, {2} Arten und {3} Längen, deren Anzahl gleich sein muss. Geben Sie die Regeln neu ein.</translation>
+   <source>The rules of "{0}" are inconsistent: there are {1} parts, {2} kinds and {3} lengths, but these numbers must be equal. Enter the rules again.</source>
+   <translation>Die Regeln von „{0}“ sind widersprüchlich: Es gibt {1} Teile, {2} Arten und {3} Längen, aber diese Anzahlen müssen gleich sein. Geben Sie die Regeln neu ein.</translation>
   </message>
   <message>
    <source>there is nothing to compare: choose two or more parts, envelopes or solids.</source>
@@ -993,20 +993,20 @@ Versucht:
    <translation>„{0}“ enthält „{1}“: Entfernen Sie eines davon.</translation>
   </message>
   <message>
-   <source>the rules for "{0}" and for "{1}" contradict each other for "{2}", and neither is more specific: add a rule for this pair.</source>
+   <source>The rules for "{0}" and for "{1}" contradict each other for "{2}", and neither is more specific: add a rule for this pair.</source>
    <translation>Die Regeln für „{0}“ und für „{1}“ widersprechen sich für „{2}“, und keine ist spezieller: Fügen Sie eine Regel für dieses Paar hinzu.</translation>
   </message>
   <message>
-   <source>the rules of "{0}" are inconsistent: {1} parts (two for each rule), {2} kinds and {3} lengths. Enter the rules again.</source>
-   <translation>Die Regeln von „{0}“ sind widersprüchlich: {1} Teile (zwei je Regel), {2} Arten und {3} Längen. Geben Sie die Regeln neu ein.</translation>
+   <source>The rules of "{0}" are inconsistent: there are {1} parts, {2} kinds and {3} lengths, but each rule needs two parts, one kind and one length. Enter the rules again.</source>
+   <translation>Die Regeln von „{0}“ sind widersprüchlich: Es gibt {1} Teile, {2} Arten und {3} Längen, aber jede Regel braucht zwei Teile, eine Art und eine Länge. Geben Sie die Regeln neu ein.</translation>
   </message>
   <message>
    <source>Path of {0}</source>
    <translation>Bahn von {0}</translation>
   </message>
   <message>
-   <source>there is no start: give a placement, a distance or a direction.</source>
-   <translation>Es gibt keinen Start: Geben Sie eine Platzierung, einen Abstand oder eine Richtung an.</translation>
+   <source>No start is given: enter a placement, a distance or a direction.</source>
+   <translation>Es ist kein Start angegeben: Geben Sie eine Platzierung, eine Entfernung oder eine Richtung ein.</translation>
   </message>
   <message>
    <source>Check sequence</source>
@@ -1021,40 +1021,40 @@ Versucht:
    <translation>Abstand mindestens {0}</translation>
   </message>
   <message>
-   <source>proven: no path without turning</source>
-   <translation>bewiesen: keine Bahn ohne Drehung</translation>
+   <source>it is proven that no path exists without turning the part</source>
+   <translation>es ist bewiesen, dass es ohne Drehen des Teils keine Bahn gibt</translation>
   </message>
   <message>
    <source>Sequence</source>
    <translation>Einbaufolge</translation>
   </message>
   <message>
-   <source>{0} parts one after the other: {1}</source>
-   <translation>{0} Teile nacheinander: {1}</translation>
+   <source>{0} parts, in this order: {1}</source>
+   <translation>{0} Teile, in dieser Reihenfolge: {1}</translation>
   </message>
   <message>
-   <source>no path; blocked after {0} by {1}</source>
-   <translation>keine Bahn; nach {0} blockiert von {1}</translation>
+   <source>no path found; blocked by {1} after {0} of travel</source>
+   <translation>keine Bahn gefunden; nach {0} blockiert durch {1}</translation>
   </message>
   <message>
-   <source>There is no order in which the parts can be installed one after the other (proven).</source>
-   <translation>Es gibt keine Reihenfolge, in der die Teile nacheinander eingebaut werden können (bewiesen).</translation>
+   <source>It is proven that the parts cannot be installed one after the other in any order.</source>
+   <translation>Es ist bewiesen, dass die Teile in keiner Reihenfolge nacheinander eingebaut werden können.</translation>
   </message>
   <message>
-   <source>{0}, clearance {1}</source>
-   <translation>{0}, Abstand {1}</translation>
+   <source>path of {0}, clearance {1}</source>
+   <translation>Bahn von {0}, Abstand {1}</translation>
   </message>
   <message>
-   <source>{0}, no obstacles</source>
-   <translation>{0}, keine Hindernisse</translation>
+   <source>path of {0}, no obstacles</source>
+   <translation>Bahn von {0}, keine Hindernisse</translation>
   </message>
   <message>
-   <source>the number of motions ({1}) is not that of the parts ({0}): give one motion for each part.</source>
-   <translation>Die Anzahl der Bewegungen ({1}) ist nicht die der Teile ({0}): Geben Sie für jedes Teil eine Bewegung an.</translation>
+   <source>There are {0} parts but {1} motions: give one motion for each part.</source>
+   <translation>Es gibt {0} Teile, aber {1} Bewegungen: Geben Sie für jedes Teil eine Bewegung an.</translation>
   </message>
   <message>
-   <source>there is no part: select the parts, then press Add selected.</source>
-   <translation>Es gibt kein Teil: Wählen Sie die Teile, und drücken Sie „Gewählte hinzufügen“.</translation>
+   <source>The list of parts is empty: select the parts, then press Add selected.</source>
+   <translation>Die Liste der Teile ist leer: Wählen Sie die Teile aus, und drücken Sie „Gewählte hinzufügen“.</translation>
   </message>
   <message>
    <source>"{0}" has the interpolation None: choose another interpolation, or let a path be found.</source>
@@ -1105,7 +1105,7 @@ Versucht:
    <translation>Ausgelassen: {0}</translation>
   </message>
   <message>
-   <source>Left out: {0}. Envelopes and their solids are only checked if you choose them as neighbours.</source>
+   <source>Left out: {0}. Envelopes and their solids are checked only if you choose them as neighbours.</source>
    <translation>Ausgelassen: {0}. Hüllen und ihre Festkörper werden nur geprüft, wenn Sie sie als Nachbarn wählen.</translation>
   </message>
   <message>
@@ -1113,12 +1113,12 @@ Versucht:
    <translation>„{0}“ ist zugleich Nachbar und bewegtes Teil: Entfernen Sie es aus einer der Listen.</translation>
   </message>
   <message>
-   <source>{0} of {1} runs are not done: start the study again to continue.</source>
+   <source>{0} of {1} runs are not done. Start the study again to continue.</source>
    <translation>{0} von {1} Läufen sind nicht fertig: Starten Sie die Studie erneut, um fortzufahren.</translation>
   </message>
   <message>
-   <source>the results of the study were deleted: run the study again.</source>
-   <translation>Die Ergebnisse der Studie wurden gelöscht: Führen Sie die Studie erneut aus.</translation>
+   <source>The results of the study cannot be found in their folder: run the study again.</source>
+   <translation>Die Ergebnisse der Studie sind nicht in ihrem Ordner zu finden: Führen Sie die Studie erneut aus.</translation>
   </message>
   <message>
    <source>Run study</source>
@@ -1129,19 +1129,19 @@ Versucht:
    <translation>Studie</translation>
   </message>
   <message>
-   <source>the result of "{0}" is not up to date: run the study again first.</source>
+   <source>The result of "{0}" is not up to date: run the study again first.</source>
    <translation>Das Ergebnis von „{0}“ ist nicht aktuell: Führen Sie die Studie zuerst erneut aus.</translation>
   </message>
   <message>
-   <source>the parts of "{0}" have individual motions, but a run of a study has one motion: leave "{0}" out, or give its parts one motion.</source>
-   <translation>Die Teile von „{0}“ haben eigene Bewegungen, aber ein Lauf einer Studie hat eine Bewegung: Lassen Sie „{0}“ aus, oder geben Sie seinen Teilen eine Bewegung.</translation>
+   <source>Each part of "{0}" has its own motion, but a run of a study has only one motion: leave "{0}" out, or give its parts one common motion.</source>
+   <translation>Jedes Teil von „{0}“ hat seine eigene Bewegung, aber ein Lauf einer Studie hat nur eine Bewegung: Lassen Sie „{0}“ weg, oder geben Sie seinen Teilen eine gemeinsame Bewegung.</translation>
   </message>
   <message>
-   <source>"{0}": studies support only the value Consistent of the property Components.</source>
-   <translation>„{0}“: Studien unterstützen nur den Wert Consistent der Eigenschaft Components.</translation>
+   <source>Studies cannot use the setting Components of "{0}": set it to Consistent.</source>
+   <translation>Studien können die Einstellung Components von „{0}“ nicht verwenden: Setzen Sie sie auf Consistent.</translation>
   </message>
   <message>
-   <source>the study file no longer contains the run "{0}": run the study again.</source>
+   <source>The study file no longer contains the run "{0}": run the study again.</source>
    <translation>Die Studiendatei enthält den Lauf „{0}“ nicht mehr: Führen Sie die Studie erneut aus.</translation>
   </message>
   <message>
@@ -1149,15 +1149,15 @@ Versucht:
    <translation>Lauf {0}</translation>
   </message>
   <message>
-   <source>"{0}" cannot be a run of a study: choose envelopes and clearance checks of one motion.</source>
+   <source>"{0}" cannot be a run of a study: choose envelopes, or clearance checks with one motion.</source>
    <translation>„{0}“ kann kein Lauf einer Studie sein: Wählen Sie Hüllen und Abstandsprüfungen mit einer Bewegung.</translation>
   </message>
   <message>
-   <source>the study has no runs: choose a study file, or envelopes and clearance checks.</source>
+   <source>The study has no runs: choose a study file, or envelopes and clearance checks.</source>
    <translation>Die Studie hat keine Läufe: Wählen Sie eine Studiendatei oder Hüllen und Abstandsprüfungen.</translation>
   </message>
   <message>
-   <source>there is no folder for the results: save the document first, or choose a folder.</source>
+   <source>There is no folder for the results: save the document first, or choose a folder.</source>
    <translation>Es gibt keinen Ordner für die Ergebnisse: Speichern Sie zuerst das Dokument, oder wählen Sie einen Ordner.</translation>
   </message>
   <message>
@@ -1205,7 +1205,7 @@ Versucht:
    <translation>t = {0} s</translation>
   </message>
   <message>
-   <source>the report template "{0}" is empty: choose another one in the preferences.</source>
+   <source>The report template "{0}" is empty: choose another template in the preferences.</source>
    <translation>Die Berichtsvorlage „{0}“ ist leer: Wählen Sie eine andere in den Einstellungen.</translation>
   </message>
   <message>
@@ -1213,15 +1213,15 @@ Versucht:
    <translation>seit dem Speichern geändert</translation>
   </message>
   <message>
-   <source>the result of "{0}" is not up to date: recompute its envelope, if it has one, and run the check again first.</source>
-   <translation>Das Ergebnis von „{0}“ ist nicht aktuell: Berechnen Sie ihre Hülle neu, falls es eine gibt, und prüfen Sie zuerst erneut.</translation>
+   <source>The result of "{0}" is not up to date: recompute its envelope (if it has one), then run the check again.</source>
+   <translation>Das Ergebnis von „{0}“ ist nicht aktuell: Berechnen Sie seine Hülle neu (falls es eine hat), und führen Sie die Prüfung erneut aus.</translation>
   </message>
   <message>
-   <source>SOURCE_DATE_EPOCH is "{0}"; it must be seconds since 1970.</source>
-   <translation>SOURCE_DATE_EPOCH ist „{0}“; es müssen Sekunden seit 1970 sein.</translation>
+   <source>The environment variable SOURCE_DATE_EPOCH is "{0}", but must be a number of seconds since 1970.</source>
+   <translation>Die Umgebungsvariable SOURCE_DATE_EPOCH ist „{0}“, muss aber eine Anzahl von Sekunden seit 1970 sein.</translation>
   </message>
   <message>
-   <source>the report template "{0}" cannot be read ({1}): choose another one in the preferences.</source>
+   <source>The report template "{0}" cannot be read ({1}): choose another template in the preferences.</source>
    <translation>Die Berichtsvorlage „{0}“ kann nicht gelesen werden ({1}): Wählen Sie eine andere in den Einstellungen.</translation>
   </message>
   <message>
@@ -1233,8 +1233,8 @@ Versucht:
    <translation>{0} Lagen</translation>
   </message>
   <message>
-   <source>PDF needs the FreeCAD window: write HTML from scripts.</source>
-   <translation>PDF braucht das FreeCAD-Fenster: Schreiben Sie aus Skripten HTML.</translation>
+   <source>PDF can be written only with the FreeCAD window open: in scripts, write HTML.</source>
+   <translation>PDF kann nur bei geöffnetem FreeCAD-Fenster geschrieben werden: Schreiben Sie in Skripten HTML.</translation>
   </message>
   <message>
    <source>document</source>
@@ -1245,11 +1245,11 @@ Versucht:
    <translation>Abstandstabelle</translation>
   </message>
   <message>
-   <source>the envelope is relative to a moving part, so its clash volume has no place in the document: check without a reference part.</source>
-   <translation>Die Hülle ist relativ zu einem bewegten Teil, ihr Kollisionsvolumen hat daher keinen Ort im Dokument: Prüfen Sie ohne Bezugsteil.</translation>
+   <source>The envelope was computed relative to a moving part, so its clash volume has no fixed position in the document: run the check without a reference part.</source>
+   <translation>Die Hülle wurde relativ zu einem bewegten Teil berechnet, daher hat ihr Kollisionsvolumen keine feste Position im Dokument: Führen Sie die Prüfung ohne Bezugsteil aus.</translation>
   </message>
   <message>
-   <source>the cell size must be above 0 mm.</source>
+   <source>The cell size must be above 0 mm.</source>
    <translation>Die Zellgröße muss über 0 mm liegen.</translation>
   </message>
   <message>
@@ -1257,35 +1257,35 @@ Versucht:
    <translation>Bewegung aus Datei</translation>
   </message>
   <message>
-   <source>select the part that moves in the tree or in the 3D view.</source>
-   <translation>wählen Sie das Teil, das sich bewegt, im Baum oder in der 3D-Ansicht.</translation>
+   <source>Select the moving part in the tree or in the 3D view.</source>
+   <translation>Wählen Sie das bewegte Teil im Baum oder in der 3D-Ansicht aus.</translation>
   </message>
   <message>
-   <source>{0}: "{1}" is not a valid value; {2} is used instead.</source>
-   <translation>{0}: „{1}“ ist kein gültiger Wert; stattdessen gilt {2}.</translation>
+   <source>{0}: "{1}" is not a valid value (it would count as {2}): correct it.</source>
+   <translation>{0}: „{1}“ ist kein gültiger Wert (er würde als {2} gelten): Berichtigen Sie ihn.</translation>
   </message>
   <message>
-   <source>Made by cannot be recorded for an envelope with an offset or a conservative one: set Offset to 0 and Conservative to off.</source>
-   <translation>„Erzeugt von“ kann bei einer Hülle mit Versatz oder einer konservativen Hülle nicht aufgezeichnet werden: Setzen Sie den Versatz auf 0, und schalten Sie „Konservativ“ aus.</translation>
+   <source>What made the envelope cannot be recorded if the envelope has an offset or is conservative: set Offset to 0 and Conservative to off.</source>
+   <translation>Was die Hülle erzeugt hat, kann nicht aufgezeichnet werden, wenn die Hülle einen Versatz hat oder konservativ ist: Setzen Sie den Versatz auf 0, und schalten Sie „Konservativ“ aus.</translation>
   </message>
   <message>
-   <source>Transform is locked while the motion editor is open: drag the chosen key, or enter numbers.</source>
-   <translation>Transformieren ist gesperrt, solange der Bewegungseditor offen ist: Ziehen Sie die gewählte Stützstelle, oder geben Sie Zahlen ein.</translation>
+   <source>Transform cannot be used while the motion editor is open: drag the chosen key, or enter numbers.</source>
+   <translation>„Transformieren“ ist nicht möglich, solange der Bewegungseditor offen ist: Ziehen Sie die gewählte Stützstelle, oder geben Sie Zahlen ein.</translation>
   </message>
   <message>
-   <source>there is no change of the keys to undo or redo.</source>
+   <source>The keys have no change to undo or redo.</source>
    <translation>Es gibt keine Änderung der Stützstellen, die rückgängig gemacht oder wiederholt werden kann.</translation>
   </message>
   <message>
-   <source>there is no moving part: close the panel, select the part and open the panel again.</source>
+   <source>There is no moving part: close the panel, select the part and open the panel again.</source>
    <translation>Es gibt kein bewegtes Teil: Schließen Sie das Panel, wählen Sie das Teil, und öffnen Sie das Panel neu.</translation>
   </message>
   <message>
-   <source>only absolute poses can be captured: set Pose type to Absolute.</source>
-   <translation>Nur absolute Lagen können übernommen werden: Stellen Sie die Art der Lage auf „Absolut“.</translation>
+   <source>A placement can be captured only as an absolute pose: set Pose type to Absolute.</source>
+   <translation>Eine Platzierung kann nur als absolute Lage übernommen werden: Setzen Sie „Art der Lage“ auf Absolut.</translation>
   </message>
   <message>
-   <source>choose a key in the table first.</source>
+   <source>Choose a key in the table first.</source>
    <translation>Wählen Sie zuerst eine Stützstelle in der Tabelle.</translation>
   </message>
   <message>
@@ -1297,8 +1297,8 @@ Versucht:
    <translation>Bewegungen aller Teile</translation>
   </message>
   <message>
-   <source>the motion "{0}" has no part: add the part to the list, then choose the motion for it.</source>
-   <translation>Die Bewegung „{0}“ hat kein Teil: Fügen Sie das Teil der Liste hinzu, und wählen Sie dann die Bewegung dafür.</translation>
+   <source>The motion "{0}" does not say which part it moves: add the part to the list, then choose the motion for it.</source>
+   <translation>Die Bewegung „{0}“ sagt nicht, welches Teil sie bewegt: Fügen Sie das Teil zur Liste hinzu, und wählen Sie dann die Bewegung dafür.</translation>
   </message>
   <message>
    <source>Export report</source>
@@ -1311,8 +1311,8 @@ Versucht:
 </translation>
   </message>
   <message>
-   <source>The part moved {0} from its goal before it was blocked; it is shown there.</source>
-   <translation>Das Teil bewegte sich {0} von seinem Ziel weg, bevor es blockiert war; dort wird es gezeigt.</translation>
+   <source>The part came {0} away from its goal before it was blocked. The 3D view shows it there.</source>
+   <translation>Das Teil kam {0} von seinem Ziel weg, bevor es blockiert war. Die 3D-Ansicht zeigt es dort.</translation>
   </message>
   <message>
    <source>Most frequent obstacle: {0}.</source>
@@ -1323,32 +1323,32 @@ Versucht:
    <translation>Mit einem Abstand von {0} gibt es eine Bahn: Verringern Sie den Sollabstand, um sie zu finden.</translation>
   </message>
   <message>
-   <source>{0} keys instead of {1}, {2} instead of {3}, clearance {4} instead of {5}.</source>
-   <translation>{0} Stützstellen statt {1}, {2} statt {3}, Abstand {4} statt {5}.</translation>
+   <source>{0} keys instead of {1}, length {2} instead of {3}, clearance {4} instead of {5}.</source>
+   <translation>{0} Stützstellen statt {1}, Länge {2} statt {3}, Abstand {4} statt {5}.</translation>
   </message>
   <message>
-   <source>There is no path without turning the part (proven).</source>
-   <translation>Es gibt keine Bahn ohne Drehung des Teils (bewiesen).</translation>
+   <source>It is proven that no path exists without turning the part.</source>
+   <translation>Es ist bewiesen, dass es ohne Drehen des Teils keine Bahn gibt.</translation>
   </message>
   <message>
-   <source>No move of the motion keeps the required distance: reduce the required distance, or use Find path.</source>
+   <source>No section of the motion keeps the required distance: reduce the required distance, or use Find path.</source>
    <translation>Kein Abschnitt der Bewegung hält den Sollabstand ein: Verringern Sie den Sollabstand, oder verwenden Sie „Bahn finden“.</translation>
   </message>
   <message>
-   <source>Moves that stay below the required distance, because no other path was found: {0}.</source>
+   <source>Sections that stay below the required distance, because no other path was found: {0}.</source>
    <translation>Abschnitte, die unter dem Sollabstand bleiben, weil keine andere Bahn gefunden wurde: {0}.</translation>
   </message>
   <message>
-   <source>Moves within the release distance of start and goal, which are left unchanged: {0}.</source>
+   <source>Sections within the release distance of start and goal, which were left unchanged: {0}.</source>
    <translation>Abschnitte innerhalb des Freigabeabstands von Start und Ziel, die unverändert bleiben: {0}.</translation>
   </message>
   <message>
-   <source>Found: {0} keys, {1}, turns of {2} degrees, clearance at least {3}.</source>
-   <translation>Gefunden: {0} Stützstellen, {1}, Drehungen von {2} Grad, Abstand mindestens {3}.</translation>
+   <source>Found a path: {0} keys, length {1}, total turn {2} degrees, clearance at least {3}.</source>
+   <translation>Bahn gefunden: {0} Stützstellen, Länge {1}, Drehung insgesamt {2} Grad, Abstand mindestens {3}.</translation>
   </message>
   <message>
-   <source>Nearer than that within the release distance of {0}, as allowed: {1}.</source>
-   <translation>Näher als das innerhalb des Freigabeabstands von {0}, wie erlaubt: {1}.</translation>
+   <source>Within the release distance of {0}, the part is allowed to come closer to: {1}.</source>
+   <translation>Innerhalb des Freigabeabstands von {0} darf das Teil näher kommen an: {1}.</translation>
   </message>
   <message>
    <source>No path was found within the time limit.</source>
@@ -1363,24 +1363,24 @@ Versucht:
    <translation>Nur mit einem Abstand nahe 0 gibt es eine Bahn: Verringern Sie den Sollabstand, um sie zu finden.</translation>
   </message>
   <message>
-   <source>select a vertex, an edge or a face in the 3D view first: its centre becomes the pivot.</source>
-   <translation>wählen Sie zuerst in der 3D-Ansicht einen Punkt, eine Kante oder eine Fläche: deren Mitte wird der Drehpunkt.</translation>
+   <source>Select a vertex, an edge or a face in the 3D view first: its centre becomes the pivot.</source>
+   <translation>Wählen Sie zuerst in der 3D-Ansicht einen Punkt, eine Kante oder eine Fläche: deren Mitte wird der Drehpunkt.</translation>
   </message>
   <message>
-   <source>select a face or an edge in the 3D view first: it gives the direction.</source>
-   <translation>wählen Sie zuerst eine Fläche oder Kante in der 3D-Ansicht: sie gibt die Richtung.</translation>
+   <source>Select a face or an edge in the 3D view first, to set the direction.</source>
+   <translation>Wählen Sie zuerst eine Fläche oder Kante in der 3D-Ansicht aus, um die Richtung festzulegen.</translation>
   </message>
   <message>
    <source>"{0}": enter {1} numbers, separated by spaces.</source>
    <translation>„{0}“: Geben Sie {1} Zahlen ein, durch Leerzeichen getrennt.</translation>
   </message>
   <message>
-   <source>a part of this row was deleted: run the check again.</source>
-   <translation>Ein Teil dieser Zeile wurde gelöscht: Prüfen Sie erneut.</translation>
+   <source>A part of this row no longer exists: run the check again.</source>
+   <translation>Ein Teil dieser Zeile existiert nicht mehr: Führen Sie die Prüfung erneut aus.</translation>
   </message>
   <message>
-   <source>"{0}": the distance cannot be {1}; enter 0 or more.</source>
-   <translation>„{0}“: Der Abstand kann nicht {1} sein; geben Sie 0 oder mehr ein.</translation>
+   <source>The distance in the rule of "{0}" is {1}: enter 0 or more.</source>
+   <translation>Der Abstand in der Regel von „{0}“ ist {1}: Geben Sie 0 oder mehr ein.</translation>
   </message>
   <message>
    <source>There is no envelope in the document: make one with Create envelope.</source>
@@ -1407,7 +1407,7 @@ Versucht:
    <translation>Zuerst eine Bewegung auswählen.</translation>
   </message>
   <message>
-   <source>no program is installed that opens {0}.</source>
+   <source>No program is installed that opens {0}.</source>
    <translation>Es ist kein Programm installiert, das {0} öffnet.</translation>
   </message>
   <message>
@@ -1443,19 +1443,19 @@ Versucht:
    <translation>Abgebrochen: Das Dokument wurde geschlossen oder ein Objekt gelöscht.</translation>
   </message>
   <message>
-   <source>the temporary folder {0} is full: free some space, or set the environment variable TMPDIR to another folder.</source>
+   <source>The temporary folder {0} is full: delete files there, or set the environment variable TMPDIR to another folder.</source>
    <translation>Der temporäre Ordner {0} ist voll: Schaffen Sie dort Platz, oder setzen Sie die Umgebungsvariable TMPDIR auf einen anderen Ordner.</translation>
   </message>
   <message>
-   <source>studies need the Python package swept_volume, which is missing in {0}: install the workbench again, or build it with cmake --build build.</source>
-   <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder bauen Sie sie mit cmake --build build.</translation>
+   <source>Studies need the Python package swept_volume, which is missing in {0}: install the workbench again, or build it with "cmake --build build".</source>
+   <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder bauen Sie sie mit „cmake --build build“.</translation>
   </message>
   <message>
-   <source>the study ended with status {0} and without a result: run it again, or run it with swept study to see its output.</source>
-   <translation>Die Studie endete mit Status {0} und ohne Ergebnis: Führen Sie sie erneut aus, oder mit swept study, um ihre Ausgabe zu sehen.</translation>
+   <source>The study program ended with exit status {0} and wrote no result: run the study again, or run "swept study FILE" in a terminal to see its output.</source>
+   <translation>Das Studienprogramm endete mit Status {0} und schrieb kein Ergebnis: Führen Sie die Studie erneut aus, oder führen Sie „swept study DATEI“ in einem Terminal aus, um die Ausgabe zu sehen.</translation>
   </message>
   <message>
-   <source>studies need the program {0}, which was not found: install it.</source>
+   <source>Studies need the program {0}, but it was not found: install it.</source>
    <translation>Studien brauchen das Programm {0}, das nicht gefunden wurde: Installieren Sie es.</translation>
   </message>
   <message>
@@ -1467,15 +1467,15 @@ Versucht:
    <translation>die Studiendatei „{0}“ kann nicht gelesen werden: {1}</translation>
   </message>
   <message>
-   <source>the file type "{0}" is not supported: use one of {1}.</source>
-   <translation>Der Dateityp „{0}“ wird nicht unterstützt: Verwenden Sie einen von {1}.</translation>
+   <source>The file type "{0}" is not supported: use one of these: {1}.</source>
+   <translation>Der Dateityp „{0}“ wird nicht unterstützt: Verwenden Sie einen von diesen: {1}.</translation>
   </message>
   <message>
-   <source>"{0}" is the document "{1}": choose another file.</source>
-   <translation>„{0}“ ist das Dokument „{1}“: Wählen Sie eine andere Datei.</translation>
+   <source>"{0}" is the file of the document "{1}" and would be overwritten: choose another file.</source>
+   <translation>„{0}“ ist die Datei des Dokuments „{1}“ und würde überschrieben: Wählen Sie eine andere Datei.</translation>
   </message>
   <message>
-   <source>the folder "{0}" does not exist: create it, or choose another one.</source>
+   <source>The folder "{0}" does not exist: create it, or choose another folder.</source>
    <translation>Der Ordner „{0}“ existiert nicht: Legen Sie ihn an, oder wählen Sie einen anderen.</translation>
   </message>
   <message>
@@ -1487,115 +1487,115 @@ Versucht:
    <translation>„{0}“ ist schreibgeschützt: Wählen Sie einen anderen Namen, oder ändern Sie die Rechte.</translation>
   </message>
   <message>
-   <source>"{0}" is read by "{1}": choose another file.</source>
-   <translation>„{0}“ wird von „{1}“ gelesen: Wählen Sie eine andere Datei.</translation>
+   <source>"{0}" is an input of "{1}" and would be overwritten: choose another file.</source>
+   <translation>„{0}“ ist eine Eingabe von „{1}“ und würde überschrieben: Wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>en</source>
    <translation>de</translation>
   </message>
   <message>
-   <source>choose one link array or Draft array.</source>
-   <translation>Eine Verknüpfungs- oder Draft-Anordnung wählen.</translation>
+   <source>Select one link array or Draft array.</source>
+   <translation>Wählen Sie eine Verknüpfungs- oder Draft-Anordnung aus.</translation>
   </message>
   <message>
-   <source>choose an assembly simulation, then the part to follow.</source>
-   <translation>Wählen Sie eine Baugruppen-Simulation, dann das zu verfolgende Teil.</translation>
+   <source>Select an assembly simulation in the tree, then also the part to follow.</source>
+   <translation>Wählen Sie im Baum eine Baugruppensimulation aus, dann zusätzlich das Teil, dem gefolgt wird.</translation>
   </message>
   <message>
-   <source>the simulation "{0}" stopped early, at {3} s of {4} s ({1} of {2} frames), because its solver found no valid position: check the joints and formulas, or set an earlier end time.</source>
-   <translation>Die Simulation „{0}“ endete vorzeitig, bei {3} s von {4} s ({1} von {2} Bildern), weil ihr Löser keine gültige Lage fand: Prüfen Sie Gelenke und Formeln, oder setzen Sie ein früheres Ende.</translation>
+   <source>The simulation "{0}" stopped early, at {3} s of {4} s ({1} of {2} frames): its solver found no valid position. Check the joints and formulas, or set an earlier end time.</source>
+   <translation>Die Simulation „{0}“ endete vorzeitig, bei {3} s von {4} s ({1} von {2} Bildern): Ihr Löser fand keine gültige Stellung. Prüfen Sie Gelenke und Formeln, oder setzen Sie eine frühere Endzeit.</translation>
   </message>
   <message>
    <source>"{0}" cannot be simulated by this version of FreeCAD: simulations need FreeCAD 1.1.</source>
    <translation>„{0}“ kann von dieser FreeCAD-Version nicht simuliert werden: Simulationen brauchen FreeCAD 1.1.</translation>
   </message>
   <message>
-   <source>choose one CAM (Path) operation.</source>
-   <translation>Wählen Sie eine CAM-Operation (Path).</translation>
+   <source>Select one CAM (Path) operation.</source>
+   <translation>Wählen Sie eine CAM-Operation (Path) aus.</translation>
   </message>
   <message>
    <source>"{0}" has no moves (G0 to G3): choose another operation.</source>
    <translation>„{0}“ hat keine Fahrbewegungen (G0 bis G3): Wählen Sie eine andere Operation.</translation>
   </message>
   <message>
-   <source>the motion file "{0}" does not exist: choose another file.</source>
+   <source>The motion file "{0}" does not exist: choose another file.</source>
    <translation>Die Bewegungsdatei „{0}“ existiert nicht: Wählen Sie eine andere.</translation>
   </message>
   <message>
-   <source>a curve needs at least two poses: set Count to 0, or to 2 or more.</source>
+   <source>A curve needs at least two poses: set Count to 0, or to 2 or more.</source>
    <translation>Eine Kurve braucht mindestens zwei Lagen: Setzen Sie die Anzahl auf 0 oder auf mindestens 2.</translation>
   </message>
   <message>
-   <source>choose two wires: the curve to follow, then the curve that sets the orientation.</source>
-   <translation>Wählen Sie zwei Linienzüge: die Leitkurve, dann die Kurve für die Ausrichtung.</translation>
+   <source>Select two wires: the curve to follow, then the curve that sets the orientation.</source>
+   <translation>Wählen Sie zwei Linienzüge aus: die Leitkurve, dann die Kurve für die Ausrichtung.</translation>
   </message>
   <message>
-   <source>choose one wire, edge or sketch to follow.</source>
-   <translation>Wählen Sie einen Linienzug, eine Kante oder eine Skizze als Leitkurve.</translation>
+   <source>Select one wire, edge or sketch to follow.</source>
+   <translation>Wählen Sie einen Linienzug, eine Kante oder eine Skizze als Leitkurve aus.</translation>
   </message>
   <message>
-   <source>the accuracy is {0}, but must be greater than 0.</source>
-   <translation>Die Genauigkeit ist {0}, muss aber größer als 0 sein.</translation>
+   <source>The accuracy is {0}: enter a value greater than 0.</source>
+   <translation>Die Genauigkeit ist {0}: Geben Sie einen Wert größer als 0 ein.</translation>
   </message>
   <message>
-   <source>"{0}" has {1} separate pieces: join them to one curve, or select one piece.</source>
+   <source>"{0}" has {1} separate pieces: join them into one curve, or select one piece.</source>
    <translation>„{0}“ hat {1} getrennte Stücke: Verbinden Sie sie zu einer Kurve, oder wählen Sie ein Stück.</translation>
   </message>
   <message>
-   <source>an accuracy of {0} needs more than {1} poses on this curve: choose a larger accuracy value.</source>
+   <source>An accuracy of {0} needs more than {1} poses on this curve: choose a larger accuracy value.</source>
    <translation>Eine Genauigkeit von {0} braucht auf dieser Kurve mehr als {1} Lagen: Wählen Sie einen größeren Wert.</translation>
   </message>
   <message>
-   <source>"{0}" starts in the direction of the curve "{1}", so it does not define the z axis: move it sideways.</source>
-   <translation>„{0}“ beginnt in Richtung der Kurve „{1}“ und legt so die z-Achse nicht fest: Versetzen Sie sie seitlich.</translation>
+   <source>The second curve "{0}" lies on the tangent of the curve "{1}" at its start, so it does not define the z axis: move the second curve sideways.</source>
+   <translation>Die zweite Kurve „{0}“ liegt am Anfang auf der Tangente der Kurve „{1}“, daher bestimmt sie die z-Achse nicht: Verschieben Sie die zweite Kurve seitlich.</translation>
   </message>
   <message>
-   <source>the document cannot be recomputed with "{0}" = {1:g}: choose another start or end.</source>
-   <translation>Das Dokument lässt sich mit „{0}“ = {1:g} nicht neu berechnen: Wählen Sie einen anderen Start oder ein anderes Ende.</translation>
+   <source>The document could not be recomputed with "{0}" = {1:g}: choose another start or end value.</source>
+   <translation>Das Dokument konnte mit „{0}“ = {1:g} nicht neu berechnet werden: Wählen Sie einen anderen Anfangs- oder Endwert.</translation>
   </message>
   <message>
-   <source>choose the object whose value is driven, then the part to follow.</source>
-   <translation>Wählen Sie das Objekt, dessen Wert gesteuert wird, dann das zu verfolgende Teil.</translation>
+   <source>Select the object with the value to change, then the part to follow.</source>
+   <translation>Wählen Sie das Objekt mit dem Wert aus, der geändert wird, dann das Teil, dem gefolgt wird.</translation>
   </message>
   <message>
-   <source>"{0}" has no value "{1}" that can be driven: choose one of {2}</source>
-   <translation>„{0}“ hat keinen steuerbaren Wert „{1}“: Wählen Sie einen von {2}</translation>
+   <source>"{0}" has no value "{1}" that can be changed: choose one of {2}</source>
+   <translation>„{0}“ hat keinen Wert „{1}“, der geändert werden kann: Wählen Sie einen von {2}</translation>
   </message>
   <message>
-   <source>"{0}" of "{1}" is set by the expression {2}: drive a value in that expression instead.</source>
-   <translation>„{0}“ von „{1}“ wird durch den Ausdruck {2} gesetzt: Steuern Sie stattdessen einen Wert in diesem Ausdruck.</translation>
+   <source>The value "{0}" of "{1}" is set by the expression {2}: choose a value in that expression instead.</source>
+   <translation>Der Wert „{0}“ von „{1}“ wird durch den Ausdruck {2} gesetzt: Wählen Sie stattdessen einen Wert in diesem Ausdruck.</translation>
   </message>
   <message>
-   <source>the clipboard has no rows of numbers: copy cells from a spreadsheet first.</source>
+   <source>The clipboard has no rows of numbers: copy cells from a spreadsheet first.</source>
    <translation>Die Zwischenablage enthält keine Zeilen mit Zahlen: Kopieren Sie zuerst Zellen aus einer Tabelle.</translation>
   </message>
   <message>
-   <source>there is already a key at this time: choose another time.</source>
+   <source>There is already a key at this time: choose another time.</source>
    <translation>Zu dieser Zeit gibt es schon eine Stützstelle: Wählen Sie eine andere Zeit.</translation>
   </message>
   <message>
-   <source>"{0}" is not a number or quantity in {1}: correct the entry.</source>
-   <translation>„{0}“ ist keine Zahl oder Größe in {1}: Berichtigen Sie die Eingabe.</translation>
+   <source>"{0}" is not a number, nor a quantity that can be converted to {1}, or it is too large: correct the entry.</source>
+   <translation>„{0}“ ist keine Zahl und keine Größe, die in {1} umgerechnet werden kann, oder zu groß: Berichtigen Sie die Eingabe.</translation>
   </message>
   <message>
-   <source>the time of key {0} must lie between the times of the keys before and after it.</source>
+   <source>The time of key {0} must lie between the times of the keys before and after it.</source>
    <translation>Die Zeit der Stützstelle {0} muss zwischen den Zeiten der vorigen und der nächsten liegen.</translation>
   </message>
   <message>
-   <source>row {0} of the pasted text has {1} columns: use t, x, y, z, or t, x, y, z, yaw, pitch, roll.</source>
-   <translation>Zeile {0} des eingefügten Texts hat {1} Spalten: Verwenden Sie t, x, y, z oder t, x, y, z, Gier, Nick, Roll.</translation>
+   <source>Row {0} of the pasted text has {1} columns: use either the four columns t, x, y, z, or the seven columns t, x, y, z, yaw, pitch, roll.</source>
+   <translation>Zeile {0} des eingefügten Texts hat {1} Spalten: Verwenden Sie entweder die vier Spalten t, x, y, z oder die sieben Spalten t, x, y, z, Gier, Nick, Roll.</translation>
   </message>
   <message>
    <source>"{0}" stands still in all {1} frames: choose a part that is moved, or check the joints and formulas.</source>
    <translation>„{0}“ steht in allen {1} Bildern still: Wählen Sie ein Teil, das bewegt wird, oder prüfen Sie Gelenke und Formeln.</translation>
   </message>
   <message>
-   <source>"{0}" gave no frames: check that it runs in its own panel.</source>
-   <translation>„{0}“ ergab keine Bilder: Prüfen Sie, ob sie in ihrem eigenen Panel läuft.</translation>
+   <source>The simulation "{0}" gave no frames: open it and check that it runs.</source>
+   <translation>Die Simulation „{0}“ ergab keine Bilder: Öffnen Sie sie, und prüfen Sie, ob sie läuft.</translation>
   </message>
   <message>
-   <source>choose at least one object with a placement.</source>
+   <source>Choose at least one object with a placement.</source>
    <translation>Mindestens ein Objekt mit einer Platzierung wählen.</translation>
   </message>
   <message>
@@ -1603,55 +1603,55 @@ Versucht:
    <translation>„{0}“ hat keine Platzierung und kann daher keine Lage sein: Wählen Sie ein anderes Objekt.</translation>
   </message>
   <message>
-   <source>pose {0}: the time is {1:g}, but must be a finite number.</source>
-   <translation>Lage {0}: Die Zeit ist {1:g}, muss aber eine endliche Zahl sein.</translation>
+   <source>Pose {0}: the time is {1:g}, but must be a finite number. Correct it.</source>
+   <translation>Lage {0}: Die Zeit ist {1:g}, muss aber eine endliche Zahl sein. Berichtigen Sie sie.</translation>
   </message>
   <message>
-   <source>pose {0}: the time {1:g} s is earlier than the {2:g} s of the pose before; times must not decrease.</source>
-   <translation>Lage {0}: Die Zeit {1:g} s liegt vor den {2:g} s der vorigen Lage; Zeiten dürfen nicht abnehmen.</translation>
+   <source>Pose {0}: its time {1:g} s is earlier than the time {2:g} s of the pose before. Times must not decrease.</source>
+   <translation>Lage {0}: Ihre Zeit {1:g} s liegt vor der Zeit {2:g} s der vorigen Lage. Zeiten dürfen nicht abnehmen.</translation>
   </message>
   <message>
-   <source>the motion has no poses: add at least one.</source>
+   <source>The motion has no poses: add at least one.</source>
    <translation>Die Bewegung hat keine Lagen: mindestens eine hinzufügen.</translation>
   </message>
   <message>
-   <source>the pose type "{0}" is unknown: use one of {1}.</source>
-   <translation>Die Art der Lage „{0}“ ist unbekannt: Verwenden Sie eine von {1}.</translation>
+   <source>The pose type "{0}" is unknown: use one of these: {1}.</source>
+   <translation>Die Art der Lage „{0}“ ist unbekannt: Verwenden Sie eine von diesen: {1}.</translation>
   </message>
   <message>
-   <source>the motion has {0} times but {1} placements: their numbers must be equal.</source>
+   <source>The motion has {0} times but {1} placements: their numbers must be equal.</source>
    <translation>Die Bewegung hat {0} Zeiten, aber {1} Platzierungen: Ihre Anzahl muss gleich sein.</translation>
   </message>
   <message>
-   <source>poses {0} and {1} have the same time ({2:g} s): a spline, or a motion with a reference part, needs different times.</source>
-   <translation>Lagen {0} und {1} haben dieselbe Zeit ({2:g} s): Ein Spline oder eine Bewegung mit Bezugsteil braucht verschiedene Zeiten.</translation>
+   <source>Poses {0} and {1} have the same time ({2:g} s): give them different times. A spline and a motion with a reference part need this.</source>
+   <translation>Lagen {0} und {1} haben dieselbe Zeit ({2:g} s): Geben Sie ihnen verschiedene Zeiten. Ein Spline und eine Bewegung mit Bezugsteil brauchen das.</translation>
   </message>
   <message>
-   <source>choose one Robot trajectory.</source>
-   <translation>Eine Roboterbahn wählen.</translation>
+   <source>Select one Robot trajectory.</source>
+   <translation>Wählen Sie eine Roboterbahn aus.</translation>
   </message>
   <message>
    <source>"{0}" has {1} waypoints, but a motion needs at least two: add waypoints.</source>
    <translation>„{0}“ hat {1} Wegpunkte, aber eine Bewegung braucht mindestens zwei: Fügen Sie Wegpunkte hinzu.</translation>
   </message>
   <message>
-   <source>the settings of the motion's source are damaged: create the motion again, or use its poses as they are.</source>
+   <source>The settings of the motion's source are damaged: create the motion again, or use its poses as they are.</source>
    <translation>Die Einstellungen der Quelle dieser Bewegung sind beschädigt: Legen Sie die Bewegung neu an, oder verwenden Sie ihre Lagen, wie sie sind.</translation>
   </message>
   <message>
-   <source>this motion has no source to read again: its poses are stored in the document.</source>
+   <source>This motion has no source that could be read again: its poses are stored only in the document.</source>
    <translation>Diese Bewegung hat keine Quelle, die neu gelesen werden könnte: Ihre Lagen sind im Dokument gespeichert.</translation>
   </message>
   <message>
-   <source>the number of poses is {0}, but must be {1} to {2}.</source>
-   <translation>Die Anzahl der Lagen ist {0}, muss aber {1} bis {2} sein.</translation>
+   <source>The number of poses is {0}: enter a number from {1} to {2}.</source>
+   <translation>Die Anzahl der Lagen ist {0}: Geben Sie eine Zahl von {1} bis {2} ein.</translation>
   </message>
   <message>
-   <source>the spline from pose {0} to pose {1} is too extreme: check their times, placements and given velocities.</source>
-   <translation>Der Spline von Lage {0} zu Lage {1} ist zu extrem: Prüfen Sie Zeiten, Platzierungen und gegebene Geschwindigkeiten.</translation>
+   <source>The spline from pose {0} to pose {1} exceeds the range of numbers: check their times, placements and given velocities.</source>
+   <translation>Der Spline von Lage {0} bis Lage {1} überschreitet den Zahlenbereich: Prüfen Sie ihre Zeiten, Platzierungen und vorgegebenen Geschwindigkeiten.</translation>
   </message>
   <message>
-   <source>"{0}" has no 3D view: open one in the menu Window.</source>
+   <source>The document "{0}" has no open 3D view: open one with the menu Window.</source>
    <translation>„{0}“ hat keine 3D-Ansicht: im Menü Fenster eine öffnen.</translation>
   </message>
  </context>
@@ -1662,16 +1662,16 @@ Versucht:
    <translation>{0} tief</translation>
   </message>
   <message>
-   <source>the face itself, at a pose</source>
-   <translation>die Fläche selbst, in einer Lage</translation>
+   <source>Made by the face itself, standing at a pose</source>
+   <translation>Erzeugt von der Fläche selbst, an einer Lage stehend</translation>
   </message>
   <message>
-   <source>swept by an edge</source>
-   <translation>von einer Kante überstrichen</translation>
+   <source>Swept by an edge that passed here</source>
+   <translation>Überstrichen von einer Kante, die hier vorbeikam</translation>
   </message>
   <message>
-   <source>swept by a face that passed</source>
-   <translation>von einer Fläche im Vorbeigehen überstrichen</translation>
+   <source>Swept by a face that passed here</source>
+   <translation>Überstrichen von einer Fläche, die hier vorbeikam</translation>
   </message>
   <message>
    <source>{0}, at {1:.3f} s</source>
@@ -1698,8 +1698,8 @@ Versucht:
    <translation>Urteil</translation>
   </message>
   <message>
-   <source>Measured between the meshes. The line above subtracts how far the meshes may deviate from the parts</source>
-   <translation>Zwischen den Netzen gemessen. Die Zeile darüber zieht ab, wie weit die Netze von den Teilen abweichen dürfen</translation>
+   <source>These distances are measured between the meshes. In the line above, the possible deviation of the meshes from the parts is subtracted</source>
+   <translation>Diese Abstände sind zwischen den Netzen gemessen. In der Zeile darüber ist die mögliche Abweichung der Netze von den Teilen abgezogen</translation>
   </message>
   <message>
    <source>Colour the &amp;parts by their verdicts</source>
@@ -1734,16 +1734,16 @@ Versucht:
    <translation>Vori&amp;ge Stelle</translation>
   </message>
   <message>
-   <source>Goes back to the place that is worse than this one</source>
-   <translation>Geht zurück zur Stelle, die schlimmer ist als diese</translation>
+   <source>Goes back to the next worse place</source>
+   <translation>Geht zur nächstschlechteren Stelle zurück</translation>
   </message>
   <message>
    <source>&amp;Next worst place</source>
    <translation>&amp;Nächstschlimmste Stelle</translation>
   </message>
   <message>
-   <source>Goes through the places, the worst first: clashes by depth, then the others by distance</source>
-   <translation>Geht die Stellen durch, die schlimmste zuerst: Kollisionen nach Tiefe, dann die anderen nach Abstand</translation>
+   <source>Goes to the next place, from the worst to the best: first clashes by depth, then all others by distance</source>
+   <translation>Geht zur nächsten Stelle, von der schlechtesten zur besten: zuerst Kollisionen nach Tiefe, dann alle anderen nach Abstand</translation>
   </message>
   <message>
    <source>Rule: {0}</source>
@@ -1754,16 +1754,16 @@ Versucht:
    <translation>In der ersten Lage sind keine Teile in Kontakt.</translation>
   </message>
   <message>
-   <source>Contact is now allowed for these; check that it is intended: {0}</source>
-   <translation>Kontakt ist nun erlaubt; prüfen Sie, ob er gewollt ist: {0}</translation>
+   <source>Contact is now allowed for these parts. Check that this is intended: {0}</source>
+   <translation>Für diese Teile ist Kontakt jetzt erlaubt. Prüfen Sie, ob das gewollt ist: {0}</translation>
   </message>
   <message>
    <source>{0}: {1} {2} at {3} s</source>
    <translation>{0}: {1} {2} bei {3} s</translation>
   </message>
   <message>
-   <source>No graph yet: run the check first.</source>
-   <translation>Noch kein Diagramm: Prüfen Sie zuerst.</translation>
+   <source>There is no graph yet: run the check first.</source>
+   <translation>Es gibt noch keinen Graphen: Führen Sie zuerst die Prüfung aus.</translation>
   </message>
   <message>
    <source>distance ({0}) over time (s)</source>
@@ -1838,8 +1838,8 @@ Versucht:
    <translation>Nachbar</translation>
   </message>
   <message>
-   <source>Makes a shared volume of the envelope and the part of the chosen row</source>
-   <translation>Erzeugt ein gemeinsames Volumen aus der Hülle und dem Teil der gewählten Zeile</translation>
+   <source>Makes an object of the volume that the envelope and the part of the chosen row share</source>
+   <translation>Macht ein Objekt aus dem Volumen, das die Hülle und das Teil der gewählten Zeile gemeinsam haben</translation>
   </message>
   <message>
    <source>Colour the envelope by distance</source>
@@ -1874,12 +1874,12 @@ Versucht:
    <translation>Bewegungshülle</translation>
   </message>
   <message>
-   <source>Cells along the longest side of the swept volume</source>
-   <translation>Zellen entlang der längsten Seite des überstrichenen Volumens</translation>
+   <source>Number of cells along the longest side of the swept volume</source>
+   <translation>Anzahl der Zellen entlang der längsten Seite des überstrichenen Volumens</translation>
   </message>
   <message>
-   <source>; about {0}, {1}</source>
-   <translation>; etwa {0}, {1}</translation>
+   <source>; needs about {0} of memory and {1}</source>
+   <translation>; braucht etwa {0} Speicher und {1}</translation>
   </message>
   <message>
    <source>{0} x {1} x {2} cells of {3}</source>
@@ -1890,7 +1890,7 @@ Versucht:
    <translation>Links grob und schnell, rechts fein und langsam</translation>
   </message>
   <message>
-   <source>How far simplification may move the surface; 0: no simplification</source>
+   <source>How far simplification may move the surface. 0: no simplification</source>
    <translation>Wie weit Vereinfachung die Oberfläche verschieben darf; 0: keine Vereinfachung</translation>
   </message>
   <message>
@@ -1934,8 +1934,8 @@ Versucht:
    <translation>Hohlräume behalten</translation>
   </message>
   <message>
-   <source>Keeps enclosed cavities as inner shells</source>
-   <translation>Erhält eingeschlossene Hohlräume als innere Schalen</translation>
+   <source>Keeps enclosed cavities as inner shells; otherwise they are filled</source>
+   <translation>Behält eingeschlossene Hohlräume als innere Schalen; sonst werden sie gefüllt</translation>
   </message>
   <message>
    <source>Show a coarse envelope</source>
@@ -1946,8 +1946,8 @@ Versucht:
    <translation>Verfahren</translation>
   </message>
   <message>
-   <source>For recordings of very many poses: skips a pose if no point of the part has moved farther than this since the last pose used; 0: uses all</source>
-   <translation>Für Aufzeichnungen mit sehr vielen Lagen: überspringt eine Lage, wenn sich seit der letzten verwendeten kein Punkt des Teils weiter als dies bewegt hat; 0: verwendet alle</translation>
+   <source>For recordings with very many poses. Skips a pose if no point of the part has moved farther than this since the last pose used. 0: uses every pose</source>
+   <translation>Für Aufzeichnungen mit sehr vielen Lagen. Überspringt eine Lage, wenn sich kein Punkt des Teils seit der letzten verwendeten Lage weiter als dies bewegt hat. 0: verwendet jede Lage</translation>
   </message>
   <message>
    <source>Components</source>
@@ -1962,8 +1962,8 @@ Versucht:
    <translation>Lagenfilter</translation>
   </message>
   <message>
-   <source>Records which face or edge of which part made each triangle, and when, for "What made this?". Stored in the document, it makes the file larger</source>
-   <translation>Merkt sich für „Was hat das erzeugt?“, welche Fläche oder Kante welches Teils jedes Dreieck erzeugt hat und wann. Im Dokument gespeichert, vergrößert es die Datei</translation>
+   <source>Records for each triangle which face or edge of which part made it, and when. The command "What made this?" shows the record. If it is stored in the document, the file becomes larger</source>
+   <translation>Zeichnet für jedes Dreieck auf, welche Fläche oder Kante welches Teils es erzeugt hat, und wann. Der Befehl „Was hat das erzeugt?“ zeigt die Aufzeichnung. Wird sie im Dokument gespeichert, wird die Datei größer</translation>
   </message>
   <message>
    <source>Made by</source>
@@ -1974,8 +1974,8 @@ Versucht:
    <translation>Die Teile werden gelesen ...</translation>
   </message>
   <message>
-   <source>Most poses are nearly equal: a position filter of {0} skips them and is much faster.</source>
-   <translation>Die meisten Lagen sind fast gleich: Ein Lagenfilter von {0} überspringt sie und ist viel schneller.</translation>
+   <source>Most poses are nearly equal: set a position filter of {0} to skip them, and the run is much faster.</source>
+   <translation>Die meisten Lagen sind fast gleich: Setzen Sie einen Positionsfilter von {0}, um sie zu überspringen, dann ist der Lauf viel schneller.</translation>
   </message>
   <message>
    <source>The motion has only one key, so the parts do not move: add another key.</source>
@@ -2070,8 +2070,8 @@ Versucht:
    <translation>Das Teil dreht sich nie</translation>
   </message>
   <message>
-   <source>Largest rotation away from the orientation at the goal; 180: no limit</source>
-   <translation>Größte Drehung gegenüber der Ausrichtung am Ziel; 180: keine Grenze</translation>
+   <source>Largest angle by which the part may turn away from its orientation at the goal. 180: no limit</source>
+   <translation>Größter Winkel, um den sich das Teil von seiner Ausrichtung am Ziel wegdrehen darf. 180: keine Grenze</translation>
   </message>
   <message>
    <source>Largest turn</source>
@@ -2094,16 +2094,16 @@ Versucht:
    <translation>Stützstelle {0}, {1} s</translation>
   </message>
   <message>
-   <source>Ticked keys keep their placement and time</source>
-   <translation>Angehakte Stützstellen behalten Platzierung und Zeit</translation>
+   <source>Tick a key to keep its placement and its time</source>
+   <translation>Haken Sie eine Stützstelle an, um ihre Platzierung und Zeit zu behalten</translation>
   </message>
   <message>
    <source>Locked</source>
    <translation>Gesperrt</translation>
   </message>
   <message>
-   <source>Increases the clearance, even if the path gets longer; otherwise the path is as short as the required distance allows</source>
-   <translation>Vergrößert den Abstand, auch wenn die Bahn länger wird; sonst ist die Bahn so kurz, wie der Sollabstand erlaubt</translation>
+   <source>Increases the clearance, even if the path becomes longer. Otherwise the path becomes as short as the required distance allows</source>
+   <translation>Vergrößert den Abstand, auch wenn die Bahn länger wird. Sonst wird die Bahn so kurz, wie der Sollabstand es erlaubt</translation>
   </message>
   <message>
    <source>Maximise clearance</source>
@@ -2214,8 +2214,8 @@ Versucht:
    <translation>Abstand beim Ziehen zeigen</translation>
   </message>
   <message>
-   <source>Stops the dragged key where the part would touch a neighbour; all visible parts are neighbours</source>
-   <translation>Hält die gezogene Stützstelle an, wo das Teil einen Nachbarn berühren würde; alle sichtbaren Teile sind Nachbarn</translation>
+   <source>Stops the dragged key where the part would touch a neighbour. All other visible parts are neighbours</source>
+   <translation>Hält die gezogene Stützstelle dort an, wo das Teil einen Nachbarn berühren würde. Alle anderen sichtbaren Teile sind Nachbarn</translation>
   </message>
   <message>
    <source>Clash with {1}</source>
@@ -2230,8 +2230,8 @@ Versucht:
    <translation>Kontakt mit {1} ({0})</translation>
   </message>
   <message>
-   <source>The envelope is stale: this information is about the parts and the motion from which it was computed. Recompute it to see them move.</source>
-   <translation>Die Hülle ist veraltet: Diese Angaben gelten für die Teile und die Bewegung, aus denen sie berechnet wurde. Berechnen Sie sie neu, um die Bewegung zu sehen.</translation>
+   <source>The envelope is stale: the information shown is about the earlier parts and motion. Recompute the envelope to see the present ones.</source>
+   <translation>Die Hülle ist veraltet: Die gezeigten Angaben gelten für die früheren Teile und die frühere Bewegung. Berechnen Sie die Hülle neu, um die jetzigen zu sehen.</translation>
   </message>
   <message>
    <source>What made this?</source>
@@ -2258,24 +2258,24 @@ Versucht:
    <translation>Klicken Sie in der 3D-Ansicht auf eine Stelle der Hülle.</translation>
   </message>
   <message>
-   <source>What made this envelope was not recorded, or the record was lost when the document was closed: press Compute and record.</source>
-   <translation>Was diese Hülle erzeugt hat, wurde nicht aufgezeichnet oder ging beim Schließen des Dokuments verloren: Drücken Sie „Berechnen und aufzeichnen“.</translation>
+   <source>For this envelope there is no record of what made it. Either it was not recorded, or the record ended when the document was closed: press Compute and record.</source>
+   <translation>Für diese Hülle gibt es keine Aufzeichnung darüber, was sie erzeugt hat. Entweder wurde es nicht aufgezeichnet, oder die Aufzeichnung endete mit dem Schließen des Dokuments: Drücken Sie „Berechnen und aufzeichnen“.</translation>
   </message>
   <message>
-   <source>For this place it is not known what made it: click beside it.</source>
-   <translation>Für diese Stelle ist nicht bekannt, was sie erzeugt hat: Klicken Sie daneben.</translation>
+   <source>It is not known what made this place: click a point beside it.</source>
+   <translation>Was diese Stelle erzeugt hat, ist nicht bekannt: Klicken Sie auf einen Punkt daneben.</translation>
   </message>
   <message>
    <source>Mechanism</source>
    <translation>Mechanismus</translation>
   </message>
   <message>
-   <source>Pairs of parts that come nearer than this are listed; 0: a tenth of the size of the parts, or more if a rule needs it</source>
-   <translation>Paare von Teilen, die sich näher kommen, werden aufgeführt; 0: ein Zehntel der Größe der Teile, oder mehr, wenn eine Regel es braucht</translation>
+   <source>Lists the pairs of parts that come closer than this. 0: a tenth of the size of the parts, or more if a rule needs it</source>
+   <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der Größe der Teile, oder mehr, wenn eine Regel es braucht</translation>
   </message>
   <message>
-   <source>{0} parts that stand still: {1}</source>
-   <translation>{0} stillstehende Teile: {1}</translation>
+   <source>{0} neighbours that stand still: {1}</source>
+   <translation>{0} stillstehende Nachbarn: {1}</translation>
   </message>
   <message>
    <source>All other visible parts are neighbours that stand still</source>
@@ -2298,8 +2298,8 @@ Versucht:
    <translation>keines: Wählen Sie das Teil, und drücken Sie „Wählen“</translation>
   </message>
   <message>
-   <source>Step size of the arrows and arcs; 0: no steps</source>
-   <translation>Schrittweite der Pfeile und Bögen; 0: keine Schritte</translation>
+   <source>Step size of the arrows and arcs in the 3D view. 0: no steps</source>
+   <translation>Schrittweite der Pfeile und Bögen in der 3D-Ansicht. 0: keine Schritte</translation>
   </message>
   <message>
    <source>A motion needs at least two keys: move the part, then press Capture.</source>
@@ -2322,8 +2322,8 @@ Versucht:
    <translation>&amp;Runden</translation>
   </message>
   <message>
-   <source>Rounds the placement of the chosen key to these steps</source>
-   <translation>Rundet die Platzierung der gewählten Stützstelle auf diese Schritte</translation>
+   <source>Rounds the placement of the chosen key to multiples of the step sizes</source>
+   <translation>Rundet die Platzierung der gewählten Stützstelle auf Vielfache der Schrittweiten</translation>
   </message>
   <message>
    <source>Snap</source>
@@ -2350,8 +2350,8 @@ Versucht:
    <translation>A&amp;lle ihre Teile hinzufügen</translation>
   </message>
   <message>
-   <source>Runs the source once and adds every part that moves. Existing motions of these parts are read again, others are created</source>
-   <translation>Lässt die Quelle einmal laufen und fügt jedes Teil hinzu, das sich bewegt. Vorhandene Bewegungen dieser Teile werden neu gelesen, andere angelegt</translation>
+   <source>Runs the source once and adds every part that moves. Reads the existing motions of these parts again, and creates the missing ones</source>
+   <translation>Führt die Quelle einmal aus und fügt jedes Teil hinzu, das sich bewegt. Liest vorhandene Bewegungen dieser Teile neu und erzeugt die fehlenden</translation>
   </message>
   <message>
    <source>(choose)</source>
@@ -2370,8 +2370,8 @@ Versucht:
    <translation>Alle si&amp;chtbaren</translation>
   </message>
   <message>
-   <source>All other parts that are visible now</source>
-   <translation>Alle anderen Teile, die jetzt sichtbar sind</translation>
+   <source>Adds all other parts that are visible now</source>
+   <translation>Fügt alle anderen Teile hinzu, die jetzt sichtbar sind</translation>
   </message>
   <message>
    <source>Reserved spaces</source>
@@ -2454,8 +2454,8 @@ Versucht:
    <translation>Drehung</translation>
   </message>
   <message>
-   <source>The point that moves straight between two keys and about which the part turns. The x, y, z of a key are the coordinates of this point.</source>
-   <translation>Der Punkt, der sich zwischen zwei Stützstellen gerade bewegt und um den sich das Teil dreht. x, y, z einer Stützstelle sind die Koordinaten dieses Punkts.</translation>
+   <source>The pivot moves straight between two keys, and the part turns about it. The x, y and z of a key are the coordinates of the pivot.</source>
+   <translation>Der Drehpunkt bewegt sich zwischen zwei Stützstellen geradlinig, und das Teil dreht sich um ihn. x, y und z einer Stützstelle sind die Koordinaten des Drehpunkts.</translation>
   </message>
   <message>
    <source>Middle of the part</source>
@@ -2474,8 +2474,8 @@ Versucht:
    <translation>Set&amp;zen</translation>
   </message>
   <message>
-   <source>Takes the selected vertex, or the centre of the selected edge or face</source>
-   <translation>Übernimmt den gewählten Punkt oder die Mitte der gewählten Kante oder Fläche</translation>
+   <source>Uses the selected vertex, or the centre of the selected edge or face, as the pivot</source>
+   <translation>Verwendet den gewählten Eckpunkt oder die Mitte der gewählten Kante oder Fläche als Drehpunkt</translation>
   </message>
   <message>
    <source>In the coordinates of the part: {0}, {1}, {2}</source>
@@ -2502,20 +2502,20 @@ Versucht:
    <translation>Nehmen</translation>
   </message>
   <message>
-   <source>Direction x, y, z in which the part leaves. Take uses the normal of the selected face, or the direction of the selected edge</source>
-   <translation>Richtung x, y, z, in der das Teil hinausgeht. „Nehmen“ verwendet die Normale der gewählten Fläche oder die Richtung der gewählten Kante</translation>
+   <source>Direction x, y, z in which the part leaves its place. The button Take enters the normal of the selected face, or the direction of the selected edge</source>
+   <translation>Richtung x, y, z, in der das Teil seinen Platz verlässt. Die Schaltfläche „Nehmen“ trägt die Normale der gewählten Fläche oder die Richtung der gewählten Kante ein</translation>
   </message>
   <message>
-   <source>x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. Take uses the placement of the selected object, or of the part if nothing is selected</source>
-   <translation>x, y, z ({0}), Gier, Nick, Roll (Grad) des Teils im Dokument. „Nehmen“ verwendet die Platzierung des gewählten Objekts, ohne Auswahl die des Teils</translation>
+   <source>x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. The button Take enters the placement of the selected object, or of the part if nothing is selected</source>
+   <translation>x, y, z ({0}), Gier, Nick, Roll (Grad) des Teils im Dokument. Die Schaltfläche „Nehmen“ trägt die Platzierung des gewählten Objekts ein, oder die des Teils, wenn nichts gewählt ist</translation>
   </message>
   <message>
-   <source>Hides everything in front of the closest place; follows the chosen row and the player</source>
-   <translation>Blendet alles vor der nächsten Stelle aus; folgt der gewählten Zeile und dem Abspielen</translation>
+   <source>Hides everything in front of the closest place. The section follows the chosen row and the player</source>
+   <translation>Blendet alles vor der engsten Stelle aus. Der Schnitt folgt der gewählten Zeile und dem Abspieler</translation>
   </message>
   <message>
-   <source>Makes a shared volume of the two parts of the chosen row, at its time</source>
-   <translation>Erzeugt ein gemeinsames Volumen aus den zwei Teilen der gewählten Zeile zu deren Zeit</translation>
+   <source>Makes an object of the volume that the two parts of the chosen row share at the time of that row</source>
+   <translation>Macht ein Objekt aus dem Volumen, das die beiden Teile der gewählten Zeile zu deren Zeit gemeinsam haben</translation>
   </message>
   <message>
    <source>clash</source>
@@ -2534,28 +2534,28 @@ Versucht:
    <translation>Abspielen</translation>
   </message>
   <message>
-   <source>Time: the green ghost shows the part there</source>
-   <translation>Zeit: der grüne Schatten zeigt dort das Teil</translation>
+   <source>Time of the motion. A green ghost shows the part at this time</source>
+   <translation>Zeit der Bewegung. Ein grüner Schatten zeigt das Teil zu dieser Zeit</translation>
   </message>
   <message>
-   <source>To the previous key</source>
-   <translation>Zur vorigen Stützstelle</translation>
+   <source>Goes to the previous key</source>
+   <translation>Geht zur vorigen Stützstelle</translation>
   </message>
   <message>
    <source>Pl&amp;ay</source>
    <translation>Ab&amp;spielen</translation>
   </message>
   <message>
-   <source>Plays in real time at speed 1, or pauses</source>
-   <translation>Spielt bei Tempo 1 in Echtzeit ab oder hält an</translation>
+   <source>Plays the motion, or pauses it. Speed 1 is real time</source>
+   <translation>Spielt die Bewegung ab oder hält sie an. Tempo 1 ist Echtzeit</translation>
   </message>
   <message>
-   <source>To the next key</source>
-   <translation>Zur nächsten Stützstelle</translation>
+   <source>Goes to the next key</source>
+   <translation>Geht zur nächsten Stützstelle</translation>
   </message>
   <message>
-   <source>Speed: seconds of the motion per second</source>
-   <translation>Tempo: Sekunden der Bewegung je Sekunde</translation>
+   <source>Speed: seconds of motion for each second of playing</source>
+   <translation>Tempo: Sekunden der Bewegung je Sekunde beim Abspielen</translation>
   </message>
   <message>
    <source>Loop</source>
@@ -2614,20 +2614,20 @@ Versucht:
    <translation>Regel</translation>
   </message>
   <message>
-   <source>The required distance for this row; empty: the common required distance below. If contact is allowed: how deep the parts may overlap; empty: no measurable overlap</source>
-   <translation>Der Sollabstand für diese Zeile; leer: der gemeinsame Sollabstand unten. Wenn Kontakt erlaubt ist: wie tief sich die Teile durchdringen dürfen; leer: nicht messbar</translation>
+   <source>The required distance for this row. Empty: the common required distance below. If contact is allowed: how deep the parts may overlap. Empty: no measurable overlap</source>
+   <translation>Der Sollabstand für diese Zeile. Leer: der gemeinsame Sollabstand unten. Bei erlaubtem Kontakt: wie tief sich die Teile überschneiden dürfen. Leer: keine messbare Überschneidung</translation>
   </message>
   <message>
-   <source>The required distance for this row; empty: the common required distance below</source>
-   <translation>Der Sollabstand für diese Zeile; leer: der gemeinsame Sollabstand unten</translation>
+   <source>The required distance for this row. Empty: the common required distance below</source>
+   <translation>Der Sollabstand für diese Zeile. Leer: der gemeinsame Sollabstand unten</translation>
   </message>
   <message>
    <source>Rules</source>
    <translation>Regeln</translation>
   </message>
   <message>
-   <source>A neighbour that is nearer than the required distance at the start or the end may stay so until a point of the part has moved this far from there</source>
-   <translation>Ein Nachbar, der am Start oder am Ziel näher ist als der Sollabstand, darf es bleiben, bis sich ein Punkt des Teils so weit von dort entfernt hat</translation>
+   <source>If a neighbour is closer than the required distance at the start or the goal, it may stay closer until some point of the part has moved this far from there</source>
+   <translation>Ist ein Nachbar am Start oder Ziel näher als der Sollabstand, darf er näher bleiben, bis sich ein Punkt des Teils so weit von dort wegbewegt hat</translation>
   </message>
   <message>
    <source>Release distance</source>
@@ -2662,12 +2662,12 @@ Versucht:
    <translation>&amp;Reihenfolge finden</translation>
   </message>
   <message>
-   <source>Finds an order of disassembly and reverses it</source>
-   <translation>Findet eine Reihenfolge der Demontage und kehrt sie um</translation>
+   <source>Searches for an order in which the parts can be removed, and reverses it</source>
+   <translation>Sucht eine Reihenfolge, in der die Teile ausgebaut werden können, und kehrt sie um</translation>
   </message>
   <message>
-   <source>Distance from its goal at which a part counts as removed</source>
-   <translation>Abstand vom Ziel, bei dem ein Teil als ausgebaut gilt</translation>
+   <source>A part counts as removed when it is this far from its installed position</source>
+   <translation>Ein Teil gilt als ausgebaut, wenn es so weit von seiner Einbaulage entfernt ist</translation>
   </message>
   <message>
    <source>The parts never turn</source>
@@ -2802,8 +2802,8 @@ bis etwa {2}, {3}</translation>
    <translation>Kein Teil ist ausgewählt: Jedes Teil, das sich bewegt, erhält eine Bewegung.</translation>
   </message>
   <message>
-   <source>How far the straight line between two poses may deviate from the curve; corners always get a pose</source>
-   <translation>Wie weit die Gerade zwischen zwei Lagen von der Kurve abweichen darf; Ecken erhalten immer eine Lage</translation>
+   <source>How far the straight line between two poses may deviate from the curve. Each corner of the curve gets a pose</source>
+   <translation>Wie weit die Gerade zwischen zwei Lagen von der Kurve abweichen darf. Jede Ecke der Kurve erhält eine Lage</translation>
   </message>
   <message>
    <source>Fixed</source>
@@ -2842,8 +2842,8 @@ bis etwa {2}, {3}</translation>
    <translation>Tisch</translation>
   </message>
   <message>
-   <source>What A, B and C rotate, in degrees about the fixed axes x, then y, then z. Tool head: X Y Z are coordinates of the workpiece. Table: X Y Z are coordinates of the machine, and the table turns the workpiece</source>
-   <translation>Was A, B und C drehen, in Grad um die festen Achsen x, dann y, dann z. Werkzeugkopf: X Y Z sind Koordinaten des Werkstücks. Tisch: X Y Z sind Koordinaten der Maschine, und der Tisch dreht das Werkstück</translation>
+   <source>What the G-code words A, B and C rotate. They are angles in degrees about the fixed axes x, then y, then z. Tool head: X, Y and Z are coordinates of the workpiece. Table: X, Y and Z are coordinates of the machine, and the table turns the workpiece</source>
+   <translation>Was die G-Code-Wörter A, B und C drehen. Sie sind Winkel in Grad um die festen Achsen x, dann y, dann z. Werkzeugkopf: X, Y und Z sind Koordinaten des Werkstücks. Tisch: X, Y und Z sind Koordinaten der Maschine, und der Tisch dreht das Werkstück</translation>
   </message>
   <message>
    <source>Rotary axes</source>
@@ -2870,7 +2870,7 @@ bis etwa {2}, {3}</translation>
    <translation>Ende</translation>
   </message>
   <message>
-   <source>The poses of "{0}" are linked to {1}. To edit a key, the link must be removed; the motion then keeps its current poses. Remove the link?</source>
+   <source>The poses of "{0}" are linked to {1}. To edit a key, you must remove the link. The motion then keeps its current poses. Remove the link?</source>
    <translation>Die Lagen von „{0}“ sind mit {1} verknüpft. Um eine Stützstelle zu bearbeiten, muss die Verknüpfung entfernt werden; die Bewegung behält dann ihre jetzigen Lagen. Verknüpfung entfernen?</translation>
   </message>
   <message>
@@ -2886,8 +2886,8 @@ bis etwa {2}, {3}</translation>
    <translation>Läufe</translation>
   </message>
   <message>
-   <source>beside the file</source>
-   <translation>neben der Datei</translation>
+   <source>default folder</source>
+   <translation>Vorgabe</translation>
   </message>
   <message>
    <source>one for each core</source>
@@ -2898,8 +2898,8 @@ bis etwa {2}, {3}</translation>
    <translation>Läufe gleichzeitig</translation>
   </message>
   <message>
-   <source>Opens the page of all runs in the web browser</source>
-   <translation>Öffnet die Seite aller Läufe im Webbrowser</translation>
+   <source>Opens the report page of all runs in the web browser</source>
+   <translation>Öffnet die Berichtsseite aller Läufe im Webbrowser</translation>
   </message>
   <message>
    <source>Continue</source>
@@ -2958,8 +2958,8 @@ bis etwa {2}, {3}</translation>
    <translation>Gegebene Geschwindigkeit</translation>
   </message>
   <message>
-   <source>Automatic: from the neighbouring keys. Stop: the part comes to rest. Corner: straight on both sides. Given velocity: as entered below</source>
-   <translation>Selbsttätig: aus den benachbarten Stützstellen. Anhalten: Das Teil kommt zur Ruhe. Ecke: beiderseits gerade. Gegebene Geschwindigkeit: wie unten eingegeben</translation>
+   <source>Automatic: from the keys before and after. Stop: the part comes to rest. Corner: the direction may change abruptly. Given velocity: as entered below</source>
+   <translation>Selbsttätig: aus den Stützstellen davor und danach. Anhalten: Das Teil kommt zur Ruhe. Ecke: Die Richtung darf sich abrupt ändern. Gegebene Geschwindigkeit: wie unten eingegeben</translation>
   </message>
   <message>
    <source>Velocity along {0} (mm/s)</source>
@@ -3105,8 +3105,8 @@ bis etwa {2}, {3}</translation>
  <context>
   <name>SweptVolume_Properties</name>
   <message>
-   <source>Envelope whose parts and motion are checked; it is coloured by distance</source>
-   <translation>Hülle, deren Teile und Bewegung geprüft werden; sie wird nach Abstand eingefärbt</translation>
+   <source>Envelope that is checked, with its parts and its motion. The envelope can be coloured by distance</source>
+   <translation>Hülle, die mit ihren Teilen und ihrer Bewegung geprüft wird. Die Hülle kann nach Abstand eingefärbt werden</translation>
   </message>
   <message>
    <source>Parts that move together, if no envelope is given</source>
@@ -3117,44 +3117,44 @@ bis etwa {2}, {3}</translation>
    <translation>Bewegung der Teile, wenn keine Hülle angegeben ist</translation>
   </message>
   <message>
-   <source>Parts that stand still; groups and links stand for what they contain</source>
-   <translation>Stillstehende Teile; Gruppen und Verknüpfungen stehen für ihren Inhalt</translation>
+   <source>Parts that stand still. A group or link stands for all the parts in it</source>
+   <translation>Teile, die still stehen. Eine Gruppe oder Verknüpfung steht für alle Teile darin</translation>
   </message>
   <message>
-   <source>All other visible parts are neighbours, instead of Neighbours</source>
-   <translation>Alle anderen sichtbaren Teile sind Nachbarn, statt Neighbours</translation>
+   <source>True: all other visible parts are neighbours, and the list Neighbours is not used</source>
+   <translation>True: Alle anderen sichtbaren Teile sind Nachbarn, und die Liste Neighbours wird nicht verwendet</translation>
   </message>
   <message>
-   <source>Distance from the neighbours that the motion must keep</source>
-   <translation>Abstand von den Nachbarn, den die Bewegung einhalten muss</translation>
+   <source>Distance that the parts must keep from the neighbours during the motion</source>
+   <translation>Abstand, den die Teile während der Bewegung von den Nachbarn halten müssen</translation>
   </message>
   <message>
-   <source>Largest error of the smallest distance</source>
-   <translation>Größter Fehler des kleinsten Abstands</translation>
+   <source>Largest allowed error of the smallest distance</source>
+   <translation>Größter erlaubter Fehler des kleinsten Abstands</translation>
   </message>
   <message>
-   <source>How far the triangles of solids may deviate from them; it is subtracted from guaranteed distances</source>
-   <translation>Wie weit die Dreiecke von Festkörpern von ihnen abweichen dürfen; es wird vom gesicherten Abstand abgezogen</translation>
+   <source>How far the triangles of a solid may deviate from it. This deviation is subtracted from guaranteed distances</source>
+   <translation>Wie weit die Dreiecke eines Festkörpers von ihm abweichen dürfen. Diese Abweichung wird von garantierten Abständen abgezogen</translation>
   </message>
   <message>
-   <source>Neighbours, or groups of them, that have a rule of their own</source>
-   <translation>Nachbarn, oder Gruppen von ihnen, mit eigener Regel</translation>
+   <source>Neighbours, or groups of neighbours, that have their own rule</source>
+   <translation>Nachbarn oder Gruppen von Nachbarn, die eine eigene Regel haben</translation>
   </message>
   <message>
-   <source>The rule of each of RuleParts: Required (its own required distance), Contact (contact is allowed), Ignore (not checked)</source>
-   <translation>Die Regel von jedem der RuleParts: Required (eigener Sollabstand), Contact (Kontakt erlaubt), Ignore (nicht geprüft)</translation>
+   <source>The rule of each entry of RuleParts. Required: its own required distance. Contact: contact is allowed. Ignore: not checked</source>
+   <translation>Die Regel jedes Eintrags von RuleParts. Required: eigener Sollabstand. Contact: Kontakt ist erlaubt. Ignore: nicht geprüft</translation>
   </message>
   <message>
-   <source>For each of RuleParts, in mm: its required distance, or how deep the parts may overlap in allowed contact</source>
-   <translation>Für jedes der RuleParts, in mm: sein Sollabstand, oder wie tief sich die Teile bei erlaubtem Kontakt durchdringen dürfen</translation>
+   <source>A length (mm) for each entry of RuleParts. Rule Required: the required distance. Rule Contact: the largest depth to which the parts may overlap</source>
+   <translation>Eine Länge (mm) für jeden Eintrag von RuleParts. Regel Required: der Sollabstand. Regel Contact: die größte Tiefe, bis zu der sich die Teile überschneiden dürfen</translation>
   </message>
   <message>
    <source>State of the result</source>
    <translation>Zustand des Ergebnisses</translation>
   </message>
   <message>
-   <source>Why the last run failed; notes</source>
-   <translation>Warum der letzte Lauf fehlschlug; Hinweise</translation>
+   <source>Why the last run failed, and notes</source>
+   <translation>Warum der letzte Lauf fehlschlug, und Hinweise</translation>
   </message>
   <message>
    <source>Result in one line</source>
@@ -3177,8 +3177,8 @@ bis etwa {2}, {3}</translation>
    <translation>Bericht des Laufs (JSON)</translation>
   </message>
   <message>
-   <source>Distance at each point</source>
-   <translation>Abstand an jedem Punkt</translation>
+   <source>Distance at each vertex of the envelope, for its colours</source>
+   <translation>Abstand an jedem Eckpunkt der Hülle, für ihre Farben</translation>
   </message>
   <message>
    <source>Inputs of the stored result</source>
@@ -3193,28 +3193,28 @@ bis etwa {2}, {3}</translation>
    <translation>Eingaben, die gelöscht wurden (JSON)</translation>
   </message>
   <message>
-   <source>Parts that AllVisible found, to notice when they change</source>
-   <translation>Teile, die AllVisible fand, um ihre Änderung zu bemerken</translation>
+   <source>Parts that were visible in the last run with AllVisible. If they change, the result is stale</source>
+   <translation>Teile, die im letzten Lauf mit AllVisible sichtbar waren. Ändern sie sich, ist das Ergebnis veraltet</translation>
   </message>
   <message>
-   <source>What made each triangle (packed)</source>
-   <translation>Was jedes Dreieck erzeugt hat (gepackt)</translation>
+   <source>Which face or edge made each triangle (packed)</source>
+   <translation>Welche Fläche oder Kante jedes Dreieck erzeugt hat (gepackt)</translation>
   </message>
   <message>
-   <source>Where the result was put in the document</source>
-   <translation>Wohin das Ergebnis im Dokument gelegt wurde</translation>
+   <source>Placement of the result when it was stored. If it changes, the result was moved</source>
+   <translation>Platzierung des Ergebnisses, als es gespeichert wurde. Ändert sie sich, wurde das Ergebnis verschoben</translation>
   </message>
   <message>
-   <source>Solids and meshes that move together; groups and links stand for what they contain</source>
-   <translation>Gemeinsam bewegte Festkörper und Netze; Gruppen und Verknüpfungen stehen für ihren Inhalt</translation>
+   <source>Solids and meshes that move together. A group or link stands for all the parts in it</source>
+   <translation>Festkörper und Netze, die sich zusammen bewegen. Eine Gruppe oder Verknüpfung steht für alle Teile darin</translation>
   </message>
   <message>
    <source>Motion of the parts</source>
    <translation>Bewegung der Teile</translation>
   </message>
   <message>
-   <source>One motion for each of MovingParts, if they move independently; empty: all follow Motion</source>
-   <translation>Je eine Bewegung für MovingParts, wenn sie sich unabhängig bewegen; leer: alle folgen Motion</translation>
+   <source>One motion for each entry of MovingParts, if the parts move independently. Empty: all parts follow Motion</source>
+   <translation>Eine Bewegung für jeden Eintrag von MovingParts, wenn sich die Teile unabhängig bewegen. Leer: Alle Teile folgen Motion</translation>
   </message>
   <message>
    <source>Moving part relative to which the envelope is computed</source>
@@ -3225,19 +3225,19 @@ bis etwa {2}, {3}</translation>
    <translation>Bewegung des Bezugsteils</translation>
   </message>
   <message>
-   <source>Cells along the longest side of the swept volume; used while CellSize is 0</source>
-   <translation>Zellen entlang der längsten Seite des überstrichenen Volumens; gilt, solange CellSize 0 ist</translation>
+   <source>Number of cells along the longest side of the swept volume. Used if CellSize is 0</source>
+   <translation>Anzahl der Zellen entlang der längsten Seite des überstrichenen Volumens. Gilt, wenn CellSize 0 ist</translation>
   </message>
   <message>
-   <source>Edge length of a cell of the sampling grid; 0: derived from Resolution</source>
-   <translation>Kantenlänge einer Zelle des Abtastgitters; 0: aus Resolution</translation>
+   <source>Edge length of a cell of the sampling grid. 0: computed from Resolution</source>
+   <translation>Kantenlänge einer Zelle des Abtastgitters. 0: aus Resolution berechnet</translation>
   </message>
   <message>
-   <source>How far the triangles of a solid may deviate from it, in cells</source>
-   <translation>Wie weit die Dreiecke eines Festkörpers von ihm abweichen dürfen, in Zellen</translation>
+   <source>How far the triangles of a solid may deviate from it, as a fraction of the cell size</source>
+   <translation>Wie weit die Dreiecke eines Festkörpers von ihm abweichen dürfen, als Bruchteil der Zellgröße</translation>
   </message>
   <message>
-   <source>How far simplification may move the surface; 0: no simplification</source>
+   <source>How far simplification may move the surface. 0: no simplification</source>
    <translation>Wie weit Vereinfachung die Oberfläche verschieben darf; 0: keine Vereinfachung</translation>
   </message>
   <message>
@@ -3245,56 +3245,56 @@ bis etwa {2}, {3}</translation>
    <translation>Abstand, um den die Hülle auf allen Seiten wächst</translation>
   </message>
   <message>
-   <source>The envelope provably contains the swept volume</source>
-   <translation>Die Hülle enthält nachweislich den überstrichenen Raum</translation>
+   <source>True: the envelope provably contains the swept volume</source>
+   <translation>True: Die Hülle enthält nachweislich das überstrichene Volumen</translation>
   </message>
   <message>
-   <source>Keep sealed hollow spaces as inner shells</source>
-   <translation>Abgeschlossene Hohlräume als innere Schalen behalten</translation>
+   <source>True: enclosed cavities are kept as inner shells. False: they are filled</source>
+   <translation>True: Eingeschlossene Hohlräume bleiben als innere Schalen. False: Sie werden gefüllt</translation>
   </message>
   <message>
-   <source>A pose is skipped if no point of the part has moved farther than this since the last pose used; 0: none is skipped</source>
-   <translation>Eine Lage wird übersprungen, wenn sich seit der letzten verwendeten kein Punkt des Teils weiter als dies bewegt hat; 0: keine</translation>
+   <source>Skips a pose if no point of the part has moved farther than this since the last pose used. 0: uses every pose</source>
+   <translation>Überspringt eine Lage, wenn sich kein Punkt des Teils seit der letzten verwendeten Lage weiter als dies bewegt hat. 0: verwendet jede Lage</translation>
   </message>
   <message>
-   <source>How pieces of surface inside one cell are separated</source>
-   <translation>Wie Flächenstücke in einer Zelle getrennt werden</translation>
+   <source>How separate pieces of surface inside one cell are recognised</source>
+   <translation>Wie getrennte Flächenstücke innerhalb einer Zelle erkannt werden</translation>
   </message>
   <message>
-   <source>Processor that samples the envelope</source>
-   <translation>Prozessor, der die Hülle abtastet</translation>
+   <source>Processor that samples the envelope: CPU, graphics processor, or chosen automatically</source>
+   <translation>Prozessor, der die Hülle abtastet: CPU, Grafikprozessor oder automatisch gewählt</translation>
   </message>
   <message>
-   <source>Whether to record which face or edge made each triangle. Off: no. Session: until the document is closed. Document: stored in the document, which makes the file larger</source>
-   <translation>Ob aufgezeichnet wird, welche Fläche oder Kante jedes Dreieck erzeugt hat. Off: nein. Session: bis das Dokument geschlossen wird. Document: im Dokument gespeichert, was die Datei vergrößert</translation>
+   <source>Whether to record which face or edge made each triangle. Off: no record. Session: kept until the document is closed. Document: stored in the document, which makes the file larger</source>
+   <translation>Ob aufgezeichnet wird, welche Fläche oder Kante jedes Dreieck erzeugt hat. Off: keine Aufzeichnung. Session: bleibt, bis das Dokument geschlossen wird. Document: wird im Dokument gespeichert, was die Datei größer macht</translation>
   </message>
   <message>
-   <source>Why the last run failed; warnings</source>
-   <translation>Warum der letzte Lauf fehlschlug; Warnungen</translation>
+   <source>Why the last run failed, and warnings</source>
+   <translation>Warum der letzte Lauf fehlschlug, und Warnungen</translation>
   </message>
   <message>
    <source>Volume of the envelope</source>
    <translation>Volumen der Hülle</translation>
   </message>
   <message>
-   <source>Area of the envelope</source>
-   <translation>Fläche der Hülle</translation>
+   <source>Surface area of the envelope</source>
+   <translation>Oberfläche der Hülle</translation>
   </message>
   <message>
-   <source>Triangles of the envelope</source>
-   <translation>Dreiecke der Hülle</translation>
+   <source>Number of triangles of the envelope</source>
+   <translation>Anzahl der Dreiecke der Hülle</translation>
   </message>
   <message>
-   <source>Closed surfaces of the envelope</source>
-   <translation>Geschlossene Flächen der Hülle</translation>
+   <source>Number of separate closed surfaces of the envelope</source>
+   <translation>Anzahl der getrennten geschlossenen Oberflächen der Hülle</translation>
   </message>
   <message>
-   <source>Pairs of triangles that cross each other; -1: not counted</source>
-   <translation>Paare sich schneidender Dreiecke; -1: nicht gezählt</translation>
+   <source>Number of pairs of triangles that intersect. -1: not counted</source>
+   <translation>Anzahl der Paare von Dreiecken, die sich durchdringen. -1: nicht gezählt</translation>
   </message>
   <message>
-   <source>Edge of a cell in this result</source>
-   <translation>Kante einer Zelle in diesem Ergebnis</translation>
+   <source>Edge length of the grid cells used for this result</source>
+   <translation>Kantenlänge der Gitterzellen, die für dieses Ergebnis verwendet wurden</translation>
   </message>
   <message>
    <source>Duration of the run (s)</source>
@@ -3305,47 +3305,47 @@ bis etwa {2}, {3}</translation>
    <translation>Bewegte Teile, in der Reihenfolge von Motions</translation>
   </message>
   <message>
-   <source>One motion for each of MovingParts, on a common time axis</source>
-   <translation>Je eine Bewegung für MovingParts, auf gemeinsamer Zeitachse</translation>
+   <source>One motion for each entry of MovingParts. All motions use the same time axis</source>
+   <translation>Eine Bewegung für jeden Eintrag von MovingParts. Alle Bewegungen haben dieselbe Zeitachse</translation>
   </message>
   <message>
-   <source>All other visible parts are neighbours that stand still, instead of Neighbours</source>
-   <translation>Alle anderen sichtbaren Teile sind stillstehende Nachbarn, statt Neighbours</translation>
+   <source>True: all other visible parts are neighbours that stand still, and the list Neighbours is not used</source>
+   <translation>True: Alle anderen sichtbaren Teile sind stillstehende Nachbarn, und die Liste Neighbours wird nicht verwendet</translation>
   </message>
   <message>
-   <source>Pairs of parts that come nearer than this are listed; 0: a tenth of the size of the parts</source>
-   <translation>Paare von Teilen, die sich näher kommen, werden aufgeführt; 0: ein Zehntel der Größe der Teile</translation>
+   <source>Lists the pairs of parts that come closer than this. 0: a tenth of the size of the parts</source>
+   <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der Größe der Teile</translation>
   </message>
   <message>
-   <source>Pairs of parts, or of groups, that have a rule of their own: first, second, first ...</source>
-   <translation>Paare von Teilen oder Gruppen mit eigener Regel: erstes, zweites, erstes ...</translation>
+   <source>Parts or groups of each pair that has its own rule, two entries for each pair: first, second, first, second ...</source>
+   <translation>Teile oder Gruppen jedes Paars, das eine eigene Regel hat, zwei Einträge je Paar: erstes, zweites, erstes, zweites ...</translation>
   </message>
   <message>
-   <source>For each pair of RuleParts, in mm: its required distance, or how deep the parts may overlap in allowed contact</source>
-   <translation>Für jedes Paar von RuleParts, in mm: sein Sollabstand, oder wie tief sich die Teile bei erlaubtem Kontakt durchdringen dürfen</translation>
+   <source>A length (mm) for each pair of RuleParts. Rule Required: the required distance. Rule Contact: the largest depth to which the parts may overlap</source>
+   <translation>Eine Länge (mm) für jedes Paar von RuleParts. Regel Required: der Sollabstand. Regel Contact: die größte Tiefe, bis zu der sich die Teile überschneiden dürfen</translation>
   </message>
   <message>
-   <source>Number of pairs checked, including those beyond Range</source>
-   <translation>Anzahl der geprüften Paare, auch jener außerhalb von Range</translation>
+   <source>Number of pairs checked, including pairs that stay farther apart than Range</source>
+   <translation>Anzahl der geprüften Paare, auch solcher, die weiter als Range auseinander bleiben</translation>
   </message>
   <message>
    <source>Time of each pose (s), in ascending order</source>
    <translation>Zeit jeder Lage (s), aufsteigend</translation>
   </message>
   <message>
-   <source>Pose of the moving part at each time</source>
-   <translation>Lage des bewegten Teils zu jeder Zeit</translation>
+   <source>Placement for each time. PoseType says what it means for the part</source>
+   <translation>Platzierung für jede Zeit. PoseType sagt, was sie für das Teil bedeutet</translation>
   </message>
   <message>
-   <source>How the part moves between two poses. Linear: straight line at a constant rate of turn. Screw: one screw movement. Spline: smooth curve through all poses. None: the part only appears at the poses</source>
-   <translation>Wie sich das Teil zwischen zwei Lagen bewegt. Linear: gerade Linie mit gleichmäßiger Drehung. Screw: eine Schraubbewegung. Spline: glatte Kurve durch alle Lagen. None: das Teil erscheint nur in den Lagen</translation>
+   <source>How the part moves between two poses. Linear: along a straight line, turning at a constant rate. Screw: one screw movement. Spline: along a smooth curve through all poses. None: the part stands only at the poses</source>
+   <translation>Wie sich das Teil zwischen zwei Lagen bewegt. Linear: auf einer Geraden, mit gleichmäßiger Drehung. Screw: eine Schraubbewegung. Spline: auf einer glatten Kurve durch alle Lagen. None: Das Teil steht nur an den Lagen</translation>
   </message>
   <message>
-   <source>Point of the part that moves along the straight line (Linear) or the curve (Spline) between two poses. In coordinates of the part if PoseType is Absolute, else of the document</source>
-   <translation>Punkt des Teils, der zwischen zwei Lagen der Geraden (Linear) oder der Kurve (Spline) folgt. In Koordinaten des Teils, wenn PoseType Absolute ist, sonst des Dokuments</translation>
+   <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. In coordinates of the part if PoseType is Absolute, otherwise of the document</source>
+   <translation>Punkt des Teils, der zwischen zwei Lagen der Geraden (Linear) oder der Kurve (Spline) folgt und um den sich das Teil dreht. In Koordinaten des Teils, wenn PoseType Absolute ist, sonst des Dokuments</translation>
   </message>
   <message>
-   <source>Parts that this motion moves; the motion editor shows the first one</source>
+   <source>Parts that this motion moves. The motion editor shows the first part</source>
    <translation>Teile, die diese Bewegung bewegt; der Bewegungseditor zeigt das erste</translation>
   </message>
   <message>
@@ -3353,28 +3353,28 @@ bis etwa {2}, {3}</translation>
    <translation>Andere Teile, die die Quelle beim Lesen dieser Bewegung bewegte</translation>
   </message>
   <message>
-   <source>Spline: the tangent at each pose. Auto: from the neighbouring poses. Stop, Corner, or Given: from Velocities. Missing entries are Auto</source>
-   <translation>Spline: die Tangente an jeder Lage. Auto: aus den benachbarten Lagen. Stop, Corner, oder Given: aus Velocities. Fehlende Einträge sind Auto</translation>
+   <source>Tangent of the spline at each pose. Auto: from the poses before and after. Stop: the part comes to rest. Corner: the direction may change abruptly. Given: the velocity in Velocities. Missing entries count as Auto</source>
+   <translation>Tangente des Splines an jeder Lage. Auto: aus den Lagen davor und danach. Stop: Das Teil kommt zur Ruhe. Corner: Die Richtung darf sich abrupt ändern. Given: die Geschwindigkeit in Velocities. Fehlende Einträge gelten als Auto</translation>
   </message>
   <message>
-   <source>Spline: velocity at each pose whose tangent is Given (mm/s)</source>
-   <translation>Spline: Geschwindigkeit an jeder Lage, deren Tangente Given ist (mm/s)</translation>
+   <source>Velocity of the spline (mm/s), one entry for each pose. Used only if the tangent at the pose is Given</source>
+   <translation>Geschwindigkeit des Splines (mm/s), ein Eintrag je Lage. Gilt nur, wenn die Tangente an der Lage Given ist</translation>
   </message>
   <message>
    <source>Where the poses come from</source>
    <translation>Woher die Lagen kommen</translation>
   </message>
   <message>
-   <source>File of the poses; Reload motion reads it again</source>
-   <translation>Datei der Lagen; Bewegung neu laden liest sie wieder</translation>
+   <source>File from which the poses were read. Reload motion reads it again</source>
+   <translation>Datei, aus der die Lagen gelesen wurden. „Bewegung neu laden“ liest sie erneut</translation>
   </message>
   <message>
    <source>Unit of the lengths in the file</source>
    <translation>Einheit der Längen in der Datei</translation>
   </message>
   <message>
-   <source>Objects whose placements or shape give the poses</source>
-   <translation>Objekte, deren Platzierungen oder Form die Lagen geben</translation>
+   <source>Objects from whose placements or shapes the poses are read</source>
+   <translation>Objekte, aus deren Platzierungen oder Formen die Lagen gelesen werden</translation>
   </message>
   <message>
    <source>Settings of the source</source>
@@ -3389,28 +3389,28 @@ bis etwa {2}, {3}</translation>
    <translation>Letzte minus erste Zeit (s)</translation>
   </message>
   <message>
-   <source>Empty if the motion can be used, else what is wrong</source>
-   <translation>Leer, wenn die Bewegung verwendbar ist, sonst was nicht stimmt</translation>
+   <source>What is wrong with the motion. Empty: the motion can be used</source>
+   <translation>Was an der Bewegung falsch ist. Leer: Die Bewegung kann verwendet werden</translation>
   </message>
   <message>
-   <source>Remarks about the poses as they were read</source>
-   <translation>Hinweise zu den gelesenen Lagen</translation>
+   <source>Notes from reading the poses</source>
+   <translation>Hinweise vom Lesen der Lagen</translation>
   </message>
   <message>
-   <source>State of the source when it was read</source>
-   <translation>Zustand der Quelle, als sie gelesen wurde</translation>
+   <source>Checksum of the source when it was read. If it changes, the motion is stale</source>
+   <translation>Prüfsumme der Quelle beim Lesen. Ändert sie sich, ist die Bewegung veraltet</translation>
   </message>
   <message>
-   <source>Number of poses; for a curve 0: as many as SourceAccuracy needs</source>
-   <translation>Anzahl der Lagen; bei einer Kurve 0: so viele, wie SourceAccuracy erfordert</translation>
+   <source>Number of poses to read. For a curve, 0: as many as SourceAccuracy needs</source>
+   <translation>Anzahl der zu lesenden Lagen. Bei einer Kurve 0: so viele, wie SourceAccuracy braucht</translation>
   </message>
   <message>
    <source>How far the straight line between two poses may deviate from the curve</source>
    <translation>Wie weit die Gerade zwischen zwei Lagen von der Kurve abweichen darf</translation>
   </message>
   <message>
-   <source>Fixed: the part never turns. Tangent: x of the part stays on the tangent. SecondCurve: z points to the second curve</source>
-   <translation>Fixed: Das Teil dreht sich nie. Tangent: x des Teils bleibt auf der Tangente. SecondCurve: z zeigt zur zweiten Kurve</translation>
+   <source>Orientation of the part. Fixed: it never turns. Tangent: its x axis follows the tangent. SecondCurve: as Tangent, and its z axis points to the second curve</source>
+   <translation>Ausrichtung des Teils. Fixed: Es dreht sich nie. Tangent: Seine x-Achse folgt der Tangente. SecondCurve: wie Tangent, und seine z-Achse zeigt zur zweiten Kurve</translation>
   </message>
   <message>
    <source>Time from the first to the last pose (s)</source>
@@ -3425,40 +3425,40 @@ bis etwa {2}, {3}</translation>
    <translation>Eilgang</translation>
   </message>
   <message>
-   <source>What the words A, B and C rotate: the tool head or the table</source>
-   <translation>Was die Wörter A, B und C drehen: den Werkzeugkopf oder den Tisch</translation>
+   <source>What the G-code words A, B and C rotate: the tool head or the table</source>
+   <translation>Was die G-Code-Wörter A, B und C drehen: den Werkzeugkopf oder den Tisch</translation>
   </message>
   <message>
-   <source>Name of the value that is driven</source>
-   <translation>Name des Werts, der angetrieben wird</translation>
+   <source>Name of the value that is changed to move the part</source>
+   <translation>Name des Werts, der geändert wird, um das Teil zu bewegen</translation>
   </message>
   <message>
-   <source>Driven value at the first pose, in its unit (mm, degrees)</source>
-   <translation>Angetriebener Wert bei der ersten Lage, in seiner Einheit (mm, Grad)</translation>
+   <source>Value at the first pose, in the unit of the value (such as mm or degrees)</source>
+   <translation>Wert bei der ersten Lage, in der Einheit des Werts (etwa mm oder Grad)</translation>
   </message>
   <message>
-   <source>Driven value at the last pose, in its unit (mm, degrees)</source>
-   <translation>Angetriebener Wert bei der letzten Lage, in seiner Einheit (mm, Grad)</translation>
+   <source>Value at the last pose, in the unit of the value (such as mm or degrees)</source>
+   <translation>Wert bei der letzten Lage, in der Einheit des Werts (etwa mm oder Grad)</translation>
   </message>
   <message>
    <source>Parts, in the order in which they are installed</source>
    <translation>Teile, in der Reihenfolge ihres Einbaus</translation>
   </message>
   <message>
-   <source>One motion for each part, which ends at its installed position</source>
-   <translation>Je Teil eine Bewegung, die in seiner Einbaulage endet</translation>
+   <source>One motion for each part. It ends where the part is installed</source>
+   <translation>Eine Bewegung für jedes Teil. Sie endet dort, wo das Teil eingebaut ist</translation>
   </message>
   <message>
-   <source>Distance that each part must keep from everything already in place</source>
-   <translation>Abstand, den jedes Teil von allem einhalten muss, was schon da ist</translation>
+   <source>Distance that each part must keep from the parts already in place</source>
+   <translation>Abstand, den jedes Teil von den schon eingebauten Teilen halten muss</translation>
   </message>
   <message>
-   <source>Within this distance of its start and end, a part may touch what it touches there</source>
-   <translation>Bis zu diesem Abstand von Start und Ziel darf ein Teil berühren, was es dort berührt</translation>
+   <source>Close to its start or end, a part may touch the parts that it touches there, until it has moved this far away</source>
+   <translation>Nahe an Start oder Ende darf ein Teil die Teile berühren, die es dort berührt, bis es sich so weit entfernt hat</translation>
   </message>
   <message>
-   <source>Parts that have a path</source>
-   <translation>Teile, die eine Bahn haben</translation>
+   <source>Number of parts that have a path</source>
+   <translation>Anzahl der Teile, die eine Bahn haben</translation>
   </message>
   <message>
    <source>First side: parts, envelopes or other reserved spaces</source>
@@ -3541,24 +3541,24 @@ bis etwa {2}, {3}</translation>
    <translation>Volumen des Festkörpers</translation>
   </message>
   <message>
-   <source>Study file (TOML) that lists the runs; empty: the runs are those of Sources</source>
-   <translation>Studiendatei (TOML) mit den Läufen; leer: die Läufe sind die von Sources</translation>
+   <source>Study file (TOML) that lists the runs. Empty: the runs come from Sources</source>
+   <translation>Studiendatei (TOML), die die Läufe auflistet. Leer: Die Läufe kommen aus Sources</translation>
   </message>
   <message>
-   <source>Envelopes and clearance checks of the document: one run for each</source>
-   <translation>Hüllen und Abstandsprüfungen des Dokuments: je ein Lauf</translation>
+   <source>Envelopes and clearance checks of this document. Each of them is one run</source>
+   <translation>Hüllen und Abstandsprüfungen dieses Dokuments. Jede ist ein Lauf</translation>
   </message>
   <message>
-   <source>Folder for results; empty: the one that the file names, or one beside the document</source>
-   <translation>Ordner für Ergebnisse; leer: der in der Datei genannte oder einer neben dem Dokument</translation>
+   <source>Folder for the results. Empty: the folder set in the study file, or the folder "results" beside that file. Without a study file: a folder beside the document</source>
+   <translation>Ordner für die Ergebnisse. Leer: der in der Studiendatei festgelegte Ordner, oder der Ordner „results“ neben ihr. Ohne Studiendatei: ein Ordner neben dem Dokument</translation>
   </message>
   <message>
-   <source>Runs at once; 0: one for each core</source>
-   <translation>Läufe gleichzeitig; 0: einer je Kern</translation>
+   <source>Number of runs at the same time. 0: one for each processor core</source>
+   <translation>Anzahl der Läufe zur selben Zeit. 0: einer je Prozessorkern</translation>
   </message>
   <message>
-   <source>Runs that have ended</source>
-   <translation>Läufe, die beendet sind</translation>
+   <source>Number of runs that have ended</source>
+   <translation>Anzahl der beendeten Läufe</translation>
   </message>
   <message>
    <source>Folder of the stored result</source>
@@ -3570,31 +3570,31 @@ bis etwa {2}, {3}</translation>
   </message>
   <message>
    <source>What a pose means.
-Absolute: the placement the part has at that time, instead of the one it has now (default; captured placements and recorded motions are of this kind).
-Relative: a displacement on top of where the part stands now; the identity leaves it there.
-RelativeToFirst: as Relative, measured from the first pose: the motion starts where the part stands now.
-Several parts move rigidly together; Absolute places the first of them. A motion in a group counts in the coordinates of the group, and moves with it.</source>
+Absolute: the pose replaces the present placement of the part. This is the default; captured placements and recorded motions use it.
+Relative: the pose is added to the present placement of the part. The identity leaves the part in place.
+RelativeToFirst: as Relative, but measured from the first pose. The motion starts at the present placement of the part.
+Several parts move together as one rigid body; with Absolute, the poses are those of the first part. A motion in a group uses the coordinates of the group and moves with the group.</source>
    <translation>Was eine Lage bedeutet.
-Absolut: die Platzierung des Teils zu dieser Zeit anstelle der jetzigen (Vorgabe; so sind übernommene Platzierungen und aufgezeichnete Bewegungen).
-Relativ: eine Verschiebung gegenüber dem jetzigen Stand; die Einheit lässt es dort.
-Relativ zur ersten: wie Relativ, gemessen von der ersten Lage: Die Bewegung beginnt, wo das Teil jetzt steht.
-Mehrere Teile bewegen sich starr zusammen; Absolut setzt das erste davon. Eine Bewegung in einer Gruppe gilt in deren Koordinaten und bewegt sich mit ihr.</translation>
+Absolute: Die Lage ersetzt die jetzige Platzierung des Teils. Dies ist die Vorgabe; übernommene Platzierungen und aufgezeichnete Bewegungen verwenden sie.
+Relative: Die Lage kommt zur jetzigen Platzierung des Teils hinzu. Die Identität lässt das Teil an seinem Platz.
+RelativeToFirst: wie Relative, aber von der ersten Lage aus gemessen. Die Bewegung beginnt an der jetzigen Platzierung des Teils.
+Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten die Lagen für das erste Teil. Eine Bewegung in einer Gruppe verwendet die Koordinaten der Gruppe und bewegt sich mit ihr.</translation>
   </message>
   <message>
-   <source>Number of triangles to which a large mesh is reduced on screen; 0: all are drawn</source>
-   <translation>Anzahl der Dreiecke, auf die ein großes Netz am Bildschirm reduziert wird; 0: alle werden gezeichnet</translation>
+   <source>Largest number of triangles to draw. A larger mesh is reduced to this number on screen. 0: draws all triangles</source>
+   <translation>Größte Anzahl der zu zeichnenden Dreiecke. Ein größeres Netz wird auf dem Bildschirm auf diese Anzahl verringert. 0: zeichnet alle Dreiecke</translation>
   </message>
   <message>
-   <source>What the colours show, if Made by was recorded</source>
-   <translation>Was die Farben zeigen, wenn „Erzeugt von“ aufgezeichnet wurde</translation>
+   <source>What the colours show. Needs a record of what made the envelope (MadeBy)</source>
+   <translation>Was die Farben zeigen. Braucht eine Aufzeichnung darüber, was die Hülle erzeugt hat (MadeBy)</translation>
   </message>
   <message>
-   <source>Length of the axes drawn at each pose (mm); 0: automatic</source>
-   <translation>Länge der Achsen an jeder Lage (mm); 0: automatisch</translation>
+   <source>Length of the axes drawn at each pose (mm). 0: chosen automatically</source>
+   <translation>Länge der an jeder Lage gezeichneten Achsen (mm). 0: automatisch gewählt</translation>
   </message>
   <message>
-   <source>Width of the line of the motion (pixels)</source>
-   <translation>Breite der Linie der Bewegung (Pixel)</translation>
+   <source>Width of the line that shows the motion (pixels)</source>
+   <translation>Breite der Linie, die die Bewegung zeigt (Pixel)</translation>
   </message>
  </context>
  <context>

@@ -89,7 +89,7 @@ class Apart(Case):
         for kept in (0, len(whole) // 3, len(whole) - 1):
             with mock.patch.object(apart, "_bytes_of", lambda shape: whole[:kept]):
                 given = apart.Apart(obj).detached()
-            with self.assertRaisesRegex(InputProblem, "the temporary folder .* is full"):
+            with self.assertRaisesRegex(InputProblem, "The temporary folder .* is full"):
                 given.text()
 
     def test_many_threads_get_one_shape(self):

@@ -76,7 +76,7 @@ class Damaged(Case):
             ([0, 1, 2], [("Given", V(float("nan"), 0, 0))]),
         ):
             keys = poses.Poses(times, places, tangents)
-            with self.assertRaisesRegex(InputProblem, "the spline from pose"):
+            with self.assertRaisesRegex(InputProblem, "The spline from pose"):
                 poses.at_time(keys, "Spline", 0.9 * times[-1])
                 poses.at_time(keys, "Spline", 0.5)
 

@@ -89,7 +89,7 @@ class Pages(Slide):
         clearance.compute(self.obj)
         self.wall.Placement = shift(x=60)
         self.doc.recompute()
-        with self.assertRaisesRegex(InputProblem, "check again first"):
+        with self.assertRaisesRegex(InputProblem, "check again"):
             self.written()
         self.obj.Motion = None
         self.doc.recompute()
@@ -102,7 +102,7 @@ class Pages(Slide):
         for name, text in (
             ("a.txt", "not supported"),
             (os.path.join("no", "a.html"), "does not exist"),
-            ("a.pdf", "needs the FreeCAD window"),
+            ("a.pdf", "only with the FreeCAD window"),
         ):
             with self.assertRaisesRegex(InputProblem, text):
                 page.write(self.obj, os.path.join(self.folder, name))
@@ -241,5 +241,5 @@ class PagesOfMechanisms(Case):
         mechanism.compute(self.obj)
         self.right.Placement = shift(x=70)
         self.doc.recompute()
-        with self.assertRaisesRegex(InputProblem, "check again first"):
+        with self.assertRaisesRegex(InputProblem, "check again"):
             self.written()

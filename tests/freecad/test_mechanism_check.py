@@ -323,7 +323,7 @@ class BadInput(SliderCrank):
         late.Label = "Late"
         jumps = motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(9)], "None")
         jumps.Label = "Jumps"
-        self.refused("there is no moving part")
+        self.refused("No moving part is chosen")
         self.refused('"Crank" is in the list twice', (self.crank, crank), (self.crank, rod))
         self.refused(
             '"Crank" is both a neighbour and a moving part',
@@ -333,7 +333,7 @@ class BadInput(SliderCrank):
         )
         self.refused('"Late" begins at 5 s', (self.crank, crank), (self.rod, late))
         self.refused('"Jumps" has the interpolation None', (self.crank, crank), (self.rod, jumps))
-        self.refused("only one part is given", (self.crank, crank))
+        self.refused("Only one part is given", (self.crank, crank))
         self.refused('"Rod" has no motion', (self.crank, crank), (self.rod, self.wall))
         self.refused(
             "rules of .* are inconsistent",

@@ -205,7 +205,7 @@ class Rules(Neighbours):
         every = {part: Rule(IGNORE) for part in (self.wall, self.table, self.far)}
         with self.assertRaises(InputProblem) as refused:
             clearance.compute(self.made(every))
-        self.assertIn("the rules ignore every neighbour", str(refused.exception))
+        self.assertIn("The rules ignore every neighbour", str(refused.exception))
 
     def test_the_map_leaves_out_what_is_meant_to_touch(self):
         from sweptvolume.features import envelope

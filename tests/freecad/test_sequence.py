@@ -116,7 +116,7 @@ class Sequences(Case):
         self.assertEqual(sequence.Plan.of(obj).pair_rules, plan.pair_rules)
 
     def test_wrong_input_is_named(self):
-        with self.assertRaisesRegex(InputProblem, "there is no part"):
+        with self.assertRaisesRegex(InputProblem, "The list of parts is empty"):
             plan_of(self.doc, [], self.walls).request()
         twice = plan_of(self.doc, [self.parts[0], self.parts[0]], self.walls)
         with self.assertRaisesRegex(InputProblem, "is in the list twice"):

@@ -68,7 +68,7 @@ class Settings(Made):
         obj = motion.motion_from_source(self.doc, "Curve", [self.wire()])
         obj.SourceAccuracy = 0
         self.doc.recompute()
-        self.assertIn("must be greater than 0", obj.Status)
+        self.assertIn("greater than 0", obj.Status)
         obj.SourceAccuracy, obj.SourceCount = 1, 10**6
         self.doc.recompute()
         self.assertIn("2 to 100000", obj.Status)

@@ -245,7 +245,7 @@ class OfADocument(Table):
 
     def test_a_page_of_results_that_are_gone(self):
         shutil.rmtree(self.doc.Study.Results)
-        with self.assertRaisesRegex(InputProblem, "were deleted"):
+        with self.assertRaisesRegex(InputProblem, "cannot be found"):
             study.written(self.doc.Study)
 
     def test_nothing_changes_nothing(self):

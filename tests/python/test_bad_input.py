@@ -133,7 +133,7 @@ def test_bad_input_05_soup(both, box):
 
 
 def test_bad_input_06_open_mesh(both, box):
-    refused(both(box[0], box[1][2:], STILL), "OpenMesh", "%", "close its holes")
+    refused(both(box[0], box[1][2:], STILL), "OpenMesh", "%", "close the holes")
     sheet = [[0, 0, 0], [30, 0, 0], [30, 20, 0], [0, 20, 0]]
     report = both(sheet, [[0, 1, 2], [0, 2, 3]], slide(3, 2, 20), resolution=32)
     accepted(report, "OpenEdges")
@@ -262,7 +262,7 @@ def test_bad_input_22_bad_pose(both, box, program, tmp_path):
     motion = slide()
     motion[1, 1, 3] = np.nan
     refused(both(*box, motion), "BadPose", "pose 2")
-    with pytest.raises(_swept.InvalidInput, match="pose 2.*comes before") as caught:
+    with pytest.raises(_swept.InvalidInput, match="pose 2.*is earlier than") as caught:
         _swept.compute(*box, ([1.0, 0.5], slide()))
     assert caught.value.code == "BadPose"
 

@@ -54,7 +54,7 @@ def test_pairs_are_ignored_and_bad_input_is_named():
     assert error.value.code == "NoCommonTime"
     with pytest.raises(TypeError, match="a part is"):
         sv.mechanism([("left", CUBE)])
-    with pytest.raises(sv.InvalidInput, match="names 'boom', and no part has that name") as error:
+    with pytest.raises(sv.InvalidInput, match="names 'boom', but no part has this name") as error:
         sv.mechanism(PASSING, rules=[("left", "boom", 4)])
     assert error.value.code == "UnknownPart"
     still = [(name, mesh, None) for name, mesh, _ in PASSING]  # all motions are missing

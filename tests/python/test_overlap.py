@@ -70,7 +70,7 @@ def test_the_program(call, inputs):  # noqa: F811
     assert volume_of(sv.read_mesh(target)) == pytest.approx(162, rel=1e-5)
     target.unlink()
     done = call("overlap", paths[0], paths[2], "--report", "-", "--shared", target)
-    assert done.returncode == 1 and "share space" in done.stderr and not target.exists()
+    assert done.returncode == 1 and "share a volume" in done.stderr and not target.exists()
     report = json.loads(done.stdout)
     assert report["command"] == "overlap" and report["summary"].startswith("1 pair checked")
     assert call("overlap", paths[0], paths[2]).returncode == 0
@@ -78,4 +78,4 @@ def test_the_program(call, inputs):  # noqa: F811
     done = call("overlap", paths[0])
     assert done.returncode == 1 and "give at least two" in done.stderr, done.stderr
     done = call("overlap", *paths, "--shared", paths[0])
-    assert done.returncode == 2 and "would be lost" in done.stderr, done.stderr
+    assert done.returncode == 2 and "would be overwritten" in done.stderr, done.stderr

@@ -218,7 +218,7 @@ def test_wrong_arguments_are_named(report):
             assert error.value.code == code
     damaged = json.loads(json.dumps(report))
     damaged["neighbours"][0]["distance"] = "near"
-    with pytest.raises(sv.InvalidInput, match="distance is no number"):
+    with pytest.raises(sv.InvalidInput, match="distance is not a number"):
         sv.report_page(damaged)
     damaged["neighbours"][0] = 5
     with pytest.raises(sv.InvalidInput, match="no page can be made"):
@@ -260,8 +260,8 @@ def test_the_program_names_wrong_options_of_pages(call, inputs, bench):  # noqa:
         (("--page", target, "--page-template", template), 1, "{{nothing}} is no placeholder"),
         (("--page", target, "--page-template", inputs / "no.html"), 1, "does not exist"),
         (("--page", target, "--page-language", "fr"), 2, "allowed: en, de"),
-        (("--page-title", "x"), 2, "--page-title needs --page"),
-        (("--page-template", template), 2, "--page-template needs --page"),
+        (("--page-title", "x"), 2, "--page-title can be used only"),
+        (("--page-template", template), 2, "--page-template can be used only"),
         (("--page", target, "--offer-rules", "-"), 2, "cannot be combined with --offer-rules"),
         (("--page", inputs / "box.ply"), 2, "SameFile"),
         (("--page", template, "--page-template", template), 2, "SameFile"),

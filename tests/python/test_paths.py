@@ -129,7 +129,7 @@ def test_no_way_out_ends_with_status_3(call, tmp_path):  # noqa: F811
         "path", tmp_path / "part.ply", *names, "--extract", "1,0,0", "--translation-only",
         "-o", tmp_path / "path.csv",
     )  # fmt: skip
-    assert done.returncode == 3 and "no path without turning exists" in done.stdout, done.stderr
+    assert done.returncode == 3 and "no path exists without turning" in done.stdout, done.stderr
     assert not (tmp_path / "path.csv").exists()
 
 

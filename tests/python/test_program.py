@@ -148,7 +148,7 @@ def test_same_bytes_for_any_number_of_threads(call, inputs):
         (["--offset", "1", "--offset", "2"], "--offset is given twice"),
         (["--solid-tolerance", "1", "--conservative"], "leave it out"),
         (["--tolerance"], "needs a value"),
-        (["second.ply"], "one file too many: 'second.ply'"),
+        (["second.ply"], "too many files: 'second.ply'"),
     ],
 )
 def test_wrong_usage_is_status_2_and_one_line(call, inputs, words, says):

@@ -182,7 +182,7 @@ def test_solids_and_meshes_from_pipes(program, inputs, box):  # noqa: F811
             assert status == 0 and ",clear,40" in said, line + said
     for line, says in (
         ("cat box.ply | swept check - --format step", "'-' does not begin as a STEP"),
-        ("cat slide.csv | swept check -", "nothing names its format"),
+        ("cat slide.csv | swept check -", "has no file extension"),
         ("swept check <(head -c 300 box.step)", "is not a valid STEP file"),
     ):
         status, said = run(line)

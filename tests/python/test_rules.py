@@ -91,14 +91,14 @@ def test_contacts_at_the_first_pose_are_offered(call, inputs, scene):  # noqa: F
     "rule, status, text",
     [
         ("post", 2, "'post' is not a rule; write NAME=RULE"),
-        ("post=-3", 2, "-3 mm is not possible; allowed: 0 to 1e9 mm"),
+        ("post=-3", 2, "-3 mm is not allowed; enter 0 to 1e9 mm"),
         ("post=contact:-1", 2, "-1 mm is not possible"),
         (
             "post=near",
             2,
-            "rule 'near' is not understood; allowed: a required distance in mm, contact",
+            "rule 'near' is not understood; allowed: a required distance in mm; contact",
         ),
-        ("hose=3", 1, "'hose' names no neighbour; there are: 'table', 'post', 'wall'"),
+        ("hose=3", 1, "'hose' names no neighbour; the neighbours are: 'table', 'post', 'wall'"),
         ("*=ignore", 1, "the rules ignore every neighbour"),
     ],
 )
@@ -152,9 +152,9 @@ def test_random_rules_against_stamps(call, inputs):  # noqa: F811
         assert done.returncode in (0, 3), done.stderr
         stamped = {}
         for line in done.stdout.splitlines():
-            if line.startswith("stamped"):
+            if line.startswith("sampled at"):
                 name = line.split(" against ")[1].split(":")[0]
-                stamped[name] = float(line.split("smallest ")[1].split(" mm")[0])
+                stamped[name] = float(line.split("smallest distance ")[1].split(" mm")[0])
         report = json.loads((inputs / "r.json").read_text())
         assert len(stamped) == 5
         for row in report["neighbours"]:

@@ -71,7 +71,7 @@ def test_the_tolerance_is_an_option_or_follows_from_the_resolution(program, part
 
 
 def test_the_angle_between_triangles_is_an_option(part):
-    with pytest.raises(_swept.InvalidInput, match="0 rad; it must be above 0") as refused:
+    with pytest.raises(_swept.InvalidInput, match="0 rad, but must be above 0") as refused:
         _swept.read_body(part / "part.step", tolerance=1.0, angle=0)
     assert refused.value.code == "BadOption"
     assert len(_swept.read_body(part / "part.step", tolerance=1.0, angle=0.5).triangles) == 12
@@ -90,7 +90,7 @@ def test_a_solid_states_its_own_unit(program, part):
     done, report = envelope(program, part, "part.step", "--generator-unit", "m")
     assert done.returncode == 1
     assert (report["status"], report["code"]) == ("InvalidInput", "BadOption")
-    assert "states its own unit of length" in done.stderr
+    assert "contains its own unit of length" in done.stderr
 
 
 def test_a_broken_solid_is_named(program, part):

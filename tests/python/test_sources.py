@@ -163,7 +163,7 @@ def test_program_refuses_a_table_of_a_solid(program, tmp_path, path, box):
     done = run(
         program, part, "--motion", path, "-o", tmp_path / "o.step", "--sources", tmp_path / "s.csv"
     )
-    assert done.returncode == 2 and "--sources needs a mesh file" in done.stderr
+    assert done.returncode == 2 and "--sources needs an output that is a mesh" in done.stderr
     out = tmp_path / "o.ply"
     done = run(program, part, "--motion", path, "-o", out, "--sources", out)
     assert done.returncode == 2 and "SameFile" in done.stderr

@@ -271,7 +271,7 @@ CHECK = '[[run]]\npart = "box.ply"\nmotion = "by30.csv"\nneighbours = ["post.ply
         ),
         (
             CHECK + "rules = { pots = 3 }",
-            "rules: the rule for 'pots' names no neighbour; there are: 'p",
+            "rules: the rule for 'pots' names no neighbour; the neighbours are: 'p",
         ),
         (
             CHECK + "rules = { 'p*' = 3, '*t' = 4 }",

@@ -215,9 +215,9 @@ def test_bad_reports_of_studies_are_refused():
     assert "The run is done" in sv.report_page(good)
     for row, said in (
         ({"run": "a", "state": "lost"}, "the state 'lost' of a run is unknown"),
-        ({"run": "a", "state": "done", "page": "http://x/y"}, "is not one beside it"),
-        ({"run": "a", "state": "done", "page": "//x/y"}, "is not one beside it"),
-        ({"run": "a", "state": "done", "distance": -1}, "distance is no length"),
+        ({"run": "a", "state": "done", "page": "http://x/y"}, "must be a relative path"),
+        ({"run": "a", "state": "done", "page": "//x/y"}, "must be a relative path"),
+        ({"run": "a", "state": "done", "distance": -1}, "distance is not a length"),
         ({"state": "done"}, "run"),
     ):
         with pytest.raises(sv.InvalidInput, match=said) as error:

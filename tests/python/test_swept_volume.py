@@ -325,7 +325,7 @@ def test_a_step_file_is_a_body(mesh, motion, tmp_path):
     assert result.report["warnings"][0]["code"] == "Tessellated"
     plain = sv.compute(mesh, motion, cell=1.0, backend="cpu")
     assert result.report["volume"] == pytest.approx(plain.report["volume"], rel=1e-9)
-    with pytest.raises(sv.InvalidInput, match="states its own unit"):
+    with pytest.raises(sv.InvalidInput, match="contains its own unit"):
         sv.read_body(tmp_path / "part.step", unit="m")
     sv.write_mesh(tmp_path / "part.ply", mesh)
     assert sv.read_body(tmp_path / "part.ply").chord_error == 0

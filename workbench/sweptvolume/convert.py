@@ -98,8 +98,8 @@ def _shape_reader(part, deflection):
         raise InputProblem(
             translate(
                 "Messages",
-                "the shape has {0} faces but no solid: convert it with Part > Convert to solid or Part "
-                "> Shape builder, or choose a closed mesh.",
+                "The shape has {0} faces but no solid: make it a solid with Part > "
+                "Convert to solid or Part > Shape builder, or choose a closed mesh.",
             ).format(len(shape.Faces))
         )
     kept = part.detached()
@@ -122,7 +122,8 @@ def _shape_reader(part, deflection):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "the shape could not be meshed: check it with Part > Check geometry.",
+                    "The shape could not be turned into triangles: check it with Part > "
+                    "Check geometry.",
                 )
             )
         return arrays_from_mesh(mesh) + (_faces_of_facets(mesh, local),)
@@ -219,7 +220,7 @@ def leaves(root, sub="", hidden=False):
     if target is None:
         raise InputProblem(
             translate(
-                "Messages", '"{0}" no longer leads to an object: choose the part again.'
+                "Messages", 'The path "{0}" no longer leads to an object: choose the part again.'
             ).format(root.Label + "." + sub)
         )
     if hidden and not getattr(target, "Visibility", True):
@@ -264,8 +265,8 @@ def holds_nothing(root, sub):
     if target.isDerivedFrom("App::Link") and target.LinkedObject is None:
         text = translate(
             "Messages",
-            'the link "{0}" is empty: its target was deleted, or the document of the target is not '
-            "open. Open that document, or choose another target.",
+            'The link "{0}" is empty: its target was deleted, or the document of the '
+            "target is not open. Open that document, or choose another target.",
         )
     else:
         text = translate(
@@ -276,7 +277,7 @@ def holds_nothing(root, sub):
 
 def no_part_text():
     return translate(
-        "Messages", "there is no moving part: select a solid or a mesh, then press Add selected."
+        "Messages", "No moving part is chosen: select a solid or a mesh, then press Add selected."
     )
 
 
@@ -315,6 +316,8 @@ def box_corners(pairs):
                 corners.append(transform(global_matrix(root, path), local))
     if not corners:
         raise InputProblem(
-            translate("Messages", "the moving part is empty: choose a part with a shape or a mesh.")
+            translate(
+                "Messages", "The moving part has no faces: choose a part with a shape or a mesh."
+            )
         )
     return np.vstack(corners)

@@ -66,19 +66,23 @@ def _missing_text(tried):
     python = "{}.{}".format(*sys.version_info[:2])
     return translate(
         "Messages",
-        "The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.\n"
+        "The compiled core of Swept Volume (_swept, for Python {0}) cannot be "
+        "loaded.\n"
         "Build it once, in the folder {1}:\n"
         "    cmake --preset release && cmake --build build\n"
-        "README.md lists the packages this needs. A core that lies elsewhere is named by the "
-        "environment variable SWEPT_CORE.\nTried:\n  {2}",
+        "README.md lists the packages that the build needs. If the core is "
+        "elsewhere, set the environment variable SWEPT_CORE to its folder.\n"
+        "Tried:\n"
+        "  {2}",
     ).format(python, ROOT, "\n  ".join(tried))
 
 
 def _other_version_text(found):
     return translate(
         "Messages",
-        "The compiled core of Swept Volume in {0} is of version {1}, the workbench of version {2}: install "
-        "both of the same version, or build the core again in the folder {3}:\n"
+        "The compiled core of Swept Volume in {0} has version {1}, but the workbench "
+        "has version {2}. Install the same version of both, or build the core again "
+        "in the folder {3}:\n"
         "    cmake --preset release && cmake --build build",
     ).format(found.__file__, found.__version__, __version__, ROOT)
 

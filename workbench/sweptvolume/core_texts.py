@@ -9,39 +9,47 @@ _TEXTS = {
     "EmptyMesh": mark("Core", "The part has no surface: choose a solid or a mesh with triangles."),
     "NonFiniteVertex": mark(
         "Core",
-        "The mesh has vertices whose coordinates are not numbers: repair the mesh or export it "
-        "again.",
+        "Some vertices of the mesh have coordinates that are not finite numbers: "
+        "repair the mesh, or export it again.",
     ),
     "NoVolume": mark("Core", "The part encloses no volume: choose a solid or a closed mesh."),
     "OpenMesh": mark(
         "Core",
-        "The part has holes that its motion does not close, so inside and outside cannot be "
-        "told apart: close the holes.",
+        "The part has holes that its motion does not close, so it has no clear "
+        "inside and outside: close the holes.",
     ),
     "PrecisionTooCoarse": mark(
         "Core",
-        "The part is too far from the origin for its size to be computed exactly: move it "
-        "closer to the origin.",
+        "The part is so far from the origin that its coordinates are not exact "
+        "enough: move the part and its motion closer to the origin.",
     ),
-    "OutOfRange": mark("Core", "The part or the motion is too large: check the unit of length."),
+    "OutOfRange": mark(
+        "Core",
+        "The part or the motion reaches more than 1e9 mm from the origin: check the unit "
+        "of length.",
+    ),
     "CellTooLarge": mark(
         "Core", "The cell is larger than the part: choose a smaller cell or a higher resolution."
     ),
     "BadOption": mark(
         "Core",
-        "A setting is outside its allowed range: the text in brackets names it and the range.",
+        "A setting is not allowed: the text in brackets names the setting and says "
+        "what is allowed.",
     ),
     "EmptyTrajectory": mark("Core", "The motion has no poses: give at least one."),
     "NotRigid": mark(
-        "Core", "A pose scales, shears or mirrors the part: a pose may only rotate and translate."
+        "Core",
+        "A pose scales, shears or mirrors the part: use poses that only rotate and " "translate.",
     ),
     "BadPose": mark(
-        "Core", "A pose cannot be used: its numbers must be finite, and times must not decrease."
+        "Core",
+        "A pose cannot be used: all its numbers must be finite, and the times must "
+        "not decrease.",
     ),
     "AmbiguousTurn": mark(
         "Core",
-        "The part turns by 180 degrees between two poses, so the direction is ambiguous: add a "
-        "pose between them.",
+        "The part turns by 180 degrees between two poses, so the direction of the "
+        "turn is ambiguous: add a pose between them.",
     ),
     "PartsIntersect": mark(
         "Core",
@@ -50,20 +58,21 @@ _TEXTS = {
     ),
     "PartsTooNear": mark(
         "Core",
-        "Two parts are nearer than the required distance in their installed positions: reduce "
-        "the required distance, or allow contact for the pair.",
+        "Two parts are below the required distance in their installed positions: "
+        "reduce the required distance, or allow contact for the pair.",
     ),
-    "BadFile": mark(
-        "Core", "The file cannot be read: the text in brackets says where it is damaged."
+    "BadFile": mark("Core", "The file cannot be read: the text in brackets says where and why."),
+    "BadFormat": mark(
+        "Core",
+        "The file extension is not supported: use an extension that the text in brackets " "names.",
     ),
-    "BadFormat": mark("Core", "The file extension is not supported: use one of those in brackets."),
     "FileTooLarge": mark(
-        "Core", "The file is larger than the limit for reading: split it or reduce it."
+        "Core", "The file is larger than the limit for input files: split it, or reduce it."
     ),
     "ResourceLimit": mark(
         "Core",
-        "The computation needs more memory than allowed: choose a larger cell, or raise the "
-        "memory limit in the preferences.",
+        "The computation exceeds a limit, mostly that of memory: choose a larger "
+        "cell, or raise the memory limit in the preferences.",
     ),
     "TooManyTriangles": mark(
         "Core",
@@ -74,41 +83,44 @@ _TEXTS = {
         "The solid would have too many faces: set a larger tolerance, or export a mesh file.",
     ),
     "OutOfMemory": mark(
-        "Core", "There was not enough memory: choose a larger cell or a lower resolution."
+        "Core", "The computer ran out of memory: choose a larger cell or a lower resolution."
     ),
     "Cancelled": mark("Core", "Cancelled."),
     "NoNeighbours": mark(
-        "Core", "There is no neighbour to check: choose at least one part that stands still."
+        "Core", "There is no neighbour to check: choose at least one part as a neighbour."
     ),
-    "BadRule": mark("Core", "A rule cannot be applied: correct it or remove it."),
+    "BadRule": mark("Core", "A rule cannot be applied: correct the rule, or remove it."),
     "BadTemplate": mark(
         "Core",
-        "The report template has an unknown placeholder: correct the template.",
+        "The report template has an error: the text in brackets names the line. "
+        "Correct the template.",
     ),
     "GoalBlocked": mark(
         "Core",
-        "A neighbour is in the way at the goal: move it, reduce the required distance, or "
-        "allow contact.",
+        "At the goal, the part is too close to a neighbour, or overlaps it: move the "
+        "neighbour, reduce the required distance, or set a release distance.",
     ),
     "StartBlocked": mark(
         "Core",
-        "A neighbour is in the way at the start: move it, reduce the required distance, or "
-        "allow contact.",
+        "At the start, the part is too close to a neighbour, or overlaps it: move "
+        "the neighbour, reduce the required distance, or set a release distance.",
     ),
     "ViaBlocked": mark(
         "Core",
-        "A neighbour is in the way at a locked key: move it, reduce the required distance, or "
-        "unlock the key.",
+        "At a locked key, the part is too close to a neighbour, or overlaps it: move "
+        "the neighbour, reduce the required distance, or unlock the key.",
     ),
     "SamePose": mark("Core", "Start and goal are the same: choose another start."),
-    "NoStart": mark("Core", "No start is given: give a placement, a distance or a direction."),
+    "NoStart": mark("Core", "No start is given: enter a placement, a distance or a direction."),
     "WriteFailed": mark(
         "Core",
         "The file could not be written: check the folder, its permissions and the free disk "
         "space.",
     ),
     "KernelFailure": mark(
-        "Core", "OpenCASCADE could not build the solid: set a tolerance, or export a mesh file."
+        "Core",
+        "OpenCASCADE could not build the solid: set a larger Tolerance for the "
+        "solid, or export a mesh file (STL, PLY).",
     ),
     "DeviceUnavailable": mark("Core", "No usable graphics device was found: set Backend to CPU."),
     "DeviceLost": mark(
@@ -120,64 +132,75 @@ _TEXTS = {
     # findings
     "NoSharedVolume": mark(
         "Core",
-        "The volume that two parts share cannot be computed: repair the meshes, or move one "
-        "part slightly.",
+        "The shared volume of two parts could not be computed: repair their meshes, "
+        "or move one part slightly.",
     ),
     "OpenEdges": mark(
-        "Core", "The part has holes, but its motion closes them; the result is valid."
+        "Core", "The part has holes, but its motion closes them, so the result is valid."
     ),
     "DegenerateTriangles": mark("Core", "Triangles with zero area were removed."),
     "DuplicateTriangles": mark("Core", "Duplicate triangles were removed."),
     "OppositeTriangles": mark(
-        "Core", "Pairs of coincident triangles with opposite orientation were removed."
+        "Core", "Pairs of triangles with the same corners but opposite directions were removed."
     ),
     "ContactNotProven": mark(
-        "Core", "The depth of an allowed contact was measured, but is not proven to be the largest."
+        "Core",
+        "The depth of an allowed contact was measured, but a deeper point cannot be " "excluded.",
     ),
     "EqualTimes": mark(
-        "Core", "Some poses have the same time as the pose before; their order was kept."
+        "Core", "Some poses have the same time as the pose before. Their order was kept."
     ),
-    "Flipped": mark("Core", "The triangles of the part faced inwards; all were reversed."),
+    "Flipped": mark(
+        "Core",
+        "The triangles of the part, or of one of its bodies, faced inwards. They were " "reversed.",
+    ),
     "MixedOrientation": mark(
-        "Core", "Neighbouring triangles of the part have opposite orientations: check the mesh."
+        "Core",
+        "Some adjacent triangles face opposite ways: check the mesh if the result " "looks wrong.",
     ),
     "NotOrientable": mark(
-        "Core", "The surface of the part cannot be oriented (as a Möbius strip): check the mesh."
+        "Core", "The surface of the part has only one side, like a Möbius strip: check the mesh."
     ),
     "NonManifoldEdges": mark(
-        "Core", "Some edges of the part have more than two triangles: check the mesh."
+        "Core", "More than two triangles meet at some edges of the part: check the mesh."
     ),
     "InsideOut": mark(
         "Core", "The part intersects itself, and some of its regions face inwards: repair the mesh."
     ),
     "Cavities": mark(
         "Core",
-        "The part has cavities; they do not change the envelope unless Keep cavities is set.",
+        "The part has cavities. They change the envelope only if Keep cavities is set.",
     ),
     "NestedShells": mark(
-        "Core", "Some bodies of the part lie inside others; they count as material."
+        "Core", "Some bodies of the part lie inside other bodies. They count as material."
     ),
-    "RepeatedPoses": mark("Core", "Poses equal to the one before were removed."),
+    "RepeatedPoses": mark(
+        "Core", "Poses with the same placement as the pose before were left out."
+    ),
     "RotationMended": mark(
-        "Core", "Poses with small rounding errors were corrected to rigid movements."
+        "Core", "The rotations of some poses had small rounding errors, which were corrected."
     ),
     "CavitiesFilled": mark(
-        "Core", "Cavities inside the envelope were filled; set Keep cavities to keep them."
+        "Core", "Cavities inside the envelope were filled. Set Keep cavities to keep them."
     ),
     "SelfIntersections": mark(
         "Core",
-        "Some triangles of the envelope intersect: change the cell size slightly if you need a "
-        "solid.",
+        "Some triangles of the envelope intersect. If you need a solid, change the "
+        "cell size slightly.",
     ),
     "NotSimplified": mark(
         "Core", "The envelope was not simplified: the text in brackets says why."
     ),
     "SimplifiedLess": mark(
         "Core",
-        "The envelope was simplified less than the tolerance allows; it has more triangles "
-        "than necessary.",
+        "The envelope was simplified less than the tolerance allows, so it has more "
+        "triangles than necessary.",
     ),
-    "NotChecked": mark("Core", "Intersections between triangles were not checked."),
+    "NotChecked": mark(
+        "Core",
+        "This surface is a preview. It was not checked for errors such as intersecting "
+        "triangles.",
+    ),
 }
 
 

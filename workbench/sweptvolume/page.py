@@ -37,7 +37,11 @@ def date():
     try:
         now = time.gmtime(int(given)) if given else time.gmtime()
     except (ValueError, OverflowError):
-        text = translate("Messages", 'SOURCE_DATE_EPOCH is "{0}"; it must be seconds since 1970.')
+        text = translate(
+            "Messages",
+            'The environment variable SOURCE_DATE_EPOCH is "{0}", but must be a number '
+            "of seconds since 1970.",
+        )
         raise InputProblem(text.format(given)) from None
     return time.strftime("%Y-%m-%d %H:%M UTC", now)
 
@@ -54,12 +58,14 @@ def template(pdf=False):
     except (OSError, UnicodeDecodeError) as error:
         text = translate(
             "Messages",
-            'the report template "{0}" cannot be read ({1}): choose another one in the preferences.',
+            'The report template "{0}" cannot be read ({1}): choose another template '
+            "in the preferences.",
         )
         raise InputProblem(text.format(path, error)) from None
     if not found.strip():
         text = translate(
-            "Messages", 'the report template "{0}" is empty: choose another one in the preferences.'
+            "Messages",
+            'The report template "{0}" is empty: choose another template in the ' "preferences.",
         )
         raise InputProblem(text.format(path))
     return found
@@ -146,8 +152,8 @@ def request(obj, is_changed=False, pdf=False):
     if obj.Proxy.report_of(obj) is None or obj.Status != clearance.UP_TO_DATE:
         text = translate(
             "Messages",
-            'the result of "{0}" is not up to date: recompute its envelope, if it has one, and run '
-            "the check again first.",
+            'The result of "{0}" is not up to date: recompute its envelope (if it '
+            "has one), then run the check again.",
         )
         raise InputProblem("\n".join(filter(None, (text.format(obj.Label), obj.Message))))
     kind = _OfMechanism if mechanism.is_mechanism(obj) else _OfClearance
@@ -217,7 +223,10 @@ def write(obj, path, control=None):
     check_target(path)
     if is_pdf(path):
         raise InputProblem(
-            translate("Messages", "PDF needs the FreeCAD window: write HTML from scripts.")
+            translate(
+                "Messages",
+                "PDF can be written only with the FreeCAD window open: in scripts, write " "HTML.",
+            )
         )
     page = text(request(obj), control or core.Control())
     with written_beside(path) as beside, open(beside, "w", encoding="utf-8", newline="") as out:

@@ -43,6 +43,6 @@ def passing(suffix):
 def no_room_text():
     return translate(
         "Messages",
-        "the temporary folder {0} is full: free some space, or set the environment variable "
-        "TMPDIR to another folder.",
+        "The temporary folder {0} is full: delete files there, or set the "
+        "environment variable TMPDIR to another folder.",
     ).format(tempfile.gettempdir())

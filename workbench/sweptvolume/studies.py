@@ -35,8 +35,8 @@ def _folder():
         return folder
     text = translate(
         "Messages",
-        "studies need the Python package swept_volume, which is missing in {0}: install the "
-        "workbench again, or build it with cmake --build build.",
+        "Studies need the Python package swept_volume, which is missing in {0}: "
+        'install the workbench again, or build it with "cmake --build build".',
     )
     raise InputProblem(text.format(folder))
 
@@ -118,7 +118,7 @@ def _start(words):
     python = _interpreter()
     if python is None:
         text = translate(
-            "Messages", "studies need the program {0}, which was not found: install it."
+            "Messages", "Studies need the program {0}, but it was not found: install it."
         )
         raise InputProblem(text.format("python" + _VERSION))
     hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if os.name == "nt" else {}
@@ -214,8 +214,8 @@ def run(path, output, jobs, told, cancelled):
                 return json.load(file)
     text = translate(
         "Messages",
-        "the study ended with status {0} and without a result: run it again, or run it with "
-        "swept study to see its output.",
+        "The study program ended with exit status {0} and wrote no result: run the "
+        'study again, or run "swept study FILE" in a terminal to see its output.',
     )
     raise InputProblem(errors or text.format(process.returncode))
 

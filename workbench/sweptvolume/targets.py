@@ -12,12 +12,12 @@ def check_target(path, suffixes):
     """Says before any work whether a file of one of these types can be written. Raises InputProblem."""
     folder, suffix = os.path.dirname(os.path.abspath(path)), os.path.splitext(path)[1].lower()
     if suffix not in suffixes:
-        text = translate("Messages", 'the file type "{0}" is not supported: use one of {1}.')
+        text = translate("Messages", 'The file type "{0}" is not supported: use one of these: {1}.')
         raise InputProblem(text.format(suffix, " ".join(suffixes)))
     if not os.path.isdir(folder):
         raise InputProblem(
             translate(
-                "Messages", 'the folder "{0}" does not exist: create it, or choose another one.'
+                "Messages", 'The folder "{0}" does not exist: create it, or choose another folder.'
             ).format(folder)
         )
     if os.path.isdir(path):
@@ -40,14 +40,22 @@ def check_not_read(path):
         return
     for document in App.listDocuments().values():
         if _is_same(document.FileName, path):
-            text = translate("Messages", '"{0}" is the document "{1}": choose another file.')
+            text = translate(
+                "Messages",
+                '"{0}" is the file of the document "{1}" and would be overwritten: '
+                "choose another file.",
+            )
             raise InputProblem(text.format(path, document.Label))
         for obj in document.Objects:
             for name in obj.PropertiesList:
                 if obj.getTypeIdOfProperty(name) != "App::PropertyFile":
                     continue
                 if _is_same(getattr(obj, name), path):
-                    text = translate("Messages", '"{0}" is read by "{1}": choose another file.')
+                    text = translate(
+                        "Messages",
+                        '"{0}" is an input of "{1}" and would be overwritten: choose another '
+                        "file.",
+                    )
                     raise InputProblem(text.format(path, obj.Label))
 
 

@@ -98,7 +98,7 @@ void checkFolder(const std::string& path, const fs::path& folder) {
   std::error_code code;
   if (fs::is_directory(folder, code)) return;
   refuse("MissingFolder", "cannot write '" + path + "': the folder '" + utf8FromPath(folder) +
-                              "' does not exist; create it or choose another");
+                              "' does not exist; create it, or choose another folder");
 }
 
 void checkOldFile(const std::string& path, const fs::path& target) {
@@ -109,9 +109,9 @@ void checkOldFile(const std::string& path, const fs::path& target) {
     refuse("BadTarget", "cannot write '" + path + "': it is a folder; add a file name");
   }
   if (!fs::is_regular_file(status)) {
-    refuse("BadTarget", "cannot write '" + path +
-                            "': it is a device or another special file; give the name of a normal "
-                            "file");
+    refuse("BadTarget",
+           "cannot write '" + path +
+               "': it is a device or another special file; give the name of an ordinary file");
   }
   const auto anyWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
   bool locked = (status.permissions() & anyWrite) == fs::perms::none;
@@ -156,13 +156,14 @@ void requireAbsent(const std::string& role, const std::string& path) {
   std::error_code code;
   if (!fs::exists(fs::symlink_status(pathFromUtf8(path), code))) return;
   refuse("Exists",
-         role + " '" + path + "' exists, and replacing files is switched off; choose another name");
+         role + " '" + path +
+             "' exists, and replacing existing files is not allowed here; choose another name");
 }
 
 void checkTarget(const std::string& path) { const SafeFile probe(path); }
 
 SafeFile::SafeFile(const std::string& path) : name_(path) {
-  if (path.empty()) refuse("BadTarget", "the name of the output file is empty");
+  if (path.empty()) refuse("BadTarget", "the name of the output file is empty; give a name");
   target_ = resolved(pathFromUtf8(path));
   checkFolder(path, folderOf(target_));
   checkOldFile(path, target_);
@@ -186,7 +187,7 @@ void SafeFile::close() {
   closeQuietly(stream_);
   if (!written || stream_.fail()) {
     refuse("WriteFailed", "writing '" + name_ + "' failed: " + causeOf(error) +
-                              "; the old file, if any, is unchanged");
+                              "; an old file of this name is unchanged");
   }
 }
 
@@ -200,7 +201,8 @@ std::uint64_t SafeFile::commit() {
   if (wanted != fs::perms::none) fs::permissions(temporary_.path, wanted, code);
   fs::rename(temporary_.path, target_, code);
   if (code) {
-    refuse("WriteFailed", "cannot put '" + name_ + "' in its place: " + code.message());
+    refuse("WriteFailed",
+           "the file was written, but cannot be renamed to '" + name_ + "': " + code.message());
   }
   temporary_.path.clear();
   return bytes;

@@ -26,8 +26,7 @@ void checkClearanceOptions(const ClearanceOptions& o,
                            const std::vector<ClearanceNeighbour>& parts) {
   checkSettings(o);
   if (parts.empty())
-    throw Error(Status::InvalidInput, "NoNeighbours",
-                "no neighbouring part given; choose at least one");
+    throw Error(Status::InvalidInput, "NoNeighbours", "no neighbour is given; choose at least one");
   for (const ClearanceNeighbour& part : parts) {
     requireLength("neighbour '" + part.name + "': chord error", part.chordError, true);
     checkRule(part.rule, "the rule of neighbour '" + part.name + "'");
@@ -57,7 +56,8 @@ std::vector<const ClearanceNeighbour*> withoutIgnored(const std::vector<Clearanc
   }
   if (kept.empty())
     throw Error(Status::InvalidInput, "NoNeighbours",
-                "the rules ignore every neighbour; leave at least one to be checked");
+                "the rules ignore every neighbour; change a rule, so that at least one neighbour "
+                "is checked");
   return kept;
 }
 
@@ -78,11 +78,12 @@ void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
       worst = &row;
   }
   if (worst == nullptr) return;
-  finding.text = std::to_string(finding.count) +
-                 (finding.count == 1 ? " allowed contact" : " allowed contacts") +
-                 ": no point deeper than allowed was found, but the proof is weaker: at '" +
-                 worst->name + "' that nothing is deeper than " +
-                 numberText(worst->penetration.depthBound, 3) + " mm";
+  finding.text =
+      std::to_string(finding.count) +
+      (finding.count == 1 ? " allowed contact" : " allowed contacts") +
+      ": no point deeper than allowed was found, but a deeper point is not excluded; at '" +
+      worst->name + "' it is proven only that nothing is deeper than " +
+      numberText(worst->penetration.depthBound, 3) + " mm";
   report.warnings.push_back(finding);
 }
 

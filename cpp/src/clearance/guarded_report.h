@@ -34,10 +34,12 @@ void fillGuarded(Report& report, RunContext& run, const std::string& what,
     fail(e.status(), e.code(), e.what());
   } catch (const std::bad_alloc&) {
     fail(Status::OutOfMemory, "OutOfMemory",
-         "not enough memory for the " + what + "; use coarser neighbours or fewer at a time");
+         "not enough memory for the " + what +
+             "; use neighbours with fewer triangles, or fewer neighbours at a time");
   } catch (const std::exception& e) {
     fail(Status::InternalError, "InternalError",
-         std::string(e.what()) + ": a fault of the program; please report it with " + inputs);
+         std::string(e.what()) + ". This is a fault of the program; please report it with " +
+             inputs);
   }
 }
 

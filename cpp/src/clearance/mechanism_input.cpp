@@ -24,7 +24,7 @@ void requireNames(const std::vector<MechanismPart>& parts) {
   if (parts.size() < 2)
     refuse("NoParts", std::to_string(parts.size()) +
                           (parts.size() == 1 ? " part was" : " parts were") +
-                          " given; a mechanism has at least two");
+                          " given; give at least two parts");
   std::set<std::string> names;
   for (const MechanismPart& part : parts)
     if (!names.insert(part.name).second)
@@ -35,13 +35,13 @@ void requireTimes(const MechanismPart& part, const Trajectory& motion) {
   if (motion.poses.size() < 2) return;
   if (motion.interpolation == Interpolation::None)
     refuse("NotInterpolated", "the motion of " + quoted(part) +
-                                  " has no interpolation, but parts that move together must move "
-                                  "between their poses; choose linear or screw");
+                                  " has interpolation none, so the part does not move between its "
+                                  "poses; choose linear or screw");
   for (std::size_t i = 1; i < motion.poses.size(); ++i) {
     if (motion.poses[i].timeSeconds > motion.poses[i - 1].timeSeconds) continue;
-    refuse("EqualTimes", "the motion of " + quoted(part) + " has two placements at t = " +
+    refuse("EqualTimes", "the motion of " + quoted(part) + " has two poses at t = " +
                              numberText(motion.poses[i].timeSeconds, kTellingDigits) +
-                             " s; parts that move together need a different time for each pose");
+                             " s; give each pose its own time");
   }
 }
 
@@ -99,7 +99,7 @@ TimeInterval commonTime(const std::vector<MechanismPart>& parts,
   }
   if (latest == parts.size())
     refuse("NothingMoves", "none of the " + std::to_string(parts.size()) +
-                               " parts has a motion of more than one pose");
+                               " parts has a motion of more than one pose; add poses");
   const TimeInterval common{prepared[latest].motion.span().from,
                             prepared[earliest].motion.span().to};
   if (!(common.from < common.to))
@@ -107,7 +107,7 @@ TimeInterval commonTime(const std::vector<MechanismPart>& parts,
                                " begins at t = " + numberText(common.from, kTellingDigits) +
                                " s, that of " + quoted(parts[earliest]) +
                                " ends at t = " + numberText(common.to, kTellingDigits) +
-                               " s; motions of a mechanism share one time");
+                               " s; change their times so that they overlap");
   Finding cut{"TimesCut", 0, {}, ""};
   std::string names;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -121,8 +121,8 @@ TimeInterval commonTime(const std::vector<MechanismPart>& parts,
   if (cut.count > 0) {
     cut.text = std::to_string(cut.count) + (cut.count == 1 ? " motion goes on" : " motions go on") +
                " (" + names + (cut.count > 8 ? ", ..." : "") +
-               ") before or after the time that all share, " + numberText(common.from) + " to " +
-               numberText(common.to) + " s; only that time was looked at";
+               ") before or after the common time of all motions, " + numberText(common.from) +
+               " to " + numberText(common.to) + " s; only the common time was checked";
     findings.push_back(cut);
   }
   return common;

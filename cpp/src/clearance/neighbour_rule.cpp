@@ -12,7 +12,7 @@ namespace swept {
 namespace {
 
 constexpr const char* kAllowed =
-    "allowed: a required distance in mm, contact, contact:MM (how deep at most) or ignore";
+    "allowed: a required distance in mm; contact; contact:MM (overlap of at most MM mm); or ignore";
 /// Largest number of neighbours that one message names.
 constexpr std::size_t kMostNames = 12;
 
@@ -88,7 +88,7 @@ class Assignment {
     for (std::size_t r = 0; r < rules_.size(); ++r)
       if (used_[r] == 0)
         badRule("the rule for " + quoted(rules_[r].pattern) +
-                " names no neighbour; there are: " + listOf(names_));
+                " names no neighbour; the neighbours are: " + listOf(names_));
     std::vector<NeighbourRule> found(names_.size());
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const std::size_t r = named[i] != kNone ? named[i] : given_[i];
@@ -112,7 +112,7 @@ class Assignment {
           badRule("two rules contradict each other for neighbour " + quoted(names_[i]) + ": " +
                   quoted(other.pattern + "=" + ruleText(other.rule)) + " and " +
                   quoted(rules_[r].pattern + "=" + ruleText(rules_[r].rule)) +
-                  "; remove one of them, or use the exact name in the rule that should apply");
+                  "; remove one of them, or write the exact name in the rule that should apply");
       }
   }
 
@@ -153,7 +153,7 @@ void checkRule(const NeighbourRule& rule, const std::string& who) {
   const auto check = [&](const std::optional<double>& length, const char* what) {
     if (!length || (std::isfinite(*length) && *length >= 0 && *length <= kLargestLength)) return;
     badRule(who + ": " + what + " of " + numberText(*length, kTellingDigits) +
-            " mm is not possible; allowed: 0 to 1e9 mm");
+            " mm is not allowed; enter 0 to 1e9 mm");
   };
   check(rule.required, "a required distance");
   check(rule.contact, "a depth of contact");

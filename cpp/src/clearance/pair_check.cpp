@@ -156,19 +156,18 @@ std::vector<Finding> openFindings(const std::vector<std::string>& names,
   }
   if (open.count > 0) {
     if (static_cast<std::size_t>(open.count) > open.first.size()) list += ", ...";
-    open.text =
-        std::to_string(open.count) + " " + (open.count == 1 ? one + " is" : many + " are") +
-        " open or badly oriented (" + list +
-        "): a part that lies wholly inside such a surface is not noticed, and depth is measured on "
-        "the other side only";
+    open.text = std::to_string(open.count) + " " + (open.count == 1 ? one + " is" : many + " are") +
+                " open or badly oriented (" + list +
+                "): a part that lies completely inside such a surface is not noticed, and the "
+                "depth of an overlap is measured only on the other part; repair the mesh";
     findings.push_back(open);
   }
   if (!bodyClosed)
     findings.push_back({"OpenBody",
                         1,
                         {},
-                        "the moving body is an open or badly oriented surface: a neighbour "
-                        "that lies wholly inside it is not noticed"});
+                        "the moving body is an open or badly oriented surface: a neighbour that "
+                        "lies completely inside it is not noticed; repair the mesh"});
   return findings;
 }
 

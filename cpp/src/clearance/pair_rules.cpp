@@ -11,8 +11,9 @@ namespace {
 std::int32_t numberOf(const std::string& name, const std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::int32_t>(found - names.begin());
-  throw Error(Status::InvalidInput, "UnknownPart",
-              "a rule for a pair names '" + name + "', and no part has that name");
+  throw Error(
+      Status::InvalidInput, "UnknownPart",
+      "a rule for a pair names '" + name + "', but no part has this name; correct the rule");
 }
 
 }  // namespace
@@ -24,7 +25,7 @@ PairRules::PairRules(const std::vector<std::string>& names, const MechanismOptio
     const std::int32_t b = numberOf(given.second, names);
     if (a == b)
       throw Error(Status::InvalidInput, "UnknownPart",
-                  "a rule for a pair names '" + given.first + "' twice; it takes two parts");
+                  "a rule for a pair names '" + given.first + "' twice; name two different parts");
     const std::string who = "'" + given.first + "' and '" + given.second + "'";
     checkRule(given.rule, "the rule for " + who);
     const NeighbourRule& kept =
@@ -32,7 +33,7 @@ PairRules::PairRules(const std::vector<std::string>& names, const MechanismOptio
     if (ruleText(kept) != ruleText(given.rule))
       throw Error(Status::InvalidInput, "BadRule",
                   "two rules contradict each other for " + who + ": '" + ruleText(kept) +
-                      "' and '" + ruleText(given.rule) + "'; leave one of them");
+                      "' and '" + ruleText(given.rule) + "'; remove one of them");
   }
 }
 

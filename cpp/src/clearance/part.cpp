@@ -22,11 +22,11 @@ void requireUsable(const TriMesh& mesh, const std::string& who) {
   if (numbers.nonFinite > 0)
     throw Error(Status::InvalidInput, "NonFiniteVertex",
                 who + ": vertex " + std::to_string(numbers.firstNonFinite.front()) +
-                    " is not finite; export the part again");
+                    " has a coordinate that is not a finite number; export the part again");
   if (numbers.largest > kLargestLength)
     throw Error(Status::InvalidInput, "OutOfRange",
                 who + ": vertex " + std::to_string(numbers.farthest) +
-                    " lies more than 1e9 mm from the origin; check the unit of the part");
+                    " lies more than 1e9 mm from the origin; check the unit of length of the part");
   if (const std::optional<BadIndex> bad = findBadIndex(mesh))
     throw Error(Status::InvalidInput, "BadIndex",
                 who + ": triangle " + std::to_string(bad->triangle) + " names vertex " +
@@ -79,7 +79,8 @@ Part::Part(const TriMesh& mesh, const std::string& who) {
   const std::size_t count = mesh.triangles.size();
   if (count > 500'000'000)
     throw Error(Status::ResourceLimit, "TooManyTriangles",
-                who + " has " + std::to_string(count) + " triangles, the limit is 500 million");
+                who + " has " + std::to_string(count) +
+                    " triangles, but the limit is 500 million; use a coarser mesh");
   const std::vector<Piece> parts = cutSlivers(mesh);
   tree_ = BoxTree(
       parts.size(),

@@ -258,7 +258,7 @@ class SurfaceAssembler {
     if (vertexCount_ >= static_cast<std::size_t>(kExtra)) {
       throw Error(Status::ResourceLimit, "ResourceLimit",
                   "the envelope has " + std::to_string(vertexCount_) +
-                      " vertices, the limit is 1073741824; use a larger cell");
+                      " vertices, but the limit is 1073741824; use a larger cell");
     }
   }
 

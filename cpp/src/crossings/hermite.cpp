@@ -70,7 +70,7 @@ HermiteGrid buildHermiteGrid(const GridPlan& grid, const MarkedEdges& marked, co
   if (total > 0xfffffff0u) {
     throw Error(Status::ResourceLimit, "ResourceLimit",
                 "the envelope has " + std::to_string(total) +
-                    " crossings, the limit is 4294967280; use a larger cell");
+                    " grid crossings, but the limit is 4294967280; use a larger cell");
   }
   out.crossings.resize(total);
   out.winner.resize(total);

@@ -21,7 +21,8 @@ EdgeTable::EdgeTable(const Triangles& triangles, std::size_t vertexCount) {
   // 32-bit half-edge numbers allow 1,431,655,765 triangles, far above any memory budget.
   if (triangles.size() > 0xffffffffu / 3) {
     throw Error(Status::ResourceLimit, "TooManyTriangles",
-                std::to_string(triangles.size()) + " triangles; at most 1431655765 can be handled");
+                std::to_string(triangles.size()) +
+                    " triangles, but the limit is 1431655765; use a coarser mesh");
   }
   const auto forAll = [&](const auto& use) {
     parallelBlocks(triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {

@@ -161,9 +161,11 @@ MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, 
     elementCount += chunks[c].elements.size();
   }
   if (elementCount > 0xffffffffu) {
-    throw Error(Status::ResourceLimit, "ResourceLimit",
-                "the sweep has " + std::to_string(elementCount) +
-                    " surface elements, the limit is 4294967295; use fewer placements");
+    throw Error(
+        Status::ResourceLimit, "ResourceLimit",
+        "the sweep has " + std::to_string(elementCount) +
+            " surface elements, but the limit is 4294967295; use fewer poses (for example with "
+            "a position filter), a larger chord tolerance or a coarser body");
   }
   out.elements.resize(elementCount);
   parallelFor(chunks.size(), [&](std::size_t c) {

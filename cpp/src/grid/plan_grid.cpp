@@ -127,11 +127,11 @@ GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bod
   const double precision = farthest * 0x1p-52;
   if (precision > plan.cell / 8) {
     throw Error(Status::InvalidInput, "PrecisionTooCoarse",
-                "the body stands up to " + numberText(farthest, 4) +
-                    " mm from the origin, where floating-point numbers are " +
+                "the body lies up to " + numberText(farthest, 4) +
+                    " mm from the origin, where successive floating-point numbers are " +
                     numberText(precision, 4) + " mm apart; the cell is " +
                     numberText(plan.cell, 4) +
-                    " mm: move the body closer to the origin or use a cell above " +
+                    " mm. Move the body closer to the origin, or use a cell above " +
                     numberText(8 * precision, 4) + " mm");
   }
   for (int axis = 0; axis < 3; ++axis) {
@@ -139,7 +139,7 @@ GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bod
     if (!(cells + 1 <= kMaxPointsPerSide)) {
       throw Error(Status::ResourceLimit, "ResourceLimit",
                   "the grid would have " + numberText(cells, 4) +
-                      " cells along one side, the limit is " +
+                      " cells along one side, but the limit is " +
                       std::to_string(kMaxPointsPerSide - 1) + "; the smallest cell that fits is " +
                       numberText(box.sizes().maxCoeff() / (kMaxPointsPerSide - 4), 4) + " mm");
     }

@@ -27,12 +27,12 @@ void refuseBadFaces(const TriMesh& body) {
   if (body.faceOf.size() == body.triangles.size() && negative == body.faceOf.end()) return;
   throw Error(Status::InvalidInput, "BadFaces",
               negative == body.faceOf.end()
-                  ? std::to_string(body.faceOf.size()) + " faces are named for " +
+                  ? std::to_string(body.faceOf.size()) + " face numbers are given for " +
                         std::to_string(body.triangles.size()) +
-                        " triangles; give one for each triangle, or none"
+                        " triangles; give one face number for each triangle, or none at all"
                   : "triangle " + std::to_string(negative - body.faceOf.begin()) +
-                        " is said to belong to face " + std::to_string(*negative) +
-                        "; faces are numbered from 0");
+                        " has the face number " + std::to_string(*negative) +
+                        "; face numbers begin at 0");
 }
 
 /// Keeps the given faces of the triangles if `wanted`. Without given faces, each triangle becomes
@@ -57,14 +57,15 @@ void refuseUnusable(const TriMesh& body) {
   }
   const auto count = static_cast<std::int64_t>(body.vertices.size());
   if (count > 2147483647) {
-    throw Error(Status::ResourceLimit, "TooManyVertices",
-                std::to_string(count) + " vertices; at most 2147483647 can be numbered");
+    throw Error(
+        Status::ResourceLimit, "TooManyVertices",
+        std::to_string(count) + " vertices, but the limit is 2147483647; use a coarser mesh");
   }
   if (const auto bad = findBadIndex(body)) {
     throw Error(Status::InvalidInput, "BadIndex",
                 "triangle " + std::to_string(bad->triangle) + " refers to vertex " +
                     std::to_string(bad->vertex) + "; the body has vertices 0 to " +
-                    std::to_string(count - 1) + "; the mesh is damaged, export it again");
+                    std::to_string(count - 1) + "; the mesh is damaged: export it again");
   }
 }
 
@@ -75,12 +76,13 @@ void refuseBadVertices(const TriMesh& body) {
                 std::to_string(found.nonFinite) +
                     " vertices have a coordinate that is not a finite number "
                     "(first: " +
-                    list(found.firstNonFinite) + "); repair or export the mesh again");
+                    list(found.firstNonFinite) + "); repair the mesh, or export it again");
   }
   if (found.largest > kLargestLength) {
     throw Error(Status::InvalidInput, "OutOfRange",
                 "the body reaches " + numberText(found.largest) +
-                    " mm from the origin; the limit is 1e9 mm; check the unit, or move it nearer");
+                    " mm from the origin, but the limit is 1e9 mm; check the unit of length, or "
+                    "move the body closer to the origin");
   }
 }
 
@@ -112,7 +114,7 @@ void weldOpenEdges(CheckedBody& result, EdgeTable& table, EdgeCounts& edges, Cle
   EdgeCounts after = countEdges(weldedTable);
   if (after.open >= edges.open) return;
   add(result, "WeldedWithinTolerance", moved,
-      std::to_string(moved) + " vertices on open edges were joined with a neighbour within " +
+      std::to_string(moved) + " vertices on open edges were joined with another vertex within " +
           numberText(tolerance) + " mm (open edges before " + std::to_string(edges.open) +
           ", after " + std::to_string(after.open) + ")");
   result.mesh = std::move(welded);
@@ -126,33 +128,35 @@ void reportCleaning(CheckedBody& result, const CleanCounts& cleaned) {
       std::to_string(cleaned.degenerate) + " triangles without area were removed",
       cleaned.firstDegenerate);
   add(result, "DuplicateTriangles", cleaned.repeated,
-      std::to_string(cleaned.repeated) + " triangles that repeat another one were removed",
+      std::to_string(cleaned.repeated) +
+          " triangles with the same corners as another triangle were removed",
       cleaned.firstDuplicate);
   add(result, "OppositeTriangles", cleaned.opposite,
       std::to_string(cleaned.opposite) +
-          " triangles that lie back to back on the same corners were removed, both of each pair: "
-          "together they enclose nothing",
+          " triangles were removed: they lie in pairs back to back on the same corners and enclose "
+          "nothing",
       cleaned.firstDuplicate);
 }
 
 void reportOrientation(CheckedBody& result, const OrientationResult& oriented) {
   add(result, "MixedOrientation", oriented.mixed,
       std::to_string(oriented.mixed) +
-          " triangles were oriented against their neighbours and were reversed");
+          " triangles faced the opposite way of the triangles beside them and were reversed");
   add(result, "Flipped", oriented.inverted,
       std::to_string(oriented.inverted) + " of " + std::to_string(oriented.shells) +
-          " shells had inverted normals and were reversed");
+          " shells faced inwards and were reversed");
   add(result, "Cavities", oriented.cavities,
-      std::to_string(oriented.cavities) + " shells are hollow spaces inside the body");
+      std::to_string(oriented.cavities) + " shells are cavities inside the body");
   add(result, "NestedShells", oriented.nested,
       std::to_string(oriented.nested) +
-          " shells lie wholly inside another one with normals outward; they count as material");
+          " shells lie completely inside another shell and face outwards; they count as material");
   add(result, "NotOrientable", oriented.inconsistent,
       std::to_string(oriented.inconsistent) +
-          " shells have no consistent orientation; every face is sampled, which takes longer");
+          " shells cannot be oriented consistently (like a Möbius strip), so every face is "
+          "sampled, which takes longer; repair the mesh");
   add(result, "InsideOut", oriented.insideOut ? 1 : 0,
-      "the surface intersects itself, and some regions are inside out; every face is sampled, "
-      "which takes longer");
+      "the surface intersects itself, and some regions are inside out, so every face is sampled, "
+      "which takes longer; repair the mesh");
 }
 
 }  // namespace
@@ -184,8 +188,7 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
   EdgeCounts edges = countEdges(table);
   add(result, "Welded", joined,
       std::to_string(joined) +
-          " vertices repeated the coordinates of another one and were joined "
-          "(vertices before " +
+          " vertices had the same coordinates as another vertex and were joined (vertices before " +
           before + ", after " + std::to_string(result.mesh.vertices.size()) + ")");
   weldOpenEdges(result, table, edges, cleaned, options.weldTolerance * boxDiagonal(result.mesh),
                 keepSheets);
@@ -195,8 +198,8 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
   result.closed = edges.open == 0;
   add(result, "OpenEdges", edges.open,
       std::to_string(edges.open) +
-          " edges have no second triangle; the surface is open there, and the envelope closes "
-          "only where the motion closes it",
+          " edges belong to only one triangle: the surface is open there, and the envelope is "
+          "closed only where the motion closes it",
       edges.firstOpen);
   add(result, "NonManifoldEdges", edges.nonManifold,
       std::to_string(edges.nonManifold) +

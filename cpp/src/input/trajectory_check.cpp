@@ -27,13 +27,13 @@ void checkFinite(const Pose& pose, std::size_t index) {
     throw Error(
         Status::InvalidInput, "BadPose",
         poseName(index) + ": " + what +
-            " is not a finite number; correct or remove this pose (the first one is pose 1)");
+            " is not a finite number; correct or remove this pose (poses are counted from 1)");
   }
   if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength) {
     throw Error(Status::InvalidInput, "BadPose",
                 poseName(index) + ": translation of " +
                     numberText(pose.translation.cwiseAbs().maxCoeff()) +
-                    " mm is above the limit of 1e9 mm; check the unit of the motion");
+                    " mm is above the limit of 1e9 mm; check the unit of length of the motion");
   }
 }
 
@@ -43,15 +43,15 @@ double checkNorm(const Pose& pose, std::size_t index) {
   if (norm < 1e-12) {
     throw Error(Status::InvalidInput, "NotRigid",
                 poseName(index) +
-                    ": the rotation quaternion is zero; (qx, qy, qz, qw) = (0, 0, 0, 1) means no "
-                    "rotation");
+                    ": the rotation quaternion is zero; for no rotation, use "
+                    "(qx, qy, qz, qw) = (0, 0, 0, 1)");
   }
   const double deviation = std::abs(norm - 1);
   if (deviation > kRigidLimit) {
     throw Error(Status::InvalidInput, "NotRigid",
                 poseName(index) + ": the rotation quaternion has length " + numberText(norm) +
-                    " (limit: 1 within 1e-4), that is a scale of " + numberText(norm * norm) +
-                    "; export placements without scale");
+                    " instead of 1 (limit 1e-4 off), so the pose scales the body by " +
+                    numberText(norm * norm) + "; export the poses without scale");
   }
   return deviation;
 }
@@ -64,7 +64,7 @@ void checkTurn(const Pose& before, const Pose& after, std::size_t index) {
     throw Error(Status::InvalidInput, "AmbiguousTurn",
                 "between " + poseName(index - 1) + " and " + poseName(index) +
                     " the body turns by " + numberText(degrees) +
-                    " degrees: within 1 degree of 180 the direction of rotation is ambiguous; "
+                    " degrees, so the direction of the turn is ambiguous (within 1 degree of 180); "
                     "insert a pose between them, or choose interpolation none");
   }
 }
@@ -89,7 +89,7 @@ bool samePlacement(const Pose& a, const Pose& b) {
 
 void requireLength(const char* name, double value) {
   if (!(value >= 0 && value <= kLargestLength)) {
-    badOption(name, value, "0 (off) or a length above 0, up to 1e9 mm");
+    badOption(name, value, "0 (off), or above 0 up to 1e9 mm");
   }
 }
 
@@ -98,7 +98,8 @@ void requireLength(const char* name, double value) {
 CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses waits) {
   if (trajectory.poses.empty()) {
     throw Error(Status::InvalidInput, "EmptyTrajectory",
-                "the motion has no poses; give at least one (a single pose re-meshes the body)");
+                "the motion has no poses; give at least one (with a single pose, the envelope is "
+                "the body itself)");
   }
   CheckedTrajectory result;
   result.trajectory.interpolation = trajectory.interpolation;
@@ -119,9 +120,9 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
     if (i > 0 && pose.timeSeconds < trajectory.poses[i - 1].timeSeconds) {
       throw Error(Status::InvalidInput, "BadPose",
                   poseName(i) + ": time " + numberText(pose.timeSeconds, kTellingDigits) +
-                      " s comes before " +
+                      " s is earlier than " +
                       numberText(trajectory.poses[i - 1].timeSeconds, kTellingDigits) +
-                      " s of the pose before; times must not decrease");
+                      " s, the time of the pose before; times must not decrease");
     }
     pose.rotation.normalize();
     if (!poses.empty()) {
@@ -139,21 +140,21 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
   }
   if (mended.count > 0) {
     mended.text = std::to_string(mended.count) +
-                  " poses had a rotation slightly off a unit quaternion (by up to " +
-                  numberText(largest) + "); the nearest rotation was taken";
+                  " poses had a rotation that was slightly off (its quaternion by up to " +
+                  numberText(largest) + "); the nearest exact rotation was used";
     result.findings.push_back(mended);
   }
   if (repeated.count > 0) {
-    repeated.text =
-        std::to_string(repeated.count) +
-        (repeated.count == 1 ? " pose repeats the placement before it and was left out"
-                             : " poses repeat the placement before them and were left out");
+    repeated.text = std::to_string(repeated.count) +
+                    (repeated.count == 1
+                         ? " pose has the same placement as the pose before and was left out"
+                         : " poses have the same placement as the pose before and were left out");
     result.findings.push_back(repeated);
   }
   if (equal.count > 0) {
     equal.text = std::to_string(equal.count) +
-                 (equal.count == 1 ? " pose has the time of the pose before it"
-                                   : " poses have the time of the pose before them") +
+                 (equal.count == 1 ? " pose has the same time as the pose before"
+                                   : " poses have the same time as the pose before") +
                  "; the order of the file was kept";
     result.findings.push_back(equal);
   }
@@ -162,7 +163,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
 
 void checkOptions(const Options& options) {
   if (options.cellSize != 0 && !(options.cellSize > 0 && options.cellSize <= kLargestLength)) {
-    badOption("cellSize", options.cellSize, "0 (from resolution) or above 0, up to 1e9 mm");
+    badOption("cellSize", options.cellSize, "0 (from resolution), or above 0 up to 1e9 mm");
   }
   if (options.cellSize == 0 && (options.resolution < 4 || options.resolution > 16384)) {
     badOption("resolution", options.resolution, "4 to 16384 cells along the longest side");
@@ -171,10 +172,12 @@ void checkOptions(const Options& options) {
   requireLength("offset", options.offset);
   requireLength("positionFilter", options.positionFilter);
   if (!(options.chordTolerance > 0 && options.chordTolerance <= 1)) {
-    badOption("chordTolerance", options.chordTolerance, "above 0, up to 1 (of a cell)");
+    badOption("chordTolerance", options.chordTolerance,
+              "above 0 up to 1 (as a fraction of the cell size)");
   }
   if (!(options.weldTolerance >= 0 && options.weldTolerance <= 0.01)) {
-    badOption("weldTolerance", options.weldTolerance, "0 to 0.01 (of the body's box diagonal)");
+    badOption("weldTolerance", options.weldTolerance,
+              "0 to 0.01 (as a fraction of the diagonal of the body's bounding box)");
   }
 }
 

@@ -31,7 +31,7 @@ InputFile wholeOf(std::istream& pipe, const std::string& path) {
     if (text.size() <= kMaxPipeBytes) continue;
     throw Error(Status::ResourceLimit, "FileTooLarge",
                 "'" + path + "' gives more than " + std::to_string(kMaxPipeBytes >> 30) +
-                    " GiB; write it into a file first");
+                    " GiB through a pipe; write the data to a file first");
   }
   const std::uint64_t bytes = text.size();
   return {std::make_unique<std::istringstream>(std::move(text)), bytes};

@@ -27,7 +27,8 @@ class PlainSource final : public ByteSource {
       : path_(path), stream_(std::move(stream)) {}
   std::size_t read(char* buffer, std::size_t capacity) override {
     stream_->read(buffer, static_cast<std::streamsize>(capacity));
-    if (stream_->bad()) badFile("'" + path_ + "' cannot be read to its end");
+    if (stream_->bad())
+      badFile("'" + path_ + "' cannot be read to its end; check the disk or the connection");
     return static_cast<std::size_t>(stream_->gcount());
   }
 
@@ -160,8 +161,8 @@ bool LineSource::fill() {
   total_ += got;
   if (total_ > kMaxTextBytes) {
     throw Error(Status::ResourceLimit, "FileTooLarge",
-                "'" + path_ + "' unpacks to more than " + std::to_string(kMaxTextBytes >> 30) +
-                    " GiB of text; reduce the number of poses");
+                "'" + path_ + "' contains more than " + std::to_string(kMaxTextBytes >> 30) +
+                    " GiB of text when uncompressed; reduce the number of poses");
   }
   return got != 0;
 }
@@ -174,7 +175,7 @@ bool LineSource::next(std::string& line) {
     const std::size_t searched = buffer_.size();
     if (searched > kMaxLineBytes) {
       badFile("'" + path_ + "', line " + std::to_string(number_ + 1) + " is longer than " +
-              std::to_string(kMaxLineBytes) + " bytes; this is not a table of poses");
+              std::to_string(kMaxLineBytes) + " bytes; the file is not a table of poses");
     }
     if (!fill()) break;
     end = buffer_.find('\n', searched);
@@ -188,7 +189,7 @@ bool LineSource::next(std::string& line) {
   const std::size_t nul = line.find('\0');
   if (nul != std::string::npos) {
     badFile("'" + path_ + "', line " + std::to_string(number_) + ", byte " +
-            std::to_string(nul + 1) + ": a NUL byte; the file is damaged or no text");
+            std::to_string(nul + 1) + ": a zero byte; the file is damaged, or is not a text file");
   }
   return true;
 }

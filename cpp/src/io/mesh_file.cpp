@@ -91,9 +91,9 @@ bool isBinaryStl(std::istream& stream, std::uint64_t fileBytes, const std::strin
   const std::uint64_t needed = 84 + 50 * count;
   if (needed == fileBytes || (needed < fileBytes && !saysSolid)) return true;
   if (saysSolid) return false;
-  badFile("'" + path + "' announces " + std::to_string(count) + " triangles, which take " +
-          std::to_string(needed) + " bytes, but has " + std::to_string(fileBytes) +
-          "; it is truncated or not an STL file");
+  badFile("'" + path + "' declares " + std::to_string(count) + " triangles (" +
+          std::to_string(needed) + " bytes), but is " + std::to_string(fileBytes) +
+          " bytes long; it is truncated, or is not an STL file");
 }
 
 TriMesh toTriangles(PolygonList found, const std::string& path) {
@@ -108,7 +108,7 @@ TriMesh toTriangles(PolygonList found, const std::string& path) {
       if (corner >= 0 && corner < vertexCount) continue;
       badFile("'" + path + "': face " + std::to_string(f) + " refers to vertex " +
               std::to_string(corner) + ", but there are " + std::to_string(vertexCount) +
-              " vertices (counted from 0)");
+              " vertices (counted from 0); the file is damaged");
     }
     if (corners.size() > kMaxPolygonCorners) {
       badFile("'" + path + "': face " + std::to_string(f) + " has " +
@@ -124,7 +124,7 @@ TriMesh toTriangles(PolygonList found, const std::string& path) {
 void scaleAndCheck(TriMesh& mesh, double factor) {
   if (!(factor > 0) || !std::isfinite(factor)) {
     throw Error(Status::InvalidInput, "BadOption",
-                "millimetres per unit must be a positive number");
+                "the number of millimetres per unit must be a finite number above 0");
   }
   if (factor == 1.0) return;
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= factor;
@@ -166,7 +166,7 @@ PolygonList readPolygons(InputFile& file, const std::string& suffix, const std::
 TriMesh readMesh(const std::string& path, double millimetresPerUnit, const std::string& format) {
   const std::string suffix = format.empty() ? suffixOf(path) : format;
   if (!isMeshSuffix(suffix)) {
-    badFile("'" + path + "': unknown mesh format '" + suffix + "'; known are ply, stl, obj, off");
+    badFile("'" + path + "': unknown mesh format '" + suffix + "'; use ply, stl, obj or off");
   }
   InputFile file = openInput(path);
   if (file.bytes == 0) badFile("'" + path + "' is empty (0 bytes)");
@@ -184,12 +184,13 @@ void writeMesh(const TriMesh& mesh, const std::string& path) {
   if (!isMeshSuffix(suffix) && suffix != "3mf") {
     throw Error(
         Status::ExportFailed, "BadFormat",
-        "'" + path + "': unknown mesh format '" + suffix + "'; known are ply, stl, obj, off, 3mf");
+        "'" + path + "': unknown mesh format '" + suffix + "'; use ply, stl, obj, off or 3mf");
   }
   if (mesh.vertices.size() > kMaxElements || mesh.triangles.size() > kMaxElements) {
     throw Error(Status::ExportFailed, "TooManyFaces",
-                "'" + path + "': mesh files count to " + std::to_string(kMaxElements) +
-                    ", the mesh has " + std::to_string(mesh.triangles.size()) + " triangles");
+                "'" + path + "': a mesh file can hold at most " + std::to_string(kMaxElements) +
+                    " vertices or triangles, but the mesh has " +
+                    std::to_string(mesh.triangles.size()) + " triangles");
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::int32_t index : mesh.triangles[t]) {

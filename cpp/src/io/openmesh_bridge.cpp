@@ -12,7 +12,7 @@ using OpenMesh::VertexHandle;
 
 [[noreturn]] void tooMany(const char* what, std::uint64_t limit) {
   throw Error(Status::InvalidInput, "BadFile",
-              std::string("the file announces more ") + what + " than its size allows (" +
+              std::string("the file declares more ") + what + " than its size allows (" +
                   std::to_string(limit) + "); it is damaged or truncated");
 }
 

@@ -35,7 +35,8 @@ PlyProperty parseProperty(std::istringstream& words, const std::string& path, in
   if (type == "list") {
     words >> type;
     property.countBytes = bytesOf(type, &ignored);
-    if (property.countBytes == 0 || ignored) bad(path, line, "unknown list count '" + type + "'");
+    if (property.countBytes == 0 || ignored)
+      bad(path, line, "unknown type of a list count '" + type + "'");
     type.clear();
     words >> type;
   }
@@ -78,7 +79,7 @@ void parseLine(const std::string& text, const std::string& path, PlyHeader& head
     bad(path, header.lines, "unknown keyword '" + key + "'");
   }
   std::string more;
-  if (words >> more) bad(path, header.lines, "more than '" + key + "' takes: '" + more + "'");
+  if (words >> more) bad(path, header.lines, "unexpected text after '" + key + "': '" + more + "'");
 }
 
 void checkSize(const PlyHeader& header, std::uint64_t fileBytes, const std::string& path) {
@@ -90,10 +91,10 @@ void checkSize(const PlyHeader& header, std::uint64_t fileBytes, const std::stri
                                     : element.leastBytes();
     if (least != 0 && element.count > (left + 1) / least) {
       throw Error(Status::InvalidInput, "BadFile",
-                  "'" + path + "' announces " + std::to_string(element.count) + " of '" +
+                  "'" + path + "' declares " + std::to_string(element.count) + " of '" +
                       element.name + "', at least " + std::to_string(least) +
                       " bytes each, but only " + std::to_string(left) +
-                      " bytes are left; the file is truncated");
+                      " bytes follow the header; the file is truncated");
     }
     left -= std::min(left, least * element.count);
   }

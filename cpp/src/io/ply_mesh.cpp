@@ -38,7 +38,7 @@ void requireRoles(const PlyHeader& header, const std::string& path) {
   const auto require = [&](const char* element, Role role, const char* what) {
     const std::vector<Role> roles = rolesOf(*header.find(element));
     if (std::count(roles.begin(), roles.end(), role) != 1) {
-      bad(path, std::string(": the element '") + element + "' needs " + what + ", once");
+      bad(path, std::string(": the element '") + element + "' must have " + what + " exactly once");
     }
   };
   require("vertex", Role::X, "a property x");
@@ -153,7 +153,7 @@ void readBinaryElement(BinaryRows& rows, const PlyElement& element, Growing& mes
       }
       const std::uint64_t entries = take(property.countBytes);
       if (entries > rows.left() / static_cast<std::uint64_t>(property.bytes)) {
-        bad(path, ": " + element.name + " " + std::to_string(i) + " announces " +
+        bad(path, ": " + element.name + " " + std::to_string(i) + " declares " +
                       std::to_string(entries) +
                       " entries, more than the file can hold; it is damaged or truncated");
       }
@@ -178,7 +178,8 @@ void readTextElement(TextScanner& scan, std::size_t textBytes, const PlyElement&
       }
       const std::int64_t entries = toInteger(scan, scan.wordAnywhere());
       if (entries < 0 || entries > static_cast<std::int64_t>(textBytes)) {
-        scan.bad("a list of " + std::to_string(entries) + " entries; the file is damaged");
+        scan.bad("a list of " + std::to_string(entries) +
+                 " entries is not possible; the file is damaged");
       }
       for (std::int64_t n = 0; n < entries; ++n) {
         if (roles[k] == Role::Corners) {

@@ -15,7 +15,7 @@ constexpr double kRigidLimit = 1e-4;
 [[noreturn]] void notRigid(std::int64_t index, const std::string& what) {
   throw Error(Status::InvalidInput, "NotRigid",
               textOf(6, "pose ", index + 1, ": ", what, " (limit ", kRigidLimit,
-                     "); export placements as rotation and translation only"));
+                     "); export poses that only rotate and translate"));
 }
 
 // Says why a matrix is not a rotation (scale, shear or mirror) and by how much.
@@ -26,14 +26,14 @@ std::string describe(const Eigen::Matrix3d& m, double deviation) {
   const double skew = (unit.transpose() * unit - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(lengths.minCoeff() > 0)) return "a column of the rotation part is zero";
   if (skew > kRigidLimit) {
-    return "shear: the axes are not perpendicular, by " + numberText(skew, 4);
+    return "shear: the axes deviate from perpendicular by " + numberText(skew, 4);
   }
   if (spread > kRigidLimit) {
     return "scale: the axes are stretched by " + numberText(lengths[0], 4) + ", " +
            numberText(lengths[1], 4) + ", " + numberText(lengths[2], 4);
   }
-  return "scale: everything is stretched by " + numberText(lengths.mean(), 4) +
-         ", which leaves the rotation part off by " + numberText(deviation, 4);
+  return "scale: all axes are stretched by " + numberText(lengths.mean(), 4) +
+         ", so the rotation part deviates from a rotation by " + numberText(deviation, 4);
 }
 
 }  // namespace

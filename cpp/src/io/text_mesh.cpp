@@ -32,7 +32,7 @@ void checkCount(std::size_t count, const char* what, const TextScanner& scan) {
 // Completes a face from the corners after the last face.
 void endFace(PolygonList& list, const TextScanner& scan) {
   const std::size_t corners = list.corners.size() - list.faceStart.back();
-  if (corners < 3) scan.bad("a face needs 3 corners, this one has " + std::to_string(corners));
+  if (corners < 3) scan.bad("a face needs 3 corners, but this face has " + std::to_string(corners));
   list.faceStart.push_back(list.corners.size());
 }
 
@@ -143,7 +143,8 @@ PolygonList readOff(std::istream& stream, const std::string& path) {
                                                    "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) scan.expected("'OFF'", kind);
   std::string_view word = scan.word();
-  if (word == "BINARY") scan.bad("binary OFF is not read; save it as text or as PLY");
+  if (word == "BINARY")
+    scan.bad("binary OFF files cannot be read; save the mesh as a text file or as PLY");
   if (word.empty() || word.front() == '#') {
     scan.nextLine();
     word = nextFilledLine();
@@ -154,7 +155,7 @@ PolygonList readOff(std::istream& stream, const std::string& path) {
   const auto bytes = static_cast<std::int64_t>(text.size());
   if (counts[0] < 0 || counts[1] < 0 || counts[0] > bytes / 5 || counts[1] > bytes / 7) {
     scan.bad("the counts " + std::to_string(counts[0]) + " and " + std::to_string(counts[1]) +
-             " do not fit a file of " + std::to_string(bytes) + " bytes; it is truncated");
+             " are too large for a file of " + std::to_string(bytes) + " bytes; it is truncated");
   }
   checkCount(static_cast<std::size_t>(counts[0]), "vertices", scan);
   PolygonList list;
@@ -193,7 +194,7 @@ void checkTextStl(std::istream& stream, const std::string& path) {
   if (vertices % 3 != 0) {
     throw Error(Status::InvalidInput, "BadFile",
                 "'" + path + "' has " + std::to_string(vertices) +
-                    " vertices, which is no multiple of 3; it is truncated");
+                    " vertices, but the number must be a multiple of 3; the file is truncated");
   }
 }
 

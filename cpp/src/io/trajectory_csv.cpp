@@ -50,8 +50,8 @@ class CsvReader {
     if (poses_.empty()) {
       throw Error(Status::InvalidInput, "EmptyTrajectory",
                   "'" + path_ +
-                      "' has no row of numbers; expected t,tx,ty,tz,qx,qy,qz,qw or 12 "
-                      "or 16 matrix numbers a row");
+                      "' has no row of numbers; expected in each row t,tx,ty,tz,qx,qy,qz,qw, or "
+                      "the 12 or 16 numbers of a matrix");
     }
     return std::move(poses_);
   }
@@ -141,13 +141,14 @@ class CsvReader {
       return;
     }
     if (header.unknown && (header.missing || fields_.size() <= kPoseColumns.size())) {
-      bad(*header.unknown + 1,
-          "unknown column '" + plainColumnName(fields_[*header.unknown]).substr(0, 40) +
-              "'; expected t,tx,ty,tz,qx,qy,qz,qw in any order, or 12 or 16 matrix numbers");
+      bad(*header.unknown + 1, "unknown column '" +
+                                   plainColumnName(fields_[*header.unknown]).substr(0, 40) +
+                                   "'; expected t,tx,ty,tz,qx,qy,qz,qw in any order, or the 12 or "
+                                   "16 numbers of a matrix");
     }
     if (header.repeated) {
       bad(*header.repeated + 1, "the column '" + plainColumnName(fields_[*header.repeated]) +
-                                    "' is there twice; remove one");
+                                    "' occurs twice; remove one of them");
     }
     if (header.missing)
       bad(0, std::string("the column '") + kPoseColumns[*header.missing] + "' is missing");
@@ -163,8 +164,10 @@ class CsvReader {
   void takeRow() {
     if (width_ == 0) {
       if (fields_.size() != kPoseColumns.size() && !isMatrix(fields_.size())) {
-        bad(0, "expected 8 numbers (t,tx,ty,tz,qx,qy,qz,qw), 12, 16 or 17 (matrix), found " +
-                   std::to_string(fields_.size()) + hint());
+        bad(0,
+            "expected 8 numbers (t,tx,ty,tz,qx,qy,qz,qw), or 12, 16 or 17 numbers (a matrix); "
+            "found " +
+                std::to_string(fields_.size()) + hint());
       }
       setWidth(fields_.size());
     }
@@ -176,7 +179,7 @@ class CsvReader {
     if (poses_.size() >= kMaxRows) {
       throw Error(Status::ResourceLimit, "TooManyPoses",
                   "'" + path_ + "' has more than " + std::to_string(kMaxRows) +
-                      " rows; thin the poses out");
+                      " rows; reduce the number of poses");
     }
     for (std::size_t i = 0; i < width_; ++i) {
       if (!columns_.target.empty() && columns_.target[i] == kNoPoseColumn) continue;
@@ -208,7 +211,7 @@ class CsvReader {
   // A decimal comma, such as 0,5, splits a number in two: the row then has too many columns.
   std::string hint() const {
     const bool doubled = separator_ == ',' && fields_.size() > 8;
-    return doubled ? "; a decimal comma? write numbers with a point" : "";
+    return doubled ? "; if the numbers have decimal commas, write them with points" : "";
   }
 
   [[noreturn]] void notANumber(std::size_t column) const {
@@ -233,8 +236,8 @@ class CsvReader {
                   "'" + path_ + "', line " + std::to_string(lines_.number()) + ", pose " +
                       std::to_string(poses_.size() + 1) + ": the quaternion has length " +
                       numberText(length) +
-                      " instead of 1 (limit 1e-4 off); write unit quaternions with at least 5 "
-                      "decimals, order qx,qy,qz,qw");
+                      " instead of 1 (limit 1e-4 off); write unit quaternions in the order "
+                      "qx,qy,qz,qw with at least 5 decimals");
     }
     return pose;
   }
@@ -273,7 +276,7 @@ Trajectory readTrajectoryCsv(const std::string& path, double millimetresPerUnit,
                              Interpolation interpolation) {
   if (!(millimetresPerUnit > 0) || !std::isfinite(millimetresPerUnit)) {
     throw Error(Status::InvalidInput, "BadOption",
-                "millimetres per unit must be a positive number");
+                "the number of millimetres per unit must be a finite number above 0");
   }
   Trajectory trajectory;
   trajectory.interpolation = interpolation;

@@ -11,7 +11,7 @@ Eigen::Vector3d pivotOf(const Trajectory& trajectory) {
   if (!pivot.allFinite() || pivot.cwiseAbs().maxCoeff() > kLargestLength) {
     throw Error(Status::InvalidInput, "BadOption",
                 "the pivot is (" + numberText(pivot.x()) + ", " + numberText(pivot.y()) + ", " +
-                    numberText(pivot.z()) + ") mm; allowed are finite numbers up to 1e9 mm");
+                    numberText(pivot.z()) + ") mm; allowed: finite numbers up to 1e9 mm");
   }
   if (trajectory.interpolation != Interpolation::Linear) return Eigen::Vector3d::Zero();
   return pivot;

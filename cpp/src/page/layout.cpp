@@ -30,14 +30,15 @@ std::string filled(const std::string& layout, const std::map<std::string, std::s
   for (std::size_t at; (at = layout.find("{{", done)) != std::string::npos;) {
     out.append(layout, done, at - done);
     const std::size_t end = layout.find("}}", at);
-    if (end == std::string::npos) badTemplate(layout, at, "{{ without }}");
+    if (end == std::string::npos) badTemplate(layout, at, "{{ has no closing }}");
     const std::string name = trimmed(layout.substr(at + 2, end - at - 2));
     const auto found = values.find(name);
     if (found == values.end()) {
       std::string known;
       for (const auto& [key, value] : values) known += (known.empty() ? "" : ", ") + key;
-      badTemplate(layout, at,
-                  "{{" + name.substr(0, kTold) + "}} is no placeholder; known are " + known);
+      badTemplate(
+          layout, at,
+          "{{" + name.substr(0, kTold) + "}} is not a placeholder; use one of these: " + known);
     }
     out += found->second;
     done = end + 2;

@@ -11,19 +11,20 @@ namespace swept::page {
 namespace {
 
 double numberOf(const Json& value, const char* what) {
-  if (!value.is_number()) badReport(std::string(what) + " is no number");
+  if (!value.is_number()) badReport(std::string(what) + " is not a number");
   return value.get<double>();
 }
 
 Eigen::Vector3d vectorOf(const Json& value, const char* what) {
-  if (!value.is_array() || value.size() != 3) badReport(std::string(what) + " is no point");
+  if (!value.is_array() || value.size() != 3)
+    badReport(std::string(what) + " is not a point with three coordinates");
   return {numberOf(value[0], what), numberOf(value[1], what), numberOf(value[2], what)};
 }
 
 Pose poseOf(const Json& value) {
   Pose pose;
   const Json& q = value.at("quaternion_xyzw");
-  if (!q.is_array() || q.size() != 4) badReport("a quaternion has not four numbers");
+  if (!q.is_array() || q.size() != 4) badReport("a quaternion does not have four numbers");
   pose.rotation = Eigen::Quaterniond(numberOf(q[3], "quaternion"), numberOf(q[0], "quaternion"),
                                      numberOf(q[1], "quaternion"), numberOf(q[2], "quaternion"));
   pose.translation = vectorOf(value.at("translation"), "a translation");
@@ -127,21 +128,22 @@ void badReport(const std::string& text) {
 
 double lengthOf(const Json& row, const char* key) {
   const double value = numberOf(row.at(key), key);
-  if (!(value >= 0 && std::isfinite(value))) badReport(std::string(key) + " is no length");
+  if (!(value >= 0 && std::isfinite(value)))
+    badReport(std::string(key) + " is not a length of 0 or more");
   return value;
 }
 
 Json parseReport(const std::string& text) {
   Json report = Json::parse(text);
   if (!report.is_object() || report.value("report_version", 0) != kReportVersion)
-    badReport("it is no report of version " + std::to_string(kReportVersion));
+    badReport("it is not a report of version " + std::to_string(kReportVersion));
   const std::string command = report.value("command", "");
   if (command != "clearance" && command != "mechanism" && command != "study")
     badReport("its command is '" + command +
-              "'; pages tell of 'clearance', 'mechanism' and 'study'");
+              "'; pages are made for 'clearance', 'mechanism' and 'study'");
   // A page of a study also shows its failed runs.
   if (command != "study" && report.value("status", "") != "Ok")
-    badReport("the run ended with " + report.value("status", "?") + ": " +
+    badReport("its run ended with " + report.value("status", "?") + ": " +
               report.value("message", ""));
   return report;
 }

@@ -61,7 +61,8 @@ void checkPart(const PagePart& part) {
   const Coordinates found = measureCoordinates(part.mesh);
   if (found.nonFinite > 0)
     refuse("NonFiniteVertex", "vertex " + std::to_string(found.firstNonFinite[0]) +
-                                  " is not finite, " + std::to_string(found.nonFinite) + " in all");
+                                  " has a coordinate that is not finite (" +
+                                  std::to_string(found.nonFinite) + " such vertices in all)");
   if (found.largest > kLargestLength)
     refuse("OutOfRange", "vertex " + std::to_string(found.farthest) + " lies " +
                              numberText(found.largest) + " mm from the origin");
@@ -69,7 +70,8 @@ void checkPart(const PagePart& part) {
     const Pose& pose = part.motion.poses[i];
     if (!std::isfinite(pose.timeSeconds) || !pose.translation.allFinite() ||
         !pose.rotation.coeffs().allFinite() || !(pose.rotation.norm() > 0))
-      refuse("BadPose", "pose " + std::to_string(i + 1) + " is not finite or has no rotation");
+      refuse("BadPose", "pose " + std::to_string(i + 1) +
+                            " has numbers that are not finite, or a zero quaternion");
   }
 }
 

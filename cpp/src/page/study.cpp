@@ -46,7 +46,8 @@ std::string linkTo(const std::string& address, const std::string& text) {
 std::string pageOf(const Json& row) {
   const std::string address = row.value("page", "");
   if (address.find(':') != std::string::npos || address.starts_with("/"))
-    badReport("the address '" + address + "' of a page is not one beside it");
+    badReport("the address '" + address +
+              "' of a page must be a relative path beside the study page");
   return address;
 }
 

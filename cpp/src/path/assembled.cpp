@@ -24,14 +24,14 @@ using clearance::Part;
 
 std::vector<std::string> namesOf(const std::vector<SequencePart>& parts,
                                  const std::vector<StillPart>& still) {
-  if (parts.empty()) refuse("NoParts", "no part is given; a sequence installs at least one");
+  if (parts.empty()) refuse("NoParts", "no part is given; give at least one");
   std::vector<std::string> names;
   for (const SequencePart& part : parts) names.push_back(part.name);
   for (const StillPart& part : still) names.push_back(part.name);
   std::set<std::string> seen;
   for (const std::string& name : names)
     if (!seen.insert(name).second)
-      refuse("PartTwice", "part '" + name + "' is given twice; every part needs its own name");
+      refuse("PartTwice", "part '" + name + "' is given twice; give each part its own name");
   return names;
 }
 
@@ -83,7 +83,7 @@ std::string pairText(const NearPair& pair, const ClearanceNeighbour& a,
   if (!pair.intersect)
     return who + " are " + numberText(std::max(0.0, pair.row.distance - pair.row.chordError), 6) +
            " mm apart";
-  return who + " lie in each other" +
+  return who + " overlap" +
          (pair.row.penetration.known ? ", " + numberText(pair.row.penetration.depth, 4) + " mm deep"
                                      : "");
 }
@@ -96,7 +96,7 @@ Assembled::Assembled(const std::vector<SequencePart>& parts, const std::vector<S
   for (const SequencePart& part : parts) checkPart(part, options);
   if (parts.size() == 1 && still.empty())
     refuse("NoNeighbours",
-           "there is only one part; give a second part, or a neighbour that stands still");
+           "only one part is given; give a second part, or a neighbour that stands still");
   for (const SequencePart& part : parts)
     placed_.push_back({part.name, placedMesh(part.mesh, goalOf(part)), part.chordError});
   for (const StillPart& part : still) placed_.push_back({part.name, part.mesh, part.chordError});
@@ -180,7 +180,7 @@ void Assembled::refuseWorst(const std::vector<NearPair>& pairs, const PathOption
       *std::max_element(pairs.begin(), pairs.end(),
                         [&](const NearPair& a, const NearPair& b) { return rank(a) < rank(b); });
   const ClearanceNeighbour &a = placed_[worst.parts.first], &b = placed_[worst.parts.second];
-  std::string text = "where they belong, " + pairText(worst, a, b);
+  std::string text = "in their installed positions, " + pairText(worst, a, b);
   const std::size_t others = pairs.size() - 1;
   if (others > 0)
     text += " (and " + std::to_string(others) + (others == 1 ? " more pair)" : " more pairs)");
@@ -188,14 +188,14 @@ void Assembled::refuseWorst(const std::vector<NearPair>& pairs, const PathOption
     refuse(
         "PartsIntersect",
         text +
-            (o.release > 0 ? "; the release zone allows " +
+            (o.release > 0 ? "; the release distance allows " +
                                  numberText(mostDepth(worst.row, o.tolerance, o.release), 4) + " mm"
                            : "") +
-            "; move one of them, or ignore the pair");
-  refuse("PartsTooNear", text + ", and " +
+            "; move one of the parts, or ignore the pair");
+  refuse("PartsTooNear", text + ", but " +
                              numberText(rules_.of(worst.parts).required.value_or(0), 6) +
                              " mm are required; reduce the required distance, or set a release "
-                             "distance within which they may touch");
+                             "distance, within which they may touch");
 }
 
 }  // namespace swept::path

@@ -19,21 +19,22 @@ constexpr std::size_t kMostExits = 6;
   const std::string where = "at the " + what + (what == "via" ? " placement" : "");
   const std::string who = "'" + row.name + "'";
   if (row.verdict == ClearanceVerdict::Clash) {
-    const std::string depth =
-        row.penetration.known ? numberText(row.penetration.depth, 4) + " mm deep" : "by surfaces";
+    const std::string depth = row.penetration.known
+                                  ? numberText(row.penetration.depth, 4) + " mm deep"
+                                  : "by an unknown depth, because the meshes are open";
     throw Error(Status::InvalidInput, code,
-                where + " the part lies inside neighbour " + who + ", " + depth +
-                    (release > 0 ? "; within the release distance the limit is " +
+                where + " the part overlaps neighbour " + who + ", " + depth +
+                    (release > 0 ? "; within the release distance, the largest allowed depth is " +
                                        numberText(most, 4) + " mm"
                                  : "") +
-                    "; move the part, or ignore that neighbour");
+                    ". Move the part, or ignore this neighbour");
   }
-  throw Error(
-      Status::InvalidInput, code,
-      where + " the part is " + numberText(std::max(0.0, row.distance - row.chordError), 6) +
-          " mm from neighbour " + who + ", and " + numberText(required, 6) +
-          " mm are required; reduce the required distance, or set a release distance within which "
-          "it may touch");
+  throw Error(Status::InvalidInput, code,
+              where + " the part is " +
+                  numberText(std::max(0.0, row.distance - row.chordError), 6) +
+                  " mm from neighbour " + who + ", but " + numberText(required, 6) +
+                  " mm are required; reduce the required distance, or set a release distance, "
+                  "within which the part may touch it");
 }
 
 // Keys of a move: one straight piece, or a screw in pieces of at most 30 degrees.

@@ -72,7 +72,7 @@ class PathFinder {
       const State start = scene_.inside(checkedPose(*task_.start, "start"));
       if (ends_.size() == 1 && scene_.distance(start, goal) < 1e-6 * scene_.radius())
         throw Error(Status::InvalidInput, "SamePose",
-                    "start and goal are the same placement; there is nothing to move");
+                    "start and goal are the same placement; choose another start");
       ends_.push_back(examineEnd(scene_, demand_, start, "start", run_));
     } else {
       Extraction extraction = *task_.extraction;
@@ -220,8 +220,8 @@ class PathFinder {
     report_.certificate = check(part(motion, begin, end), demand_.apart);
     if (!good || !allClear(report_.certificate))
       throw Error(Status::InternalError, "NotCertified",
-                  "the path that was found is not clear by the exact check; please report it with "
-                  "the parts");
+                  "a path was found, but the final check did not confirm that it is clear. This is "
+                  "a fault of the program; please report it with the parts");
     report_.verdict = PathVerdict::Found;
     report_.path = motion;
     for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -260,10 +260,10 @@ class PathFinder {
     });
     for (const std::size_t i : order) report_.escape.blockers.push_back(demand_.names[i]);
     if (report_.verdict == PathVerdict::NoTranslation)
-      report_.summary = "no path without turning exists";
+      report_.summary = "it is proven that no path exists without turning the part";
     else
       report_.summary =
-          "no path found" + std::string(report_.budgetEnded ? " within the budget" : "");
+          "no path found" + std::string(report_.budgetEnded ? " within the time limit" : "");
     if (report_.possibleClearance >= 0)
       report_.summary +=
           "; a path with " + numberText(report_.possibleClearance, 4) + " mm was found";

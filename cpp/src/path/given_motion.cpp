@@ -44,8 +44,8 @@ class GivenMotion {
     const std::size_t last = touches(goal) ? cutAtGoal() : keys_.size() - 1;
     if (first >= last)
       throw Error(Status::InvalidInput, "BadOption",
-                  "the motion never leaves the release zones of " + numberText(o_.release, 4) +
-                      " mm around its start and goal; choose a smaller release distance");
+                  "the motion stays within the release distance of " + numberText(o_.release, 4) +
+                      " mm from its start and goal; choose a smaller release distance");
     report_.certificate = checked(part(first, last), demand_.apart);
     checkZone(start, part(0, first));
     checkZone(goal, part(last, keys_.size() - 1));

@@ -79,7 +79,8 @@ class Improver {
     for (const std::size_t i : task_.locked) {
       if (i >= keys_.size())
         throw Error(Status::InvalidInput, "BadOption",
-                    "locked key " + std::to_string(i + 1) + " of " + std::to_string(keys_.size()));
+                    "the locked key " + std::to_string(i + 1) + " does not exist; the motion has " +
+                        std::to_string(keys_.size()) + " keys");
       locked_[i] = 1;
     }
     space_.upright = keys_.back().pose.rotation;
@@ -250,8 +251,8 @@ class Improver {
         for (const NeighbourClearance& row : rows)
           if (row.verdict != ClearanceVerdict::Clear)
             throw Error(Status::InternalError, "NotCertified",
-                        "a move that was called free is not clear by the exact check; please "
-                        "report it with the parts");
+                        "a section was found free, but the final check did not confirm that it is "
+                        "clear. This is a fault of the program; please report it with the parts");
         if (nearest.empty()) nearest = rows;
         for (std::size_t i = 0; i < rows.size(); ++i)
           if (rows[i].guaranteed < nearest[i].guaranteed) nearest[i] = rows[i];
@@ -283,7 +284,7 @@ class Improver {
     report_.budgetEnded = timer_.seconds() > o_.budgetSeconds;
     if (report_.certificate.empty()) {
       report_.escape.pose = task_.motion.poses.back();
-      report_.summary = "nothing of the motion keeps the clearance";
+      report_.summary = "no section of the motion keeps the required distance";
       return;
     }
     report_.verdict = PathVerdict::Found;
@@ -300,7 +301,7 @@ class Improver {
     report_.length = figures.length;
     report_.turn = figures.turn;
     report_.summary = figuresText(report_) + "; " + std::to_string(report_.keptMoves) +
-                      " moves kept as they were";
+                      " sections left unchanged";
   }
 
   void takeStretch(const Stretch& stretch, const Pose& from, const Pose& to) {

@@ -15,7 +15,7 @@ using clearance::PairSearch;
 const std::vector<ClearanceNeighbour>& atLeastOne(const std::vector<ClearanceNeighbour>& given) {
   if (given.empty())
     throw Error(Status::InvalidInput, "NoNeighbours",
-                "there is no neighbour; give at least one part that stands still");
+                "no neighbour is given; give at least one part that stands still");
   return given;
 }
 

@@ -245,10 +245,11 @@ class Sequencer {
       who += (who.empty() ? "" : "; ") + ("'" + parts_[step.part].name + "': ") + step.path.summary;
     }
     if (report_.verdict == SequenceVerdict::NoOrder)
-      report_.summary = "no order exists in which one part comes after the other";
+      report_.summary =
+          "it is proven that the parts cannot be installed one after the other in any order";
     else
       report_.summary = std::string(o_.findOrder ? "no order found" : "not all paths found") +
-                        (report_.budgetEnded ? " within the budget" : "");
+                        (report_.budgetEnded ? " within the time limit" : "");
     report_.summary += "; " + std::to_string(found) + " of " + std::to_string(parts_.size()) +
                        " parts have a path; " + who;
   }

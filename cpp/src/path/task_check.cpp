@@ -41,27 +41,28 @@ void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour
     badOption("largest turn is " + numberText(*o.largestTurn * 180 / std::numbers::pi, 6) +
               " degrees; allowed: 0 to 180");
   if (neighbours.empty())
-    throw Error(Status::InvalidInput, "NoNeighbours",
-                "no neighbouring part given; choose at least one");
+    throw Error(Status::InvalidInput, "NoNeighbours", "no neighbour is given; choose at least one");
   for (const ClearanceNeighbour& n : neighbours) {
     requireLength("chord error of a neighbour", n.chordError, true);
     if (n.rule.contact)
       throw Error(
           Status::InvalidInput, "BadRule",
           "the rule of neighbour '" + n.name +
-              "' allows contact, but a search keeps its distance from all neighbours; set a "
-              "release distance within which the part may touch, or ignore that neighbour");
+              "' allows contact, but a search must keep its distance from all neighbours; set a "
+              "release distance, within which the part may touch it, or ignore this neighbour");
   }
   if (!task.start && !task.extraction)
-    throw Error(
-        Status::InvalidInput, "NoStart",
-        "there is no start; give a start placement, or a distance or direction of extraction");
+    throw Error(Status::InvalidInput, "NoStart",
+                "no start is given; give a start placement, or a distance or direction in which to "
+                "take the part out");
   if (task.start && task.extraction)
-    badOption("a start and an extraction are both given; give only one of them");
+    badOption(
+        "a start and an extraction (a distance or direction in which to take the part out) are "
+        "both given; give only one of them");
   if (task.extraction) {
     if (task.extraction->direction &&
         !(task.extraction->direction->norm() > 0 && task.extraction->direction->allFinite()))
-      badOption("the direction of the extraction is (0, 0, 0); give a direction");
+      badOption("the direction of the extraction must be finite and not (0, 0, 0)");
     if (!task.extraction->direction)
       requireLength("radius of the extraction", task.extraction->radius, false);
   }
@@ -71,11 +72,11 @@ Pose checkedPose(const Pose& pose, const std::string& what) {
   const double norm = pose.rotation.norm();
   if (!pose.translation.allFinite() || !std::isfinite(norm) || std::abs(norm - 1) > 1e-4)
     throw Error(Status::InvalidInput, "BadPose",
-                "the " + what + " is not a rigid placement; its quaternion has the length " +
-                    numberText(norm, 6) + ", which has to be 1");
+                "the " + what + " is not a rigid placement: its quaternion has length " +
+                    numberText(norm, 6) + ", but must have length 1");
   if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength)
     throw Error(Status::InvalidInput, "OutOfRange",
-                "the " + what + " lies more than 1e9 mm from the origin; check its unit");
+                "the " + what + " lies more than 1e9 mm from the origin; check the unit of length");
   Pose checked = pose;
   checked.rotation.normalize();
   return checked;

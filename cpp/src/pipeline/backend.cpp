@@ -57,14 +57,15 @@ SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double c
       why = why.substr(0, why.find("; use --backend"));  // advice only for users who chose the GPU
     }
     SampledSurface out = sampleOnCpu(input, findSigns, run);
-    out.notes.push_back({"CpuSampler", 1, {}, "sampled on the CPU: " + why});
+    out.notes.push_back({"CpuSampler", 1, {}, "the CPU did the sampling: " + why});
     return out;
   }
 #else
   (void)cpuSeconds;
   if (wanted == Backend::Gpu) {
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
-                "no GPU can be used: this build has no GPU sampler; use --backend cpu or auto");
+                "no GPU can be used, because the program was built without the GPU sampler; use "
+                "--backend cpu or auto");
   }
 #endif
   return sampleOnCpu(input, findSigns, run);

@@ -107,7 +107,8 @@ void recut(Result& result, double tolerance, RunContext& run) {
   checkOptions(asked);
   if (!result.kept) {
     throw Error(Status::InvalidInput, "NothingKept",
-                "the envelope was made without a simplification tolerance; compute it again");
+                "the unsimplified surface was not kept, because the envelope was computed without "
+                "a simplification tolerance; compute the envelope again");
   }
   Result next;
   next.kept = result.kept;

@@ -21,8 +21,8 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
   };
   if (!prepared.body.closed) {
     note("CavitiesFilled", 1,
-         "the body is open, so cavities cannot be told from the outside and are filled; close its "
-         "holes to keep them");
+         "the body is open, so cavities cannot be distinguished from the outside and were filled; "
+         "close the holes of the body to keep them");
     return findOutside(marks, prepared.grid, run);
   }
   std::vector<std::uint32_t> component;
@@ -30,7 +30,7 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
   const std::int64_t opened =
       openCavities(found, component, marks, input.grid, input.body, input.motion, isSolid, run);
   note("CavitiesKept", opened,
-       std::to_string(opened) + " sealed-off hollow spaces are kept as inner shells");
+       std::to_string(opened) + " enclosed cavities are kept as inner shells");
   return found;
 }
 
@@ -45,21 +45,22 @@ double meanThickness(const CheckedBody& body, RunContext& run) {
 
 [[noreturn]] void refuseCell(const char* what, const Prepared& prepared, RunContext& run) {
   const double cell = prepared.grid.cell, thickness = meanThickness(prepared.body, run);
-  std::string text = textOf(3, what, ": it is thinner than the cell of ", cell, " mm everywhere");
-  if (thickness > 0) text += textOf(3, ", about ", thickness, " mm");
+  std::string text =
+      textOf(3, what, ", because it is thinner everywhere than the cell of ", cell, " mm");
+  if (thickness > 0) text += textOf(3, " (its mean thickness is about ", thickness, " mm)");
   const double better = thickness > 0 ? std::min(thickness, cell / 2) : cell / 2;
-  text += textOf(3, "; use a smaller cell, try ", better, " mm");
+  text += textOf(3, "; use a smaller cell: try ", better, " mm");
   throw Error(Status::InvalidInput, "CellTooLarge", text);
 }
 
 }  // namespace
 
 void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared, RunContext& run) {
-  if (hermite.crossings.empty()) refuseCell("no line of the grid meets the body", prepared, run);
+  if (hermite.crossings.empty()) refuseCell("the grid misses the body", prepared, run);
 }
 
 void requireSurface(const TriMesh& mesh, const Prepared& prepared, RunContext& run) {
-  if (mesh.triangles.empty()) refuseCell("no surface can be made of the body", prepared, run);
+  if (mesh.triangles.empty()) refuseCell("no surface of the body can be made", prepared, run);
 }
 
 void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Report& report,
@@ -70,16 +71,16 @@ void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Repor
   const double share =
       2.0 * static_cast<double>(hermite.sheetEdges) / static_cast<double>(crossings);
   const bool still = !prepared.motion.continuous;
-  const std::string text = textOf(3, "the body is open and ", 100 * share,
-                                  " % of the surface has the outside on both sides");
+  const std::string text = textOf(3, "the body is open, and ", 100 * share,
+                                  " % of its surface has the outside on both sides");
   if (still && share > 0.01) {
     throw Error(Status::InvalidInput, "OpenMesh",
-                text + "; close its holes, or choose a motion that closes them");
+                text + "; close the holes of the body, or choose a motion that closes them");
   }
   report.warnings.push_back({"OpenSheets",
                              hermite.sheetEdges,
                              {},
-                             text + "; these sheets get a thickness of 0.002 cell"});
+                             text + "; these sheets get a thickness of 0.002 times the cell size"});
 }
 
 }  // namespace swept

@@ -112,13 +112,13 @@ void EnvelopeRun::sweep(const Trajectory& trajectory) {
 void EnvelopeRun::refuseCombinations() const {
   if (options_.sources && (options_.offset > 0 || options_.conservative)) {
     throw Error(Status::InvalidInput, "BadOption",
-                "sources cannot be recorded for an envelope with an offset or for a conservative "
-                "envelope; leave out the sources, or the offset and conservative");
+                "sources cannot be recorded for an envelope that has an offset or is conservative; "
+                "leave out the sources, or both the offset and conservative");
   }
   if (!(options_.positionFilter > 0) || !options_.conservative) return;
   throw Error(Status::InvalidInput, "BadOption",
-              "a conservative envelope contains every pose and cannot be combined with a position "
-              "filter; leave out one of them");
+              "a conservative envelope must contain every pose, so it cannot be combined with a "
+              "position filter; leave out one of them");
 }
 
 void EnvelopeRun::describePlan() {
@@ -137,24 +137,24 @@ void EnvelopeRun::describePlan() {
         {"ChordCapped",
          1,
          {},
-         "the motion is followed to " + numberText(report_.chordError, 3) + " mm (" +
+         "the computed motion deviates from the true one by up to " +
+             numberText(report_.chordError, 3) + " mm (" +
              numberText(report_.chordError / report_.cellSize, 2) + " cells) instead of " +
              numberText(asked, 3) +
-             " mm, because more placements between the poses would take too much memory; "
-             "give the run more memory, a body with fewer triangles, or a larger chord"});
+             " mm, because more placements between the poses would need too much memory; raise the "
+             "memory limit, use a body with fewer triangles, or set a larger chord tolerance"});
   }
 }
 
 void EnvelopeRun::adviseFilter() {
   const double distance = warm_ == nullptr ? usefulFilterOf(prepared_, options_) : 0;
   if (!(distance > 0)) return;
-  report_.warnings.push_back(
-      {"FilterUseful",
-       1,
-       {},
-       "a position filter of " + numberText(distance, 3) +
-           " mm would skip most poses and save most of the time; the envelope would change by no "
-           "more than the chord error"});
+  report_.warnings.push_back({"FilterUseful",
+                              1,
+                              {},
+                              "a position filter of " + numberText(distance, 3) +
+                                  " mm would skip most poses and save most of the time; it would "
+                                  "change the envelope by no more than the chord error"});
 }
 
 SamplerInput EnvelopeRun::samplerInput(const BodyTopology& topology, bool cull) const {
@@ -194,8 +194,8 @@ void EnvelopeRun::finish(Surface surface, const HermiteGrid& hermite, SettlingMo
     report_.warnings.push_back({"NotChecked",
                                 1,
                                 {},
-                                "this surface is a preview, neither repaired nor checked; compute "
-                                "the envelope to use it"});
+                                "this surface is a preview, which was neither repaired nor "
+                                "checked; compute the envelope before you use it"});
   } else {
     const Finishing with{options_, prepared_, run_, [&](const char* name) { stage(name); },
                          std::move(settlingMoves)};
@@ -213,11 +213,11 @@ void EnvelopeRun::grow(const BodyTopology& topology) {
   const bool fromMesh = offset::copiesOf(input) > kMaxCopies;
   if (fromMesh && options_.conservative) {
     throw Error(Status::ResourceLimit, "TooManyCopies",
-                "a conservative envelope of a union of copies looks at every triangle of every "
-                "copy: " +
-                    std::to_string(offset::copiesOf(input)) + " here, the limit is " +
+                "a conservative envelope of a motion with interpolation none must look at every "
+                "triangle of the body at every pose: " +
+                    std::to_string(offset::copiesOf(input)) + " here, but the limit is " +
                     std::to_string(kMaxCopies) +
-                    "; use fewer poses or a coarser body, or interpolate between poses");
+                    "; use fewer poses, a body with fewer triangles, or another interpolation");
   }
   if (fromMesh) envelope(topology);
   const GrownSweep sweep(
@@ -245,8 +245,10 @@ void EnvelopeRun::grow(const BodyTopology& topology) {
   }
   throw Error(Status::InternalError, "NotProven",
               "it could not be proven that the envelope contains the swept volume: " +
-                  std::to_string(proof.tooNear) + " triangles are too close to it, " +
-                  std::to_string(proof.outside) + " pieces lie outside; use a smaller cell");
+                  std::to_string(proof.tooNear) +
+                  " triangles are too close to the swept volume, and " +
+                  std::to_string(proof.outside) +
+                  " pieces of it lie outside the envelope; use a smaller cell");
 }
 
 void EnvelopeRun::growTo(const GrownSweep& sweep, const SamplerInput& input, double distance) {
@@ -310,8 +312,8 @@ void EnvelopeRun::simplify() {
     report_.warnings.push_back({"NotSimplified",
                                 1,
                                 {},
-                                "the surface is not a closed manifold and stays as it is; use the "
-                                "consistent components to simplify it"});
+                                "the surface is not a closed manifold and was not simplified; set "
+                                "the option components to consistent to simplify it"});
     result_.featureEdges = findFeatureEdges(result_.mesh);
     return;
   }

@@ -22,15 +22,14 @@ void dropSpecks(Surface& surface, SelfIntersections& pairs, const Finishing& wit
   const double most = with.prepared.motion.continuous ? kSpeckVolume : kFlatVolume;
   const Specks specks = swept::dropSpecks(surface, cell, most, pairs, with.run);
   if (specks.count == 0) return;
-  report.warnings.push_back(
-      {"SpecksDropped",
-       specks.count,
-       {},
-       textOf(3, specks.count,
-              " small separate pieces at the envelope, below the resolution of the grid, were "
-              "removed; the largest is ",
-              specks.largestSize * cell, " mm across, ", specks.largestVolume * cell * cell * cell,
-              " mm^3")});
+  report.warnings.push_back({"SpecksDropped",
+                             specks.count,
+                             {},
+                             textOf(3, specks.count,
+                                    " small separate pieces beside the envelope, finer than the "
+                                    "grid, were removed; the largest is ",
+                                    specks.largestSize * cell, " mm across, ",
+                                    specks.largestVolume * cell * cell * cell, " mm^3")});
 }
 
 bool turnInsideOut(Surface& surface, const MeshTopology& topology, const Finishing& with,
@@ -56,8 +55,9 @@ void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs
   report.warnings.push_back({"Mended",
                              before - pairs.count,
                              {},
-                             std::to_string(before) + " pairs of triangles intersected at first; " +
-                                 std::to_string(pairs.count) + " are left after repair"});
+                             std::to_string(before) +
+                                 " pairs of triangles intersected before repair; " +
+                                 std::to_string(pairs.count) + " pairs still intersect"});
   with.stage("mend");
 }
 

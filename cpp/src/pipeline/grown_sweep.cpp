@@ -23,11 +23,12 @@ HermiteGrid GrownSweep::hermite(double distance, const FindSigns& findSigns,
 }
 
 Finding GrownSweep::offsetFinding(double offset, bool fromMesh) const {
-  std::string text = textOf(4, "grown by ", offset, " mm, measured from ", cover_.triangles.size());
+  std::string text = textOf(4, "the envelope was grown by ", offset,
+                            " mm; the distance is measured from ", cover_.triangles.size());
   if (fromMesh) {
-    text += " triangles of the envelope: how far that leaves the true one adds to the deviation";
+    text += " triangles of the ungrown envelope, whose own deviation adds to that of the result";
   } else {
-    text += textOf(4, " triangles of the body in motion, which lie within ",
+    text += textOf(4, " triangles of the moving body, which lie within ",
                    (cover_.largestSlack + cover_.chord) * grid_.cell, " mm of the swept volume");
   }
   return {"Offset", static_cast<std::int64_t>(cover_.triangles.size()), {}, std::move(text)};
@@ -36,11 +37,12 @@ Finding GrownSweep::offsetFinding(double offset, bool fromMesh) const {
 Finding GrownSweep::conservativeFinding(const offset::Containment& proof, double offset,
                                         double bound) const {
   const double cell = grid_.cell;
-  std::string text = "the envelope holds the swept volume";
+  std::string text = "the envelope contains the swept volume";
   if (offset > 0) text += textOf(4, " grown by ", offset, " mm");
-  text += textOf(4, ": no point of it is nearer than ", proof.nearest * cell,
-                 " mm to the sampled motion, which the true one leaves by at most ",
-                 cover_.chord * cell, " mm; no point lies more than ", bound, " mm outside");
+  text += textOf(4, ": every point of the envelope is at least ", proof.nearest * cell,
+                 " mm outside the sampled motion, from which the true motion deviates by at most ",
+                 cover_.chord * cell, " mm; no point of the envelope lies more than ", bound,
+                 " mm outside");
   return {"Conservative", static_cast<std::int64_t>(cover_.triangles.size()), {}, std::move(text)};
 }
 

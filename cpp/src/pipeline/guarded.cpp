@@ -30,8 +30,8 @@ void fail(Result& result, Status status, const char* code, const char* message,
 
 /// Advice for a failure that nobody foresaw.
 constexpr const char* kReport =
-    ": a fault of the program; another cell size may avoid it. Please report it with body, motion "
-    "and options";
+    ". This is a fault of the program, which another cell size may avoid; please report it with "
+    "the body, the motion and the options";
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void failAsThrown(Result& result) {
     fail(result, error.status(), error.code().c_str(), error.what(), unforeseen ? kReport : "");
   } catch (const std::bad_alloc&) {
     fail(result, Status::OutOfMemory, "OutOfMemory",
-         "memory ran out although the estimate was within the limit; use a larger cell");
+         "memory ran out, although the estimate was within the limit; use a larger cell");
   } catch (const std::exception& error) {
     fail(result, Status::InternalError, "InternalError", error.what(), kReport);
   }

@@ -49,8 +49,8 @@ void cutKept(Result& result, double tolerance, RunContext& run) {
   if (used == tolerance) return;
   std::ostringstream text;
   text.precision(3);
-  text << "within a tolerance of " << tolerance << " mm the surface would turn inside out; it was "
-       << (used > 0 ? "simplified within " : "left as it is");
+  text << "within a tolerance of " << tolerance << " mm, the surface would turn inside out; it was "
+       << (used > 0 ? "simplified within " : "not simplified");
   if (used > 0) text << used << " mm";
   notes.push_back({"SimplifiedLess", 1, {}, text.str()});
 }

@@ -10,7 +10,7 @@ namespace swept {
 
 void requirePassed(const MeshCheck& check, const char* what, double cell) {
   if (check.passes()) return;
-  std::string text = textOf(3, what, " did not pass its own check and is not returned:");
+  std::string text = textOf(3, what, " did not pass the check of the program and is not returned:");
   const char* before = " ";
   const auto tell = [&](std::int64_t count, const char* fault) {
     if (count == 0) return;
@@ -24,7 +24,7 @@ void requirePassed(const MeshCheck& check, const char* what, double cell) {
   tell(check.degenerateTriangles, "degenerate triangles");
   if (!check.finite) text += textOf(3, before, "coordinates that are not finite");
   if (check.finite && check.closed && !check.oriented && check.misorientedEdges == 0) {
-    text += textOf(3, before, "not each of ", check.shells, " shells has its right side out");
+    text += textOf(3, before, "some of the ", check.shells, " shells are inside out");
   }
   text += textOf(
       3, ". This is a fault of the program; another cell size mostly avoids it: try ", 0.9 * cell,

@@ -61,8 +61,7 @@ SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext
   if (runs > 0xffffffffu) {
     throw Error(Status::ResourceLimit, "ResourceLimit",
                 "the surface has " + std::to_string(runs) +
-                    " runs, the limit is 4294967295; use a "
-                    "larger cell");
+                    " runs of grid points, but the limit is 4294967295; use a larger cell");
   }
   signs.firstRun.back() = static_cast<std::uint32_t>(runs);
 

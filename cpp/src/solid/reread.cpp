@@ -25,7 +25,7 @@ std::string rereadComplaint(const SolidCheck& read, const step::HalfEdgeMesh& me
   }
   if (options.tolerance > 0 && options.recognise && read.edgeTolerance > options.tolerance) {
     return "an edge or vertex with a tolerance of " + numberText(read.edgeTolerance, 3) +
-           " mm, more than the solid's of " + numberText(options.tolerance, 3) + " mm";
+           " mm, more than the tolerance of the solid, " + numberText(options.tolerance, 3) + " mm";
   }
   return {};
 }

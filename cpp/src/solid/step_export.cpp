@@ -28,17 +28,17 @@ void compare(const SolidCheck& check, const HalfEdgeMesh& mesh, const StepOption
   const std::string what = rereadComplaint(check, mesh, options);
   if (what.empty()) return;
   throw Error(Status::ExportFailed, "RereadDiffers",
-              "the file was written but reads back wrong: " + what +
-                  "; the target was left as it was. Export a mesh file or change the tolerance");
+              "the file was written, but reading it back gave something else: " + what +
+                  "; an existing file was kept. Change the tolerance, or export a mesh file");
 }
 
 // A promise that is not kept must be seen.
 void noteDeviation(StepReport& report) {
   if (!(report.tolerance > 0 && report.deviation > report.tolerance)) return;
   if (!report.note.empty()) report.note += "; ";
-  report.note += "the solid lies up to " + numberText(report.deviation, 4) +
-                 " mm from the mesh, above the tolerance of " + numberText(report.tolerance, 4) +
-                 " mm; a smaller tolerance may keep it nearer";
+  report.note += "the solid deviates from the mesh by up to " + numberText(report.deviation, 4) +
+                 " mm, which is more than the tolerance of " + numberText(report.tolerance, 4) +
+                 " mm; a smaller tolerance may reduce the deviation";
 }
 
 constexpr double kExact =
@@ -57,7 +57,7 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
     const Built built = buildWithinLimits(mesh, options, format, kernel, run);
     if (options.tolerance < asked) {
       report.note = "within a tolerance of " + numberText(asked, 3) +
-                    " mm the surface would turn inside out; it was made within " +
+                    " mm, the surface would turn inside out; the solid was made within " +
                     numberText(options.tolerance, 3) + " mm";
     }
     report.secondsBuild = watch.lap();
@@ -89,7 +89,7 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
       throw Error(Status::ExportFailed, "SolidInaccurate",
                   "the solid would deviate from the mesh by " + numberText(report.deviation, 3) +
                       " mm, more than the tolerance of " + numberText(report.tolerance, 3) +
-                      " mm; give a smaller tolerance, or plane faces only");
+                      " mm; give a smaller tolerance, or make plane faces only");
     }
     noteDeviation(report);
     report.faces = check.faces;
@@ -112,7 +112,7 @@ StepReport writeOrFacets(const TriMesh& mesh, const std::string& path, const Ste
   std::string why;
   StepReport report = orFacets(
       options, why, [&](StepOptions& used) { return writeChecked(mesh, path, used, run); });
-  if (!why.empty()) report.note = "no surfaces were recognised, because with them " + why;
+  if (!why.empty()) report.note = "no curved surfaces were used, because with them " + why;
   return report;
 }
 

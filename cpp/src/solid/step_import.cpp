@@ -51,7 +51,7 @@ void checkStructure(const std::filesystem::path& file, const std::string& path) 
   if (complaint.empty()) return;
   throw Error(Status::InvalidInput, "BadFile",
               "'" + path + "' is not a valid STEP file: " + complaint +
-                  "; export it again from its original program");
+                  "; export the file again from the program that made it");
 }
 
 /// By its suffix; where that is neither's, by how it begins.
@@ -138,8 +138,9 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
     }
     if (solids.empty()) solids.push_back({"", meshOf(shape, faces)});
     if (solids[0].mesh.triangles.empty())
-      throw Error(Status::InvalidInput, "NoSurface",
-                  "'" + path + "' holds no face that can be triangulated; export a solid");
+      throw Error(
+          Status::InvalidInput, "NoSurface",
+          "'" + path + "' contains no face that can be turned into triangles; export a solid");
     nameSolids(solids, utf8FromPath(pathFromUtf8(path).stem()));
     return solids;
   });
@@ -150,7 +151,7 @@ SolidCheck checkSolidFile(const std::string& path, RunContext& run) {
     SolidCheck check = step::checkShape(shape, run, 0.5, 1.0);
     if (check.solids == 0) {
       check.valid = false;
-      check.complaint = "no solid, only " + std::to_string(check.faces) + " faces";
+      check.complaint = "it contains no solid, only " + std::to_string(check.faces) + " faces";
     }
     return check;
   });

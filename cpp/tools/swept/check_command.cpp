@@ -28,7 +28,8 @@ std::string faultsOf(const MeshCheck& check) {
   add(check.nonManifoldVertices, "non-manifold vertices");
   add(check.misorientedEdges, "misoriented edges");
   add(check.degenerateTriangles, "degenerate triangles");
-  if (!check.finite) text += std::string(text.empty() ? "" : ", ") + "vertices that are not finite";
+  if (!check.finite)
+    text += std::string(text.empty() ? "" : ", ") + "vertices with coordinates that are not finite";
   if (text.empty() && !check.oriented) text = "shells that are inside out";
   return text.empty() ? "not a closed surface" : text;
 }
@@ -159,17 +160,19 @@ int runCheck(const CheckJob& job) {
 
 Run addCheckCommand(CLI::App& program) {
   const auto job = std::make_shared<CheckJob>();
-  CLI::App& app = *program.add_subcommand("check",
-                                          "Checks meshes (closed, manifold, oriented, "
-                                          "self-intersections, volume, area) and STEP or BREP "
-                                          "files (solids, closed, valid).");
+  CLI::App& app =
+      *program.add_subcommand("check",
+                              "Checks whether meshes are closed, manifold and oriented, counts "
+                              "intersecting triangles, and measures volume and area. Checks "
+                              "whether the solids in STEP and BREP files are closed and valid.");
   app.add_option("FILE", job->paths,
-                 "ply, stl, obj, off, step, stp, brep or brp; - for standard input")
+                 "files to check, of type ply, stl, obj, off, step, stp, brep or brp, or - for "
+                 "standard input")
       ->type_name("FILE")
       ->required();
   addText(app, "--format", "ply|stl|obj|off|step|brep", job->format,
-          "format of the files, instead of suffixes");
-  addUnit(app, "--unit", job->unit, "unit of the numbers in meshes (default mm)");
+          "format of the files, in place of their file extensions");
+  addUnit(app, "--unit", job->unit, "unit of the numbers in files that are meshes (default mm)");
   addCommonOptions(app, job->common);
   app.footer(
       "Exit status 0 only if every mesh is closed, manifold, oriented and without degenerate "

@@ -36,20 +36,25 @@ struct ClearanceJob {
 
 void addFileOptions(CLI::App& app, ClearanceJob& job) {
   addText(app, "GENERATOR", "FILE", job.generatorPath,
-          "the moving body: ply, stl, obj, off, step, stp, brep or brp; - for standard input")
+          "the moving body: a file of type ply, stl, obj, off, step, stp, brep or brp, or - for "
+          "standard input")
       ->required();
   addNeighbourOptions(app, job.neighbours);
   addRuleOptions(app, job.neighbours);
-  addText(app, "--motion", "FILE", job.motionPath, "poses, as for swept envelope")->required();
+  addText(app, "--motion", "FILE", job.motionPath,
+          "table of poses, as for \"swept envelope\", or - for standard input")
+      ->required();
   addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.generatorFormat,
-          "format of the generator, instead of its suffix");
+          "format of the generator, in place of its file extension");
   addUnit(app, "--generator-unit", job.generatorUnit,
-          "unit of the generator's numbers (default mm)");
-  addUnit(app, "--motion-unit", job.motionUnit, "unit of the translations (default mm)");
-  addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
+          "unit of the numbers in a generator that is a mesh (default mm)");
+  addUnit(app, "--motion-unit", job.motionUnit,
+          "unit of the translations in the motion (default mm)");
+  addText(app, "--csv", "FILE", job.csvPath,
+          "write the results as a CSV table, or - for standard output");
   addText(app, "--offer-rules", "FILE", job.offerPath,
-          "only write the contacts at the first pose as rules, to be read and given as --rules; - "
-          "for standard output");
+          "write the contacts at the first pose as rules and check nothing else, or - for standard "
+          "output. Read the file, remove contacts that are not intended, and use it with --rules");
 }
 
 void addOptions(CLI::App& app, ClearanceJob& job) {
@@ -58,24 +63,24 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
   addConverted(
       app, "--interpolation", "none|linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
-      "motion between two poses (default linear)");
+      "how the body moves between two poses (default linear); none: it stands only at the poses");
   addPoint(app, "--pivot", job.pivot,
-           "point of the generator that moves straight between two poses, where the interpolation "
-           "is linear (default 0,0,0: its origin)");
+           "point of the generator that moves in a straight line between two poses, used only with "
+           "linear interpolation; in mm (default 0,0,0: the origin)");
   addNumber(app, "--generator-chord", "MM", job.options.bodyChordError,
-            "how far the generator's triangles leave its exact surface (default 0)");
+            "how far the triangles of the generator deviate from its exact surface (default 0)");
   addDetailOptions(app, job.options, job.curve,
-                   "points of the graph of distance over time (default 200)", job.stamp);
+                   "number of points of the graph of distance over time (default 200; 0: no graph)",
+                   job.stamp);
   addPageOptions(app, job.page);
   addCommonOptions(app, job.common);
   app.footer(
-      "Exit status 0 if all meet their rules, 3 if one is below required, in contact or "
-      "in clash.\n\nExamples:\n"
-      "  swept clearance gripper.stl housing.step bracket.stl --motion path.csv --required 2\n"
-      "  swept clearance gripper.stl bolt_1.stl bolt_2.stl cover.step --motion path.csv "
-      "--required 2 --rule 'bolt*=contact' --rule cover=5\n"
-      "  swept clearance gripper.stl housing.step --motion path.csv --csv - --quiet\n"
-      "  swept clearance gripper.stl housing.step --motion path.csv --page report.html");
+      "Exit status 0 if every neighbour meets its rule, 3 if one is below the required distance, "
+      "in contact or in clash.\n\nExamples:\n  swept clearance gripper.stl housing.step "
+      "bracket.stl --motion path.csv --required 2\n  swept clearance gripper.stl bolt_1.stl "
+      "bolt_2.stl cover.step --motion path.csv --required 2 --rule 'bolt*=contact' --rule "
+      "cover=5\n  swept clearance gripper.stl housing.step --motion path.csv --csv - --quiet\n  "
+      "swept clearance gripper.stl housing.step --motion path.csv --page report.html");
 }
 
 void compareWithStamps(const ClearanceJob& job, const TriMesh& body, const Trajectory& motion,
@@ -86,9 +91,12 @@ void compareWithStamps(const ClearanceJob& job, const TriMesh& body, const Traje
     if (part.rule.ignored) continue;
     const StampedClearance least =
         stampedClearance(body, motion, part.mesh, static_cast<int>(job.stamp), run);
-    std::printf("stamped %lld poses against %s: smallest %.9g mm at t = %.9g s; motion %.9g mm\n",
-                static_cast<long long>(least.poses), part.name.c_str(), least.distance,
-                least.timeSeconds, report.neighbours[row++].distance);
+    std::printf(
+        "sampled at %lld poses against %s: smallest distance %.9g mm at t = %.9g s; over the "
+        "continuous "
+        "motion: %.9g mm\n",
+        static_cast<long long>(least.poses), part.name.c_str(), least.distance, least.timeSeconds,
+        report.neighbours[row++].distance);
   }
 }
 
@@ -120,7 +128,7 @@ std::string offeredRules(const ClearanceReport& report) {
   for (const NeighbourClearance& row : report.neighbours)
     if (row.rule.contact) depths[row.name] = std::max(depths[row.name], *row.rule.contact);
   std::string text = "# Contacts at the first pose: " + std::to_string(depths.size()) +
-                     " of the neighbours. Take out what is not meant.\n";
+                     " of the neighbours. Remove the contacts that are not intended.\n";
   for (const auto& [name, depth] : depths) {
     NeighbourRule rule;
     rule.contact = depth;
@@ -128,7 +136,8 @@ std::string offeredRules(const ClearanceReport& report) {
   }
   for (const NeighbourClearance& row : report.neighbours)
     if (row.verdict == ClearanceVerdict::Clash && !row.rule.contact)
-      text += "# " + row.name + ": the surfaces cross, and open meshes have no depth to allow\n";
+      text += "# " + row.name +
+              ": the surfaces cross, but an open mesh has no depth that a rule could allow\n";
   return text;
 }
 
@@ -234,17 +243,18 @@ int runClearance(const ClearanceJob& job) {
 
 Run addClearanceCommand(CLI::App& program) {
   const auto job = std::make_shared<ClearanceJob>();
-  CLI::App& app = *program.add_subcommand("clearance",
-                                          "Smallest distance of a moving body to parts that stand "
-                                          "still, over the whole motion; nothing "
-                                          "between two poses is missed.");
+  CLI::App& app = *program.add_subcommand(
+      "clearance",
+      "Measures the smallest distances between a moving body and parts that stand still, over the "
+      "whole motion. No approach between two poses is missed.");
   addOptions(app, *job);
   return [job] {
     checkNeighbourOptions(job->neighbours, job->generatorPath);
     checkPageOptions(job->page);
     if (!job->page.path.empty() && !job->offerPath.empty())
       badOption(
-          "--page cannot be combined with --offer-rules, which checks nothing; leave out one");
+          "--page cannot be combined with --offer-rules, which checks nothing; leave out one of "
+          "them");
     job->options.curveSamples = static_cast<int>(job->curve);
     return runClearance(*job);
   };

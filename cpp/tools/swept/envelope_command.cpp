@@ -44,73 +44,84 @@ struct EnvelopeJob {
 
 void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
   Options& options = job.options;
-  addInteger(app, "--resolution", job.resolution, 1, 1 << 20,
-             "cells along the longest side of the sweep (default 128)");
-  CLI::Option* cell =
-      addNumber(app, "--cell", "MM", options.cellSize, "size of a cell; instead of --resolution");
+  addInteger(
+      app, "--resolution", job.resolution, 1, 1 << 20,
+      "number of grid cells along the longest side of the swept volume, 4 to 16384 (default 128)");
+  CLI::Option* cell = addNumber(app, "--cell", "MM", options.cellSize,
+                                "edge length of a grid cell, in place of --resolution");
   cell->excludes("--resolution");
-  addNumber(app, "--tolerance", "MM", options.tolerance,
-            "simplify the surface, which moves by at most this (default 0: off)");
-  addNumber(app, "--offset", "MM", options.offset, "grow the envelope by this distance");
-  app.add_flag("--conservative", options.conservative, "envelope that provably contains the sweep");
-  app.add_flag("--keep-cavities", options.keepCavities, "keep enclosed cavities");
+  addNumber(
+      app, "--tolerance", "MM", options.tolerance,
+      "simplify the surface, moving it by at most this distance (default 0: no simplification)");
+  addNumber(app, "--offset", "MM", options.offset,
+            "grow the envelope by this distance on all sides (default 0)");
+  app.add_flag("--conservative", options.conservative,
+               "make an envelope that provably contains the swept volume");
+  app.add_flag("--keep-cavities", options.keepCavities,
+               "keep enclosed cavities as inner shells (default: they are filled)");
   addConverted(
       app, "--components", "dc|dmc|equivalence|greedy|consistent",
       [&options](const std::string& t) { options.components = parseComponentMethod(t); },
-      "for research: only consistent (default) keeps the promise of a closed manifold");
+      "for research: how separate pieces of surface in one cell are recognised; only consistent "
+      "(default) guarantees a closed manifold");
   addNumber(app, "--chord", "F", options.chordTolerance,
-            "bound on the refined motion's chord, in cells (default 0.02)");
+            "largest deviation of the computed motion from the true one, as a fraction of the cell "
+            "size, above 0 to 1 (default 0.02)");
   addNumber(app, "--position-filter", "MM", options.positionFilter,
-            "skip poses while no point of the part has moved farther than this");
+            "skip a pose if no point of the part has moved farther than this since the last pose "
+            "used (default 0: use all poses)");
   app.add_flag_callback(
-      "--no-cull", [&options] { options.cull = false; }, "sample enclosed faces as well");
+      "--no-cull", [&options] { options.cull = false; },
+      "also sample faces that are provably enclosed; slower, for tests");
   addConverted(
       app, "--backend", "auto|cpu|gpu",
       [&options](const std::string& t) { options.backend = parseBackend(t); },
-      "processor that samples; the result is the same (default auto)");
+      "processor that samples the envelope (default auto); the result does not depend on it");
   addInteger(app, "--memory-limit", job.memoryLimitMegabytes, 1, std::int64_t{1} << 40,
-             "MB; a run that needs more is refused (default: 3/4 of the free memory)");
+             "largest amount of memory in MiB; a run that needs more is refused (default: 3/4 of "
+             "the free memory)");
 }
 
 void addOptions(CLI::App& app, EnvelopeJob& job) {
-  addText(
-      app, "GENERATOR", "FILE", job.generatorPath,
-      "the moving body: ply, stl, obj, off, step, stp, brep or brp (all solids of a file are one "
-      "body); - for standard input")
+  addText(app, "GENERATOR", "FILE", job.generatorPath,
+          "the moving body: a file of type ply, stl, obj, off, step, stp, brep or brp, or - for "
+          "standard input. All solids of a file move as one body")
       ->required();
   addText(app, "--motion", "FILE", job.motionPath,
-          "poses, t,tx,ty,tz,qx,qy,qz,qw or a matrix a row; may be packed with gzip or xz; - for "
-          "standard input")
+          "table of poses, or - for standard input. Each row holds t,tx,ty,tz,qx,qy,qz,qw (s, mm, "
+          "unit quaternion), or the 12 or 16 numbers of a matrix. The file may be compressed with "
+          "gzip or xz")
       ->required();
   addText(app, "-o,--output", "FILE", job.outputPath,
-          "ply, stl, obj, off, 3mf, step, stp, brep or brp; - for standard output")
+          "file to write, of type ply, stl, obj, off, 3mf, step, stp, brep or brp, or - for "
+          "standard output")
       ->required();
-  addText(
-      app, "--sources", "FILE", job.sourcesPath,
-      "table of what made each triangle of the output, with faces counted as in the solid's file, "
-      "else triangles of the generator: triangle,kind,face,other_face,step,time_s,x,y,z; - for "
-      "standard output");
+  addText(app, "--sources", "FILE", job.sourcesPath,
+          "write a table of what made each triangle of the output, or - for standard output. "
+          "Columns: triangle,kind,face,other_face,step,time_s,x,y,z. Faces are numbered as in the "
+          "file of the solid; for a mesh, each triangle is a face");
   addText(app, "--format", "ply|stl|obj|off|3mf|step|brep", job.outputFormat,
-          "format of standard output (default ply)");
+          "format of the output if it is written to standard output (default ply)");
   addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.generatorFormat,
-          "format of the generator, instead of its suffix");
+          "format of the generator, in place of its file extension");
   addUnit(app, "--generator-unit", job.generatorUnit,
-          "unit of the generator's numbers (default mm)");
+          "unit of the numbers in a generator that is a mesh (default mm)");
   addConverted(
       app, "--generator-tolerance", "MM",
       [&job](const std::string& t) {
         job.generatorTolerance = numberOf("--generator-tolerance", t);
       },
-      "how far triangles may leave the surface of a solid (default: 0.02 of the cell, or of the "
-      "smallest cell that the resolution can give)");
-  addUnit(app, "--motion-unit", job.motionUnit, "unit of the translations (default mm)");
+      "how far the triangles of a solid may deviate from its surface (default: 0.02 of the cell "
+      "size; with --resolution, of the smallest cell size that it can give)");
+  addUnit(app, "--motion-unit", job.motionUnit,
+          "unit of the translations in the motion (default mm)");
   addConverted(
       app, "--interpolation", "none|linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
-      "motion between two poses (default linear)");
+      "how the body moves between two poses (default linear); none: it stands only at the poses");
   addPoint(app, "--pivot", job.pivot,
-           "point of the generator that moves straight between two poses, where the interpolation "
-           "is linear (default 0,0,0: its origin)");
+           "point of the generator that moves in a straight line between two poses, used only with "
+           "linear interpolation; in mm (default 0,0,0: the origin)");
   addSamplingOptions(app, job);
   addCommonOptions(app, job.common);
 #ifdef HAVE_SWEPT_SOLID
@@ -134,7 +145,8 @@ void checkOptions(const CLI::App& app, EnvelopeJob& job) {
 #ifdef HAVE_SWEPT_SOLID
   if (job.options.conservative && job.solid.tolerance > 0) {
     badOption(
-        "--solid-tolerance would let the solid cut into a conservative envelope; leave it out");
+        "--solid-tolerance cannot be combined with --conservative, because the solid could then "
+        "cut into the swept volume; leave out one of them");
   }
   job.solid.strict = job.common.strict;
   job.solid.exact = job.solid.exact || job.options.conservative ||
@@ -143,7 +155,7 @@ void checkOptions(const CLI::App& app, EnvelopeJob& job) {
   job.options.resolution = static_cast<int>(job.resolution);
   job.options.sources = !job.sourcesPath.empty();
   if (job.options.sources && isSolidSuffix(suffixOfOutput(job)))
-    badOption("--sources needs a mesh file: write ply, stl, obj, off or 3mf");
+    badOption("--sources needs an output that is a mesh; write ply, stl, obj, off or 3mf");
 }
 
 void checkFormat(const EnvelopeJob& job) {
@@ -152,13 +164,13 @@ void checkFormat(const EnvelopeJob& job) {
   if (!mesh && !isSolidSuffix(suffix)) {
     throw Error(Status::ExportFailed, "BadFormat",
                 "'" + job.outputPath + "': unknown format '" + suffix +
-                    "'; known are ply, stl, obj, off, 3mf, step, stp, brep, brp");
+                    "'; use ply, stl, obj, off, 3mf, step, stp, brep or brp");
   }
 #ifndef HAVE_SWEPT_SOLID
   if (!mesh) {
     throw Error(Status::ExportFailed, "BadFormat",
-                "this program was built without OpenCASCADE and cannot write solids; choose ply, "
-                "stl, obj, off or 3mf");
+                "this program was built without OpenCASCADE and cannot write solids; use ply, stl, "
+                "obj, off or 3mf");
   }
 #endif
 }
@@ -218,10 +230,10 @@ void reportAsWritten(TriMesh& mesh, const std::string& suffix, Report& report, R
       {"SinglePrecision",
        std::max<std::int64_t>(more, 1),
        {},
-       "STL stores seven digits: after rounding, " + std::to_string(more) +
+       "STL stores only seven digits: after rounding, " + std::to_string(more) +
            " more pairs of triangles intersect" +
            (report.check.passes() ? "" : ", and the surface is no longer a closed manifold") +
-           "; write PLY, OBJ, OFF or 3MF, or move part and motion closer to the origin"});
+           "; write PLY, OBJ, OFF or 3MF, or move the part and its motion closer to the origin"});
 }
 
 SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
@@ -270,8 +282,8 @@ int runEnvelope(const EnvelopeJob& job) {
     takeError(report, error.status(), error.code(), error.what());
   } catch (const std::bad_alloc&) {
     takeError(report, Status::OutOfMemory, "OutOfMemory",
-              "memory ran out while reading or writing files; close other programs or use a larger "
-              "cell");
+              "memory ran out while files were read or written; close other programs, or use a "
+              "larger cell");
   }
   const bool ok = report.status == Status::Ok;
 #ifdef HAVE_SWEPT_SOLID
@@ -306,7 +318,7 @@ int runEnvelope(const EnvelopeJob& job) {
 Run addEnvelopeCommand(CLI::App& program) {
   const auto job = std::make_shared<EnvelopeJob>();
   CLI::App* app = program.add_subcommand(
-      "envelope", "Computes the envelope of a body moved along the poses of a file.");
+      "envelope", "Computes the envelope of a body that moves along the poses of a file.");
   addOptions(*app, *job);
   return [job, app] {
     checkOptions(*app, *job);

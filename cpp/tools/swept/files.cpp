@@ -74,7 +74,8 @@ int makeTemporary(std::string& name) {
   const int handle = ::mkstemp(name.data());
   if (handle < 0)
     throw Error(Status::ExportFailed, "ReadOnly",
-                "cannot make '" + name + "': " + std::system_category().message(errno));
+                "cannot create the temporary file '" + name +
+                    "': " + std::system_category().message(errno));
   return handle;
 }
 
@@ -104,15 +105,15 @@ void checkIdentity(const std::vector<RoledFile>& inputs, const std::vector<Roled
       if (input.path.empty() || !areSame(name, inputPath(input.path))) continue;
       throw Error(Status::InvalidInput, "SameFile",
                   outputs[i].role + " '" + outputs[i].path + "' is " + input.role + " '" +
-                      input.path + "', which would be lost; choose another name");
+                      input.path + "', which would be overwritten; choose another name");
     }
     for (std::size_t k = 0; k < i; ++k) {
       if (outputs[k].path.empty()) continue;
       const bool both = outputs[i].path == "-" && outputs[k].path == "-";
       if (!both && !areSame(name, outputPath(outputs[k].path))) continue;
       throw Error(Status::InvalidInput, "SameFile",
-                  outputs[i].role + " '" + outputs[i].path + "' is the file of " + outputs[k].role +
-                      " too; choose another name for one of them");
+                  outputs[i].role + " '" + outputs[i].path + "' is also the file of " +
+                      outputs[k].role + "; choose another name for one of them");
     }
   }
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -193,7 +194,9 @@ Error RepeatableInput::named(const Error& error) const {
 
 bool isSolidIn(const std::string& file, const std::string& path, const std::string& format) {
   if (!isSolidSuffix(format)) return format.empty() && isSolidFile(file);
-  if (!isSolidFile(file)) badFile("'" + path + "' does not begin as a STEP or BREP file does");
+  if (!isSolidFile(file))
+    badFile("'" + path +
+            "' does not begin like a STEP or BREP file; check the file and its format");
   return true;
 }
 
@@ -207,7 +210,8 @@ TriMesh meshFrom(const std::string& file, const std::string& path, const std::st
     return readMesh(file, unit, "ply");
   } catch (const Error& error) {
     throw Error(error.status(), error.code(),
-                std::string(error.what()) + "; nothing names its format, so it was read as ply");
+                std::string(error.what()) +
+                    "; the input has no file extension, so it was read as ply: give its format");
   }
 }
 

@@ -25,12 +25,9 @@ namespace {
 using Commands = std::vector<std::pair<std::string, Run>>;
 
 constexpr const char* kExitStatuses =
-    "Exit status: 0 done, 1 failed, 2 wrong usage, 3 not clear (clearance,\n"
-    "mechanism, overlap, study) or no path (path, sequence), 130 and 143 cancelled (128 and the "
-    "number of "
-    "the "
-    "signal). "
-    "Lengths are in mm.";
+    "Exit status: 0 success, 1 failure, 2 wrong usage, 3 not clear (clearance,\nmechanism, "
+    "overlap, study) or no path (path, sequence), 130 or 143 cancelled (128 plus the number of the "
+    "signal). Lengths are in mm.";
 
 Commands addCommands(CLI::App& program) {
   Commands commands;
@@ -83,7 +80,7 @@ std::string refusal(const CLI::ParseError& error, const CLI::App& program,
   const std::string word = text.substr(text.rfind(": ") + 2);
   if (commandOf(program).empty()) return "unknown command '" + words[0] + "'";
   if (word.size() > 1 && word[0] == '-') return "unknown option '" + word + "'";
-  return "one file too many: '" + word + "'";
+  return "too many files: '" + word + "'";
 }
 
 /// CLI11 from 2.5 on wraps what stands below the options, where the lines are commands to be
@@ -141,12 +138,12 @@ int main(int argc, char** argv) {
     return usage ? cli::kExitUsage : cli::exitStatus(error.status());
   } catch (const std::bad_alloc&) {
     cli::printError(Status::OutOfMemory, "OutOfMemory",
-                    "memory ran out; use a larger cell or smaller files");
+                    "memory ran out; use a larger cell, or smaller files");
   } catch (const std::exception& error) {
     cli::printError(
         Status::InternalError, "Unexpected",
         std::string(error.what()) +
-            ": a fault of the program; please report it with the files and the command");
+            ". This is a fault of the program; please report it with the files and the command");
   }
   return cli::kExitFailed;
 }

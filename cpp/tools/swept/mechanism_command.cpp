@@ -36,31 +36,35 @@ struct MechanismJob {
 
 void addOptions(CLI::App& app, MechanismJob& job) {
   addWords(app, "--moving", 2, "PART MOTION", job.moving,
-           "a part that moves and its poses, as for swept envelope; its name is that of the file. "
-           "Give the option once for each part");
+           "a moving part and the table of its poses, as for \"swept envelope\". The part takes "
+           "the name of its file PART. Repeat the option for each moving part");
   addNeighbourOptions(app, job.still)->required(false);
-  addUnit(app, "--moving-unit", job.partUnit, "unit of moving parts that are meshes (default mm)");
-  addUnit(app, "--motion-unit", job.motionUnit, "unit of the translations (default mm)");
+  addUnit(app, "--moving-unit", job.partUnit,
+          "unit of the numbers in moving parts that are meshes (default mm)");
+  addUnit(app, "--motion-unit", job.motionUnit,
+          "unit of the translations in the motions (default mm)");
   addConverted(
       app, "--interpolation", "linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
-      "motion between two poses (default linear); with screw, parts that keep their place to each "
-      "other at two poses keep it between them");
+      "how a part moves between two poses (default linear). With screw, two parts that have the "
+      "same relative placement at two poses keep it between these poses");
   addDistanceOptions(app, job.options);
-  addNumber(app, "--range", "MM", job.options.range,
-            "pairs that come nearer than this are listed (default a tenth of the size of the "
-            "parts)");
-  addWords(app, "--rule", 3, "PART PART RULE", job.rules,
-           "what a pair asks for in place of the common distance: a distance in mm, contact, "
-           "contact:MM (how deep at most) or ignore");
+  addNumber(
+      app, "--range", "MM", job.options.range,
+      "list the pairs that come closer than this (default 0: a tenth of the size of the parts)");
+  addWords(
+      app, "--rule", 3, "PART PART RULE", job.rules,
+      "rule for one pair of parts, in place of the required distance: a distance in mm; contact; "
+      "contact:MM (overlap of at most MM mm); or ignore. Repeat the option for each pair");
   addWords(app, "--ignore", 2, "PART PART", job.ignored,
-           "a pair that is not looked at: the rule ignore, as for parts that a joint holds "
-           "together");
+           "do not check this pair, for example parts that are connected by a joint; the same as "
+           "--rule PART PART ignore");
   addDetailOptions(app, job.options, job.curve,
-                   "points of the graph of distance over time in the report (default 0; 200 with "
-                   "--page)",
+                   "number of points of the graph of distance over time in the report (default 0: "
+                   "no graph; with --page 200)",
                    job.stamp);
-  addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
+  addText(app, "--csv", "FILE", job.csvPath,
+          "write the results as a CSV table, or - for standard output");
   addPageOptions(app, job.page);
   addCommonOptions(app, job.common);
   app.footer(
@@ -124,9 +128,11 @@ void compareWithStamps(const MechanismJob& job, const std::vector<MechanismPart>
   for (const PairClearance& pair : report.pairs) {
     const StampedClearance least = stampedPair(parts[pair.parts.first], parts[pair.parts.second],
                                                report.time, static_cast<int>(job.stamp), run);
-    std::printf("stamped %lld moments of %s: smallest %.9g mm at t = %.9g s; motion %.9g mm\n",
-                static_cast<long long>(least.poses), pair.clearance.name.c_str(), least.distance,
-                least.timeSeconds, pair.clearance.distance);
+    std::printf(
+        "sampled at %lld times, pair %s: smallest distance %.9g mm at t = %.9g s; over the "
+        "continuous motion: %.9g mm\n",
+        static_cast<long long>(least.poses), pair.clearance.name.c_str(), least.distance,
+        least.timeSeconds, pair.clearance.distance);
   }
 }
 
@@ -160,9 +166,11 @@ void printTable(const MechanismReport& report) {
       std::printf(", depth %.4g to %.4g mm", row.penetration.depth, row.penetration.depthBound);
     std::printf("  (%.2f s)\n", row.seconds);
   }
-  std::printf("%lld pairs stay farther apart than %.4g mm, %zu keep their place, %zu ignored\n",
-              static_cast<long long>(report.farPairs), report.range, report.joined.size(),
-              report.ignored.size());
+  std::printf(
+      "%lld pairs stay farther apart than %.4g mm, %zu pairs do not move relative to each other, "
+      "%zu pairs are ignored\n",
+      static_cast<long long>(report.farPairs), report.range, report.joined.size(),
+      report.ignored.size());
   std::printf("%s; %.2f s\n", report.summary.c_str(),
               report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
 }
@@ -172,7 +180,8 @@ int runMechanism(const MechanismJob& job) {
   std::vector<RoledFile> inputs;
   for (std::size_t i = 0; i < job.moving.size(); ++i)
     inputs.push_back({i % 2 == 0 ? "a moving part" : "a motion", job.moving[i]});
-  for (const std::string& path : job.still.paths) inputs.push_back({"a part that stands", path});
+  for (const std::string& path : job.still.paths)
+    inputs.push_back({"a part that stands still", path});
   addTemplate(job.page, inputs);
   const std::vector<RoledFile> outputs{
       {"--csv", job.csvPath}, {"--report", common.report}, {"--page", job.page.path}};
@@ -210,8 +219,8 @@ Run addMechanismCommand(CLI::App& program) {
   const auto job = std::make_shared<MechanismJob>();
   CLI::App& app = *program.add_subcommand(
       "mechanism",
-      "Smallest distances between parts that move at the same time, each on a motion of its own, "
-      "and to parts that stand still; nothing between two poses is missed.");
+      "Measures the smallest distances between parts that move at the same time, each with its own "
+      "motion, and to parts that stand still. No approach between two poses is missed.");
   addOptions(app, *job);
   return [job] {
     checkNeighbourOptions(job->still, "");

@@ -16,15 +16,17 @@ namespace swept::cli {
 CLI::Option* addNeighbourOptions(CLI::App& app, NeighbourFiles& files) {
   CLI::Option* option =
       app.add_option("NEIGHBOUR", files.paths,
-                     "parts that stand still: ply, stl, obj, off, step, stp, brep, brp; one "
-                     "neighbour a solid");
+                     "parts that stand still: files of type ply, stl, obj, off, step, stp, brep or "
+                     "brp. Each solid of a file is a neighbour");
   option->type_name("FILE")->required();
-  addUnit(app, "--neighbour-unit", files.millimetresPerUnit, "unit of neighbours that are meshes");
+  addUnit(app, "--neighbour-unit", files.millimetresPerUnit,
+          "unit of the numbers in neighbours that are meshes (default mm)");
   addNumber(app, "--neighbour-chord", "MM", files.chordError,
-            "how far the triangles of neighbours given as meshes leave their exact surfaces "
+            "how far the triangles of neighbours that are meshes deviate from their exact surfaces "
             "(default 0)");
   addNumber(app, "--deflection", "MM", files.deflection,
-            "chord error to which solids, the moving one too, are tessellated (default 0.05)");
+            "how far the triangles of solids (neighbours and moving parts) may deviate from their "
+            "surfaces (default 0.05)");
   return option;
 }
 
@@ -34,13 +36,14 @@ void addRuleOptions(CLI::App& app, NeighbourFiles& files) {
          [&files](const std::vector<std::string>& list) {
            for (const std::string& text : list) files.rules.push_back(parseNamedRule(text));
          },
-         "what neighbours of this name (* and ? stand for letters) ask for: a distance in mm, "
-         "contact, contact:MM (may overlap so deep) or ignore; may be given again")
+         "rule for the neighbours with this name, in place of the required distance: a distance in "
+         "mm; contact; contact:MM (overlap of at most MM mm); or ignore. In NAME, * stands for any "
+         "letters and ? for one. Repeat the option for more rules")
       ->type_name("NAME=RULE")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   addText(app, "--rules", "FILE", files.rulesPath,
-          "rules from a text file, NAME=RULE a line; # begins a remark");
+          "text file with one rule NAME=RULE on each line; lines that begin with # are comments");
 }
 
 void checkNeighbourOptions(const NeighbourFiles& files, const std::string& moving) {
@@ -52,8 +55,8 @@ void checkNeighbourOptions(const NeighbourFiles& files, const std::string& movin
         !std::filesystem::equivalent(pathFromUtf8(path), pathFromUtf8(moving), failed))
       continue;
     badOption("'" + path +
-              "' is the moving part and a neighbour: take it out of the neighbours; a copy that "
-              "stands still needs a file of its own");
+              "' is both the moving part and a neighbour; leave it out of the neighbours. For a "
+              "second copy that stands still, use a copy of the file");
   }
 }
 

@@ -45,7 +45,7 @@ CLI::Option* addText(CLI::App& app, const std::string& names, const std::string&
   return addConverted(
       app, names, kind,
       [name, &target](const std::string& value) {
-        if (value.empty()) badOption(name + " needs a value that is not empty");
+        if (value.empty()) badOption(name + " needs a value, but the value is empty");
         target = value;
       },
       about);
@@ -82,7 +82,7 @@ CLI::Option* addPoint(CLI::App& app, const std::string& names, Eigen::Vector3d& 
         for (std::string part; std::getline(parts, part, ',');)
           numbers.push_back(numberOf(names, part));
         if (numbers.size() != 3)
-          badOption(names + " is '" + text + "'; expected three numbers (mm) such as 10,0,2.5");
+          badOption(names + " is '" + text + "'; expected three numbers in mm, such as 10,0,2.5");
         target = {numbers[0], numbers[1], numbers[2]};
       },
       about);
@@ -97,13 +97,15 @@ CLI::Option* addUnit(CLI::App& app, const std::string& names, double& target,
 
 void addCommonOptions(CLI::App& app, CommonOptions& options) {
   addText(app, "--report", "FILE", options.report,
-          "write what was found as JSON, also of a failure; - for standard output");
+          "write a report as JSON, also if the run fails, or - for standard output");
   addInteger(app, "--threads", options.threads, 0, kMaxThreads,
-             "threads to use (default: all cores)");
-  app.add_flag("--strict", options.strict, "a finding that costs accuracy is a failure");
-  app.add_flag("--no-clobber", options.noClobber, "refuse to replace files that exist");
-  app.add_flag("-q,--quiet", options.quiet, "no progress bar, no summary");
-  app.add_flag("-v,--verbose", options.verbose, "tell how long each stage took");
+             "number of threads (default 0: one for each core)");
+  app.add_flag("--strict", options.strict,
+               "treat a finding that reduces the accuracy as a failure");
+  app.add_flag("--no-clobber", options.noClobber,
+               "do not replace existing files; the run is refused");
+  app.add_flag("-q,--quiet", options.quiet, "print no progress bar and no summary");
+  app.add_flag("-v,--verbose", options.verbose, "print the duration of each stage");
 }
 
 }  // namespace swept::cli

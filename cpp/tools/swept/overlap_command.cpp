@@ -25,22 +25,23 @@ struct OverlapJob {
 
 void addOptions(CLI::App& app, OverlapJob& job) {
   app.add_option("PART", job.files.paths,
-                 "two or more: ply, stl, obj, off, step, stp, brep, brp; every solid of a file is "
-                 "a part")
+                 "two or more parts: files of type ply, stl, obj, off, step, stp, brep or brp. "
+                 "Each solid of a file is a part")
       ->type_name("FILE")
       ->required();
   addUnit(app, "--unit", job.files.millimetresPerUnit,
-          "unit of parts that are meshes (default mm)");
+          "unit of the numbers in parts that are meshes (default mm)");
   addNumber(app, "--chord", "MM", job.files.chordError,
-            "how far the triangles of parts given as meshes leave their exact surfaces "
+            "how far the triangles of parts that are meshes deviate from their exact surfaces "
             "(default 0)");
   addNumber(app, "--deflection", "MM", job.files.deflection,
-            "chord error to which solids are tessellated (default 0.05)");
+            "how far the triangles of solids may deviate from their surfaces (default 0.05)");
   addDistanceOptions(app, job.options);
   addText(app, "--shared", "FILE", job.sharedPath,
-          "write the shared volumes of all pairs as one mesh (ply, stl, obj, off, 3mf); - for "
-          "standard output, as ply");
-  addText(app, "--csv", "FILE", job.csvPath, "write the table; - for standard output");
+          "write the shared volumes of all pairs as one mesh of type ply, stl, obj, off or 3mf, or "
+          "- for standard output as ply");
+  addText(app, "--csv", "FILE", job.csvPath,
+          "write the results as a CSV table, or - for standard output");
   addCommonOptions(app, job.common);
   app.footer(
       "Exit status 0 if all pairs are apart, 3 if a pair is below required, in contact or in "
@@ -77,7 +78,7 @@ void printTable(const OverlapReport& report) {
     if (row.verdict == ClearanceVerdict::Clash && row.penetration.known)
       std::printf(", depth %.4g to %.4g mm", row.penetration.depth, row.penetration.depthBound);
     if (!pair.volume)
-      std::printf(", volume not known");
+      std::printf(", shared volume not known");
     else if (*pair.volume > 0)
       std::printf(", %.6g mm^3 shared", *pair.volume);
     std::printf("\n");
@@ -108,9 +109,9 @@ void checkShared(const std::string& path) {
 void writeShared(const OverlapReport& report, const std::string& path) {
   const TriMesh all = joined(report);
   if (all.triangles.empty())
-    throw Error(
-        Status::ExportFailed, "NothingShared",
-        "'" + path + "' is not written: no two of the parts share space (" + report.summary + ")");
+    throw Error(Status::ExportFailed, "NothingShared",
+                "'" + path + "' is not written, because no two of the parts share a volume (" +
+                    report.summary + ")");
   const Output output(path, "ply");
   writeMesh(all, output.path());
   output.deliver();
@@ -149,10 +150,10 @@ int runOverlap(const OverlapJob& job) {
 
 Run addOverlapCommand(CLI::App& program) {
   const auto job = std::make_shared<OverlapJob>();
-  CLI::App& app = *program.add_subcommand(
-      "overlap",
-      "Parts that stand still, in pairs: smallest distance, or how deep they lie in each other "
-      "and the volume that they share.");
+  CLI::App& app =
+      *program.add_subcommand("overlap",
+                              "Compares all pairs of parts that stand still: measures the smallest "
+                              "distance, or the depth of the overlap and the shared volume.");
   addOptions(app, *job);
   return [job] {
     checkNeighbourOptions(job->files, "");

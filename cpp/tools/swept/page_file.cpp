@@ -64,14 +64,14 @@ std::string dateText() {
     if (*end != '\0' || errno != 0)
       throw Error(Status::InvalidInput, "BadOption",
                   std::string("SOURCE_DATE_EPOCH is '") + given +
-                      "'; it must be a number of seconds since 1970");
+                      "', but must be a number of seconds since 1970");
     now = static_cast<std::time_t>(value);
   }
   const std::tm* parts = std::gmtime(&now);
   std::array<char, 40> text{};
   if (!parts || std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M UTC", parts) == 0)
     throw Error(Status::InvalidInput, "BadOption",
-                "SOURCE_DATE_EPOCH is too large for a date on this system");
+                "SOURCE_DATE_EPOCH is too large to be a date on this system");
   return text.data();
 }
 
@@ -79,7 +79,7 @@ std::string dateText() {
 
 void addPageOptions(CLI::App& app, PageJob& job) {
   addText(app, "--page", "FILE", job.path,
-          "write the result as one HTML file with a 3D view, for people; - for standard output");
+          "write the result as a single HTML page with a 3D view, or - for standard output");
   addConverted(
       app, "--page-language", "en|de",
       [&job](const std::string& text) {
@@ -90,13 +90,13 @@ void addPageOptions(CLI::App& app, PageJob& job) {
       "language of the page (default en)");
   addText(app, "--page-title", "TEXT", job.title, "title of the page");
   addText(app, "--page-template", "FILE", job.templatePath,
-          "HTML with {{placeholders}} to be filled in instead of the program's own");
+          "HTML template to fill in, with {{placeholders}}, in place of the built-in template");
 }
 
 void checkPageOptions(const PageJob& job) {
   if (!job.path.empty()) return;
-  if (!job.templatePath.empty()) badOption("--page-template needs --page as well");
-  if (!job.title.empty()) badOption("--page-title needs --page as well");
+  if (!job.templatePath.empty()) badOption("--page-template can be used only together with --page");
+  if (!job.title.empty()) badOption("--page-title can be used only together with --page");
 }
 
 void addTemplate(const PageJob& job, std::vector<RoledFile>& inputs) {

@@ -27,28 +27,32 @@ struct PathJob {
 
 void addPlaces(CLI::App& app, PathJob& job) {
   addText(app, "PART", "FILE", job.partPath,
-          "the part: ply, stl, obj, off, step, stp, brep or brp; - for standard input")
+          "the part to install: a file of type ply, stl, obj, off, step, stp, brep or brp, or - "
+          "for standard input")
       ->required();
   addNeighbourOptions(app, job.neighbours);
   addRuleOptions(app, job.neighbours);
   addConverted(
       app, "--goal", "X,Y,Z[,QX,QY,QZ,QW]",
       [&job](const std::string& t) { job.task.goal = placementOf("--goal", t); },
-      "where the part belongs (default: as it stands in its file)");
+      "placement of the part at the end of the path: mm, and a unit quaternion (default: the "
+      "placement in its file)");
   addConverted(
       app, "--start", "X,Y,Z[,QX,QY,QZ,QW]",
       [&job](const std::string& t) { job.task.start = placementOf("--start", t); },
-      "where it comes from");
+      "placement of the part at the start of the path");
   addConverted(
       app, "--extract", "RADIUS|X,Y,Z",
       [&job](const std::string& t) { job.task.extraction = extractionOf("--extract", t); },
-      "instead of a start: just get it out, so far (mm) or past all neighbours in this direction");
+      "in place of a start: take the part out to this distance (mm), or in this direction past all "
+      "neighbours");
   app.add_option_function<std::vector<std::string>>(
          "--via",
          [&job](const std::vector<std::string>& list) {
            for (const std::string& t : list) job.task.via.push_back(placementOf("--via", t));
          },
-         "a placement that the path has to pass; may be given again, from start to goal")
+         "a placement through which the path must pass. Repeat the option for more placements, in "
+         "order from start to goal")
       ->type_name("X,Y,Z[,QX,QY,QZ,QW]")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -58,11 +62,13 @@ void addOptions(CLI::App& app, PathJob& job) {
   addPlaces(app, job);
   addSearchOptions(app, job.options, job.seed);
   addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.partFormat,
-          "format of the part, instead of its suffix");
-  addUnit(app, "--generator-unit", job.partUnit, "unit of the part's numbers (default mm)");
+          "format of the part, in place of its file extension");
+  addUnit(app, "--generator-unit", job.partUnit,
+          "unit of the numbers in a part that is a mesh (default mm)");
   addNumber(app, "--generator-chord", "MM", job.options.bodyChordError,
-            "how far the part's triangles leave its exact surface (default 0)");
-  addText(app, "-o,--output", "FILE", job.output, "write the keys; - for standard output");
+            "how far the triangles of the part deviate from its exact surface (default 0)");
+  addText(app, "-o,--output", "FILE", job.output,
+          "write the keys of the path as a table of poses, or - for standard output");
   addCommonOptions(app, job.common);
   app.footer(
       "Exit status 0 if a path is found, 3 if not.\n\nExamples:\n"
@@ -108,8 +114,8 @@ Run addPathCommand(CLI::App& program) {
   const auto job = std::make_shared<PathJob>();
   CLI::App& app = *program.add_subcommand(
       "path",
-      "How a part gets to its place between parts that stand still: a motion of few keys "
-      "that is clear of them between the keys as well.");
+      "Finds an installation path: a motion with few keys on which a part reaches its place and "
+      "keeps its distance from parts that stand still, also between the keys.");
   addOptions(app, *job);
   return [job] {
     checkNeighbourOptions(job->neighbours, "");  // it is placed elsewhere

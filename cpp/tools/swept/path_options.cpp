@@ -24,7 +24,7 @@ Pose placementOf(const std::string& name, const std::string& text) {
   const std::vector<double> n = numbersOf(name, text);
   if (n.size() != 3 && n.size() != 7)
     badOption(name + " is '" + text +
-              "'; a placement is x,y,z in mm or x,y,z,qx,qy,qz,qw with a unit quaternion");
+              "'; expected a placement: x,y,z in mm, or x,y,z,qx,qy,qz,qw with a unit quaternion");
   Pose pose;
   pose.translation = {n[0], n[1], n[2]};
   if (n.size() == 7) pose.rotation = Eigen::Quaterniond(n[6], n[3], n[4], n[5]);
@@ -39,35 +39,42 @@ Extraction extractionOf(const std::string& name, const std::string& text) {
   else if (n.size() == 3)
     extraction.direction = Eigen::Vector3d(n[0], n[1], n[2]);
   else
-    badOption(name + " is '" + text + "'; allowed: a radius in mm or a direction x,y,z");
+    badOption(name + " is '" + text + "'; allowed: a distance in mm or a direction x,y,z");
   return extraction;
 }
 
 void addSearchOptions(CLI::App& app, PathOptions& o, std::int64_t& seed) {
   addNumber(app, "--clearance,--required", "MM", o.clearance,
-            "distance to keep from every neighbour (default 0: more than the accuracy)");
+            "distance to keep from every neighbour (default 0: the parts must not touch, so they "
+            "stay apart by more than --accuracy)");
   addNumber(app, "--tolerance,--accuracy", "MM", o.tolerance,
-            "as for swept clearance (default 0.01)");
-  addNumber(app, "--release", "MM", o.release,
-            "contact is allowed until the part is so far out (default 0)");
+            "largest error of a smallest distance (default 0.01)");
+  addNumber(
+      app, "--release", "MM", o.release,
+      "a neighbour that is closer than the required distance at start or goal may stay closer, or "
+      "touch, until some point of the part has moved this far from there (default 0)");
   app.add_flag_callback(
-      "--translation-only", [&o] { o.translationOnly = true; }, "the part never turns");
+      "--translation-only", [&o] { o.translationOnly = true; },
+      "search only for paths on which the part never turns");
   addConverted(
       app, "--max-angle", "DEG",
       [&o](const std::string& t) {
         o.largestTurn = numberOf("--max-angle", t) * std::numbers::pi / 180;
       },
-      "largest turn from how the part stands at the goal (default 180)");
-  addNumber(app, "--budget", "S", o.budgetSeconds, "time after which a search ends (default 60)");
+      "largest angle in degrees by which the part may turn away from its orientation at the goal "
+      "(default 180: no limit)");
+  addNumber(app, "--budget", "S", o.budgetSeconds,
+            "time limit in seconds, after which the search ends without a path (default 60)");
   addInteger(app, "--seed", seed, 0, std::int64_t{1} << 53,
-             "another seed, perhaps another path (default 1)");
-  addInteger(app, "--most-moves", o.mostSteps, 0, std::int64_t{1} << 53,
-             "moves that a search in six dimensions tries at most, the same on every machine "
-             "(default 0: no limit)");
+             "seed of the random numbers; another seed may find another path (default 1)");
+  addInteger(
+      app, "--most-moves", o.mostSteps, 0, std::int64_t{1} << 53,
+      "largest number of moves that a search with turns tries before it ends without a path. "
+      "Unlike the time limit, it gives the same result on every machine (default 0: no limit)");
   addConverted(
       app, "--interpolation", "linear|screw",
       [&o](const std::string& t) { o.interpolation = parseInterpolation(t); },
-      "motion between two keys (default linear)");
+      "how the part moves between two keys (default linear)");
 }
 
 std::string motionTable(const Trajectory& motion) {

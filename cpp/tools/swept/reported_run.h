@@ -51,9 +51,9 @@ int finishReported(const AnyReport& report, const CommonOptions& common, bool cl
 template <class Options>
 void addDistanceOptions(CLI::App& app, Options& options) {
   addNumber(app, "--required", "MM", options.required,
-            "distance that must be kept (default 0: contact and clash only)");
+            "distance that the parts must keep (default 0: only contact and clash are reported)");
   addNumber(app, "--tolerance,--accuracy", "MM", options.tolerance,
-            "largest error of the smallest distance (default 0.01)");
+            "largest error of a smallest distance (default 0.01)");
 }
 
 /// --interval-tolerance, --curve, --no-penetration and --stamp.
@@ -61,13 +61,15 @@ template <class Options>
 void addDetailOptions(CLI::App& app, Options& options, std::int64_t& curve, const char* aboutCurve,
                       std::int64_t& stamp) {
   addNumber(app, "--interval-tolerance", "MM", options.intervalTolerance,
-            "travel to which ends of time intervals are found (default 10 tolerances)");
+            "how exactly the ends of time intervals are found, as travel of the part (default 0: "
+            "10 times --accuracy)");
   addInteger(app, "--curve", curve, 0, 1000000, aboutCurve);
   app.add_flag_callback(
       "--no-penetration", [&options] { options.penetration = false; },
-      "do not measure how deep a clash goes");
+      "do not measure the depth of a clash");
   addInteger(app, "--stamp", stamp, 0, 1000000,
-             "compare with distances at every pose and N more in each step (slow)");
+             "for tests, slow: compare with distances measured at each pose and at N times between "
+             "two poses");
 }
 
 }  // namespace swept::cli

@@ -29,8 +29,8 @@ struct SequenceJob {
 };
 
 constexpr const char* kHow =
-    "is 'out:' with a radius in mm or a direction x,y,z, 'from:' with a placement, or 'motion:' "
-    "with a motion file";
+    "is 'out:' and a distance in mm or a direction x,y,z; 'from:' and a start placement; or "
+    "'motion:' and a motion file";
 
 bool takes(const std::string& text, const std::string& word, std::string& rest) {
   if (text.rfind(word + ":", 0) != 0) return false;
@@ -40,12 +40,14 @@ bool takes(const std::string& text, const std::string& word, std::string& rest) 
 
 void addOptions(CLI::App& app, SequenceJob& job) {
   addWords(app, "--part", 2, "PART HOW", job.parts,
-           "a part where it belongs, named as its file, and how it comes there; HOW " +
-               std::string(kHow) + ". Give the option once for each part");
+           "a part in its installed position, and how it gets there. The part takes the name of "
+           "its file PART. HOW " +
+               std::string(kHow) + ". Repeat the option for each part");
   addNeighbourOptions(app, job.still)->required(false);
-  addUnit(app, "--part-unit", job.partUnit, "unit of parts that are meshes (default mm)");
+  addUnit(app, "--part-unit", job.partUnit,
+          "unit of the numbers in parts that are meshes (default mm)");
   addNumber(app, "--part-chord", "MM", job.partChord,
-            "how far the triangles of parts given as meshes leave their exact surfaces "
+            "how far the triangles of parts that are meshes deviate from their exact surfaces "
             "(default 0)");
   addConverted(
       app, "--order", "given|find",
@@ -53,14 +55,17 @@ void addOptions(CLI::App& app, SequenceJob& job) {
         if (t != "given" && t != "find") badOption("--order is '" + t + "'; allowed: given, find");
         job.options.findOrder = t == "find";
       },
-      "install in the order of the options, or find one by taking apart (default given)");
+      "given (default): install the parts in the order of the options; find: search for an order "
+      "by taking the parts out");
   addSearchOptions(app, job.options.path, job.seed);
   addWords(app, "--rule", 3, "PART PART RULE", job.rules,
-           "what a pair asks for in place of the clearance: a distance in mm or ignore");
+           "rule for one pair of parts, in place of the required distance: a distance in mm or "
+           "ignore. Repeat the option for each pair");
   addWords(app, "--ignore", 2, "PART PART", job.ignored,
-           "a pair that is not looked at, as a screw in its thread");
+           "do not check this pair, for example a screw and its thread");
   addText(app, "-o,--output", "FOLDER", job.folder,
-          "write the motion of each part, NAME.csv, all on one timeline");
+          "existing folder for the motions: one file NAME.csv for each part, all with the same "
+          "time axis");
   addCommonOptions(app, job.common);
   app.footer(
       "Exit status 0 if all parts have a path, 3 if not.\n\nExamples:\n"
@@ -79,7 +84,7 @@ bool takePlace(const std::string& how, PathTask& task) {
   else if (takes(how, "from", rest))
     task.start = placementOf("--part ... from", rest);
   else
-    badOption("--part ... '" + how + "'; how a part comes " + kHow);
+    badOption("--part ... '" + how + "'; HOW " + kHow);
   return true;
 }
 
@@ -154,7 +159,8 @@ int runSequence(const SequenceJob& job) {
   for (const std::string& path : job.still.paths) inputs.push_back({"a neighbour", path});
   if (!job.folder.empty()) {
     if (!std::filesystem::is_directory(pathFromUtf8(job.folder)))
-      badOption("--output: there is no folder '" + job.folder + "'");
+      badOption("--output: the folder '" + job.folder +
+                "' does not exist; create it, or choose another");
     for (std::size_t i = 0; i < job.parts.size() / 2; ++i)
       outputs.push_back({"--output", motionFile(job, i)});
   }
@@ -177,8 +183,8 @@ Run addSequenceCommand(CLI::App& program) {
   const auto job = std::make_shared<SequenceJob>();
   CLI::App& app = *program.add_subcommand(
       "sequence",
-      "Parts that are installed one after the other, each clear of all that is there by then: in "
-      "the given order, or in one that is found.");
+      "Finds installation paths for parts that are installed one after the other. Each part keeps "
+      "its distance from all parts already in place. You give the order, or the search finds one.");
   addOptions(app, *job);
   return [job] {
     checkNeighbourOptions(job->still, "");

@@ -112,21 +112,21 @@ int runSolid(const SolidJob& job) {
 
 Run addSolidCommand(CLI::App& program) {
   const auto job = std::make_shared<SolidJob>();
-  CLI::App& app = *program.add_subcommand(
-      "solid",
-      "Makes a solid of a closed mesh. The file is read back and checked before it replaces an old "
-      "one.");
-  addText(app, "MESH", "FILE", job->meshPath, "ply, stl, obj or off; - for standard input")
+  CLI::App& app = *program.add_subcommand("solid",
+                                          "Converts a closed mesh to a solid. The new file is read "
+                                          "back and checked before it replaces an old one.");
+  addText(app, "MESH", "FILE", job->meshPath,
+          "closed mesh to convert: a file of type ply, stl, obj or off, or - for standard input")
       ->required();
   addText(app, "-o,--output", "FILE", job->outputPath,
-          "ends in step, stp, brep or brp; - for standard output");
-  app.add_flag(
-      "--estimate", job->estimate,
-      "only say what the solid would take: it is built as a trial, and nothing is written");
+          "file to write, of type step, stp, brep or brp, or - for standard output");
+  app.add_flag("--estimate", job->estimate,
+               "print how many faces, megabytes and seconds the solid needs; the solid is built, "
+               "but not written");
   addText(app, "--format", "ply|stl|obj|off", job->meshFormat,
-          "format of the mesh, instead of its suffix");
+          "format of the mesh, in place of its file extension");
   addText(app, "--output-format", "step|brep", job->outputFormat,
-          "format of standard output (default step)");
+          "format of the output if it is written to standard output (default step)");
   addUnit(app, "--unit", job->unit, "unit of the numbers in the mesh (default mm)");
   addCommonOptions(app, job->common);
   addSolidOptions(app, job->options);

@@ -10,23 +10,31 @@ void addSolidOptions(CLI::App& app, StepOptions& options) {
   constexpr const char* kGroup = "Options of solids (step, stp, brep, brp)";
   const auto in = [](CLI::Option* option) { option->group(kGroup); };
   in(addNumber(app, "--solid-tolerance", "MM", options.tolerance,
-               "the solid may leave the mesh by this; surfaces are recognised, the rest is "
-               "simplified (default 0: flat regions are merged; more only as the limits ask)"));
+               "how far the solid may deviate from the mesh. Above 0, surfaces such as cylinders "
+               "are recognised, and the rest is simplified (default 0: only flat regions are "
+               "merged, unless a limit below is exceeded)"));
   in(addInteger(app, "--max-faces", options.maxFaces, 4, std::int64_t{1} << 31U,
-                "at most this many faces (default 20000)"));
+                "largest number of faces (default 20000). Without --solid-tolerance, a larger "
+                "solid is simplified until it fits; otherwise it is refused"));
   in(addNumber(app, "--max-megabytes", "N", options.maxMegabytes,
-               "at most this much in the file (default: no limit)"));
+               "largest size of the file in MB (default 0: no limit). A larger solid is treated as "
+               "with --max-faces"));
   in(addConverted(
       app, "--schema", "ap214|ap242|ap242-tessellated",
       [&options](const std::string& text) { options.schema = parseStepSchema(text); },
-      "of the STEP file; tessellated: the mesh as it is (default ap214)"));
+      "schema of the STEP file (default ap214). ap242-tessellated writes the triangles of the mesh "
+      "unchanged"));
   in(app.add_flag("--exact", options.exact,
-                  "never leave the mesh: above a limit refuse instead of simplifying"));
+                  "never deviate from the mesh: a solid above a limit is refused, not simplified"));
   in(app.add_flag_callback(
-      "--facets", [&options] { options.recognise = false; }, "plane faces only"));
-  in(addText(app, "--author", "TEXT", options.author, "for the header of the STEP file"));
-  in(addText(app, "--organization", "TEXT", options.organization, "for the header too"));
-  in(addText(app, "--product", "TEXT", options.productName, "name of the product"));
+      "--facets", [&options] { options.recognise = false; },
+      "make plane faces only; recognise no curved surfaces"));
+  in(addText(app, "--author", "TEXT", options.author,
+             "author named in the header of the STEP file"));
+  in(addText(app, "--organization", "TEXT", options.organization,
+             "organisation named in the header of the STEP file"));
+  in(addText(app, "--product", "TEXT", options.productName,
+             "name of the product in the STEP file"));
 }
 
 void printSolid(const StepReport& solid, const std::string& path) {

@@ -57,7 +57,7 @@ int runStudy(const StudyJob& job) {
   execv(arguments[0], arguments.data());
   throw Error(Status::InvalidInput, "NoPython",
               std::string("'") + SWEPT_PYTHON + "' cannot be started: " + std::strerror(errno) +
-                  "; studies need the Python that this program was built for");
+                  "; studies need the Python for which this program was built: install it");
 }
 
 }  // namespace
@@ -66,10 +66,10 @@ Run addStudyCommand(CLI::App& program) {
   const auto job = std::make_shared<StudyJob>();
   CLI::App& app = *program.add_subcommand(
       "study",
-      "Computes the runs of a study file, several at once or on a cluster: envelopes, solids and "
-      "clearances of many parts and motions. What is done is kept, and one run that fails stops no "
-      "other.");
-  addText(app, "FILE", "FILE", job->file, "the study: a TOML file, as docs/studies.md says")
+      "Computes the runs of a study file (envelopes, solids and clearances of many parts and "
+      "motions), several at once or on a cluster. Results of earlier runs are kept, and a run that "
+      "fails does not stop the others.");
+  addText(app, "FILE", "FILE", job->file, "study file (TOML), as described in docs/studies.md")
       ->required();
   const auto value = [&](const char* names, const char* kind, const char* about) {
     const std::string all = names;
@@ -86,25 +86,30 @@ Run addStudyCommand(CLI::App& program) {
     app.add_flag_callback(
         names, [job, at] { job->flags[at].second = true; }, about);
   };
-  value("-o,--output", "FOLDER", "folder for results (default: the one that the file names)");
-  value("--jobs", "N", "runs at once on this machine (default: one for each core)");
+  value("-o,--output", "FOLDER",
+        "folder for the results (default: the folder set in the study file, or \"results\" beside "
+        "it)");
+  value("--jobs", "N",
+        "number of runs at the same time on this machine (default: one for each core)");
   value("--scheduler", "ADDRESS",
-        "address of a dask scheduler, tcp://host:8786, whose workers compute");
+        "address of a Dask scheduler, such as tcp://host:8786; its workers compute the runs");
   flag("--send-files",
-       "files travel through the scheduler (default: all machines see the same folders)");
-  flag("--again", "compute runs again whose results are there");
+       "send the files through the scheduler (default: all machines must see the same folders)");
+  flag("--again", "compute all runs again, also those that already have results");
   flag("--page",
-       "also write study.html into the folder for results: one page for people, of all runs");
-  flag("--rows", "write the row of each run that has ended as a line of JSON to standard output");
-  flag("--no-clobber", "refuse to replace a report or results that are there");
-  flag("--strict", "a finding that costs accuracy is a failure of its run, whose results are kept");
-  value("--report", "FILE", "write the report of the study as JSON; - for standard output");
-  flag("-q,--quiet", "no progress, no summary");
+       "also write study.html, an HTML page about all runs, into the folder for the results");
+  flag("--rows", "write a line of JSON to standard output for each run that has ended");
+  flag("--no-clobber",
+       "do not replace an existing report or existing results; the study is refused");
+  flag("--strict",
+       "treat a finding that reduces the accuracy as a failure of its run; the results of the run "
+       "are kept");
+  value("--report", "FILE", "write a report of the study as JSON, or - for standard output");
+  flag("-q,--quiet", "print no progress and no summary");
   app.footer(
-      "Exit status 0 if all runs are done and clear, 3 if one is not clear, 1 if one failed.\n\n"
-      "Examples:\n"
-      "  swept study doors.toml --jobs 4 --page\n"
-      "  swept study doors.toml --scheduler tcp://cluster:8786 --send-files");
+      "Exit status 0 if all runs are done and clear, 3 if a run is not clear, 1 if a run "
+      "failed.\n\nExamples:\n  swept study doors.toml --jobs 4 --page\n  swept study doors.toml "
+      "--scheduler tcp://cluster:8786 --send-files");
   return [job] { return runStudy(*job); };
 }
 

@@ -83,7 +83,7 @@ def scenario():
 
     # The centre of the hole.
     click(button("TakePivot"))
-    assert "select a vertex" in panel.message.text(), panel.message.text()
+    assert "Select a vertex" in panel.message.text(), panel.message.text()
     edges = enumerate(part.Shape.Edges, 1)
     hole = next(k for k, edge in edges if hasattr(edge.Curve, "Radius"))
     select((part, "Edge{}".format(hole)))

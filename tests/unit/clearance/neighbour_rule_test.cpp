@@ -66,7 +66,7 @@ TEST(NeighbourRule, NamesAndPatterns) {
 TEST(NeighbourRule, RulesThatFitNobodyOrContradict) {
   const std::vector<std::string> names{"bolt 1", "cover"};
   const std::string nobody = refusal([&] { rulesFor(names, {{"bolts*", rule("3")}}); });
-  EXPECT_NE(nobody.find("'bolts*' names no neighbour; there are: 'bolt 1', 'cover'"),
+  EXPECT_NE(nobody.find("'bolts*' names no neighbour; the neighbours are: 'bolt 1', 'cover'"),
             std::string::npos)
       << nobody;
   const std::string two = refusal([&] {

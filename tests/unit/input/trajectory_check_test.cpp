@@ -130,7 +130,7 @@ TEST(TrajectoryCheck, bad_input_22_bad_pose) {
   expectRefused(trajectory, "BadPose", "pose 1: the time");
   trajectory = threePoses();
   trajectory.poses[2].timeSeconds = trajectory.poses[1].timeSeconds - 0.5;
-  expectRefused(trajectory, "BadPose", "pose 3: time 0.5 s comes before 1 s");
+  expectRefused(trajectory, "BadPose", "pose 3: time 0.5 s is earlier than 1 s");
   trajectory = threePoses();
   trajectory.poses[1].translation.x() = -3e9;
   expectRefused(trajectory, "BadPose", "1e9 mm");

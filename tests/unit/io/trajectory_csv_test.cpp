@@ -178,7 +178,7 @@ const std::vector<BrokenTable>& brokenTables() {
        "BadFile", "UTF-16"},
       {"t,tx,ty,tz,qx,qy,qz\n" + kRow, "BadFile", "'qw' is missing"},
       {"t,tx,ty,tz,qx,qy,qz,speed\n" + kRow, "BadFile", "line 1, column 8: unknown column 'speed'"},
-      {"t,tx,tx,tz,qx,qy,qz,qw\n" + kRow, "BadFile", "is there twice"},
+      {"t,tx,tx,tz,qx,qy,qz,qw\n" + kRow, "BadFile", "occurs twice"},
       {"part,state,tx,ty,tz,qx,qy,qz,qw\n", "BadFile", "unknown column 'part'"},
       {kHeader + "t,x,y,z,qx,qy,qz,qw\n" + kRow, "BadFile",
        "line 2, column 1: expected a number, found 't'"},

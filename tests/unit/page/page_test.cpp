@@ -63,9 +63,11 @@ TEST(PageLayout, PlaceholdersAreFilledOnceAndUnknownOnesNamed) {
   const std::map<std::string, std::string> values{{"title", "{{table}}"}, {"table", "T"}};
   EXPECT_EQ(filled("<a>{{title}} {{ table }}</a>}}", values), "<a>{{table}} T</a>}}");
   EXPECT_EQ(filled("", values), "");
-  EXPECT_EQ(codeOf([&] { filled("a\nb {{logo}}", values); },
-                   "line 2 of the template: {{logo}} is no placeholder; known are table, title"),
-            "BadTemplate");
+  EXPECT_EQ(
+      codeOf(
+          [&] { filled("a\nb {{logo}}", values); },
+          "line 2 of the template: {{logo}} is not a placeholder; use one of these: table, title"),
+      "BadTemplate");
   EXPECT_EQ(codeOf([&] { filled("{{title", values); }, "{{ without }}"), "BadTemplate");
 }
 
@@ -151,7 +153,7 @@ TEST(Page, StudiesHaveATableAndAPartForEachRun) {
     return codeOf([&] { reportPage(head + row + "]}", {}, run); }, part);
   };
   EXPECT_EQ(code(R"({"run": "a", "state": "late"})", "'late' of a run is unknown"), "BadReport");
-  EXPECT_EQ(code(R"({"run": "a", "state": "done", "page": "data:x"})", "not one beside it"),
+  EXPECT_EQ(code(R"({"run": "a", "state": "done", "page": "data:x"})", "must be a relative path"),
             "BadReport");
   EXPECT_EQ(code(R"({"run": "a", "state": "done", "clearance": {"neighbours": 3}})",
                  "no page can be made"),

@@ -47,7 +47,8 @@ TEST_F(Reread, AnEdgeWithALargerToleranceThanTheSolid) {
   EXPECT_EQ(complaint(box_), "");
   builder_.UpdateEdge(TopoDS::Edge(edges(7)), 0.125);
   EXPECT_EQ(complaint(box_),
-            "an edge or vertex with a tolerance of 0.125 mm, more than the solid's of 0.1 mm");
+            "an edge or vertex with a tolerance of 0.125 mm, more than the tolerance of the solid, "
+            "0.1 mm");
   // Facets keep what they are given: only recognised surfaces promise a tolerance.
   options_.recognise = false;
   EXPECT_EQ(complaint(box_), "");

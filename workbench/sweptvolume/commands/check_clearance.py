@@ -9,8 +9,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Check clearance")
     TIP = mark(
         "Commands",
-        "Measures the smallest distance from the moving parts to every neighbour over the "
-        "whole motion. Select an envelope, or parts and a motion, or an existing check",
+        "Measures the smallest distance between the moving parts and each neighbour "
+        "over the whole motion. Select an envelope, or parts and a motion, or an "
+        "existing check",
     )
 
     def run(self, document):

@@ -11,8 +11,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Create envelope...")
     TIP = mark(
         "Commands",
-        "Computes the space that the selected parts occupy during a motion. Select solids or "
-        "meshes, also inside groups and links, and a motion",
+        "Computes the space that the selected parts occupy during a motion. Select "
+        "solids or meshes (also inside groups and links) and a motion",
     )
 
     def run(self, document):

@@ -7,7 +7,10 @@ from .base import BaseCommand
 class Command(BaseCommand):
     NAME = "SweptVolume_Demo"
     TEXT = mark("Commands", "Open the demo")
-    TIP = mark("Commands", "Opens an example: a starter motor is installed past its neighbours")
+    TIP = mark(
+        "Commands",
+        "Opens an example, in which a starter motor is installed past the parts around it",
+    )
     NEEDS_DOCUMENT = False
 
     def run(self, document):

@@ -7,7 +7,7 @@ from .base import BaseCommand
 class Command(BaseCommand):
     NAME = "SweptVolume_EditEnvelope"
     TEXT = mark("Commands", "Edit envelope...")
-    TIP = mark("Commands", "Changes parts, motion or accuracy of the selected envelope")
+    TIP = mark("Commands", "Changes the parts, motion or settings of the selected envelope")
     ICON = "SweptVolume_Envelope"
 
     def missing(self, document):

@@ -12,8 +12,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Settings of the source...")
     TIP = mark(
         "Commands",
-        "Changes how the source of the selected motion is read (accuracy, orientation, "
-        "duration, start and end, unit), and reads it again",
+        "Changes the settings with which the source of the selected motion is read "
+        "(such as accuracy, duration or unit), and reads the source again",
     )
     ICON = "SweptVolume_MotionFromSource"
 
@@ -23,7 +23,10 @@ class Command(BaseCommand):
         found = selection.of_kind(document, Motion.KIND)[0]
         if found is None or has_settings(found):
             return selection.wanting_motion(document)
-        return translate("Messages", "The motion has no source whose settings can be changed.")
+        return translate(
+            "Messages",
+            "This motion was not read from a source, so there are no settings to change.",
+        )
 
     def run(self, document):
         from ..panels import selection, sourced

@@ -9,8 +9,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Export envelope...")
     TIP = mark(
         "Commands",
-        "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and checks the "
-        "file. For a selected solid, its tolerance and limits apply",
+        "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and "
+        "checks the file. If a solid is selected, its tolerance and limits are used",
     )
 
     def missing(self, document):

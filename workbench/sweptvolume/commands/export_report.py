@@ -9,8 +9,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Export report...")
     TIP = mark(
         "Commands",
-        "Writes the results of the selected check or study as one HTML file, for checks with a "
-        "3D view, or as PDF",
+        "Writes the results of the selected check or study as one HTML file or as "
+        "PDF. The HTML file of a check has a 3D view",
     )
 
     def _found(self, document):

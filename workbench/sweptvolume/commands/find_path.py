@@ -9,9 +9,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Find path...")
     TIP = mark(
         "Commands",
-        "Finds a path on which the selected part reaches its place without coming too close to "
-        "its neighbours. Select the part first, then its neighbours; a selected motion gives "
-        "start and goal",
+        "Finds a path on which the selected part reaches its place and keeps its "
+        "distance from its neighbours. Select the part first, then its neighbours. A "
+        "selected motion sets the start and the goal",
     )
 
     def missing(self, document):
@@ -19,7 +19,7 @@ class Command(BaseCommand):
 
         if selection.motion() is not None or selection.moving_parts(document):
             return ""
-        return translate("Messages", "Select the part whose path is to be found.")
+        return translate("Messages", "Select the part for which to find a path.")
 
     def run(self, document):
         from ..panels import find_path_panel, selection

@@ -9,8 +9,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "What made this?")
     TIP = mark(
         "Commands",
-        "Colours the selected envelope by the faces that made it. A click on the envelope "
-        "shows which face or edge of which part passed there, and when",
+        "Colours the selected envelope by the faces that made it. Click on the "
+        "envelope to see which part passed there, with which face or edge, and when",
     )
 
     def missing(self, document):

@@ -10,9 +10,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Motion from driven value...")
     TIP = mark(
         "Commands",
-        "Records the motion of a part while a value changes: a spreadsheet cell, a sketch "
-        "dimension or a variable of an assembly. Select the object with the value, then the "
-        "part; without a part, every part that moves gets a motion",
+        "Changes a value (a spreadsheet cell, a sketch dimension or a variable of an "
+        "assembly) and records how a part moves with it. Select the object with the "
+        "value, then the part. Without a part, every part that moves gets a motion",
     )
 
     def missing(self, document):
@@ -21,7 +21,7 @@ class Command(BaseCommand):
         if len(selection.plain()) in (1, 2):
             return ""
         return translate(
-            "Messages", "Select the object with the value, and the part that it moves."
+            "Messages", "Select the object with the value, then the part that moves with the value."
         )
 
     def run(self, document):
@@ -34,8 +34,8 @@ class Command(BaseCommand):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "Select the object whose value is driven (spreadsheet, sketch, variables), then the "
-                    "part that it moves.",
+                    "Select the object with the value to change (a spreadsheet, a sketch "
+                    "or variables), then the part that moves with the value.",
                 )
             )
         source_panel.show(document, "Driven", objects)

@@ -9,8 +9,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Motion from file...")
     TIP = mark(
         "Commands",
-        "Reads a motion from a CSV file. Each row is time, position and quaternion "
-        "(t,tx,ty,tz,qx,qy,qz,qw), or the 16 numbers of a matrix",
+        "Reads a motion from a CSV file. Each row holds time, position and "
+        "quaternion (t,tx,ty,tz,qx,qy,qz,qw), or the 16 numbers of a matrix",
     )
 
     def run(self, document):

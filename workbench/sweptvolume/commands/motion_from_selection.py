@@ -13,7 +13,8 @@ class Command(BaseCommand):
     TIP = mark(
         "Commands",
         "Makes a motion from the placements of the selected objects, in the order of "
-        "selection. The motion stays linked: if you move an object, its pose follows",
+        "selection. The motion stays linked to the objects: if you move an object, "
+        "its pose changes too",
     )
 
     def missing(self, document):
@@ -21,7 +22,9 @@ class Command(BaseCommand):
 
         if len(selection.placed()) >= 2:
             return ""
-        return translate("Messages", "Select at least two objects whose placements are the poses.")
+        return translate(
+            "Messages", "Select at least two objects: their placements become the poses."
+        )
 
     def run(self, document):
         from ..panels import selection
@@ -31,8 +34,9 @@ class Command(BaseCommand):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "Select at least two objects whose placements are the poses, in the order of the "
-                    "motion: copies or links of the part, or local coordinate systems.",
+                    "Select at least two objects in the order of the motion: their "
+                    "placements become the poses. Use copies or links of the part, or "
+                    "local coordinate systems.",
                 )
             )
         with runner.transaction(document, translate("Commands", self.TEXT)):

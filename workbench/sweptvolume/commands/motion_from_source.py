@@ -10,9 +10,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Motion from object...")
     TIP = mark(
         "Commands",
-        "Makes a motion from the selected wire, sketch, robot trajectory, link array, Draft "
-        "array, CAM operation or assembly simulation. A second curve sets the orientation. The "
-        "motion stays linked to its source",
+        "Makes a motion from the selected wire, sketch, robot trajectory, link "
+        "array, Draft array, CAM operation or assembly simulation. If you select a "
+        "second curve, it sets the orientation. The motion stays linked to its source",
     )
 
     def missing(self, document):
@@ -23,8 +23,8 @@ class Command(BaseCommand):
             return ""
         return translate(
             "Messages",
-            "Select a wire, sketch, array, CAM operation or robot trajectory, or a simulation and "
-            "a part.",
+            "Select a wire, sketch, array, CAM operation or robot trajectory; or an "
+            "assembly simulation and a part.",
         )
 
     def run(self, document):

@@ -12,8 +12,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Recompute envelope")
     TIP = mark(
         "Commands",
-        "Recomputes the selected envelope from its current parts and motion; without a "
-        "selection, the first stale envelope",
+        "Recomputes the selected envelope from its current parts and motion. Without "
+        "a selection, recomputes the first stale envelope",
     )
 
     def find(self, document):

@@ -11,8 +11,8 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Reload motion")
     TIP = mark(
         "Commands",
-        "Reads the file or source of the selected motion again; motions of the same driven "
-        "value or simulation are read together",
+        "Reads the file or source of the selected motion again. All motions of the "
+        "same driven value or simulation are read together",
     )
 
     def missing(self, document):

@@ -9,9 +9,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Sequence...")
     TIP = mark(
         "Commands",
-        "Finds installation paths for the selected parts, one after the other: each part keeps "
-        "clear of those already in place. The order is given or found. Opens a selected "
-        "sequence",
+        "Finds installation paths for the selected parts, one after the other. Each "
+        "part keeps its distance from the parts already in place. You give the "
+        "order, or the search finds one. If a sequence is selected, it is opened",
     )
 
     def run(self, document):

@@ -9,8 +9,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Study...")
     TIP = mark(
         "Commands",
-        "Runs many computations, several at once: those of a study file, or the envelopes and "
-        "clearance checks of the document. Select some of them, or an existing study",
+        "Runs many computations, several at once. The runs come from a study file, "
+        "or are envelopes and clearance checks of the document. Select envelopes and "
+        "checks, or an existing study",
     )
 
     def run(self, document):

@@ -9,8 +9,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Keyboard to the tree or panel")
     TIP = mark(
         "Commands",
-        "Moves the keyboard focus to the tree: arrow keys select, Ctrl with arrow keys and "
-        "Space selects more. From the tree, moves it to the open panel",
+        "Moves the keyboard focus to the tree. There the arrow keys select; Ctrl "
+        "with the arrow keys and Space selects more objects. If the focus is in the "
+        "tree, moves it to the open panel",
     )
     ACCEL = "Ctrl+T"
     #: FreeCAD leaves it on while a panel is open.

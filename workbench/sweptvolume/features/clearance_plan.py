@@ -46,7 +46,11 @@ class Request:
 
 def _all_ignored():
     return InputProblem(
-        translate("Messages", "the rules ignore every neighbour: change at least one rule.")
+        translate(
+            "Messages",
+            "The rules ignore every neighbour, so there is nothing to check: change at "
+            "least one rule.",
+        )
     )
 
 
@@ -123,8 +127,8 @@ class Plan(StillParts):
             raise InputProblem(
                 translate(
                     "Messages",
-                    'the parts of "{0}" have individual motions: use Check mechanism, or check each part '
-                    "with its motion.",
+                    'Each part of "{0}" has its own motion: use Check mechanism, or check '
+                    "each part with its motion.",
                 ).format(self.envelope.Label)
             )
         return groups[0]
@@ -143,8 +147,8 @@ class Plan(StillParts):
             return []
         text = translate(
             "Messages",
-            "{0} also moved when this motion was read, but stand still in this check: use Check "
-            "mechanism for parts that move at the same time.",
+            "These parts also moved when this motion was read, but stand still in "
+            "this check: {0}. If they move at the same time, use Check mechanism.",
         )
         return [text.format(listed(names))]
 

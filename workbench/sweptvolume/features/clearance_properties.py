@@ -9,7 +9,9 @@ INPUT = [
         "App::PropertyLinkGlobal",
         "Envelope",
         mark(
-            "Properties", "Envelope whose parts and motion are checked; it is coloured by distance"
+            "Properties",
+            "Envelope that is checked, with its parts and its motion. The envelope "
+            "can be coloured by distance",
         ),
         None,
     ),
@@ -28,25 +30,32 @@ INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
         "Neighbours",
-        mark("Properties", "Parts that stand still; groups and links stand for what they contain"),
+        mark(
+            "Properties", "Parts that stand still. A group or link stands for all the parts in it"
+        ),
         None,
     ),
     (
         "App::PropertyBool",
         "AllVisible",
-        mark("Properties", "All other visible parts are neighbours, instead of Neighbours"),
+        mark(
+            "Properties",
+            "True: all other visible parts are neighbours, and the list Neighbours is " "not used",
+        ),
         True,
     ),
     (
         "App::PropertyLength",
         "RequiredDistance",
-        mark("Properties", "Distance from the neighbours that the motion must keep"),
+        mark(
+            "Properties", "Distance that the parts must keep from the neighbours during the motion"
+        ),
         5.0,
     ),
     (
         "App::PropertyLength",
         "Accuracy",
-        mark("Properties", "Largest error of the smallest distance"),
+        mark("Properties", "Largest allowed error of the smallest distance"),
         0.01,
     ),
     (
@@ -54,15 +63,15 @@ INPUT = [
         "MeshDeflection",
         mark(
             "Properties",
-            "How far the triangles of solids may deviate from them; it is subtracted from "
-            "guaranteed distances",
+            "How far the triangles of a solid may deviate from it. This deviation is "
+            "subtracted from guaranteed distances",
         ),
         0.05,
     ),
     (
         "App::PropertyLinkSubListGlobal",
         neighbour_rules.PARTS_PROPERTY,
-        mark("Properties", "Neighbours, or groups of them, that have a rule of their own"),
+        mark("Properties", "Neighbours, or groups of neighbours, that have their own rule"),
         None,
     ),
     (
@@ -70,8 +79,8 @@ INPUT = [
         "RuleKinds",
         mark(
             "Properties",
-            "The rule of each of RuleParts: Required (its own required distance), Contact (contact "
-            "is allowed), Ignore (not checked)",
+            "The rule of each entry of RuleParts. Required: its own required "
+            "distance. Contact: contact is allowed. Ignore: not checked",
         ),
         None,
     ),
@@ -80,8 +89,8 @@ INPUT = [
         "RuleLengths",
         mark(
             "Properties",
-            "For each of RuleParts, in mm: its required distance, or how deep the parts may "
-            "overlap in allowed contact",
+            "A length (mm) for each entry of RuleParts. Rule Required: the required "
+            "distance. Rule Contact: the largest depth to which the parts may overlap",
         ),
         None,
     ),
@@ -91,7 +100,7 @@ RESULT = [
     (
         "App::PropertyString",
         "Message",
-        mark("Properties", "Why the last run failed; notes"),
+        mark("Properties", "Why the last run failed, and notes"),
         READ_ONLY,
     ),
     ("App::PropertyString", "Summary", mark("Properties", "Result in one line"), READ_ONLY),
@@ -110,7 +119,7 @@ RESULT = [
     (
         "App::PropertyFloatList",
         "MapDistances",
-        mark("Properties", "Distance at each point"),
+        mark("Properties", "Distance at each vertex of the envelope, for its colours"),
         HIDDEN,
     ),
     ("App::PropertyString", "InputHash", mark("Properties", "Inputs of the stored result"), HIDDEN),
@@ -129,7 +138,11 @@ RESULT = [
     (
         "App::PropertyLinkListGlobal",
         "Seen",
-        mark("Properties", "Parts that AllVisible found, to notice when they change"),
+        mark(
+            "Properties",
+            "Parts that were visible in the last run with AllVisible. If they change, "
+            "the result is stale",
+        ),
         HIDDEN,
     ),
 ]

@@ -69,7 +69,10 @@ class Envelope(Feature):
                 ("InputHash", mark("Properties", "Inputs of the stored result")),
                 ("TriedHash", mark("Properties", "Inputs of the last run that failed")),
                 (missing.PROPERTY, mark("Properties", "Inputs that were deleted (JSON)")),
-                (made_by.PROPERTY, mark("Properties", "What made each triangle (packed)")),
+                (
+                    made_by.PROPERTY,
+                    mark("Properties", "Which face or edge made each triangle (packed)"),
+                ),
             )
         ]
         hidden.append(PLACED)

@@ -93,8 +93,8 @@ class Plan:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "the number of individual motions ({1}) is not that of the moving parts ({0}): give "
-                    "one motion for each part, or none.",
+                    "There are {0} moving parts but {1} individual motions: give one "
+                    "motion for each part, or none.",
                 ).format(len(self.pairs), len(self.motions))
             )
         reference = (self.reference, self.reference_motion)
@@ -178,8 +178,8 @@ class Plan:
                 raise InputProblem(
                     translate(
                         "Messages",
-                        "cavities cannot be kept if parts have individual motions: create one envelope for "
-                        "each motion.",
+                        "Cavities cannot be kept if parts have individual motions: clear Keep "
+                        "cavities, or create one envelope for each motion.",
                     )
                 )
         deflection = max(max(self.values["MeshDeflection"], 1e-3) * cell, finest)

@@ -21,7 +21,7 @@ INPUT = [
         "Input",
         mark(
             "Properties",
-            "Solids and meshes that move together; groups and links stand for what they contain",
+            "Solids and meshes that move together. A group or link stands for all the parts in it",
         ),
         None,
         0,
@@ -40,8 +40,8 @@ INPUT = [
         "Input",
         mark(
             "Properties",
-            "One motion for each of MovingParts, if they move independently; empty: all follow "
-            "Motion",
+            "One motion for each entry of MovingParts, if the parts move "
+            "independently. Empty: all parts follow Motion",
         ),
         None,
         0,
@@ -70,7 +70,7 @@ ACCURACY = [
         "Accuracy",
         mark(
             "Properties",
-            "Cells along the longest side of the swept volume; used while CellSize is 0",
+            "Number of cells along the longest side of the swept volume. Used if CellSize is 0",
         ),
         128,
         0,
@@ -80,7 +80,7 @@ ACCURACY = [
         "CellSize",
         "Accuracy",
         mark(
-            "Properties", "Edge length of a cell of the sampling grid; 0: derived from Resolution"
+            "Properties", "Edge length of a cell of the sampling grid. 0: computed from Resolution"
         ),
         None,
         0,
@@ -89,7 +89,11 @@ ACCURACY = [
         "App::PropertyFloat",
         "MeshDeflection",
         "Accuracy",
-        mark("Properties", "How far the triangles of a solid may deviate from it, in cells"),
+        mark(
+            "Properties",
+            "How far the triangles of a solid may deviate from it, as a fraction of the "
+            "cell size",
+        ),
         0.1,
         0,
     ),
@@ -97,7 +101,7 @@ ACCURACY = [
         "App::PropertyLength",
         "Tolerance",
         "Accuracy",
-        mark("Properties", "How far simplification may move the surface; 0: no simplification"),
+        mark("Properties", "How far simplification may move the surface. 0: no simplification"),
         None,
         0,
     ),
@@ -113,7 +117,7 @@ ACCURACY = [
         "App::PropertyBool",
         "Conservative",
         "Accuracy",
-        mark("Properties", "The envelope provably contains the swept volume"),
+        mark("Properties", "True: the envelope provably contains the swept volume"),
         None,
         0,
     ),
@@ -121,7 +125,9 @@ ACCURACY = [
         "App::PropertyBool",
         "KeepCavities",
         "Accuracy",
-        mark("Properties", "Keep sealed hollow spaces as inner shells"),
+        mark(
+            "Properties", "True: enclosed cavities are kept as inner shells. False: they are filled"
+        ),
         None,
         0,
     ),
@@ -131,8 +137,8 @@ ACCURACY = [
         "Method",
         mark(
             "Properties",
-            "A pose is skipped if no point of the part has moved farther than this since the last "
-            "pose used; 0: none is skipped",
+            "Skips a pose if no point of the part has moved farther than this since "
+            "the last pose used. 0: uses every pose",
         ),
         None,
         0,
@@ -141,7 +147,7 @@ ACCURACY = [
         "App::PropertyEnumeration",
         "Components",
         "Method",
-        mark("Properties", "How pieces of surface inside one cell are separated"),
+        mark("Properties", "How separate pieces of surface inside one cell are recognised"),
         list(COMPONENTS),
         0,
     ),
@@ -149,7 +155,11 @@ ACCURACY = [
         "App::PropertyEnumeration",
         "Backend",
         "Method",
-        mark("Properties", "Processor that samples the envelope"),
+        mark(
+            "Properties",
+            "Processor that samples the envelope: CPU, graphics processor, or chosen "
+            "automatically",
+        ),
         list(BACKENDS),
         0,
     ),
@@ -159,8 +169,9 @@ ACCURACY = [
         "Result",
         mark(
             "Properties",
-            "Whether to record which face or edge made each triangle. Off: no. Session: until the "
-            "document is closed. Document: stored in the document, which makes the file larger",
+            "Whether to record which face or edge made each triangle. Off: no "
+            "record. Session: kept until the document is closed. Document: stored in "
+            "the document, which makes the file larger",
         ),
         MADE_BY,
         0,
@@ -171,22 +182,37 @@ PLACED = (
     "App::PropertyPlacement",
     "Placed",
     "Result",
-    mark("Properties", "Where the result was put in the document"),
+    mark(
+        "Properties",
+        "Placement of the result when it was stored. If it changes, the result was moved",
+    ),
     None,
     HIDDEN,
 )
 RESULT = [
     ("App::PropertyString", "Status", mark("Properties", "State of the result")),
-    ("App::PropertyString", "Message", mark("Properties", "Why the last run failed; warnings")),
+    ("App::PropertyString", "Message", mark("Properties", "Why the last run failed, and warnings")),
     ("App::PropertyVolume", "Volume", mark("Properties", "Volume of the envelope")),
-    ("App::PropertyArea", "Area", mark("Properties", "Area of the envelope")),
-    ("App::PropertyInteger", "Triangles", mark("Properties", "Triangles of the envelope")),
-    ("App::PropertyInteger", "Shells", mark("Properties", "Closed surfaces of the envelope")),
+    ("App::PropertyArea", "Area", mark("Properties", "Surface area of the envelope")),
+    (
+        "App::PropertyInteger",
+        "Triangles",
+        mark("Properties", "Number of triangles of the envelope"),
+    ),
+    (
+        "App::PropertyInteger",
+        "Shells",
+        mark("Properties", "Number of separate closed surfaces of the envelope"),
+    ),
     (
         "App::PropertyInteger",
         "SelfIntersections",
-        mark("Properties", "Pairs of triangles that cross each other; -1: not counted"),
+        mark("Properties", "Number of pairs of triangles that intersect. -1: not counted"),
     ),
-    ("App::PropertyLength", "UsedCellSize", mark("Properties", "Edge of a cell in this result")),
+    (
+        "App::PropertyLength",
+        "UsedCellSize",
+        mark("Properties", "Edge length of the grid cells used for this result"),
+    ),
     ("App::PropertyFloat", "Seconds", mark("Properties", "Duration of the run (s)")),
 ]

@@ -38,7 +38,9 @@ class ImprovePlan:
         if not self.neighbours:
             raise InputProblem(
                 translate(
-                    "Messages", "there is no neighbour: choose parts, or make other parts visible."
+                    "Messages",
+                    "There is no neighbour: choose parts as neighbours, or make other "
+                    "parts visible.",
                 )
             )
         moving, v = Moving(self.pairs, self.motion), self.values

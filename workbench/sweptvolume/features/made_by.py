@@ -28,9 +28,9 @@ CAP, EDGE, GRAZE = range(3)
 #: Results of one envelope whose records are kept, for Undo.
 MOST_KEPT = 3
 KINDS = (
-    mark("Panels", "the face itself, at a pose"),
-    mark("Panels", "swept by an edge"),
-    mark("Panels", "swept by a face that passed"),
+    mark("Panels", "Made by the face itself, standing at a pose"),
+    mark("Panels", "Swept by an edge that passed here"),
+    mark("Panels", "Swept by a face that passed here"),
 )
 _PART = {
     "first": int,

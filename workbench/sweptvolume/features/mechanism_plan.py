@@ -155,8 +155,7 @@ class Plan(StillParts):
         if len(self.motions) != len(self.pairs):
             text = translate(
                 "Messages",
-                "the number of motions ({1}) is not that of the moving parts ({0}): give one motion "
-                "for each part.",
+                "There are {0} moving parts but {1} motions: give one motion for " "each part.",
             )
             raise InputProblem(text.format(len(self.pairs), len(self.motions)))
         self._check_parts()
@@ -181,7 +180,8 @@ class Plan(StillParts):
             else:
                 text = translate(
                     "Messages",
-                    '"{0}" and "{1}": one contains the other, which would move twice. Remove one of them.',
+                    '"{0}" and "{1}": one of them contains the other, so the inner part '
+                    "would move twice. Remove one of them from the list.",
                 )
             raise InputProblem(text.format(*names))
 
@@ -190,8 +190,9 @@ class Plan(StillParts):
             if motion.Interpolation == "None":
                 text = translate(
                     "Messages",
-                    '"{0}" has the interpolation None, but parts that move at the same time must move '
-                    "between their poses: choose another interpolation.",
+                    '"{0}" has the interpolation None, so its part does not move between '
+                    "its poses: choose another interpolation for parts that move at the "
+                    "same time.",
                 )
                 raise InputProblem(text.format(motion.Label))
         late = max(motions, key=lambda m: m.Times[0] if m.Times else 0.0)
@@ -199,8 +200,8 @@ class Plan(StillParts):
         if late.Times and early.Times and late.Times[0] >= early.Times[-1] and late is not early:
             text = translate(
                 "Messages",
-                'the motions have no common time: "{0}" ends at {1} s, and "{2}" begins at {3} s. '
-                "Change their times so that they overlap.",
+                'The motions do not overlap in time: "{0}" ends at {1} s, and "{2}" '
+                "begins at {3} s. Change their times so that they overlap.",
             )
             begin, end = number(late.Times[0]), number(early.Times[-1])
             raise InputProblem(text.format(early.Label, end, late.Label, begin))
@@ -229,7 +230,7 @@ class Plan(StillParts):
         """Raises InputProblem where the document is no longer what it was when words() was first asked."""
         if self.words() != self._words_now():
             text = translate(
-                "Messages", "the document changed while its parts were read: start the run again."
+                "Messages", "The document changed while its parts were read: start the run again."
             )
             raise InputProblem(text)
 
@@ -306,7 +307,8 @@ class Plan(StillParts):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "only one part is given: add a second part, moving or standing still.",
+                    "Only one part is given: add a second part, either a moving part or a "
+                    "neighbour.",
                 )
             )
         options = {

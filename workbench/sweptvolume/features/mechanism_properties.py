@@ -21,7 +21,10 @@ INPUT = [
     (
         "App::PropertyLinkListGlobal",
         "Motions",
-        mark("Properties", "One motion for each of MovingParts, on a common time axis"),
+        mark(
+            "Properties",
+            "One motion for each entry of MovingParts. All motions use the same time axis",
+        ),
         None,
     ),
     (
@@ -29,7 +32,8 @@ INPUT = [
         "AllVisible",
         mark(
             "Properties",
-            "All other visible parts are neighbours that stand still, instead of Neighbours",
+            "True: all other visible parts are neighbours that stand still, and the "
+            "list Neighbours is not used",
         ),
         False,
     ),
@@ -38,8 +42,8 @@ INPUT = [
         "Range",
         mark(
             "Properties",
-            "Pairs of parts that come nearer than this are listed; 0: a tenth of the size of the "
-            "parts",
+            "Lists the pairs of parts that come closer than this. 0: a tenth of the "
+            "size of the parts",
         ),
         0.0,
     ),
@@ -48,7 +52,8 @@ INPUT = [
         PARTS_PROPERTY,
         mark(
             "Properties",
-            "Pairs of parts, or of groups, that have a rule of their own: first, second, first ...",
+            "Parts or groups of each pair that has its own rule, two entries for "
+            "each pair: first, second, first, second ...",
         ),
         None,
     ),
@@ -57,8 +62,8 @@ INPUT = [
         "RuleLengths",
         mark(
             "Properties",
-            "For each pair of RuleParts, in mm: its required distance, or how deep the parts may "
-            "overlap in allowed contact",
+            "A length (mm) for each pair of RuleParts. Rule Required: the required "
+            "distance. Rule Contact: the largest depth to which the parts may overlap",
         ),
         None,
     ),
@@ -69,7 +74,10 @@ RESULT = [
     (
         "App::PropertyInteger",
         "Checked",
-        mark("Properties", "Number of pairs checked, including those beyond Range"),
+        mark(
+            "Properties",
+            "Number of pairs checked, including pairs that stay farther apart than Range",
+        ),
         1,
     ),
 ]

@@ -23,7 +23,7 @@ PROPERTIES = [
         "App::PropertyPlacementList",
         "Placements",
         "Motion",
-        mark("Properties", "Pose of the moving part at each time"),
+        mark("Properties", "Placement for each time. PoseType says what it means for the part"),
         None,
         0,
     ),
@@ -33,9 +33,9 @@ PROPERTIES = [
         "Motion",
         mark(
             "Properties",
-            "How the part moves between two poses. Linear: straight line at a constant rate of "
-            "turn. Screw: one screw movement. Spline: smooth curve through all poses. None: the "
-            "part only appears at the poses",
+            "How the part moves between two poses. Linear: along a straight line, "
+            "turning at a constant rate. Screw: one screw movement. Spline: along a "
+            "smooth curve through all poses. None: the part stands only at the poses",
         ),
         list(INTERPOLATIONS),
         0,
@@ -47,8 +47,9 @@ PROPERTIES = [
         "Motion",
         mark(
             "Properties",
-            "Point of the part that moves along the straight line (Linear) or the curve (Spline) "
-            "between two poses. In coordinates of the part if PoseType is Absolute, else of the "
+            "Point of the part that follows the straight line (Linear) or the curve "
+            "(Spline) between two poses, and about which the part turns. In "
+            "coordinates of the part if PoseType is Absolute, otherwise of the "
             "document",
         ),
         None,
@@ -60,7 +61,7 @@ PROPERTIES = [
         "Motion",
         mark(
             "Properties",
-            "Parts that this motion moves; the motion editor shows the first one",
+            "Parts that this motion moves. The motion editor shows the first part",
         ),
         None,
         0,
@@ -79,8 +80,10 @@ PROPERTIES = [
         "Motion",
         mark(
             "Properties",
-            "Spline: the tangent at each pose. Auto: from the neighbouring poses. Stop, Corner, or "
-            "Given: from Velocities. Missing entries are Auto",
+            "Tangent of the spline at each pose. Auto: from the poses before and "
+            "after. Stop: the part comes to rest. Corner: the direction may change "
+            "abruptly. Given: the velocity in Velocities. Missing entries count as "
+            "Auto",
         ),
         None,
         0,
@@ -89,7 +92,11 @@ PROPERTIES = [
         "App::PropertyVectorList",
         "Velocities",
         "Motion",
-        mark("Properties", "Spline: velocity at each pose whose tangent is Given (mm/s)"),
+        mark(
+            "Properties",
+            "Velocity of the spline (mm/s), one entry for each pose. Used only if the "
+            "tangent at the pose is Given",
+        ),
         None,
         0,
     ),
@@ -105,7 +112,7 @@ PROPERTIES = [
         "App::PropertyFile",
         "SourceFile",
         "Source",
-        mark("Properties", "File of the poses; Reload motion reads it again"),
+        mark("Properties", "File from which the poses were read. Reload motion reads it again"),
         None,
         0,
     ),
@@ -121,7 +128,7 @@ PROPERTIES = [
         "App::PropertyLinkListGlobal",
         "SourceObjects",
         "Source",
-        mark("Properties", "Objects whose placements or shape give the poses"),
+        mark("Properties", "Objects from whose placements or shapes the poses are read"),
         None,
         0,
     ),
@@ -153,7 +160,7 @@ PROPERTIES = [
         "App::PropertyString",
         "Status",
         "Result",
-        mark("Properties", "Empty if the motion can be used, else what is wrong"),
+        mark("Properties", "What is wrong with the motion. Empty: the motion can be used"),
         None,
         READ_ONLY,
     ),
@@ -161,7 +168,7 @@ PROPERTIES = [
         "App::PropertyString",
         "Message",
         "Result",
-        mark("Properties", "Remarks about the poses as they were read"),
+        mark("Properties", "Notes from reading the poses"),
         None,
         READ_ONLY,
     ),
@@ -169,7 +176,10 @@ PROPERTIES = [
         "App::PropertyString",
         "SourceHash",
         "Source",
-        mark("Properties", "State of the source when it was read"),
+        mark(
+            "Properties",
+            "Checksum of the source when it was read. If it changes, the motion is stale",
+        ),
         None,
         HIDDEN,
     ),
@@ -188,7 +198,9 @@ _SETTINGS = {
     "count": (
         "App::PropertyInteger",
         "SourceCount",
-        mark("Properties", "Number of poses; for a curve 0: as many as SourceAccuracy needs"),
+        mark(
+            "Properties", "Number of poses to read. For a curve, 0: as many as SourceAccuracy needs"
+        ),
         0,
     ),
     "accuracy": (
@@ -204,8 +216,9 @@ _SETTINGS = {
         "SourceOrientation",
         mark(
             "Properties",
-            "Fixed: the part never turns. Tangent: x of the part stays on the tangent. SecondCurve: z "
-            "points to the second curve",
+            "Orientation of the part. Fixed: it never turns. Tangent: its x axis "
+            "follows the tangent. SecondCurve: as Tangent, and its z axis points to "
+            "the second curve",
         ),
         ORIENTATIONS,
     ),
@@ -230,25 +243,30 @@ _SETTINGS = {
     "convention": (
         "App::PropertyEnumeration",
         "SourceRotaryAxes",
-        mark("Properties", "What the words A, B and C rotate: the tool head or the table"),
+        mark("Properties", "What the G-code words A, B and C rotate: the tool head or the table"),
         CONVENTIONS,
     ),
     "property": (
         "App::PropertyString",
         "SourceValue",
-        mark("Properties", "Name of the value that is driven"),
+        mark("Properties", "Name of the value that is changed to move the part"),
         None,
     ),
     "start": (
         "App::PropertyFloat",
         "SourceStart",
-        mark("Properties", "Driven value at the first pose, in its unit (mm, degrees)"),
+        mark(
+            "Properties",
+            "Value at the first pose, in the unit of the value (such as mm or degrees)",
+        ),
         None,
     ),
     "end": (
         "App::PropertyFloat",
         "SourceEnd",
-        mark("Properties", "Driven value at the last pose, in its unit (mm, degrees)"),
+        mark(
+            "Properties", "Value at the last pose, in the unit of the value (such as mm or degrees)"
+        ),
         None,
     ),
 }

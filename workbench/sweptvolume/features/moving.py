@@ -123,8 +123,8 @@ class Way:
         most, where = float(reach.max()), poses.times[1 + int(reach.argmax())]
         text = translate(
             "Messages",
-            'the steps of "{0}" are large: near {1} s the part may deviate from its true motion by '
-            "about {2}. Read the motion with smaller steps.",
+            'The steps of "{0}" are large: near t = {1} s the part may be about {2} '
+            "away from its true position. Read the motion with smaller steps.",
         ).format(self.label, number(where), quantity(most))
         return most, text
 
@@ -187,7 +187,7 @@ class Moving:
         if self.motion is None or not motion_feature.is_motion(self.motion):
             raise InputProblem(
                 translate(
-                    "Messages", "there is no motion: make one with New motion, then choose it."
+                    "Messages", "No motion is chosen: choose one, or make one with New motion."
                 )
             )
         motion_feature.check_usable(self.motion)
@@ -202,7 +202,8 @@ class Moving:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "the reference part has no motion: choose its motion, or clear the reference part.",
+                    "The reference part has no motion: choose its motion, or clear the "
+                    "reference part.",
                 )
             )
         if given is not None:
@@ -211,7 +212,8 @@ class Moving:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "there is a reference motion but no reference part: choose the reference part as well.",
+                    "A reference motion is chosen, but no reference part: choose the "
+                    "reference part too, or clear the reference motion.",
                 )
             )
 

@@ -51,13 +51,13 @@ def check(rule, label):
     if rule.kind not in KINDS:
         raise InputProblem(
             translate(
-                "Messages", '"{0}": there is no rule "{1}"; use Required, Contact or Ignore.'
+                "Messages", '"{0}" has the unknown rule "{1}": use Required, Contact or Ignore.'
             ).format(label, rule.kind)
         )
     if rule.length is not None and not (math.isfinite(rule.length) and rule.length >= 0):
         raise InputProblem(
             translate(
-                "Messages", '"{0}": a rule cannot have a length of {1} mm; enter 0 or more.'
+                "Messages", 'The distance in the rule of "{0}" is {1} mm: enter 0 or more.'
             ).format(label, "{:g}".format(rule.length))
         )
 
@@ -69,8 +69,9 @@ def read(obj):
         raise InputProblem(
             translate(
                 "Messages",
-                'the rules of "{0}" are inconsistent: {1} parts, {2} kinds and {3} lengths, which must '
-                "be equal in number. Enter the rules again.",
+                'The rules of "{0}" are inconsistent: there are {1} parts, {2} kinds '
+                "and {3} lengths, but these numbers must be equal. Enter the rules "
+                "again.",
             ).format(obj.Label, len(pairs), len(obj.RuleKinds), len(obj.RuleLengths))
         )
     return checked(obj, zip(pairs, (convert.label_of(*pair) for pair in pairs)))
@@ -86,7 +87,9 @@ def checked(obj, parts):
         if kind == CONTACT and not rule.length:
             rule.length = None
         if part in rules and rules[part] != rule:
-            text = translate("Messages", 'two rules for "{0}" contradict each other: remove one.')
+            text = translate(
+                "Messages", 'Two rules for "{0}" contradict each other: remove one of them.'
+            )
             raise InputProblem(text.format(label))
         rules[part] = rule
     return rules

@@ -67,13 +67,15 @@ class PathPlan:
         if not self.neighbours:
             raise InputProblem(
                 translate(
-                    "Messages", "there is no neighbour: choose parts, or make other parts visible."
+                    "Messages",
+                    "There is no neighbour: choose parts as neighbours, or make other "
+                    "parts visible.",
                 )
             )
         if self.start is None and self.extract is None:
             raise InputProblem(
                 translate(
-                    "Messages", "there is no start: give a placement, a distance or a direction."
+                    "Messages", "No start is given: enter a placement, a distance or a direction."
                 )
             )
 

@@ -121,7 +121,7 @@ def summary(report):
         text = translate("Messages", "{0} of {1} parts have a path")
         return text.format(found, len(report["steps"]))
     names = ", ".join(step["part"] for step in report["steps"])
-    text = translate("Messages", "{0} parts one after the other: {1}").format(found, names)
+    text = translate("Messages", "{0} parts, in this order: {1}").format(found, names)
     if "clearance" in report:
         more = translate("Messages", "clearance at least {0}")
         text += "; " + more.format(quantities.quantity(report["clearance"]))
@@ -133,17 +133,17 @@ def step_text(step):
     if step["verdict"] == "found":
         length = quantities.quantity(step["length"])
         if step.get("clearance") is None:
-            return translate("Messages", "{0}, no obstacles").format(length)
-        return translate("Messages", "{0}, clearance {1}").format(
+            return translate("Messages", "path of {0}, no obstacles").format(length)
+        return translate("Messages", "path of {0}, clearance {1}").format(
             length, quantities.quantity(step["clearance"])
         )
     blockers = step["escape"]["blockers"]
     if step["verdict"] == "no_translation":
-        return translate("Messages", "proven: no path without turning")
+        return translate("Messages", "it is proven that no path exists without turning the part")
     if not blockers:
         return step["summary"]
     names = ", ".join('"{}"'.format(name) for name in blockers[:MOST_NAMES])
-    return translate("Messages", "no path; blocked after {0} by {1}").format(
+    return translate("Messages", "no path found; blocked by {1} after {0} of travel").format(
         quantities.quantity(step["escape"]["distance"]), names
     )
 
@@ -155,7 +155,8 @@ def told(report):
         lines.append(
             translate(
                 "Messages",
-                "There is no order in which the parts can be installed one after the other (proven).",
+                "It is proven that the parts cannot be installed one after the other "
+                "in any order.",
             )
         )
     for step in report["steps"]:

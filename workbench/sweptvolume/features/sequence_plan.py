@@ -97,14 +97,14 @@ class Plan(mechanism_plan.Plan):
         if not self.pairs:
             raise InputProblem(
                 translate(
-                    "Messages", "there is no part: select the parts, then press Add selected."
+                    "Messages",
+                    "The list of parts is empty: select the parts, then press Add selected.",
                 )
             )
         if len(self.motions) != len(self.pairs):
             text = translate(
                 "Messages",
-                "the number of motions ({1}) is not that of the parts ({0}): give one motion for each "
-                "part.",
+                "There are {0} parts but {1} motions: give one motion for each part.",
             )
             raise InputProblem(text.format(len(self.pairs), len(self.motions)))
         self._check_parts()

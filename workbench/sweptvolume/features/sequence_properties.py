@@ -18,13 +18,13 @@ INPUT = [
     (
         "App::PropertyLinkListGlobal",
         "Motions",
-        mark("Properties", "One motion for each part, which ends at its installed position"),
+        mark("Properties", "One motion for each part. It ends where the part is installed"),
         None,
     ),
     (
         "App::PropertyLength",
         "RequiredDistance",
-        mark("Properties", "Distance that each part must keep from everything already in place"),
+        mark("Properties", "Distance that each part must keep from the parts already in place"),
         path_plan.DEFAULTS["RequiredDistance"],
     ),
     (
@@ -32,11 +32,12 @@ INPUT = [
         "ReleaseDistance",
         mark(
             "Properties",
-            "Within this distance of its start and end, a part may touch what it touches there",
+            "Close to its start or end, a part may touch the parts that it touches "
+            "there, until it has moved this far away",
         ),
         path_plan.DEFAULTS["ReleaseDistance"],
     ),
 ] + [_GIVEN[name] for name in _SAME]
 RESULT = [row for row in mechanism_properties.RESULT if row[1] != "Checked"] + [
-    ("App::PropertyInteger", "Checked", mark("Properties", "Parts that have a path"), 1),
+    ("App::PropertyInteger", "Checked", mark("Properties", "Number of parts that have a path"), 1),
 ]

@@ -58,7 +58,10 @@ def left_out_text(problem):
 
 def no_neighbour():
     return InputProblem(
-        translate("Messages", "there is no neighbour: choose parts, or make other parts visible.")
+        translate(
+            "Messages",
+            "There is no neighbour: choose parts as neighbours, or make other parts visible.",
+        )
     )
 
 
@@ -151,8 +154,8 @@ class StillParts:
         return [
             translate(
                 "Messages",
-                "Left out: {0}. Envelopes and their solids are only checked if you choose them as "
-                "neighbours.",
+                "Left out: {0}. Envelopes and their solids are checked only if you "
+                "choose them as neighbours.",
             ).format(", ".join('"{}"'.format(label) for label in labels))
         ]
 

@@ -121,11 +121,14 @@ def written(obj):
     of_file = bool(obj.File) and not obj.Sources
     if not of_file and obj.Status not in (UP_TO_DATE, CANCELLED):
         text = translate(
-            "Messages", 'the result of "{0}" is not up to date: run the study again first.'
+            "Messages", 'The result of "{0}" is not up to date: run the study again first.'
         ).format(obj.Label)
         raise InputProblem("\n".join(filter(None, (text, obj.Message))))
     if not os.path.isfile(obj.Written) or not os.path.isdir(obj.Results):
-        text = translate("Messages", "the results of the study were deleted: run the study again.")
+        text = translate(
+            "Messages",
+            "The results of the study cannot be found in their folder: run the study again.",
+        )
         raise InputProblem(text)
     return obj.Written, obj.Results
 
@@ -136,7 +139,7 @@ def unfinished(names, rows):
 
     found = [rows.get(name, {"run": name, "state": "not run"}) for name in names]
     left = study_table.count(found, "not run")
-    text = translate("Messages", "{0} of {1} runs are not done: start the study again to continue.")
+    text = translate("Messages", "{0} of {1} runs are not done. Start the study again to continue.")
     worst = found[studies.worst_first(found)[0]]["run"]
     return {"runs": found, "worst": worst, "message": text.format(left, len(found))}
 

@@ -71,8 +71,8 @@ class Run:
 def _one_motion(label):
     text = translate(
         "Messages",
-        'the parts of "{0}" have individual motions, but a run of a study has one motion: '
-        'leave "{0}" out, or give its parts one motion.',
+        'Each part of "{0}" has its own motion, but a run of a study has only one '
+        'motion: leave "{0}" out, or give its parts one common motion.',
     )
     return InputProblem(text.format(label))
 
@@ -91,7 +91,7 @@ def run_of(name, source, plan):
     if given["components"] != "consistent":
         text = translate(
             "Messages",
-            '"{0}": studies support only the value Consistent of the property Components.',
+            'Studies cannot use the setting Components of "{0}": set it to Consistent.',
         )
         raise InputProblem(text.format(source.Label))
     own = {key: given[key] for key in _OPTIONS if given[key]}

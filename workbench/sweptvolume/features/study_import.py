@@ -97,6 +97,6 @@ class Taken:
 def problem_text(name):
     """What is said of a run that the study file does not have any more."""
     text = translate(
-        "Messages", 'the study file no longer contains the run "{0}": run the study again.'
+        "Messages", 'The study file no longer contains the run "{0}": run the study again.'
     )
     return text.format(name)

@@ -21,7 +21,7 @@ def _plan_of(source):
         return envelope_plan.Plan.of(source)
     text = translate(
         "Messages",
-        '"{0}" cannot be a run of a study: choose envelopes and clearance checks of one motion.',
+        '"{0}" cannot be a run of a study: choose envelopes, or clearance checks with one motion.',
     )
     raise InputProblem(text.format(source.Label))
 
@@ -94,7 +94,8 @@ class Plan:
             if not self.file:
                 text = translate(
                     "Messages",
-                    "the study has no runs: choose a study file, or envelopes and clearance checks.",
+                    "The study has no runs: choose a study file, or envelopes and "
+                    "clearance checks.",
                 )
                 raise InputProblem(text)
             return self.file, self.folder
@@ -104,7 +105,8 @@ class Plan:
             if not path:
                 text = translate(
                     "Messages",
-                    "there is no folder for the results: save the document first, or choose a folder.",
+                    "There is no folder for the results: save the document first, or "
+                    "choose a folder.",
                 )
                 raise InputProblem(text)
             folder = os.path.splitext(path)[0] + "-study"

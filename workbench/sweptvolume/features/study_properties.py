@@ -10,14 +10,16 @@ INPUT = [
         "File",
         mark(
             "Properties",
-            "Study file (TOML) that lists the runs; empty: the runs are those of Sources",
+            "Study file (TOML) that lists the runs. Empty: the runs come from Sources",
         ),
         "",
     ),
     (
         "App::PropertyLinkListGlobal",
         "Sources",
-        mark("Properties", "Envelopes and clearance checks of the document: one run for each"),
+        mark(
+            "Properties", "Envelopes and clearance checks of this document. Each of them is one run"
+        ),
         None,
     ),
     (
@@ -25,21 +27,28 @@ INPUT = [
         "Folder",
         mark(
             "Properties",
-            "Folder for results; empty: the one that the file names, or one beside the document",
+            "Folder for the results. Empty: the folder set in the study file, or the "
+            'folder "results" beside that file. Without a study file: a folder '
+            "beside the document",
         ),
         "",
     ),
     (
         "App::PropertyInteger",
         "Jobs",
-        mark("Properties", "Runs at once; 0: one for each core"),
+        mark("Properties", "Number of runs at the same time. 0: one for each processor core"),
         0,
     ),
 ]
 #: What it has as the clearance check has it.
 _SAME = ("Status", "Message", "Summary", "Verdict", "Report", "InputHash", "TriedHash", "Missing")
 RESULT = [row for row in clearance_properties.RESULT if row[1] in _SAME] + [
-    ("App::PropertyInteger", "Checked", mark("Properties", "Runs that have ended"), READ_ONLY),
+    (
+        "App::PropertyInteger",
+        "Checked",
+        mark("Properties", "Number of runs that have ended"),
+        READ_ONLY,
+    ),
     (
         "App::PropertyString",
         "Results",

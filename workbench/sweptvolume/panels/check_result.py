@@ -71,8 +71,8 @@ class ResultPanel(StayingPanel):
         self.table.horizontalHeaderItem(2).setToolTip(
             translate(
                 "Panels",
-                "Measured between the meshes. The line above subtracts how far the meshes may deviate "
-                "from the parts",
+                "These distances are measured between the meshes. In the line above, "
+                "the possible deviation of the meshes from the parts is subtracted",
             )
         )
         font = self.table.font()
@@ -121,14 +121,14 @@ class ResultPanel(StayingPanel):
             for text, tip in (
                 (
                     translate("Panels", "Pre&vious place"),
-                    translate("Panels", "Goes back to the place that is worse than this one"),
+                    translate("Panels", "Goes back to the next worse place"),
                 ),
                 (
                     translate("Panels", "&Next worst place"),
                     translate(
                         "Panels",
-                        "Goes through the places, the worst first: clashes by depth, then the others by "
-                        "distance",
+                        "Goes to the next place, from the worst to the best: first clashes by "
+                        "depth, then all others by distance",
                     ),
                 ),
             )

@@ -60,7 +60,7 @@ class CheckRun:
                 for pair, rule in found.items()
             ]
             text = translate(
-                "Panels", "Contact is now allowed for these; check that it is intended: {0}"
+                "Panels", "Contact is now allowed for these parts. Check that this is intended: {0}"
             )
             text = text.format(", ".join(told))
         widgets.show_message(self.message, text)

@@ -128,7 +128,7 @@ class DistanceGraph(QtWidgets.QWidget):
         painter = QtGui.QPainter(self)
         if not self.order:
             painter.setPen(self._ink())
-            text = translate("Panels", "No graph yet: run the check first.")
+            text = translate("Panels", "There is no graph yet: run the check first.")
             painter.drawText(self.rect(), QtCore.Qt.AlignCenter, text)
             painter.end()
             return

@@ -23,7 +23,9 @@ class ResultPanel(played_result.PlayedPanel):
         self.cut_away = widgets.hint(
             QtWidgets.QPushButton(translate("Panels", "Keep volume to cut awa&y")),
             translate(
-                "Panels", "Makes a shared volume of the envelope and the part of the chosen row"
+                "Panels",
+                "Makes an object of the volume that the envelope and the part of the "
+                "chosen row share",
             ),
         )
         self.cut_away.setObjectName("SweptVolumeKeepCut")
@@ -86,8 +88,9 @@ class ResultPanel(played_result.PlayedPanel):
         if plan.moving().reference is not None:
             text = translate(
                 "Messages",
-                "the envelope is relative to a moving part, so its clash volume has no place in the "
-                "document: check without a reference part.",
+                "The envelope was computed relative to a moving part, so its clash "
+                "volume has no fixed position in the document: run the check without "
+                "a reference part.",
             )
             raise InputProblem(text)
         sides = plan.pairs, [self._neighbour(plan, index)]

@@ -105,7 +105,7 @@ class EnvelopePanel(StartPanel):
         self.resolution.setGroupSeparatorShown(True)
         self.resolution.setValue(values["Resolution"])
         self.resolution.setObjectName("SweptVolumeResolution")
-        tip = translate("Panels", "Cells along the longest side of the swept volume")
+        tip = translate("Panels", "Number of cells along the longest side of the swept volume")
         widgets.hint(self.resolution, tip)
         self.quality = QtWidgets.QSlider(QtCore.Qt.Horizontal)
         self.quality.setObjectName("SweptVolumeQuality")
@@ -122,7 +122,7 @@ class EnvelopePanel(StartPanel):
         widgets.hint(
             self.tolerance,
             translate(
-                "Panels", "How far simplification may move the surface; 0: no simplification"
+                "Panels", "How far simplification may move the surface. 0: no simplification"
             ),
         )
         widgets.hint(
@@ -145,7 +145,12 @@ class EnvelopePanel(StartPanel):
         )
         self.cavities = QtWidgets.QCheckBox(translate("Panels", "Keep cavities"))
         self.cavities.setChecked(values["KeepCavities"])
-        widgets.hint(self.cavities, translate("Panels", "Keeps enclosed cavities as inner shells"))
+        widgets.hint(
+            self.cavities,
+            translate(
+                "Panels", "Keeps enclosed cavities as inner shells; otherwise they are filled"
+            ),
+        )
         rows.addRow(self.conservative)
         rows.addRow(self.cavities)
         self.preview_box = QtWidgets.QCheckBox(translate("Panels", "Show a coarse envelope"))
@@ -164,8 +169,9 @@ class EnvelopePanel(StartPanel):
             self.filter,
             translate(
                 "Panels",
-                "For recordings of very many poses: skips a pose if no point of the part has moved "
-                "farther than this since the last pose used; 0: uses all",
+                "For recordings with very many poses. Skips a pose if no point of "
+                "the part has moved farther than this since the last pose used. 0: "
+                "uses every pose",
             ),
         )
         rows.addRow(translate("Panels", "Components"), self.components)
@@ -177,8 +183,9 @@ class EnvelopePanel(StartPanel):
             self.made_by,
             translate(
                 "Panels",
-                'Records which face or edge of which part made each triangle, and when, for "What made '
-                'this?". Stored in the document, it makes the file larger',
+                "Records for each triangle which face or edge of which part made it, "
+                'and when. The command "What made this?" shows the record. If it is '
+                "stored in the document, the file becomes larger",
             ),
         )
         rows.addRow(translate("Panels", "Made by"), self.made_by)
@@ -227,7 +234,7 @@ class EnvelopePanel(StartPanel):
 
     def plan(self):
         if self.by.currentData() == "CellSize" and not float(self.cell.property("rawValue")) > 0:
-            raise InputProblem(translate("Messages", "the cell size must be above 0 mm."))
+            raise InputProblem(translate("Messages", "The cell size must be above 0 mm."))
         parts = self.parts
         return Plan(
             parts.pairs, parts.motion(), self.values(), parts.own_motions(), *parts.seen_from()
@@ -304,13 +311,14 @@ class EnvelopePanel(StartPanel):
             self._show_estimate(text)
 
     def show_estimate(self, found):
-        more = translate("Panels", "; about {0}, {1}")
+        more = translate("Panels", "; needs about {0} of memory and {1}")
         took = quantities.megabytes(found["memory_bytes"]), quantities.seconds(found["seconds"])
         text = self._grid_text(found) + more.format(*took)
         if found.get("useful_filter"):
             hint = translate(
                 "Panels",
-                "Most poses are nearly equal: a position filter of {0} skips them and is much faster.",
+                "Most poses are nearly equal: set a position filter of {0} to skip "
+                "them, and the run is much faster.",
             )
             text += "\n" + hint.format(quantities.quantity(found["useful_filter"]))
         self._show_estimate(text)

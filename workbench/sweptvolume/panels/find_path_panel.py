@@ -63,7 +63,9 @@ class FindPathPanel(SearchPanel):
         self.turn = widgets.hint(
             widgets.angle(path_plan.DEFAULTS["LargestTurn"], 0.0, 15.0),
             translate(
-                "Panels", "Largest rotation away from the orientation at the goal; 180: no limit"
+                "Panels",
+                "Largest angle by which the part may turn away from its orientation "
+                "at the goal. 180: no limit",
             ),
         )
         self.turn.setObjectName("SweptVolumeLargestTurn")
@@ -92,7 +94,7 @@ class FindPathPanel(SearchPanel):
         chosen = selection.parts()
         if not chosen:
             raise InputProblem(
-                translate("Messages", "select the part that moves in the tree or in the 3D view.")
+                translate("Messages", "Select the moving part in the tree or in the 3D view.")
             )
         self.pairs = chosen[:1]
         self.beside.drop_moving()

@@ -54,7 +54,8 @@ def check_fields(form):
             field.setFocus(QtCore.Qt.OtherFocusReason)
             raise InputProblem(
                 translate(
-                    "Messages", '{0}: "{1}" is not a valid value; {2} is used instead.'
+                    "Messages",
+                    '{0}: "{1}" is not a valid value (it would count as {2}): correct it.',
                 ).format(name_of(field, form), edit.text(), _counts_as(field))
             )
 

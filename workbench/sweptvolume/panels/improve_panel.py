@@ -30,7 +30,9 @@ class ImprovePanel(SearchPanel):
         self.keys = QtWidgets.QListWidget()
         self.keys.setObjectName("SweptVolumeLockedKeys")
         self.keys.setFixedHeight(96)
-        widgets.hint(self.keys, translate("Panels", "Ticked keys keep their placement and time"))
+        widgets.hint(
+            self.keys, translate("Panels", "Tick a key to keep its placement and its time")
+        )
         text = translate("Panels", "Key {0}, {1} s")
         last = len(self.motion.Times) - 1
         for k, time in enumerate(self.motion.Times):
@@ -47,8 +49,8 @@ class ImprovePanel(SearchPanel):
             QtWidgets.QCheckBox(translate("Panels", "Maximise clearance")),
             translate(
                 "Panels",
-                "Increases the clearance, even if the path gets longer; otherwise the path is as short "
-                "as the required distance allows",
+                "Increases the clearance, even if the path becomes longer. Otherwise "
+                "the path becomes as short as the required distance allows",
             ),
         )
         self.more.setObjectName("SweptVolumeMoreClearance")

@@ -45,8 +45,8 @@ class LiveBox(QtCore.QObject):
             QtWidgets.QCheckBox(translate("Panels", "Stop at contact")),
             translate(
                 "Panels",
-                "Stops the dragged key where the part would touch a neighbour; all visible parts are "
-                "neighbours",
+                "Stops the dragged key where the part would touch a neighbour. All "
+                "other visible parts are neighbours",
             ),
         )
         self.stop_box.setObjectName("SweptVolumeStopAtContact")

@@ -30,8 +30,8 @@ opened = []
 def _of_before():
     return translate(
         "Panels",
-        "The envelope is stale: this information is about the parts and the motion from which "
-        "it was computed. Recompute it to see them move.",
+        "The envelope is stale: the information shown is about the earlier parts and "
+        "motion. Recompute the envelope to see the present ones.",
     )
 
 
@@ -119,8 +119,9 @@ class MadePanel(StayingPanel):
             if known
             else translate(
                 "Panels",
-                "What made this envelope was not recorded, or the record was lost when the document "
-                "was closed: press Compute and record.",
+                "For this envelope there is no record of what made it. Either it was "
+                "not recorded, or the record ended when the document was closed: "
+                "press Compute and record.",
             )
         )
         self.player.setEnabled(False)
@@ -135,8 +136,8 @@ class MadePanel(StayingPanel):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "Made by cannot be recorded for an envelope with an offset or a conservative one: set "
-                    "Offset to 0 and Conservative to off.",
+                    "What made the envelope cannot be recorded if the envelope has an "
+                    "offset or is conservative: set Offset to 0 and Conservative to off.",
                 )
             )
         plan = Plan.of(self.obj)
@@ -168,7 +169,9 @@ class MadePanel(StayingPanel):
         self.choose.setEnabled(answer is not None and current)
         if answer is None:
             self.text.setText(
-                translate("Panels", "For this place it is not known what made it: click beside it.")
+                translate(
+                    "Panels", "It is not known what made this place: click a point beside it."
+                )
             )
             return
         text = made_by.text_of(answer)

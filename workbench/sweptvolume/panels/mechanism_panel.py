@@ -93,8 +93,8 @@ class MechanismPanel(CheckRun, ResultPanel):
             self.fields[name] = field
         tip = translate(
             "Panels",
-            "Pairs of parts that come nearer than this are listed; 0: a tenth of the size of the "
-            "parts, or more if a rule needs it",
+            "Lists the pairs of parts that come closer than this. 0: a tenth of the "
+            "size of the parts, or more if a rule needs it",
         )
         widgets.hint(self.fields["Range"], tip)
         self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
@@ -133,7 +133,7 @@ class MechanismPanel(CheckRun, ResultPanel):
             return
         names = [label_of(*pair) for pair in standing]
         more = "" if len(names) <= 6 else " ..."
-        text = translate("Panels", "{0} parts that stand still: {1}")
+        text = translate("Panels", "{0} neighbours that stand still: {1}")
         self.chosen.setText(text.format(len(names), (", ".join(names[:6]) or "-") + more))
         new = [pair for pair in pairs if pair not in self.asked.pairs]
         self.asked.show_pairs(pairs, {p: pair_rules.of(self.rules, *p) for p in new})

@@ -100,11 +100,13 @@ class MotionPanel(KeysInView):
         self.drag_box.setChecked(True)
         self.snap = widgets.length(1.0, 0.0, 1.0)
         self.snap_angle = widgets.angle(5.0, 0.0, 5.0)
-        tip = translate("Panels", "Step size of the arrows and arcs; 0: no steps")
+        tip = translate("Panels", "Step size of the arrows and arcs in the 3D view. 0: no steps")
         round_button = QtWidgets.QPushButton(translate("Panels", "R&ound"))
         round_button.setObjectName("SweptVolumeRound")
         round_button.setToolTip(
-            translate("Panels", "Rounds the placement of the chosen key to these steps")
+            translate(
+                "Panels", "Rounds the placement of the chosen key to multiples of the step sizes"
+            )
         )
         round_button.clicked.connect(lambda *ignored: self.act("Round"))
         line = QtWidgets.QHBoxLayout()
@@ -147,7 +149,8 @@ class MotionPanel(KeysInView):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "there is no moving part: close the panel, select the part and open the panel again.",
+                    "There is no moving part: close the panel, select the part and open "
+                    "the panel again.",
                 )
             )
         return convert.global_placement(*self.pair)
@@ -158,7 +161,9 @@ class MotionPanel(KeysInView):
         if name in ("Capture", "Update") and self.frame.currentData() != "Absolute":
             raise InputProblem(
                 translate(
-                    "Messages", "only absolute poses can be captured: set Pose type to Absolute."
+                    "Messages",
+                    "A placement can be captured only as an absolute pose: set Pose type "
+                    "to Absolute.",
                 )
             )
         if name == "Capture":
@@ -174,7 +179,7 @@ class MotionPanel(KeysInView):
             keys.even(1.0)
             return row
         if not 0 <= row < len(keys):
-            raise InputProblem(translate("Messages", "choose a key in the table first."))
+            raise InputProblem(translate("Messages", "Choose a key in the table first."))
         if name == "Duplicate":
             return keys.duplicate(row)
         if name in ("Up", "Down"):
@@ -203,7 +208,7 @@ class MotionPanel(KeysInView):
         widgets.show_message(self.message, "")
         found = self.history.step(back)
         if found is None:
-            text = translate("Messages", "there is no change of the keys to undo or redo.")
+            text = translate("Messages", "The keys have no change to undo or redo.")
             raise InputProblem(text)
         self.keys, row = found
         self.fill(row)
@@ -217,8 +222,8 @@ class MotionPanel(KeysInView):
         panel.home = self.home
         text = translate(
             "Messages",
-            "Transform is locked while the motion editor is open: drag the chosen key, or enter "
-            "numbers.",
+            "Transform cannot be used while the motion editor is open: drag the "
+            "chosen key, or enter numbers.",
         )
         panel.take_over(self, text)
 
@@ -227,9 +232,7 @@ class MotionPanel(KeysInView):
         """The selected part is the one that moves from now on."""
         chosen = selection.parts()
         if not chosen:
-            text = translate(
-                "Messages", "select the part that moves in the tree or in the 3D view."
-            )
+            text = translate("Messages", "Select the moving part in the tree or in the 3D view.")
             raise InputProblem(text)
         self._put_back()
         self._close()

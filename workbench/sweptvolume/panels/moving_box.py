@@ -65,8 +65,8 @@ class MovingBox(MotionTable):
             translate("Panels", "Add a&ll its parts"),
             translate(
                 "Panels",
-                "Runs the source once and adds every part that moves. Existing motions of these parts "
-                "are read again, others are created",
+                "Runs the source once and adds every part that moves. Reads the "
+                "existing motions of these parts again, and creates the missing ones",
             ),
             self.take_all,
         )
@@ -94,7 +94,8 @@ class MovingBox(MotionTable):
             if not pairs:
                 text = translate(
                     "Messages",
-                    'the motion "{0}" has no part: add the part to the list, then choose the motion for it.',
+                    'The motion "{0}" does not say which part it moves: add the part to '
+                    "the list, then choose the motion for it.",
                 )
                 raise InputProblem(text.format(path.Label))
             for pair in pairs:

@@ -37,7 +37,7 @@ class NeighboursBox(QtCore.QObject):
             (
                 "SweptVolumeAllNeighbours",
                 translate("Panels", "All &visible"),
-                translate("Panels", "All other parts that are visible now"),
+                translate("Panels", "Adds all other parts that are visible now"),
                 self.take_visible,
             ),
         ):

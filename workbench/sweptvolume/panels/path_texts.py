@@ -23,7 +23,9 @@ def told(report):
 def _found(report):
     lines = [
         translate(
-            "Messages", "Found: {0} keys, {1}, turns of {2} degrees, clearance at least {3}."
+            "Messages",
+            "Found a path: {0} keys, length {1}, total turn {2} degrees, clearance "
+            "at least {3}.",
         ).format(
             report["keys"],
             quantities.quantity(report["length"]),
@@ -33,7 +35,8 @@ def _found(report):
     ]
     if report["contacts"]:
         text = translate(
-            "Messages", "Nearer than that within the release distance of {0}, as allowed: {1}."
+            "Messages",
+            "Within the release distance of {0}, the part is allowed to come closer " "to: {1}.",
         ).format(quantities.quantity(report["release"]), _names(report["contacts"]))
         lines.append(text)
     return lines
@@ -42,13 +45,17 @@ def _found(report):
 def _not_found(report):
     escape = report["escape"]
     if report["verdict"] == "no_translation":
-        lines = [translate("Messages", "There is no path without turning the part (proven).")]
+        lines = [
+            translate("Messages", "It is proven that no path exists without turning the part.")
+        ]
     elif report["budget_ended"]:
         lines = [translate("Messages", "No path was found within the time limit.")]
     else:
         lines = [translate("Messages", "No path was found.")]
     text = translate(
-        "Messages", "The part moved {0} from its goal before it was blocked; it is shown there."
+        "Messages",
+        "The part came {0} away from its goal before it was blocked. The 3D view "
+        "shows it there.",
     )
     lines.append(text.format(quantities.quantity(escape["distance"])))
     if escape["blockers"]:
@@ -77,13 +84,14 @@ def improved(report):
         lines = [
             translate(
                 "Messages",
-                "No move of the motion keeps the required distance: reduce the required distance, or "
-                "use Find path.",
+                "No section of the motion keeps the required distance: reduce the "
+                "required distance, or use Find path.",
             )
         ]
     else:
         text = translate(
-            "Messages", "{0} keys instead of {1}, {2} instead of {3}, clearance {4} instead of {5}."
+            "Messages",
+            "{0} keys instead of {1}, length {2} instead of {3}, clearance {4} " "instead of {5}.",
         )
         before = report["before"]
         lines = [
@@ -100,13 +108,15 @@ def improved(report):
         if report["unmended_moves"]:
             text = translate(
                 "Messages",
-                "Moves that stay below the required distance, because no other path was found: {0}.",
+                "Sections that stay below the required distance, because no other "
+                "path was found: {0}.",
             )
             lines.append(text.format(report["unmended_moves"]))
         if released:
             text = translate(
                 "Messages",
-                "Moves within the release distance of start and goal, which are left unchanged: {0}.",
+                "Sections within the release distance of start and goal, which were "
+                "left unchanged: {0}.",
             )
             lines.append(text.format(released))
     lines += [said(w["code"], w["text"]) for w in report["warnings"]]

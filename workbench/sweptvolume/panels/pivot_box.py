@@ -38,7 +38,9 @@ class PivotBox(QtWidgets.QWidget):
         self.take.setObjectName("SweptVolumeTakePivot")
         self.take.setToolTip(
             translate(
-                "Panels", "Takes the selected vertex, or the centre of the selected edge or face"
+                "Panels",
+                "Uses the selected vertex, or the centre of the selected edge or "
+                "face, as the pivot",
             )
         )
         line = QtWidgets.QHBoxLayout(self)
@@ -86,8 +88,8 @@ class PivotBox(QtWidgets.QWidget):
     def _explain(self):
         text = translate(
             "Panels",
-            "The point that moves straight between two keys and about which the part turns. The x, "
-            "y, z of a key are the coordinates of this point.",
+            "The pivot moves straight between two keys, and the part turns about it. "
+            "The x, y and z of a key are the coordinates of the pivot.",
         )
         if self.in_part() is not None:
             here = translate("Panels", "In the coordinates of the part: {0}, {1}, {2}")
@@ -115,7 +117,8 @@ def selected_point():
     raise InputProblem(
         translate(
             "Messages",
-            "select a vertex, an edge or a face in the 3D view first: its centre becomes the pivot.",
+            "Select a vertex, an edge or a face in the 3D view first: its centre "
+            "becomes the pivot.",
         )
     )
 

@@ -74,14 +74,16 @@ class PlaceField(QtWidgets.QWidget):
         if kind == "Place":
             tip = translate(
                 "Panels",
-                "x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. Take uses the "
-                "placement of the selected object, or of the part if nothing is selected",
+                "x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the "
+                "document. The button Take enters the placement of the selected "
+                "object, or of the part if nothing is selected",
             ).format(self.units[0][0])
         else:
             tip = translate(
                 "Panels",
-                "Direction x, y, z in which the part leaves. Take uses the normal of the selected "
-                "face, or the direction of the selected edge",
+                "Direction x, y, z in which the part leaves its place. The button "
+                "Take enters the normal of the selected face, or the direction of "
+                "the selected edge",
             )
         for field in (self.numbers, self.take):
             field.setToolTip(tip)
@@ -111,7 +113,7 @@ class PlaceField(QtWidgets.QWidget):
             return global_placement(*root_path(chosen[0]))
         if pair is None:
             raise InputProblem(
-                translate("Messages", "select the part that moves in the tree or in the 3D view.")
+                translate("Messages", "Select the moving part in the tree or in the 3D view.")
             )
         return global_placement(*pair)
 
@@ -144,6 +146,6 @@ def selected_direction():
                 return tuple(shape.tangentAt(shape.FirstParameter))
     raise InputProblem(
         translate(
-            "Messages", "select a face or an edge in the 3D view first: it gives the direction."
+            "Messages", "Select a face or an edge in the 3D view first, to set the direction."
         )
     )

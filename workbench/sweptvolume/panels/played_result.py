@@ -62,7 +62,8 @@ class PlayedPanel(check_result.ResultPanel):
             QtWidgets.QCheckBox(translate("Panels", "S&ection through the closest place")),
             translate(
                 "Panels",
-                "Hides everything in front of the closest place; follows the chosen row and the player",
+                "Hides everything in front of the closest place. The section follows "
+                "the chosen row and the player",
             ),
         )
         self.section.setObjectName("SweptVolumeSection")
@@ -70,7 +71,9 @@ class PlayedPanel(check_result.ResultPanel):
         self.clash = widgets.hint(
             QtWidgets.QPushButton(translate("Panels", "Keep clas&h volume")),
             translate(
-                "Panels", "Makes a shared volume of the two parts of the chosen row, at its time"
+                "Panels",
+                "Makes an object of the volume that the two parts of the chosen row "
+                "share at the time of that row",
             ),
         )
         self.clash.setObjectName("SweptVolumeKeepClash")
@@ -227,5 +230,5 @@ class PlayedPanel(check_result.ResultPanel):
 def gone():
     """A part that a row of the report names does not stand there any more."""
     return InputProblem(
-        translate("Messages", "a part of this row was deleted: run the check again.")
+        translate("Messages", "A part of this row no longer exists: run the check again.")
     )

@@ -73,13 +73,14 @@ class RulesTable(QtWidgets.QTableWidget):
         self.horizontalHeaderItem(LENGTH).setToolTip(
             translate(
                 "Panels",
-                "The required distance for this row; empty: the common required distance below. If "
-                "contact is allowed: how deep the parts may overlap; empty: no measurable overlap",
+                "The required distance for this row. Empty: the common required "
+                "distance below. If contact is allowed: how deep the parts may "
+                "overlap. Empty: no measurable overlap",
             )
             if CONTACT in kinds
             else translate(
                 "Panels",
-                "The required distance for this row; empty: the common required distance below",
+                "The required distance for this row. Empty: the common required distance below",
             )
         )
         self.horizontalHeaderItem(KIND).setToolTip(
@@ -145,7 +146,7 @@ class RulesTable(QtWidgets.QTableWidget):
                     self.setCurrentCell(row, LENGTH)
                     raise InputProblem(
                         translate(
-                            "Messages", '"{0}": the distance cannot be {1}; enter 0 or more.'
+                            "Messages", 'The distance in the rule of "{0}" is {1}: enter 0 or more.'
                         ).format(self.label(pair), text)
                     )
             if rule.asks():

@@ -41,8 +41,9 @@ class SearchPanel(StayingPanel):
             widgets.length(now["ReleaseDistance"], 0.0, 5.0),
             translate(
                 "Panels",
-                "A neighbour that is nearer than the required distance at the start or the end may "
-                "stay so until a point of the part has moved this far from there",
+                "If a neighbour is closer than the required distance at the start or "
+                "the goal, it may stay closer until some point of the part has moved "
+                "this far from there",
             ),
         )
         self.release.setObjectName("SweptVolumeRelease")

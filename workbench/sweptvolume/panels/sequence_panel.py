@@ -49,7 +49,9 @@ class SequencePanel(SearchPanel):
         self.finds.setObjectName("SweptVolumeFindOrder")
         widgets.hint(
             self.finds,
-            translate("Panels", "Finds an order of disassembly and reverses it"),
+            translate(
+                "Panels", "Searches for an order in which the parts can be removed, and reverses it"
+            ),
         )
         self.layout.insertWidget(self.layout.indexOf(self.begins) + 1, self.finds)
         self.finds.clicked.connect(lambda *ignored: self.start("find"))
@@ -59,7 +61,9 @@ class SequencePanel(SearchPanel):
         self.out.setObjectName("SweptVolumeOut")
         widgets.hint(
             self.out,
-            translate("Panels", "Distance from its goal at which a part counts as removed"),
+            translate(
+                "Panels", "A part counts as removed when it is this far from its installed position"
+            ),
         )
         self.player = Player()
         self.player.hide()

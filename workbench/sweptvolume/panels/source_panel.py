@@ -57,8 +57,8 @@ class SourcePanel:
             accuracy,
             translate(
                 "Panels",
-                "How far the straight line between two poses may deviate from the curve; corners "
-                "always get a pose",
+                "How far the straight line between two poses may deviate from the "
+                "curve. Each corner of the curve gets a pose",
             ),
         )
         rows.addRow(translate("Panels", "Accuracy"), accuracy)
@@ -105,9 +105,10 @@ class SourcePanel:
             convention,
             translate(
                 "Panels",
-                "What A, B and C rotate, in degrees about the fixed axes x, then y, then z. Tool head: "
-                "X Y Z are coordinates of the workpiece. Table: X Y Z are coordinates of the machine, "
-                "and the table turns the workpiece",
+                "What the G-code words A, B and C rotate. They are angles in degrees "
+                "about the fixed axes x, then y, then z. Tool head: X, Y and Z are "
+                "coordinates of the workpiece. Table: X, Y and Z are coordinates of "
+                "the machine, and the table turns the workpiece",
             ),
         )
         rows.addRow(translate("Panels", "Rotary axes"), convention)

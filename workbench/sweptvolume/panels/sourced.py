@@ -34,8 +34,8 @@ def may_cut(obj):
     """Asks whether the poses of a motion may become its own."""
     text = translate(
         "Panels",
-        'The poses of "{0}" are linked to {1}. To edit a key, the link must be removed; the '
-        "motion then keeps its current poses. Remove the link?",
+        'The poses of "{0}" are linked to {1}. To edit a key, you must remove the '
+        "link. The motion then keeps its current poses. Remove the link?",
     ).format(obj.Label, name_of(obj))
     buttons = QtWidgets.QMessageBox.Yes | QtWidgets.QMessageBox.No
     title = translate("Panels", "Motion")

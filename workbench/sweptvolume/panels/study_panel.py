@@ -67,7 +67,7 @@ class StudyPanel(StayingPanel):
         self.folder = self._file_row(
             rows, text, "SweptVolumeStudyFolder", plan.folder, self._ask_folder
         )
-        self.folder.setPlaceholderText(translate("Panels", "beside the file"))
+        self.folder.setPlaceholderText(translate("Panels", "default folder"))
         self.jobs = QtWidgets.QSpinBox()
         self.jobs.setObjectName("SweptVolumeStudyJobs")
         self.jobs.setRange(0, 256)
@@ -122,7 +122,8 @@ class StudyPanel(StayingPanel):
             button.setObjectName(name)
             buttons.addWidget(button)
         widgets.hint(
-            self.page_button, translate("Panels", "Opens the page of all runs in the web browser")
+            self.page_button,
+            translate("Panels", "Opens the report page of all runs in the web browser"),
         )
         for widget in (self.summary, self.table, self.about):
             rows.addWidget(widget)
@@ -259,7 +260,7 @@ class StudyPanel(StayingPanel):
     def open_page(self):
         path = self._page()
         if not QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path)):
-            text = translate("Messages", "no program is installed that opens {0}.")
+            text = translate("Messages", "No program is installed that opens {0}.")
             raise InputProblem(text.format(path))
 
     @guard.told

@@ -27,8 +27,9 @@ class TangentBox(QtWidgets.QGroupBox):
         self.kind.setToolTip(
             translate(
                 "Panels",
-                "Automatic: from the neighbouring keys. Stop: the part comes to rest. Corner: straight "
-                "on both sides. Given velocity: as entered below",
+                "Automatic: from the keys before and after. Stop: the part comes to "
+                "rest. Corner: the direction may change abruptly. Given velocity: as "
+                "entered below",
             )
         )
         self.speeds = [QtWidgets.QDoubleSpinBox() for _ in range(3)]

@@ -43,7 +43,10 @@ def pair(objects):
     """(the simulation, the part to watch). Raises InputProblem."""
     if len(objects) != 2 or not is_simulation(objects[0]):
         raise InputProblem(
-            translate("Messages", "choose an assembly simulation, then the part to follow.")
+            translate(
+                "Messages",
+                "Select an assembly simulation in the tree, then also the part to follow.",
+            )
         )
     return objects
 
@@ -83,9 +86,9 @@ def shortfall(label, start, end, step, frames):
         return ""
     return translate(
         "Messages",
-        'the simulation "{0}" stopped early, at {3} s of {4} s ({1} of {2} frames), because '
-        "its solver found no valid position: check the joints and formulas, or set an earlier "
-        "end time.",
+        'The simulation "{0}" stopped early, at {3} s of {4} s ({1} of {2} frames): '
+        "its solver found no valid position. Check the joints and formulas, or set "
+        "an earlier end time.",
     ).format(
         label, count(frames), count(expected), number(start + step * (frames - 1)), number(end)
     )

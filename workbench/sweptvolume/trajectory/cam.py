@@ -36,7 +36,7 @@ def is_path(obj):
 def poses(objects, rapid=100.0, convention="Head"):
     """All moves of one CAM object."""
     if len(objects) != 1 or not is_path(objects[0]):
-        raise InputProblem(translate("Messages", "choose one CAM (Path) operation."))
+        raise InputProblem(translate("Messages", "Select one CAM (Path) operation."))
     place = {"Head": _by_head, "Table": _by_table}[convention]
     times, found = _Reader(rapid, place).read(objects[0].Path.Commands)
     if len(found) < 2:

@@ -13,7 +13,7 @@ def read(path, unit):
     if not path or not os.path.isfile(path):
         raise InputProblem(
             translate(
-                "Messages", 'the motion file "{0}" does not exist: choose another file.'
+                "Messages", 'The motion file "{0}" does not exist: choose another file.'
             ).format(path)
         )
     try:

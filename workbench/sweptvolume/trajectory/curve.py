@@ -49,7 +49,7 @@ def poses(objects, count, orientation, duration):
     if count < 2:
         raise InputProblem(
             translate(
-                "Messages", "a curve needs at least two poses: set Count to 0, or to 2 or more."
+                "Messages", "A curve needs at least two poses: set Count to 0, or to 2 or more."
             )
         )
     track = _Track(edges)
@@ -67,7 +67,7 @@ def poses_within(objects, accuracy, orientation, duration):
     edges = _path(objects, orientation)
     if not accuracy > 0:
         raise InputProblem(
-            translate("Messages", "the accuracy is {0}, but must be greater than 0.").format(
+            translate("Messages", "The accuracy is {0}: enter a value greater than 0.").format(
                 quantity(accuracy)
             )
         )
@@ -86,10 +86,10 @@ def _path(objects, orientation):
         raise InputProblem(
             translate(
                 "Messages",
-                "choose two wires: the curve to follow, then the curve that sets the orientation.",
+                "Select two wires: the curve to follow, then the curve that sets the orientation.",
             )
             if wanted == 2
-            else translate("Messages", "choose one wire, edge or sketch to follow.")
+            else translate("Messages", "Select one wire, edge or sketch to follow.")
         )
     return _edges(objects[0])
 
@@ -151,8 +151,8 @@ def _adaptive(track, accuracy, turning):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "an accuracy of {0} needs more than {1} poses on this curve: choose a larger accuracy "
-                    "value.",
+                    "An accuracy of {0} needs more than {1} poses on this curve: choose a "
+                    "larger accuracy value.",
                 ).format(quantity(accuracy), count(MAX_POSES))
             )
         samples.append(sample)
@@ -247,8 +247,9 @@ def _turns_by_second(samples, others, objects):
             raise InputProblem(
                 translate(
                     "Messages",
-                    '"{0}" starts in the direction of the curve "{1}", so it does not define the z axis: '
-                    "move it sideways.",
+                    'The second curve "{0}" lies on the tangent of the curve "{1}" at its '
+                    "start, so it does not define the z axis: move the second curve "
+                    "sideways.",
                 ).format(objects[1].Label, objects[0].Label)
             )
         turns.append(turn)
@@ -265,7 +266,7 @@ def _edges(obj):
         raise InputProblem(
             translate(
                 "Messages",
-                '"{0}" has {1} separate pieces: join them to one curve, or select one piece.',
+                '"{0}" has {1} separate pieces: join them into one curve, or select one piece.',
             ).format(obj.Label, len(groups))
         )
     return groups[0]

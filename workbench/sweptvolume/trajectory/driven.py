@@ -29,7 +29,7 @@ class Handle:
         if name not in names_of(driver):
             raise InputProblem(
                 translate(
-                    "Messages", '"{0}" has no value "{1}" that can be driven: choose one of {2}'
+                    "Messages", '"{0}" has no value "{1}" that can be changed: choose one of {2}'
                 ).format(driver.Label, name, ", ".join(names_of(driver)[:12]) or "-")
             )
         for path, expression in getattr(driver, "ExpressionEngine", []):
@@ -37,8 +37,8 @@ class Handle:
                 raise InputProblem(
                     translate(
                         "Messages",
-                        '"{0}" of "{1}" is set by the expression {2}: drive a value in that expression '
-                        "instead.",
+                        'The value "{0}" of "{1}" is set by the expression {2}: choose a value '
+                        "in that expression instead.",
                     ).format(name, driver.Label, expression)
                 )
         self.before = self._raw()
@@ -152,7 +152,8 @@ def frames(driver, name, start, end, count, duration, watched):
             document.recompute()
             text = translate(
                 "Messages",
-                'the document cannot be recomputed with "{0}" = {1:g}: choose another start or end.',
+                'The document could not be recomputed with "{0}" = {1:g}: choose '
+                "another start or end value.",
             )
             check_valid([driver, *watched], text.format(name, value))
             yield time
@@ -166,7 +167,7 @@ def pair(objects):
     if len(objects) != 2:
         raise InputProblem(
             translate(
-                "Messages", "choose the object whose value is driven, then the part to follow."
+                "Messages", "Select the object with the value to change, then the part to follow."
             )
         )
     return objects

@@ -73,7 +73,7 @@ class Keys:
         index = bisect.bisect(self.times, time)
         if not 0 < index < len(self) or time in self.times:
             raise InputProblem(
-                translate("Messages", "there is already a key at this time: choose another time.")
+                translate("Messages", "There is already a key at this time: choose another time.")
             )
         return self._put(index, time, at_time(self.poses(), interpolation, time))
 
@@ -131,7 +131,8 @@ class Keys:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "the time of key {0} must lie between the times of the keys before and after it.",
+                    "The time of key {0} must lie between the times of the keys before and "
+                    "after it.",
                 ).format(index + 1)
             )
         self.times[index] = float(time)
@@ -177,8 +178,8 @@ def rows_from(text, units):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "row {0} of the pasted text has {1} columns: use t, x, y, z, or t, x, y, z, yaw, "
-                    "pitch, roll.",
+                    "Row {0} of the pasted text has {1} columns: use either the four "
+                    "columns t, x, y, z, or the seven columns t, x, y, z, yaw, pitch, roll.",
                 ).format(number + 1, len(cells))
             )
         numbers = [number_from(c, unit) * one for c, (unit, one) in zip(cells, units)]
@@ -187,7 +188,7 @@ def rows_from(text, units):
         raise InputProblem(
             translate(
                 "Messages",
-                "the clipboard has no rows of numbers: copy cells from a spreadsheet first.",
+                "The clipboard has no rows of numbers: copy cells from a spreadsheet first.",
             )
         )
     return rows
@@ -215,6 +216,8 @@ def number_from(text, unit):
         return number
     raise InputProblem(
         translate(
-            "Messages", '"{0}" is not a number or quantity in {1}: correct the entry.'
+            "Messages",
+            '"{0}" is not a number, nor a quantity that can be converted to {1}, or '
+            "it is too large: correct the entry.",
         ).format(text, unit)
     )

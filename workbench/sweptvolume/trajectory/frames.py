@@ -81,7 +81,7 @@ def check_valid(objects, text):
 def no_frames(label):
     """What is to be said of a run without frames."""
     return InputProblem(
-        translate("Messages", '"{0}" gave no frames: check that it runs in its own panel.').format(
-            label
-        )
+        translate(
+            "Messages", 'The simulation "{0}" gave no frames: open it and check that it runs.'
+        ).format(label)
     )

@@ -18,5 +18,5 @@ def placements(objects, step):
             )
         found.append(global_placement(*root_path(obj)))
     if not found:
-        raise InputProblem(translate("Messages", "choose at least one object with a placement."))
+        raise InputProblem(translate("Messages", "Choose at least one object with a placement."))
     return Poses(even_times(len(found), step), found)

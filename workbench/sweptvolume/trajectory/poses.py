@@ -17,13 +17,15 @@ FRAMES = ["Absolute", "Relative", "RelativeToFirst"]
 FRAME_HELP = mark(
     "Properties",
     "What a pose means.\n"
-    "Absolute: the placement the part has at that time, instead of the one it has now (default; "
-    "captured placements and recorded motions are of this kind).\n"
-    "Relative: a displacement on top of where the part stands now; the identity leaves it there.\n"
-    "RelativeToFirst: as Relative, measured from the first pose: the motion starts where the part "
-    "stands now.\n"
-    "Several parts move rigidly together; Absolute places the first of them. A motion in a group counts in "
-    "the coordinates of the group, and moves with it.",
+    "Absolute: the pose replaces the present placement of the part. This is the "
+    "default; captured placements and recorded motions use it.\n"
+    "Relative: the pose is added to the present placement of the part. The identity "
+    "leaves the part in place.\n"
+    "RelativeToFirst: as Relative, but measured from the first pose. The motion "
+    "starts at the present placement of the part.\n"
+    "Several parts move together as one rigid body; with Absolute, the poses are "
+    "those of the first part. A motion in a group uses the coordinates of the group "
+    "and moves with the group.",
 )
 
 
@@ -44,7 +46,7 @@ class Poses:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "the motion has {0} times but {1} placements: their numbers must be equal.",
+                    "The motion has {0} times but {1} placements: their numbers must be equal.",
                 ).format(len(self.times), len(self.placements))
             )
         self._check_times()
@@ -53,14 +55,14 @@ class Poses:
         times = np.array(self.times)
         for i in np.flatnonzero(~np.isfinite(times))[:1]:
             text = translate(
-                "Messages", "pose {0}: the time is {1:g}, but must be a finite number."
+                "Messages", "Pose {0}: the time is {1:g}, but must be a finite number. Correct it."
             )
             raise InputProblem(text.format(i + 1, times[i]))
         for i in np.flatnonzero(times[1:] < times[:-1])[:1]:
             text = translate(
                 "Messages",
-                "pose {0}: the time {1:g} s is earlier than the {2:g} s of the pose before; times must "
-                "not decrease.",
+                "Pose {0}: its time {1:g} s is earlier than the time {2:g} s of the "
+                "pose before. Times must not decrease.",
             )
             raise InputProblem(text.format(i + 2, times[i + 1], times[i]))
 
@@ -84,8 +86,8 @@ class Poses:
                 raise InputProblem(
                     translate(
                         "Messages",
-                        "poses {0} and {1} have the same time ({2:g} s): a spline, or a motion with a "
-                        "reference part, needs different times.",
+                        "Poses {0} and {1} have the same time ({2:g} s): give them different "
+                        "times. A spline and a motion with a reference part need this.",
                     ).format(i, i + 1, self.times[i])
                 )
 
@@ -112,7 +114,7 @@ def base_of(poses, frame, standing, container=None):
     standing: where the first part stands now; container: of the group that holds the motion, in which
     displacements count, none where it stands in the document itself."""
     if not poses.placements:
-        raise InputProblem(translate("Messages", "the motion has no poses: add at least one."))
+        raise InputProblem(translate("Messages", "The motion has no poses: add at least one."))
     if frame == "Absolute":
         return App.Placement(standing)
     if frame == "Relative":
@@ -120,7 +122,7 @@ def base_of(poses, frame, standing, container=None):
     if frame == "RelativeToFirst":
         return App.Placement(poses.placements[0])
     raise InputProblem(
-        translate("Messages", 'the pose type "{0}" is unknown: use one of {1}.').format(
+        translate("Messages", 'The pose type "{0}" is unknown: use one of these: {1}.').format(
             frame, ", ".join(FRAMES)
         )
     )

@@ -12,7 +12,7 @@ def is_trajectory(obj):
 def poses(objects, count):
     """`count` poses evenly in time, as the Robot workbench interpolates (with its ramps)."""
     if len(objects) != 1 or not is_trajectory(objects[0]):
-        raise InputProblem(translate("Messages", "choose one Robot trajectory."))
+        raise InputProblem(translate("Messages", "Select one Robot trajectory."))
     obj = objects[0]
     path = obj.Trajectory
     if len(path.Waypoints) < 2 or path.Duration <= 0:

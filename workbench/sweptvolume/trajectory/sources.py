@@ -37,9 +37,9 @@ class Settings:
         value = int(self.get("count", default))
         if not least <= value <= MOST_POSES:
             raise InputProblem(
-                translate("Messages", "the number of poses is {0}, but must be {1} to {2}.").format(
-                    value, least, MOST_POSES
-                )
+                translate(
+                    "Messages", "The number of poses is {0}: enter a number from {1} to {2}."
+                ).format(value, least, MOST_POSES)
             )
         return value
 
@@ -49,8 +49,8 @@ def damaged():
     return InputProblem(
         translate(
             "Messages",
-            "the settings of the motion's source are damaged: create the motion again, or use its "
-            "poses as they are.",
+            "The settings of the motion's source are damaged: create the motion "
+            "again, or use its poses as they are.",
         )
     )
 
@@ -70,7 +70,8 @@ def _stored(settings):
     raise InputProblem(
         translate(
             "Messages",
-            "this motion has no source to read again: its poses are stored in the document.",
+            "This motion has no source that could be read again: its poses are "
+            "stored only in the document.",
         )
     )
 

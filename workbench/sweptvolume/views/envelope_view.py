@@ -79,14 +79,18 @@ class EnvelopeView(View):
         if "DrawnTriangles" not in view.PropertiesList:
             text = mark(
                 "Properties",
-                "Number of triangles to which a large mesh is reduced on screen; 0: all are drawn",
+                "Largest number of triangles to draw. A larger mesh is reduced to "
+                "this number on screen. 0: draws all triangles",
             )
             view.addProperty(
                 "App::PropertyInteger", "DrawnTriangles", "Display", translate("Properties", text)
             )
             view.DrawnTriangles = surface.MOST
         if "ColourBy" not in view.PropertiesList:
-            text = mark("Properties", "What the colours show, if Made by was recorded")
+            text = mark(
+                "Properties",
+                "What the colours show. Needs a record of what made the envelope (MadeBy)",
+            )
             view.addProperty(
                 "App::PropertyEnumeration", "ColourBy", "Display", translate("Properties", text)
             )

@@ -22,7 +22,9 @@ def view_of(document):
     views = [active] if hasattr(active, "getSceneGraph") else []
     views += gui.mdiViewsOfType("Gui::View3DInventor")
     if not views:
-        text = translate("Messages", '"{0}" has no 3D view: open one in the menu Window.')
+        text = translate(
+            "Messages", 'The document "{0}" has no open 3D view: open one with the menu Window.'
+        )
         raise InputProblem(text.format(document.Label))
     return views[0]
 

@@ -20,12 +20,14 @@ class MotionView(View):
 
     def add_properties(self, view):
         if "FrameSize" not in view.PropertiesList:
-            text = mark("Properties", "Length of the axes drawn at each pose (mm); 0: automatic")
+            text = mark(
+                "Properties", "Length of the axes drawn at each pose (mm). 0: chosen automatically"
+            )
             view.addProperty(
                 "App::PropertyFloat", "FrameSize", "Path", translate("Properties", text)
             )
         if "PathWidth" not in view.PropertiesList:
-            text = mark("Properties", "Width of the line of the motion (pixels)")
+            text = mark("Properties", "Width of the line that shows the motion (pixels)")
             view.addProperty(
                 "App::PropertyFloat", "PathWidth", "Path", translate("Properties", text)
             )

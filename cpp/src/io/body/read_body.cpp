@@ -58,8 +58,9 @@ double toleranceFromSize(const std::string& path, const BodyFileOptions& options
 
 Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunContext& run) {
   if (options.millimetresPerUnit != 1) {
-    throw Error(Status::InvalidInput, "BadOption",
-                "'" + path + "' states its own unit of length; leave the unit out");
+    throw Error(
+        Status::InvalidInput, "BadOption",
+        "'" + path + "' contains its own unit of length; leave out the option for the unit");
   }
   Body body;
   body.chordError = options.tolerance  ? *options.tolerance
@@ -68,12 +69,12 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunC
   if (!(body.chordError > 0)) {
     throw Error(Status::InvalidInput, "BadOption",
                 "the tolerance for the triangles of '" + path + "' is " +
-                    numberText(body.chordError, kTellingDigits) + " mm; it must be above 0");
+                    numberText(body.chordError, kTellingDigits) + " mm, but must be above 0");
   }
   if (!(options.angle > 0)) {
     throw Error(Status::InvalidInput, "BadOption",
                 "the angle between the triangles of '" + path + "' is " +
-                    numberText(options.angle, kTellingDigits) + " rad; it must be above 0");
+                    numberText(options.angle, kTellingDigits) + " rad, but must be above 0");
   }
   const std::vector<ImportedSolid> solids = readSolids(path, body.chordError, options.angle, run);
   for (const ImportedSolid& solid : solids) {
@@ -92,7 +93,7 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunC
                            {},
                            std::to_string(count) + (count == 1 ? " solid was" : " solids were") +
                                " read as " + std::to_string(body.mesh.triangles.size()) +
-                               " triangles that leave the surface by at most " +
+                               " triangles, which deviate from the surface by at most " +
                                numberText(body.chordError, 3) + " mm"});
   return body;
 }
@@ -109,8 +110,8 @@ std::vector<NamedPart> readSolidParts(const std::string& path, double deflection
 [[noreturn]] void refuseSolid(const std::string& path) {
   throw Error(Status::InvalidInput, "BadFormat",
               "'" + path +
-                  "': this build is without OpenCASCADE and cannot read solids; give a mesh (ply, "
-                  "stl, obj, off)");
+                  "': this program was built without OpenCASCADE and cannot read solids; give a "
+                  "mesh (ply, stl, obj, off)");
 }
 
 Body readSolidBody(const std::string& path, const BodyFileOptions&, RunContext&) {

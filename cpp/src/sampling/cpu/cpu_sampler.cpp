@@ -33,10 +33,10 @@ class CrossingBudget {
     const std::uint64_t bytes = kBytes * (taken_ += crossings);
     if (limit_ == 0 || bytes <= limit_) return;
     throw Error(Status::ResourceLimit, "ResourceLimit",
-                textOf(4, "the faces that move cross the grid more than ", limit_ / kBytes,
-                       " times, which takes more than the limit of ", limit_ / 1'000'000,
-                       " MB; a cell larger than ", cell_,
-                       " mm, a larger chord tolerance or a shorter motion takes less"));
+                textOf(4, "the moving faces cross the grid more than ", limit_ / kBytes,
+                       " times, which needs more memory than the limit of ", limit_ / 1'000'000,
+                       " MB; use a cell larger than ", cell_,
+                       " mm, a larger chord tolerance or a shorter motion"));
   }
 
  private:

@@ -18,7 +18,8 @@ std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
                 "no GPU can be used: its limits are too small (3D image " +
                     std::to_string(limits.texture3d) + ", viewport " + std::to_string(view) +
-                    ", budget " + std::to_string(budgetBytes) + " bytes; needed are 3, 32, 12)");
+                    ", budget " + std::to_string(budgetBytes) +
+                    " bytes; at least 3, 32 and 12 are needed); use --backend cpu or auto");
   }
   const std::int32_t nx = grid.points[0], ny = grid.points[1], nz = grid.points[2];
   const auto smallest = [](std::int32_t a, std::int64_t b, std::int64_t c) {

@@ -83,7 +83,7 @@ void requireFaster(const std::shared_ptr<GlDevice>& device, const GlSetup& setup
   }
   if (ratio < 1) return;
   throw Error(Status::DeviceUnavailable, "DeviceSlower",
-              textOf(3, name, " took ", ratio, " times as long as the CPU on a probe"));
+              textOf(3, name, " took ", ratio, " times as long as the CPU in a short test"));
 }
 
 }  // namespace
@@ -140,7 +140,8 @@ SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup, bool
     out.notes.push_back({"DeviceReopened",
                          sampler.reopened(),
                          {},
-                         "the GPU was lost once; part of the grid was sampled again"});
+                         "the connection to the GPU was lost once; part of the grid was sampled "
+                         "again, and the result is the same"});
   }
   return out;
 }

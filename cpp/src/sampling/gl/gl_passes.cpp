@@ -80,7 +80,7 @@ void GlPasses::requireLimits() const {
     if (has >= minCount) return;
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
                 "no GPU can be used: " + context_.device() + " offers " + std::to_string(has) +
-                    " " + what + ", needed are " + std::to_string(minCount) +
+                    " " + what + ", but at least " + std::to_string(minCount) +
                     "; use --backend cpu or auto");
   };
   need("storage blocks in the vertex stage", limits.vertexStorageBlocks, 5);

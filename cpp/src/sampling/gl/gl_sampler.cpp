@@ -237,7 +237,7 @@ void GlSampler::resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& 
   if (winners_.size() > 0xfffffff0u) {
     throw Error(Status::ResourceLimit, "ResourceLimit",
                 "the envelope has " + std::to_string(winners_.size()) +
-                    " crossings, the limit is 4294967280; use a larger cell");
+                    " grid crossings, but the limit is 4294967280; use a larger cell");
   }
   // So far the edges refer to winners_, in order of discovery. Now each element is stored only
   // once, in the order of the numbers, and the edges get their indices.

@@ -18,8 +18,8 @@ namespace {
 [[noreturn]] void refuse(const char* code, const std::string& what) {
   throw Error(Status::ExportFailed, code,
               what +
-                  "; a solid needs a closed, oriented, edge-manifold mesh: run the mesh check "
-                  "and repair the mesh, or export it as a mesh file");
+                  "; a solid needs a closed, oriented mesh with two triangles at each edge: repair "
+                  "the mesh, or export it as a mesh file");
 }
 
 void checkNumbers(const TriMesh& mesh) {
@@ -37,8 +37,8 @@ void checkNumbers(const TriMesh& mesh) {
   if (found.largest > kLargestLength) {
     throw Error(Status::ExportFailed, "OutOfRange",
                 "vertex " + std::to_string(found.farthest) +
-                    " lies more than 1e9 mm from the origin; move the mesh nearer, or check "
-                    "its unit");
+                    " lies more than 1e9 mm from the origin; check the unit of length, or move the "
+                    "mesh closer to the origin");
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
@@ -50,15 +50,15 @@ void checkNumbers(const TriMesh& mesh) {
 
 void refuseFaults(const EdgeFaults& faults) {
   if (faults.open > 0) {
-    refuse("OpenMesh", std::to_string(faults.open) + " edges have one triangle only");
+    refuse("OpenMesh", std::to_string(faults.open) + " edges belong to only one triangle");
   }
   if (faults.nonManifold > 0) {
     refuse("NonManifold",
-           std::to_string(faults.nonManifold) + " edges have more than two triangles");
+           std::to_string(faults.nonManifold) + " edges belong to more than two triangles");
   }
   if (faults.misoriented > 0) {
     refuse("MixedOrientation", std::to_string(faults.misoriented) +
-                                   " edges have triangles that disagree in orientation");
+                                   " edges lie between triangles that face opposite ways");
   }
 }
 
@@ -104,9 +104,10 @@ void findOwners(const TriMesh& mesh, const Shells& shells, const std::vector<She
     }
     if (best < 0) {
       const auto& of = shells.ofTriangle;
-      refuse("InvertedShell", "shell " + std::to_string(s) + " with " +
-                                  std::to_string(std::count(of.begin(), of.end(), s)) +
-                                  " triangles faces inward and lies in no outer shell");
+      refuse("InvertedShell",
+             "shell " + std::to_string(s) + " with " +
+                 std::to_string(std::count(of.begin(), of.end(), s)) +
+                 " triangles faces inwards, but does not lie inside another shell");
     }
     result.shellOwner[s] = best;
   }

@@ -45,7 +45,7 @@ class Scanner {
     } else if (c == '(') {
       if (++depth_ > kDeepest) wrong_ = at("brackets are nested too deeply");
     } else if (c == ')') {
-      if (--depth_ < 0) wrong_ = at("a bracket closes that was not opened");
+      if (--depth_ < 0) wrong_ = at("a closing bracket has no opening bracket");
     } else if (c == '#') {
       readNumber();
     } else if (c == ';') {

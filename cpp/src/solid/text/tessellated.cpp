@@ -164,7 +164,7 @@ class Reader {
     const auto [stop, error] = std::from_chars(text, end, value);
     // A STEP real may end with its decimal point.
     if (error != std::errc() || (stop != end && !(stop + 1 == end && *stop == '.')))
-      fail("a coordinate is no number");
+      fail("a coordinate is not a number");
     return value;
   }
   // Returns true after ',' (the list continues) and false after ')'.
@@ -190,7 +190,7 @@ class Reader {
       checkpoint();
     } while (more());
     if (static_cast<std::int64_t>(mesh_.vertices.size()) != list.first + list.count)
-      fail("a list has another number of points than it says");
+      fail("the number of points in a list differs from the number that it declares");
     lists_[id_] = list;
   }
 
@@ -242,26 +242,26 @@ void compare(const HalfEdgeMesh& read, const HalfEdgeMesh& written) {
     what = std::to_string(read.shellOwner.size()) + " shells instead of " +
            std::to_string(written.shellOwner.size());
   } else if (!(std::abs(read.volume - written.volume) <= allowed)) {
-    what = "another volume";
+    what = "a different volume";
   }
   if (what.empty()) return;
   throw Error(Status::ExportFailed, "RereadDiffers",
-              "the file was written but reads back wrong: " + what +
-                  "; the target was left as it was. Export a mesh file");
+              "the file was written, but reading it back gave something else: " + what +
+                  "; an existing file was kept. Export a mesh file");
 }
 
 void checkOptions(const HalfEdgeMesh& mesh, const StepOptions& options) {
   if (options.tolerance > 0) {
     throw Error(Status::ExportFailed, "BadOption",
-                "a tessellated solid has the triangles of the mesh: simplify the envelope instead "
-                "of giving the solid a tolerance");
+                "a tessellated solid consists of the triangles of the mesh, so it cannot have a "
+                "tolerance; simplify the envelope instead");
   }
   const double megabytes = tessellatedMegabytes(static_cast<std::int64_t>(mesh.triangles.size()));
   if (options.maxMegabytes > 0 && megabytes > options.maxMegabytes) {
     throw Error(Status::ExportFailed, "TooManyFaces",
                 "the tessellated solid of " + std::to_string(mesh.triangles.size()) +
-                    " triangles would take about " + std::to_string(std::lround(megabytes)) +
-                    " MB; the limit is " + std::to_string(std::lround(options.maxMegabytes)) +
+                    " triangles would need about " + std::to_string(std::lround(megabytes)) +
+                    " MB, but the limit is " + std::to_string(std::lround(options.maxMegabytes)) +
                     " MB. Simplify the envelope, raise the limit, or export a mesh file");
   }
 }
