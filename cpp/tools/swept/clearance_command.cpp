@@ -93,8 +93,7 @@ void compareWithStamps(const ClearanceJob& job, const TriMesh& body, const Traje
         stampedClearance(body, motion, part.mesh, static_cast<int>(job.stamp), run);
     std::printf(
         "sampled at %lld poses against %s: smallest distance %.9g mm at t = %.9g s; over the "
-        "continuous "
-        "motion: %.9g mm\n",
+        "continuous motion: %.9g mm\n",
         static_cast<long long>(least.poses), part.name.c_str(), least.distance, least.timeSeconds,
         report.neighbours[row++].distance);
   }
