@@ -22,8 +22,8 @@ constexpr int kExitNotClear = 3;
 /// signal, as in shells (130 for Ctrl-C, 143 for SIGTERM).
 int exitStatus(Status status);
 
-/// Makes a write fail with an error if a pipe is closed or a limit of the file size is reached.
-/// Without this, a signal would end the program.
+/// Ignores the signals of failed writes. On a closed pipe or at a limit of the file size, the write
+/// then fails with an error, instead of ending the program.
 void ignoreWriteSignals();
 
 /// Calls job() on another thread and waits. Draws a progress bar if standard error is a terminal

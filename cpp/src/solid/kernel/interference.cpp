@@ -24,8 +24,8 @@ using Box = Eigen::AlignedBox3d;
 /// Mm: the kernel may treat parts nearer than this as touching.
 constexpr double kNear = 1e-5;
 
-// Returns points along the borders of a face. A curved face may bulge between them, by less than
-// the length of its box.
+// Returns points along the borders of a face. Between these points, a curved face may bulge, by
+// less than the length of its bounding box.
 std::vector<Vector3d> pointsOf(const Model& model, const ModelFace& face) {
   constexpr int kSteps = 8;
   std::vector<Vector3d> points;

@@ -115,8 +115,8 @@ bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int
 constexpr double kBorderPerSaved = 1, kBorderPerSavedByPlane = 2;
 constexpr double kSmooth = 0.85;  // cosine (32 degrees)
 
-// Returns the patches whose border with open ground costs more facets, after simplification, than
-// the patches save.
+// Returns the patches that save fewer facets, after simplification, than their border with open
+// ground (triangles without a surface) needs.
 std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition& first,
                                      const Decimated& now, double tolerance) {
   const std::size_t count = first.patches.size();
