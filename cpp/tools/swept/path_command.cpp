@@ -119,7 +119,7 @@ Run addPathCommand(CLI::App& program) {
       "keeps its distance from parts that stand still, also between the keys.");
   addOptions(app, *job);
   return [job] {
-    checkNeighbourOptions(job->neighbours, "");  // the part itself may be a neighbour elsewhere
+    checkNeighbourOptions(job->neighbours, "");  // its file may be a neighbour, too
     return runPath(*job);
   };
 }
