@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Counts instructions of small runs under callgrind and compares them with the stored counts.
 
-Instructions do not depend on the load of the machine, so a small change shows. Above +10 % it warns
-(exit status 0), so that the change can be looked at; --store writes the counts that hold from now on.
+Instructions do not depend on the load of the machine, so they show small changes. If a count is
+more than 10 % above the stored one, the script warns; its exit status stays 0. --store stores new
+counts.
 """
 import argparse
 import json
@@ -20,7 +21,7 @@ WARN = 1.10
 
 
 def write_torus(path, around=48, across=24):
-    """Torus round z, radii 20 and 8, as OBJ."""
+    """Writes a torus around z with radii 20 and 8 as OBJ."""
     lines = []
     for i in range(around):
         for j in range(across):

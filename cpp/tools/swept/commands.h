@@ -1,5 +1,5 @@
-// The commands of the program. Each declares its options on a subcommand of `program` and gives
-// what runs it: a function that returns the exit status.
+// The commands of the program. Each function adds a subcommand with its options to `program`. It
+// returns a function that runs the command and returns the exit status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,5 +1,5 @@
-// The files of one command: what is read, what is written, and that nothing is lost.
-// "-" is standard input or standard output.
+// Reads and writes the files of a command, and refuses outputs that would destroy data.
+// The path "-" means standard input or standard output.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,29 +16,30 @@
 
 namespace swept::cli {
 
-/// A file and what it is to the command ("the motion", "--report"). Empty path: not asked for.
+/// A file and its role in the command ("the motion", "--report"), for messages. Empty path: the
+/// option was not given.
 struct RoledFile {
   std::string role;
   std::string path;
 };
 
-/// Refuses an output that is an input or another output, by identity of the file (links, other
-/// spellings), two inputs from standard input, and, with noClobber, outputs that exist.
+/// Refuses an output that is the same file as an input or another output, also through links or
+/// other spellings. Refuses two inputs from standard input and, with noClobber, outputs that exist.
 /// Throws Error(InvalidInput, "SameFile"), Error(ExportFailed, "Exists").
 void checkIdentity(const std::vector<RoledFile>& inputs, const std::vector<RoledFile>& outputs,
                    bool noClobber);
-/// Refuses outputs that cannot be written and inputs that cannot be read, before anything long
-/// starts. Throws Error(ExportFailed), Error(InvalidInput, "BadFile").
+/// Refuses outputs that cannot be written and inputs that cannot be read. Call this before the
+/// computation. Throws Error(ExportFailed), Error(InvalidInput, "BadFile").
 void checkAccess(const std::vector<RoledFile>& inputs, const std::vector<RoledFile>& outputs);
 
-/// True of what can be read only once: standard input, pipes, devices.
+/// Returns true for inputs that can be read only once: standard input, pipes, devices.
 bool isStream(const std::string& path);
-/// Reads the inputs that can be read only once; whoever reads them afterwards gets what was kept.
-/// To be called before a run is watched: there an interrupt ends the program at once, though nobody
-/// writes into the pipe.
+/// Copies the inputs that can be read only once; repeatable() later returns the copies. Call this
+/// before runWatched(): until then, an interrupt ends the program at once, even while it waits for
+/// data in a pipe.
 void keepStreams(const std::vector<RoledFile>& inputs);
-/// An input under a name that can be read again and again: a stream is copied to a file without a
-/// name, which goes with this object.
+/// An input that can be read several times. A stream is copied to an unnamed temporary file, which
+/// disappears with this object.
 class RepeatableInput {
  public:
   explicit RepeatableInput(const std::string& path);
@@ -46,16 +47,16 @@ class RepeatableInput {
   RepeatableInput(const RepeatableInput&) = delete;
   RepeatableInput& operator=(const RepeatableInput&) = delete;
   const std::string& path() const { return path_; }
-  /// The same error, about the name that was given.
+  /// Returns the error with the given name in its text instead of path().
   Error named(const Error& error) const;
 
  private:
   std::string given_, path_;
   int handle_ = -1;
 };
-/// The one that keepStreams() has made, or a new one.
+/// Returns the copy that keepStreams() has made, or a new object.
 std::shared_ptr<const RepeatableInput> repeatable(const std::string& path);
-/// read(name): with a name that can be read again and again, and errors that say the given one.
+/// Returns read(name), where `name` can be read several times. Messages of errors contain `path`.
 template <class Read>
 auto readRepeatably(const std::string& path, const Read& read) {
   const std::shared_ptr<const RepeatableInput> input = repeatable(path);
@@ -66,27 +67,28 @@ auto readRepeatably(const std::string& path, const Read& read) {
   }
 }
 
-/// `file`: an input's repeatable name, `path`: the name that was given. `format` in place of the
-/// suffix where it is not empty; a stream without both is known by how it begins, or a ply file.
+/// Returns whether an input is a solid file. `file`: its repeatable name; `path`: the given name.
+/// `format`, unless empty, replaces the suffix. An input without both is recognised as a solid by
+/// its first bytes, and otherwise read as PLY.
 bool isSolidIn(const std::string& file, const std::string& path, const std::string& format);
 TriMesh meshFrom(const std::string& file, const std::string& path, const std::string& format,
                  double unit);
-/// A mesh, or solids (STEP, BREP) that are tessellated.
+/// Reads a mesh, or solids (STEP, BREP), which are tessellated.
 Body readInputBody(const std::string& path, const std::string& format,
                    const BodyFileOptions& options, RunContext& run);
 
-/// Poses from a file or standard input; pivot: mm.
+/// Reads poses from a file or standard input. `pivot`: mm.
 Trajectory readInputMotion(const std::string& path, double unit, Interpolation interpolation,
                            const Eigen::Vector3d& pivot);
 
 bool isSolidSuffix(const std::string& suffix);  ///< step, stp, brep, brp
-bool isMeshSuffix(const std::string& suffix);   ///< what meshes can be written as
+bool isMeshSuffix(const std::string& suffix);   ///< formats in which meshes can be written
 
-/// Where an output is made: its own path, or for "-" a file beside nobody's that deliver() copies
-/// to standard output.
+/// The file to which an output is written: its own path, or for "-" a temporary file, which
+/// deliver() copies to standard output.
 class Output {
  public:
-  /// `format` stands for the suffix of "-".
+  /// `format`: the suffix of the temporary file, used only for "-".
   Output(const std::string& path, const std::string& format);
   const std::string& path() const { return path_; }
   void deliver() const;
@@ -96,13 +98,14 @@ class Output {
   TemporaryName temporary_;
 };
 
-/// To a file, or to standard output for "-". Throws Error(ExportFailed).
+/// Writes to a file, or to standard output for "-". Throws Error(ExportFailed).
 void writeText(const std::string& text, const std::string& path);
-/// Texts and the names of their files: old files are replaced when all new ones are whole.
+/// Writes texts, given with the names of their files. Old files are replaced only when all new ones
+/// are complete.
 void writeTexts(const std::vector<std::pair<std::string, std::string>>& texts);
-/// Nothing where the path is empty.
+/// Writes nothing if the path is empty.
 void writeReport(const Json& report, const std::string& path);
-/// What printing left in memory reaches its reader. Throws Error(ExportFailed, "WriteFailed").
+/// Flushes standard output. Throws Error(ExportFailed, "WriteFailed").
 void flushStandardOutput();
 
 }  // namespace swept::cli

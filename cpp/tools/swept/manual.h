@@ -1,4 +1,4 @@
-// Manual page and completions, made from the declarations of the options, as the help is.
+// Makes the manual page and the completions. Like the help, they come from the declared options.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -7,9 +7,10 @@
 
 namespace swept::cli {
 
-/// swept(1), in man macros.
+/// Returns the manual page swept(1), with man macros.
 std::string manualPage(const CLI::App& program);
-/// `shell`: bash, zsh or fish. Throws Error(InvalidInput, "BadOption") for another.
+/// Returns the completions for `shell`: bash, zsh or fish. Throws Error(InvalidInput, "BadOption")
+/// for other shells.
 std::string completions(const CLI::App& program, const std::string& shell);
 
 }  // namespace swept::cli

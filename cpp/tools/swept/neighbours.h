@@ -1,4 +1,4 @@
-// The parts that stand still, from their files.
+// Options and reading of neighbours, the parts that stand still.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,21 +19,23 @@ struct NeighbourFiles {
   std::string rulesPath;
 };
 
-/// NEIGHBOUR (the option that is returned), --neighbour-unit, --neighbour-chord and --deflection.
+/// Adds NEIGHBOUR, --neighbour-unit, --neighbour-chord and --deflection. Returns the option
+/// NEIGHBOUR.
 CLI::Option* addNeighbourOptions(CLI::App& app, NeighbourFiles& files);
-/// --rule and --rules.
+/// Adds --rule and --rules.
 void addRuleOptions(CLI::App& app, NeighbourFiles& files);
-/// Throws what a wrong usage is; moving: the file of the part that moves, which is no neighbour of
-/// itself ("": there are several, or it is placed where its file does not have it).
+/// Throws an error for wrong usage. `moving`: the file of the moving part, which must not be among
+/// the neighbours. "": not checked, since there are several moving parts, or the part is placed
+/// elsewhere.
 void checkNeighbourOptions(const NeighbourFiles& files, const std::string& moving);
-/// A mesh is one neighbour, a solid file one a solid; each with its rule. Throws
-/// Error(InvalidInput), "BadRule" where rules do not fit; Error(Cancelled).
+/// Reads the neighbours with their rules. A mesh is one neighbour; each solid of a solid file is
+/// one. Throws Error(InvalidInput), with "BadRule" if a rule does not match; Error(Cancelled).
 std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run);
 
-/// Gives parts of one name, as solids of one file may have, a number each.
+/// Appends numbers to names that occur several times, such as those of solids of one file.
 void makeNamesUnique(std::vector<ClearanceNeighbour>& parts);
 
-/// In double quotes, for a table of values with commas between them.
+/// Returns the text in double quotes, as a field of a CSV table.
 std::string quoted(const std::string& text);
 
 }  // namespace swept::cli

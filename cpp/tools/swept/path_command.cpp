@@ -1,4 +1,5 @@
-// swept path PART --goal POSE NEIGHBOUR...: how the part gets to its place, clear all the way.
+// swept path PART --goal POSE NEIGHBOUR...: finds a path without collisions to the installed
+// position.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_CLEARANCE
 #include <cstdio>
@@ -118,7 +119,7 @@ Run addPathCommand(CLI::App& program) {
       "keeps its distance from parts that stand still, also between the keys.");
   addOptions(app, *job);
   return [job] {
-    checkNeighbourOptions(job->neighbours, "");  // it is placed elsewhere
+    checkNeighbourOptions(job->neighbours, "");  // its file may be a neighbour, too
     return runPath(*job);
   };
 }

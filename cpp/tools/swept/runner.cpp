@@ -25,8 +25,8 @@ extern "C" void onInterrupt(int number) {
 
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
-// While it lives, a signal cancels the run. Afterwards none has an effect: the program is about to
-// end, and clears up after itself.
+// During its lifetime, signals cancel the run. Afterwards signals are ignored, since the program is
+// about to end and removes its temporary files.
 class InterruptGuard {
  public:
   explicit InterruptGuard(RunContext& run) {
@@ -37,7 +37,7 @@ class InterruptGuard {
     for (const int number : kSignals) {
       struct sigaction old {};
       sigaction(number, &action, &old);
-      // What the caller has ignored (nohup) stays so.
+      // If the caller ignores SIGHUP (nohup), it stays ignored.
       if (number == SIGHUP && old.sa_handler == SIG_IGN) std::signal(number, SIG_IGN);
     }
   }

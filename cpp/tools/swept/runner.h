@@ -1,4 +1,4 @@
-// Runs one job on a thread of its own while this one watches: progress bar, signals, exit status.
+// Runs a job on its own thread, while the calling thread shows the progress and handles signals.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,34 +18,33 @@ constexpr int kExitFailed = 1;
 constexpr int kExitUsage = 2;
 constexpr int kExitNotClear = 3;
 
-/// Of a cancelled run: 128 and the number of the signal (130 Ctrl-C, 143 terminated), as shells
-/// have it.
+/// Returns the exit status of the program. For a cancelled run this is 128 plus the number of the
+/// signal, as in shells (130 for Ctrl-C, 143 for SIGTERM).
 int exitStatus(Status status);
 
-/// A full file system, a limit of file sizes or a closed pipe is a failing write, which says its
-/// cause, and not the end of the program.
+/// Ignores the signals of failed writes. On a closed pipe or at a limit of the file size, the write
+/// then fails with an error, instead of ending the program.
 void ignoreWriteSignals();
 
-/// Calls `job` on another thread and waits. Draws a progress bar where standard error is a terminal
-/// and `quiet` is false; SIGINT, SIGTERM and SIGHUP cancel `run`. What the job throws is thrown
-/// here.
+/// Calls job() on another thread and waits. Draws a progress bar if standard error is a terminal
+/// and `quiet` is false. SIGINT, SIGTERM and SIGHUP cancel `run`. Rethrows what job() throws.
 void runWatched(RunContext& run, bool quiet, const std::function<void()>& job);
 
-/// One line on standard error: "swept: Status/Code: message".
+/// Prints one line on standard error: "swept: Status/Code: message".
 void printError(Status status, const std::string& code, const std::string& message);
-/// A line each on standard error. `quiet` leaves those out that cost no accuracy.
+/// Prints one line per finding on standard error. With `quiet`, only findings that cost accuracy.
 void printFindings(const std::vector<Finding>& findings, bool quiet);
-/// A line a stage on standard error.
+/// Prints one line per stage on standard error.
 void printSeconds(const std::vector<StageSeconds>& seconds);
 
-/// How a run ended, into its report, whichever command's it is.
+/// Stores in the report of any command how its run ended.
 template <class AnyReport>
 void takeError(AnyReport& report, Status status, const std::string& code, const std::string& text) {
   report.status = status;
   report.code = code;
   report.message = text;
 }
-/// With --strict, a finding that costs accuracy is how an otherwise good run ended.
+/// With --strict, turns a finding that costs accuracy into the failure of an otherwise good run.
 template <class AnyReport>
 void takeStrict(AnyReport& report, bool strict) {
   const Finding* finding = strict ? inaccuracyOf(report.warnings) : nullptr;

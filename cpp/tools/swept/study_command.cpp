@@ -1,5 +1,5 @@
-// swept study FILE: many runs from one file. The Python package computes them, since a cluster is
-// reached through it; this finds the package and becomes its interpreter.
+// swept study FILE: computes many runs from one file. The Python package does this, since it also
+// reaches clusters. The command finds the package and replaces its own process by Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef SWEPT_PYTHON
 #include <unistd.h>
@@ -27,7 +27,8 @@ struct StudyJob {
   std::vector<std::pair<std::string, bool>> flags;
 };
 
-/// Beside the program, in a build or where it is installed; empty: where Python looks by itself.
+/// Returns the folder of the Python package, relative to the program, in a build or an
+/// installation. Returns an empty text if Python must find the package by itself.
 std::string packageFolder() {
   std::error_code failed;
   const fs::path program = fs::read_symlink("/proc/self/exe", failed);
@@ -38,8 +39,8 @@ std::string packageFolder() {
   return {};
 }
 
-/// What the interpreter runs. Its path of modules would begin with the current folder, where
-/// anybody may have put a file called like one of them.
+/// The code that the interpreter runs. It removes the current folder from the module path, since
+/// anybody may have put a file with the name of a module there.
 constexpr const char* kStart =
     "import sys; sys.path[:] = [p for p in [sys.argv[1], *sys.path] if p]; "
     "from swept_volume.__main__ import main; sys.exit(main(sys.argv[2:]))";
