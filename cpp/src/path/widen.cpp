@@ -66,22 +66,23 @@ class Band {
       run_.checkpoint(Phase::Polish);
       if (lengthOf(scene_, keys) > longest) return false;
       openings_.clear();
-      std::vector<char> free(keys.size() - 1, 1);
+      places_.assign(keys.size() - 1, kPlaces);
       for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
         if (!limits_.allowed(keys[i], keys[i + 1])) return false;
-        free[i] = keepsApart(keys, i);
+        if (!keepsApart(keys, i)) places_[i] = kManyPlaces;
       }
-      if (std::count(free.begin(), free.end(), 0) == 0) return true;
+      if (std::count(places_.begin(), places_.end(), kManyPlaces) == 0) return true;
       // Moves that are free have to stay free.
-      for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-        const int places = free[i] ? kPlaces : kManyPlaces;
-        for (int k = 0; k <= places; ++k) addContacts(keys, i, static_cast<double>(k) / places);
-      }
+      for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+        for (int k = 0; k <= places_[i]; ++k)
+          addContacts(keys, i, static_cast<double>(k) / places_[i]);
       if (openings_.empty()) return false;
       move(keys);
+      moved_ = true;
     }
     return false;
   }
+  bool moved() const { return moved_; }
 
  private:
   // If the move is blocked, adds the pair that blocks it.
@@ -148,11 +149,13 @@ class Band {
   }
 
   const Scene& scene_;
-  const Rule wanted_;
+  const Rule& wanted_;
   Rule within_;
   const WidenLimits& limits_;
   RunContext& run_;
   Memory memory_;
+  bool moved_ = false;
+  std::vector<int> places_;  ///< by move: number of places to sample
   std::vector<Opening> openings_;
 };
 
@@ -197,11 +200,15 @@ double widen(const Scene& scene, const Rule& rule, const WidenLimits& limits, Ra
   const double longest = kLonger * lengthOf(scene, keys);
   const double room = roomAtEnds(scene, rule, keys, kMostRaise * scene.radius());
   std::vector<State> best = refined(scene, keys);
+  bool moved = false;  // a path that is wide enough already keeps its keys
   double reached = 0, failed = 0, next = std::min(kFirst * scene.radius(), room);
   while (next > kEnough * reached && next > kLeast * scene.radius() && !limits.over()) {
     std::vector<State> pushed = best;
-    if (Band(scene, raised(rule, next), limits, run).push(pushed, longest)) {
+    const Rule wanted = raised(rule, next);
+    Band band(scene, wanted, limits, run);
+    if (band.push(pushed, longest)) {
       reached = next;
+      moved = moved || band.moved();
       best = std::move(pushed);
     } else {
       failed = next;
@@ -211,7 +218,7 @@ double widen(const Scene& scene, const Rule& rule, const WidenLimits& limits, Ra
            : reached == 0 ? failed / (kRaise * kRaise)
                           : std::sqrt(reached * failed);
   }
-  if (reached == 0) return 0;
+  if (!moved) return 0;
   keys = std::move(best);
   shorten(scene, raised(rule, reached), limits.allowed, kTrials, random, keys, run);
   return reached;

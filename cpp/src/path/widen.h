@@ -30,7 +30,7 @@ struct WidenLimits {
 
 /// Raises all distances of the rule by the same amount, as far as the ends of the path and the
 /// neighbours allow while the path grows by at most a quarter. A path of one move stays as it is.
-/// Returns the amount in mm; 0 if the path did not change.
+/// Returns the amount in mm. Returns 0 and keeps the keys if no move came close to a neighbour.
 double widen(const Scene& scene, const Rule& rule, const WidenLimits& limits, RandomNumbers& random,
              std::vector<State>& keys, RunContext& run);
 
