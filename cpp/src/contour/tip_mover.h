@@ -9,9 +9,9 @@
 //
 // The tip of a corner or wedge can reach into a neighbouring cell without meeting any of its edges.
 // If the way to the point leads through empty cells, the vertex moves to the point. If the point
-// lies in a neighbouring leaf cell, a component of that cell may take it over, provided that its
-// own planes agree with the point. The corner then lies in that cell, whose crossings show only
-// some of the planes.
+// lies in a neighbouring leaf cell, the vertex of a component of that cell may take over the point,
+// provided that the planes of this component agree with it. The corner then lies in that cell,
+// although its crossings lie on some of the planes only.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,5 +1,5 @@
-// Splits the vertex of a component with two features in one cell: each part of its crossings gets a
-// vertex.
+// Splits the vertex of a component that has two features, such as edges, in one cell. The crossings
+// are divided into two parts, and each part gets a vertex.
 //
 // Each vertex is fitted to the planes of its part and of the side between the parts, which the
 // crossings do not show (wall_end.h, hidden_side.h). Strips of polygons join the two vertices.
@@ -43,15 +43,16 @@ struct VertexSplit {
   std::vector<std::array<std::int8_t, 2>> folds;
   std::vector<std::int8_t> foldFaces;
 
-  /// Finds the folds. Every slot must have a part, and each part must be one arc of the ring of
-  /// polygons. The arcs must meet on faces with a single way to pair their crossings.
+  /// Finds the folds. There are none unless every slot of the component has a part, each part is
+  /// one arc of the ring of polygons, and the arcs meet on faces with a single way to pair
+  /// crossings.
   void findFolds(const Cell& cell, const Components& components, int component,
                  const Crossing* crossings);
 
-  /// Returns the place of a part's vertex along the crease of its planes, starting from the
-  /// minimiser `best`. The few crossings of the part do not show how long the crease is, and the
-  /// next cell may not show it at all. The vertex is therefore placed half way between the walls of
-  /// the cell, or three quarters of the way from the end that is `seen`.
+  /// Returns the position of a part's vertex along the crease of its planes; `best` is the
+  /// minimiser. The few crossings of the part do not tell how long the crease is, and no crossing
+  /// of the next cell may lie beside the crease. The vertex is therefore placed half way between
+  /// the walls of the cell, or three quarters of the way from the end next to `seen`.
   Eigen::Vector3d alongCrease(const Qef& planes, const Eigen::Vector3d& best) const;
 };
 

@@ -13,9 +13,9 @@
 // in the cells round its lattice edge. It also moves the vertices of components that share a cell
 // towards their mass points, which lie in the hull of their crossings: half way in the first round,
 // all the way later. Every other round also aligns the two sides of thin walls (wall_sides.h).
-// Later rounds fan the polygons round the pairs' vertices as well. A triangle spans at most the
-// cells round one lattice edge, so it can only intersect triangles a few cells away. The region
-// that is tested again is wider than the change by this distance.
+// Later rounds also replace the other polygons round the pairs' vertices by fans. A triangle spans
+// at most the cells round one lattice edge, so it can only intersect triangles a few cells away.
+// The region that is tested again is wider than the change by this distance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -99,7 +99,8 @@ class Layer {
     return intoCell(now, homeCell(now, mass));
   }
 
-  /// Returns half the vector from a to b, in cells. Call this when both lie on their common point.
+  /// Returns half the vector, in cells, that shall lead from a to b. Call this when both vertices
+  /// lie at their common point.
   Vec3 half(const WallSides& sides, const std::vector<Through>& edges) const {
     std::vector<Vec3> normals;  // pointing into the wall from the side of a
     addNormals(sides.a, -1, normals);
@@ -113,7 +114,7 @@ class Layer {
   }
 
  private:
-  /// Half the distance from the common point of the two sides to the walls of its cell.
+  /// Returns half the distance from the common point of the two sides to the walls of its cell.
   double roomAt(const WallSides& sides) const {
     const Vec3 at = (surface_.mesh.vertices[sides.a] - grid_.plan.origin) / grid_.plan.cell;
     const Vec3 local = at.array() - at.array().floor();
