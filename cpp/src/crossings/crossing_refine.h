@@ -24,9 +24,9 @@ namespace swept {
 class CrossingRefiner {
  public:
   CrossingRefiner(const SamplerInput& input, const MarkedEdges& marked);
-  /// Refines the crossing of the lattice edge (axis, i, j, k). `fraction` is its place as sampled;
-  /// `low` says that it is seen from the low end. `exactSeconds`, if given, receives the time in
-  /// double.
+  /// Refines a crossing of the lattice edge (axis, i, j, k). `fraction` is the position that the
+  /// sampler found. `low` is true if the crossing is seen from the low end. `exactSeconds`, if
+  /// given, receives the time in double.
   Crossing refine(int axis, std::int32_t i, std::int32_t j, std::int32_t k, float fraction,
                   std::uint32_t element, bool low, double* exactSeconds = nullptr) const;
 
@@ -45,7 +45,7 @@ class CrossingRefiner {
 
   const SamplerInput& input_;
   const MarkedEdges& marked_;
-  std::vector<Placement> placements_;  // applied to the body, they give cells
+  std::vector<Placement> placements_;  // from body coordinates (mm) to grid coordinates (cells)
   std::vector<Placement> bulges_;      // m as an affine map, in cells
 };
 

@@ -12,7 +12,8 @@
 namespace swept {
 namespace {
 
-/// The faces beside an edge of the body's triangles, and the kind of source that the edge is.
+/// The faces beside an edge of the body, and the kind of source of the patches that the edge
+/// sweeps.
 struct EdgeSource {
   std::array<std::int32_t, 2> faces{-1, -1};
   SourceKind kind = SourceKind::Edge;

@@ -6,9 +6,9 @@
 // the mesh stays the same.
 //
 // An edge of the body is sharp or smooth as a whole. Where two faces meet along a chain of edges,
-// the median of their angles decides, so that coarse triangles do not tear the chain to pieces. If
-// an edge sweeps in the plane of a face beside it, this face slides along itself; the row names
-// this face.
+// the median of their angles decides, so that coarse triangles do not make some edges of the chain
+// sharp and others smooth. If an edge sweeps in the plane of a face beside it, this face slides
+// along itself; the row names this face.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
