@@ -39,9 +39,10 @@ std::uint32_t hilbertKey(std::array<std::uint32_t, 3> x) {
   return key;
 }
 
-/// Sorts stably by the upper 32 bits: three passes of 11 bits over blocks of fixed size.
+/// Sorts stably by the upper 32 bits: a radix sort with three passes of 11 bits. The size of the
+/// parallel blocks depends only on the number of keys.
 void sortByKey(Keys& keys) {
-  constexpr std::size_t kFew = 1 << 12;  // for fewer items, the tables of the passes would dominate
+  constexpr std::size_t kFew = 1 << 12;  // for fewer items, a simple sort is faster
   if (keys.size() < kFew) {
     std::sort(keys.data(), keys.data() + keys.size());
     return;
@@ -131,7 +132,7 @@ Keys makeKeys(const Boxes& boxes, double extent) {
 template <class Boxes>
 void sortByMedians(const Boxes& boxes, std::int32_t* first, std::int32_t* last,
                    std::size_t capacity) {
-  constexpr std::size_t kAlone = 4096;  // fewer items do not pay for a task
+  constexpr std::size_t kAlone = 4096;  // fewer items are sorted without a task of their own
   if (static_cast<std::size_t>(last - first) <= capacity) {
     if (capacity > 1) sortByMedians(boxes, first, last, capacity / 2);
     return;
@@ -196,7 +197,7 @@ void BoxTree::build(const RawArray<FloatBox>& boxes, Order order) {
       items_[i] = static_cast<std::int32_t>(keys[i] & 0xffffffffu);
     }
   } else {
-    std::size_t half = 1;  // half of the root's capacity
+    std::size_t half = 1;  // half the number of items that a tree of this height can hold
     while (2 * half < boxes.size()) half *= 2;
     std::iota(items_.data(), items_.data() + boxes.size(), 0);
     sortByMedians(boxes, items_.data(), items_.data() + boxes.size(), half);

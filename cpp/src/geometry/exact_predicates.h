@@ -22,7 +22,7 @@ int orientation3d(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
 int orientation2d(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                   int u, int v);
 
-/// Returns exactly whether the three points lie on one line.
+/// Returns whether the three points lie exactly on one line.
 bool collinear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
 }  // namespace swept

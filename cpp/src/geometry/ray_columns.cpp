@@ -36,7 +36,7 @@ constexpr double kRoom = 1e-12;  ///< margin as a fraction of the largest coordi
 
 using Corners = std::array<const Eigen::Vector3d*, 3>;
 
-/// Returns the smallest and the largest coordinate.
+/// Returns the smallest and the largest coordinate of the corners along an axis.
 std::pair<double, double> extent(const Corners& corners, int axis) {
   return std::minmax({(*corners[0])[axis], (*corners[1])[axis], (*corners[2])[axis]});
 }
