@@ -25,7 +25,7 @@ struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
-  /// Smallest size of one element in a binary file, in bytes: all lists are empty.
+  /// Returns the size in bytes that one element has in a binary file if all its lists are empty.
   std::uint64_t leastBytes() const;
 };
 

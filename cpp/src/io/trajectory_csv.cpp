@@ -106,7 +106,7 @@ class CsvReader {
                         [](std::string_view field) { return startsLikeNumber(field); });
   }
 
-  // True for a row with separators only: some spreadsheets write empty lines so.
+  // Returns true for a row with separators only: some spreadsheets write empty lines in this way.
   bool isBlank() const {
     return std::all_of(fields_.begin(), fields_.end(),
                        [](std::string_view field) { return field.empty(); });
@@ -137,7 +137,7 @@ class CsvReader {
     fromComment_ = false;
     TrajectoryHeader header = readTrajectoryHeader(fields_);
     if (header.missing && isMatrix(fields_.size())) {
-      setWidth(fields_.size());  // names of matrix entries vary, but not their order
+      setWidth(fields_.size());  // the names of matrix entries vary, but their order does not
       return;
     }
     if (header.unknown && (header.missing || fields_.size() <= kPoseColumns.size())) {
@@ -264,7 +264,7 @@ class CsvReader {
   bool rowsBegun_ = false;
   bool fromComment_ = false;
   std::string headerLine_;
-  TrajectoryHeader columns_;  // target empty: order of kPoseColumns, or a matrix
+  TrajectoryHeader columns_;  // without targets: columns as in kPoseColumns, or those of a matrix
   std::vector<std::string_view> fields_;
   std::vector<double> values_;
   std::vector<Pose> poses_;
