@@ -1,4 +1,4 @@
-// Splits the long edges of a turning body, so that fewer placements approximate its motion.
+// Splits the long edges of a turning body, so that fewer placements suffice for its motion.
 // During a turn by the angle a, an edge of length L sweeps a warped patch. The two triangles that
 // replace the patch leave the true ruled surface by up to L a / 4 (warpOf() in step_path.h). To
 // stay within `chord`, the turn needs L a / (4 chord) placements, each with a copy of every face.
@@ -17,7 +17,7 @@ namespace swept {
 
 /// How to approximate a motion.
 struct Following {
-  double longestEdge;  ///< mm, split edges longer than this; infinite if it gains little
+  double longestEdge;  ///< mm, split edges longer than this; infinite if splitting gains little
   double chord;        ///< mm, larger than requested only if there would be too many copies
 };
 

@@ -73,13 +73,15 @@ class StepPath {
 
 double longestEdge(const TriMesh& body);
 
-/// The patch that an edge sweeps over a turn (rad) is warped. Its two triangles leave the ruled
-/// surface by up to this distance, which a bound on the chords of points does not include.
+/// Returns by how much the two triangles that replace the warped patch swept by an edge deviate
+/// from the patch at most. `turn` is in rad; `edge` is the length of the edge. Bounds on the chords
+/// of points do not cover this deviation.
 inline double warpOf(double turn, double edge) { return edge * turn / 4; }
 
-/// Number of pieces per step, not rounded, so that the chords of points and the side patches
-/// together leave the true motion by at most `chord`. With n pieces the arc is off by
-/// r a^2 / (8 n^2) (the exact sagitta is slightly smaller) and the patch by warpOf(a, longest) / n.
+/// Returns the number of pieces per step, not rounded, with which the chords of points and the side
+/// patches together deviate from the true motion by at most `chord`. With n pieces, the chords
+/// deviate by r a^2 / (8 n^2) (the exact sagitta is slightly smaller) and the patches by
+/// warpOf(a, longest) / n.
 double piecesOf(double radius, double angle, double longest, double chord);
 
 }  // namespace swept
