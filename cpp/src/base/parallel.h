@@ -55,8 +55,8 @@ void parallelBlocks(std::size_t n, std::size_t block, const Body& body) {
   });
 }
 
-/// Calls use(n, list) for n in [0, count), which appends values to `list`. Returns all values in
-/// the order of n. `block` successive calls share a list.
+/// Calls use(n, list) for each n in [0, count); `use` appends values to `list`. Returns all values
+/// in the order of n. Each list serves `block` successive calls.
 template <class T, class Use>
 std::vector<T> gather(std::size_t count, std::size_t block, const Use& use) {
   std::vector<std::vector<T>> parts(count / block + 1);

@@ -86,8 +86,8 @@ bool isDisc(const TriMesh& mesh, const Fan& fan) {
   return turns == 1;
 }
 
-/// Returns one corner of every vertex, whichever thread writes last. The counts do not depend on
-/// the choice.
+/// Returns any one corner of every vertex; kNoNeighbour for a vertex without triangles. The choice
+/// does not change the result of the check.
 std::vector<std::uint32_t> someCorner(const TriMesh& mesh) {
   std::vector<std::uint32_t> corner(mesh.vertices.size(), kNoNeighbour);
   tbb::parallel_for(Range(0, mesh.triangles.size(), kGrain), [&](const Range& range) {

@@ -81,8 +81,8 @@ struct DualSurface {
   }
 };
 
-/// `probe` finds the ends of thin walls and hidden sides. With nullptr, a wall ends at its last
-/// crossing.
+/// Builds the dual surface. `probe` finds the ends of thin walls and hidden sides. With nullptr, a
+/// wall ends at its last crossing.
 DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
                              const SurfaceProbe* probe, RunContext& run);
 

@@ -14,7 +14,7 @@ namespace {
 
 /// Two arcs count as flat if the sum of their unevenness() is at most this.
 constexpr double kMaxFlatUnevenness = 2e-3;
-/// Lines start this far outside the surface and end as far inside (cells).
+/// Probe lines start this far outside the surface and end as far inside (cells).
 constexpr double kLineOvershoot = 0.02;
 /// A hit lies on a known side if its normal and that of a crossing have a |cosine| above this (20
 /// degrees).
@@ -128,10 +128,10 @@ bool beginsArc(const Points& ring, std::size_t at) {
          std::abs(q.normal.dot(direction)) > kMaxLevelOffset;
 }
 
-/// Looks for a side between two arcs on which a crossing lies. Cuts the ring into two arcs and
-/// tries the crossings at their ends. The planes of each arc must meet the plane of this crossing
-/// in an edge or corner within the cell. Returns the best such crossing, and in `arcs` the best
-/// cut; nothing if no cut and crossing fulfil this.
+/// Looks for a known side: a side between two arcs of the ring, with a crossing of its own. Cuts
+/// the ring into two arcs in all ways, and tries the crossings at the ends of the arcs. The planes
+/// of each arc must meet the plane of such a crossing in an edge or corner within the cell. Returns
+/// the best crossing, and the arcs in `arcs`; nothing if there is no such crossing.
 std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
   std::optional<Point> found;
   double least = kMaxPlaneMiss * kMaxPlaneMiss;

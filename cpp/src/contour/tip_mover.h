@@ -2,10 +2,9 @@
 //
 // In: the escapes of each layer (vertices whose planes meet outside their cell). Out: moved
 // vertices of the dual surface. Units: cells. Cost: a few cell look-ups per escape.
-// Promise: the result does not depend on the order of the escapes. Each cell grants one point, or
-// several on one crease if they are at least kMinDistance apart. Mending removes the intersections
-// that remain.
-// Source: own method; docs/contouring.md, "Tips".
+// Promise: the result does not depend on the order of the escapes. Vertices that move into the same
+// cell stay at least kMinDistance apart; those nearer to an earlier one do not move. Mending
+// removes the intersections that remain. Source: own method; docs/contouring.md, "Tips".
 //
 // The tip of a corner or wedge can reach into a neighbouring cell without meeting any of its edges.
 // If the way to the point leads through empty cells, the vertex moves to the point. If the point

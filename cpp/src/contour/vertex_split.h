@@ -1,8 +1,8 @@
 // Splits the vertex of a component that has two features, such as edges, in one cell. The crossings
 // are divided into two parts, and each part gets a vertex.
 //
-// Each vertex is fitted to the planes of its part and of the side between the parts, which the
-// crossings do not show (wall_end.h, hidden_side.h). Strips of polygons join the two vertices.
+// Each vertex is fitted to the planes of its part and of the side between the parts, which has
+// hardly any crossings (wall_end.h, hidden_side.h). Strips of polygons join the two vertices.
 // Units: the coordinates of the cell. Source: own method; docs/contouring.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -35,8 +35,8 @@ struct VertexSplit {
   /// Per slot of the component: part 0, part 1, or -1 for neither.
   std::array<std::int8_t, kSlots> part;
   std::vector<ProbeLine> between;  ///< hits on the side between the parts, in grid coordinates
-  /// A point, in the coordinates of the cell, near one end of both features. Set only if the
-  /// crossings of the ring show this end better than the other.
+  /// A point, in the coordinates of the cell, near one end of both features: the crossing on the
+  /// side between the parts. Empty if this side has no crossing.
   std::optional<Eigen::Vector3d> seen;
   /// Folds: places on the faces of the cell where the polygons of the two parts meet, each a pair
   /// of slots. There are two folds, or none if the vertex cannot be split.

@@ -4,8 +4,8 @@
 // manifold, and the pairs that are left. Units: mm, distances as fractions of the cell. Cost: one
 // pass over the triangles to find the region round the pairs; after that, each round looks only at
 // triangles near the remaining pairs.
-// Promise: only polygons near a pair change. The number of rounds is fixed, so the result does not
-// depend on time or threads.
+// Promise: only polygons near a pair change. The number of rounds has a fixed limit, so the result
+// does not depend on time or threads.
 // Source: fans about the crossing after Ju and Udeshi 2006; docs/contouring.md, "Pairs of triangles
 // that meet".
 //

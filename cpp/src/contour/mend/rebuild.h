@@ -1,5 +1,4 @@
-// Last step of mending: refills the cells in which triangles still intersect with triangles that do
-// not.
+// Last step of mending: replaces all triangles of those cells in which triangles still intersect.
 //
 // In: a mended surface of consistent components, its grid, and the pairs that are left. Out: the
 // same surface, closed and manifold, and the pairs that are left now.
