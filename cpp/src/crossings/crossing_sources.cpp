@@ -87,7 +87,8 @@ class EdgeSources {
   std::vector<EdgeSource> sources_;
 };
 
-/// A patch counts as lying in the plane of a face if the cosine exceeds this (2e-3 rad).
+/// A patch counts as lying in the plane of a face if the cosine between their normals exceeds this
+/// (2e-3 rad).
 constexpr double kInPlane = 1 - 2e-6;
 
 /// An edge of the body has swept a patch with this normal. Returns the face beside the edge that

@@ -11,7 +11,7 @@
 namespace swept {
 namespace {
 
-/// In a cell with more pieces (header) than this, the probe finds no hits: the cell certainly holds
+/// In a cell with more pieces (see the header) than this, the probe finds no hits: the cell holds
 /// more than a single wall, and the search would take too long.
 constexpr std::size_t kMaxPieces = 20000;
 /// After this many pieces in a cell, the search leaves out pieces that isPassed() shows to be
@@ -73,7 +73,7 @@ bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
   return true;
 }
 
-/// Returns whether a segment intersects this box.
+/// Returns whether a segment intersects the box about the origin with half sizes `half`.
 bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
                    const Eigen::Vector3d& half) {
   const Eigen::Vector3d middle = (p + q) / 2, way = (q - p) / 2;

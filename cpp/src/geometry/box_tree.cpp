@@ -11,8 +11,8 @@ constexpr std::size_t kGrain = 1 << 13;
 constexpr std::uint32_t kHilbertBits = 10;  // per axis
 using Keys = RawArray<std::uint64_t>;       // key in the upper half, item in the lower half
 
-/// Returns the position along a Hilbert curve through a cube of 2^10 cells per side. Skilling 2004:
-/// undo the rotations bit by bit, then apply the Gray code.
+/// Returns the position along a Hilbert curve through a cube of 2^10 cells per side. Method
+/// (Skilling 2004): undo the rotations bit by bit, then apply the Gray code.
 std::uint32_t hilbertKey(std::array<std::uint32_t, 3> x) {
   for (std::uint32_t q = 1u << (kHilbertBits - 1); q > 1; q >>= 1) {
     const std::uint32_t p = q - 1;
@@ -77,8 +77,8 @@ void sortByKey(Keys& keys) {
   }
 }
 
-/// Rounds down by a few units in the last place, so that the rounding of the difference and of the
-/// conversion cannot move the box inward.
+/// Converts to float and subtracts a few units in the last place. So neither this conversion nor
+/// the rounding of the difference that a caller passes can make a box smaller.
 float roundedDown(double value) {
   const auto f = static_cast<float>(value);
   return f - std::abs(f) * 3e-7f - std::numeric_limits<float>::min();

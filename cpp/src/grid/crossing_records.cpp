@@ -10,8 +10,8 @@
 namespace swept {
 namespace {
 
-/// Collects the crossings of one column, and keeps the two next to the ends of each lattice edge. A
-/// bit set marks the crossed edges, so no sorting is needed.
+/// Collects the crossings of one column. Keeps, for each lattice edge, the crossing nearest to
+/// either end. A bit set marks the crossed edges, so no sorting is needed.
 class ColumnEnds {
  public:
   explicit ColumnEnds(std::size_t points) : ends_(points), crossed_(points / 64 + 1, 0) {}

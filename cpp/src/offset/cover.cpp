@@ -116,7 +116,7 @@ class MotionCover {
   Step stepBefore_, stepAfter_;
 };
 
-/// Returns how far the true motion leaves the chords, in cells. Up to terms of the fourth order, a
+/// Returns how far the true motion deviates from the chords, in cells. Up to fourth-order terms, a
 /// point moves on an arc of constant curvature during a step, so its deviation is largest in the
 /// middle of the step.
 double chordOf(const SamplerInput& input) {

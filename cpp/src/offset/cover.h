@@ -36,7 +36,7 @@ struct CoverTriangle {
 struct Cover {
   std::vector<CoverTriangle> triangles;
   double largestSlack = 0;  ///< cells
-  double chord = 0;         ///< cells, bound on how far the true motion leaves the chords
+  double chord = 0;         ///< cells, bound on the deviation of the true motion from the chords
   /// In grid coordinates: a vertex of each connected piece of the body, at its first placement; for
   /// a union of copies, at every placement.
   std::vector<Eigen::Vector3d> inside;

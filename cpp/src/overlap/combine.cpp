@@ -34,8 +34,8 @@ struct Link {
                   "): a fault of the program; please report it with the parts");
 }
 
-/// Throws if the solid `name` overlaps itself in more than a small part. In a smaller overlap, the
-/// volume is counted more than once, which does no harm.
+/// Throws if more than a small part of the solid `name` overlaps itself. A smaller overlap only
+/// adds its own small volume more than once.
 void requireOnce(const Windings& windings, const std::string& name) {
   constexpr double kMost = 0.01;
   if (windings.more <= kMost * (windings.once + windings.more)) return;

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMaxPoints = 8;  // tested per component
+constexpr std::size_t kMaxPoints = 8;  // lattice points tested per component
 /// A point nearer to the body than this (cells) counts as inside.
 constexpr double kGrazing = 0.05;
 

@@ -23,8 +23,9 @@ namespace swept {
 
 using SolidPoint = std::function<bool(std::int32_t i, std::int32_t j, std::int32_t k)>;
 
-/// Opens the hollow components and returns their number. isSolid(i, j, k), if given, tells which
-/// lattice points are solid in any case: for an offset, the points within the distance.
+/// Sets the hollow components to outside and returns their number. isSolid(i, j, k), if given,
+/// tells which lattice points are solid in any case: for an offset, those within the offset
+/// distance.
 std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& component,
                           const MarkedEdges& marked, const GridPlan& grid, const TriMesh& body,
                           const Motion& motion, const SolidPoint& isSolid, RunContext& run);
