@@ -20,7 +20,7 @@ namespace {
 struct Patches {
   std::vector<std::int32_t> ofTriangle;
   std::vector<std::uint8_t> flip;               ///< per triangle: 1 if it must be reversed
-  std::vector<std::uint8_t> mixed, consistent;  ///< per patch; mixed: has reversed triangles
+  std::vector<std::uint8_t> mixed, consistent;  ///< per patch; mixed: some triangles are reversed
   std::int64_t turned = 0;
   std::int32_t count() const { return static_cast<std::int32_t>(mixed.size()); }
 };

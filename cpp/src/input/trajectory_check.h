@@ -24,9 +24,9 @@ struct CheckedTrajectory {
   std::vector<Finding> findings;
 };
 
-/// Throws Error(InvalidInput) with the code EmptyTrajectory, BadPose, NotRigid or AmbiguousTurn.
-/// The last one only occurs if poses are interpolated: a turn within 1 degree of 180 between two
-/// poses has no unique shortest way.
+/// Checks and mends the poses. Throws Error(InvalidInput) with the code EmptyTrajectory, BadPose,
+/// NotRigid or AmbiguousTurn. AmbiguousTurn occurs only if poses are interpolated: a turn within 1
+/// degree of 180 between two poses has no unique shortest way.
 CheckedTrajectory checkTrajectory(const Trajectory& trajectory,
                                   RepeatedPoses repeated = RepeatedPoses::Drop);
 

@@ -16,7 +16,7 @@ namespace swept {
 struct PlyProperty {
   std::string name;
   int bytes = 0;       ///< size of the value, or of one list entry
-  int countBytes = 0;  ///< lists: size of the number of entries; 0 for a plain value
+  int countBytes = 0;  ///< size of the count before the entries of a list; 0 for a plain value
   bool isFloat = false;
   bool isSigned = false;  ///< an integer that may be negative
 };

@@ -27,7 +27,7 @@ void checkTextStl(std::istream& stream, const std::string& path);
 void checkBinaryStl(std::istream& stream, const std::string& path);
 
 std::string readAll(std::istream& stream);
-/// Convert a word to a number. Throw like TextScanner::expected() if it is not one.
+/// Convert a word to a number. Throw like TextScanner::expected() if the word is not a number.
 double toNumber(TextScanner& scan, std::string_view word);
 std::int64_t toInteger(TextScanner& scan, std::string_view word);
 /// Parse a text that must consist of one number, which may have a leading +. The locale does not

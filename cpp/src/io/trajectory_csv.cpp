@@ -1,4 +1,5 @@
-// Reads a table of poses row by row, up to a limit of rows. Any error refuses the whole table.
+// Reads a table of poses row by row, up to a limit of rows. A single error makes the reader refuse
+// the whole table.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <array>
@@ -208,7 +209,8 @@ class CsvReader {
     return parseNumber(pointed, value);
   }
 
-  // A decimal comma, such as 0,5, splits a number in two: the row then has too many columns.
+  // Returns a hint about decimal commas. If the comma is the separator, it splits a number such as
+  // 0,5 in two, so the row has too many columns.
   std::string hint() const {
     const bool doubled = separator_ == ',' && fields_.size() > 8;
     return doubled ? "; if the numbers have decimal commas, write them with points" : "";
