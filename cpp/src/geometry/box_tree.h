@@ -50,7 +50,8 @@ class BoxTree {
   struct FloatBox {
     float low[3], high[3];
   };
-  /// Boxes of four siblings, relative to middle(). The box of an empty lane intersects nothing.
+  /// Boxes of four siblings (lanes), relative to middle(). In a group with fewer siblings, the
+  /// boxes of the unused lanes intersect nothing.
   struct alignas(32) Group {
     float low[3][kWidth], high[3][kWidth];
 

@@ -18,10 +18,9 @@ constexpr double kFromPoint = 1e-3;  // cells: smallest distance of crossings fr
 constexpr double kDipsBelow = 2;
 constexpr double kShortest = 1.0 / 32;  // fraction of an edge: shorter dips are not searched for
 // Offset distances (cells).
-constexpr double kApart = 0.5;  // below: an edge may pass through two separate walls
-constexpr double kThin =
-    kShortest / 2;              // below: shorter dips (at thin walls) are searched for, too
-constexpr double kFlat = 1e-3;  // below: crossings have the normals of the cover triangles
+constexpr double kApart = 0.5;           // below: an edge may pass through two separate walls
+constexpr double kThin = kShortest / 2;  // below: shorter dips are searched for, too
+constexpr double kFlat = 1e-3;           // below: crossings have the normals of the cover triangles
 
 /// Returns the t in [0, 1] at which origin + t * path first comes within `radius` of the triangle;
 /// 1 if the path does not come so near.
