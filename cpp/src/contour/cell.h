@@ -30,7 +30,7 @@ constexpr int edgeOf(int axis, int ob, int oc) { return axis * 4 + ob + 2 * oc; 
 struct Cell {
   std::uint32_t mask = 0;  ///< one bit per slot, set if the slot holds a crossing
   std::uint16_t k = 0;
-  /// Per edge: index of the crossing in its lowest filled slot.
+  /// Per edge: index of the crossing in the lowest filled slot of the edge.
   std::array<std::uint32_t, kEdges> first;
 
   bool has(int slot) const { return (mask >> slot & 1u) != 0; }

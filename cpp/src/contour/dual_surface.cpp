@@ -43,8 +43,8 @@ struct VertexFit {
     constexpr double kMinMiss = 0.1;  // cells; docs/contouring.md, "Known sides"
     return meanSquaredMiss > kMinMiss * kMinMiss;
   }
-  /// Returns whether clearly different planes meet outside the cell and miss every point in the
-  /// cell by a little at least.
+  /// Returns whether clearly different planes meet outside the cell and keep at least a small mean
+  /// distance from every point in the cell.
   bool mayHideSide() const {
     // Cells; 679 of the fandisk's 146,000 cells are probed with these limits (docs/contouring.md).
     constexpr double kMinOutside = 0.02, kMinMiss = 0.008;

@@ -21,8 +21,8 @@
 
 namespace swept {
 
-/// Looks for a side of the component between two others. Returns false if there is none, or if none
-/// of its edges lies in the cell. With `betweenPlanes`, the search is for hidden sides only, and
+/// Looks for a side of the component between two other sides. Returns false if there is none, or if
+/// no edge of this side lies in the cell. With `betweenPlanes`, looks for hidden sides only, and
 /// only between two flat arcs: planes of a curved surface may miss each other without such a side.
 bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                     int component, const Crossing* crossings, const SurfaceProbe& probe,

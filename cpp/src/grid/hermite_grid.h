@@ -34,7 +34,7 @@ struct HermiteEdge {
 struct HermiteLayer {
   std::array<std::vector<HermiteEdge>, 3> edges;
   std::array<std::vector<std::uint32_t>, 3> columnStart;
-  std::uint32_t firstCrossing = 0;  ///< the crossings of a layer are consecutive
+  std::uint32_t firstCrossing = 0;  ///< index of the first crossing; the others of the layer follow
 };
 
 struct HermiteGrid {

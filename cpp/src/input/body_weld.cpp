@@ -134,7 +134,8 @@ std::vector<std::int32_t> toleranceWeld(const std::vector<Eigen::Vector3d>& vert
     map[v] = static_cast<std::int32_t>(v);
     count += candidates[v];
   }
-  // Boxes of two tolerances: all points within one tolerance lie in this box or an adjacent one.
+  // Sorts the points into boxes with a side of two tolerances. All points within one tolerance of a
+  // point lie in its box or an adjacent one.
   const double box = 2 * tolerance;
   auto cellOf = [&](const Eigen::Vector3d& p, int axis, int step) {
     return std::floor(p[axis] / box) + step;

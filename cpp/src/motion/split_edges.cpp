@@ -98,8 +98,8 @@ class SamplingCost {
   }
 
  private:
-  /// Returns the number of pieces of a triangle. Halving leaves triangles with an area of about a
-  /// quarter of longest^2.
+  /// Returns the number of pieces into which splitEdges() cuts a triangle. The pieces have an area
+  /// of about a quarter of longest^2.
   static double pieces(const Extent& e, double longest) {
     return e.side <= longest ? 1 : 2 * e.side / longest * std::max(1.0, e.height / longest);
   }

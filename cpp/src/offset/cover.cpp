@@ -16,7 +16,7 @@ namespace {
 constexpr double kTwist = 0.005;  // cells: patches are cut into pieces whose warp is at most this
 constexpr int kMaxParts = 256;
 
-/// The data of one motion step that the triangles at both of its ends need.
+/// What the cover triangles at the start and at the end of a motion step need to know of this step.
 struct Step {
   Placement from, to;  // from body coordinates (mm) to grid coordinates (cells)
   double turn = 0;     // rad, an upper bound

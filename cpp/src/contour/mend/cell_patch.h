@@ -26,7 +26,7 @@ namespace swept {
 
 /// One ring and its vertex, in mm.
 struct PatchRing {
-  /// A crossing, then the point on the chord after it, and so on.
+  /// The crossings of the ring, each followed by the point on the chord to the next crossing.
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3d> vertices;  ///< wanted places of the vertex, the best first
 };

@@ -25,7 +25,7 @@ constexpr int kReachCells = 4;
 constexpr std::size_t kPerTask = 1 << 15;
 // Largest number of rounds, to limit the time. Mending ends earlier if no pairs are left.
 constexpr int kRounds = 8;
-/// The first round already aligns the sides of walls up to this thickness (cells).
+/// The first round aligns only the sides of walls up to this thickness (cells).
 constexpr double kMaxFirstThickness = 0.1;
 /// Distances (cells) by which a corner steps aside, tried in turn. The first is just above
 /// rounding.
@@ -189,8 +189,8 @@ class Mender {
     mesh_.vertices[v] = toWorld(now + weight * (mass - now));
   }
 
-  /// Returns whether fans alone are enough round this vertex: no other vertex shares its cell, and
-  /// the vertex lies inside the cell.
+  /// Returns whether fans round this vertex are enough, so that it need not move: no other vertex
+  /// shares its cell, and the vertex lies inside the cell.
   bool settled(std::int32_t v) const {
     return static_cast<std::size_t>(v) >= surface_.dualVertices ||
            surface_.cellFlags[v] == Surface::kInsideCell;

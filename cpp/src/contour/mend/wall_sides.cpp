@@ -34,9 +34,9 @@ TrianglesAround::const_iterator firstAt(const TrianglesAround& around, std::int3
   return std::lower_bound(around.begin(), around.end(), std::pair(v, std::int32_t{-1}));
 }
 
-/// Returns the direction whose smallest product with the normals is largest. It points to the
-/// centre of the smallest ball that contains the end points of the normals (Badoiu and Clarkson
-/// 2003).
+/// Returns the direction whose smallest scalar product with the normals is largest. This direction
+/// points to the centre of the smallest ball that contains the end points of the normals (Badoiu
+/// and Clarkson 2003).
 Vec3 directionAmong(const std::vector<Vec3>& normals) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& n : normals) middle += n;
