@@ -26,7 +26,8 @@ struct HermiteEdge {
   /// high end. If the edge has both, their indices are successive.
   std::uint32_t first = 0;
   std::uint16_t k = 0;
-  /// Bits kLow and kHigh: set if this end lies outside, so that there is a crossing seen from it.
+  /// Bits kLow and kHigh: each is set if its end of the edge lies outside. There is then a crossing
+  /// seen from this end.
   std::uint8_t sides = 0;
 };
 

@@ -134,7 +134,7 @@ std::vector<std::int32_t> toleranceWeld(const std::vector<Eigen::Vector3d>& vert
     map[v] = static_cast<std::int32_t>(v);
     count += candidates[v];
   }
-  // Sorts the points into boxes with a side of two tolerances. All points within one tolerance of a
+  // Hashes the points by boxes with a side of two tolerances. All points within one tolerance of a
   // point lie in its box or an adjacent one.
   const double box = 2 * tolerance;
   auto cellOf = [&](const Eigen::Vector3d& p, int axis, int step) {

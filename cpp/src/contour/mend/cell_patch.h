@@ -34,7 +34,7 @@ struct PatchRing {
 struct CellPatch {
   std::vector<Eigen::Vector3d> added;  ///< mm
   std::vector<std::size_t> ringOf;     ///< per point of `added`
-  /// Corners are numbered through the points of all rings, then through `added`.
+  /// The corner indices count the points of all rings first, then the points of `added`.
   std::vector<std::array<std::int32_t, 3>> triangles;
   std::vector<std::int8_t> slotOf;  ///< per triangle: the slot of its crossing
   bool layered = false;  ///< true if all choices of fans intersect, so that the rings were shrunk

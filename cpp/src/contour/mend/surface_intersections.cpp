@@ -64,7 +64,7 @@ class PolygonSorter {
   bool inside(std::int32_t v) const {
     return (surface_.cellFlagsOf(v) & Surface::kInsideCell) != 0;
   }
-  /// Tests a fan about a point of the lattice edge.
+  /// Does the test of lies() for a fan, whose centre must be a point of the lattice edge.
   bool fanLies(const PolygonEdge& edge, const Polygon& polygon) const {
     const Triangle* triangles = &surface_.mesh.triangles[polygon.first];
     const Eigen::Vector3d centre = local(edge, triangles[0][0]);
@@ -94,7 +94,7 @@ class PolygonSorter {
     const Eigen::Vector3d from = local(edge, a), to = local(edge, c);
     const Passage b = passage(from, to, local(edge, p[third]));
     const Passage d = passage(from, to, local(edge, q[fourth]));
-    // A diagonal that practically passes through the lattice edge counts for either side.
+    // A diagonal that nearly meets the lattice edge may pass on either side of it.
     return b.inside || d.inside || (b.atEdge && d.atEdge);
   }
 
