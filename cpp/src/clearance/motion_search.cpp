@@ -56,8 +56,8 @@ class MinimumSearch {
     queue_.push({key, number_++, node, hint, level});
   }
 
-  // Measures the distance at a few spread representatives for a first bound, and starts the queue
-  // with their nodes.
+  // Measures the distance at the representative poses of a few nodes spread over the motion, for a
+  // first bound. Starts the queue with these nodes.
   void seed() {
     std::vector<MotionNode> nodes{c_.motion.root()};
     for (bool grown = true; grown && nodes.size() < 32;) {

@@ -11,8 +11,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Gap of two boxes at one pose. The gap is a lower bound of the distance, and the boxes are at
-// least so far apart along the direction of the gap.
+// Gap of two boxes at one pose. The gap is a lower bound of the distance. Along the direction of
+// the gap, the boxes are at least that far apart.
 class BoxGap {
  public:
   BoxGap(const Matrix3d& R, const Vector3d& t) : R_(R), t_(t), absolute_(R.cwiseAbs()) {}

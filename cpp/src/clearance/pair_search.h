@@ -1,5 +1,5 @@
 // Distance of two meshes at one pose, and proof that they stay apart during a part of a motion.
-// In:      the hierarchies of both meshes; a pose, or a node of the hierarchy over the motion.
+// In:      the bounding volume hierarchies of both meshes; a pose, or a node of the motion's tree.
 // Out:     the nearest pair of triangles, or "no pair comes nearer than x anywhere in this node".
 // Units:   mm.
 // Cost:    proportional to the surface area that lies nearer than the distance in question.

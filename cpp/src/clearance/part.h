@@ -3,10 +3,11 @@
 // Out:     their bounding volume hierarchy, nearest point, inside test.
 // Units:   mm.
 // Cost:    O(n) to build, about 220 bytes per triangle; O(log n) per query on well-shaped parts.
-// Long thin triangles are frequent on tessellated solids. They are cut into pieces first (at most
-// half as many more triangles): a box around a long oblique sliver is nearly empty and would be
-// visited in vain. The boxes keep the axes of their mesh, so one rotation serves each pair of boxes
-// of two meshes. A box test is then several times cheaper than with individually oriented boxes.
+// Tessellated solids often have long thin triangles. A box around a long oblique sliver is nearly
+// empty, and a search would enter it in vain. So slivers are cut into pieces first, which adds at
+// most half as many triangles. All boxes keep the axes of their mesh. One rotation then serves all
+// pairs of boxes of two meshes, which makes a box test several times cheaper than with individually
+// oriented boxes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -69,11 +70,12 @@ class Part {
   static std::vector<Piece> cutSlivers(const TriMesh& mesh);
 
   BoxTree tree_;
-  std::vector<Triangle3d> corners_;      ///< by place in the tree
-  std::vector<std::int64_t> triangles_;  ///< by place: the triangle of the mesh
+  std::vector<Triangle3d> corners_;  ///< by place in the tree
+  /// by place in the tree: the triangle's number in the mesh
+  std::vector<std::int64_t> triangles_;
   Plates plates_;
   std::vector<Eigen::Vector3d> pieces_;
-  /// On the heap, so that rays_ can refer to it even after the part is moved.
+  /// On the heap: rays_ refers to the mesh, which must keep its address when the Part is moved.
   std::unique_ptr<const TriMesh> mesh_;
   std::optional<RayColumns> rays_;  ///< only for closed meshes
 };

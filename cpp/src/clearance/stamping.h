@@ -1,11 +1,11 @@
-// Slow reference computation: one distance query at each pose, with the hierarchy of the library
-// FCL.
+// Computes the smallest distance slowly, as a reference: with one distance query of the library FCL
+// at each pose.
 // In:      body, poses, neighbour.
 // Out:     the smallest distance and the pose at which it occurs.
 // Units:   mm.
 // Cost:    one query per pose.
-// An independent check for tests and for `swept clearance --stamp`. It shares no search code with
-// the fast computation and sees nothing between the given poses.
+// This is an independent check for tests and for `swept clearance --stamp`. It shares no search
+// code with the fast computation and sees nothing between the given poses.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -10,8 +10,9 @@
 namespace swept::clearance {
 
 struct Summary {
-  int smallest = -1;  ///< the nearest row: deepest clash first, allowed contacts last; -1: no rows
-  std::string text;   ///< "12 checked, 1 contact, smallest 0 mm at t = 4.1 s (bracket)"
+  /// index of the nearest row, -1 if there is none; see nearer() in summary.cpp
+  int smallest = -1;
+  std::string text;  ///< "12 checked, 1 contact, smallest 0 mm at t = 4.1 s (bracket)"
 };
 
 /// Whether the text gives the time of the smallest distance.
