@@ -71,7 +71,7 @@ class Part {
 
   BoxTree tree_;
   std::vector<Triangle3d> corners_;  ///< by place in the tree
-  /// by place in the tree: the triangle's number in the mesh
+  /// By place in the tree: the triangle's number in the mesh.
   std::vector<std::int64_t> triangles_;
   Plates plates_;
   std::vector<Eigen::Vector3d> pieces_;

@@ -10,7 +10,7 @@
 namespace swept::clearance {
 
 struct Summary {
-  /// index of the nearest row, -1 if there is none; see nearer() in summary.cpp
+  /// Index of the row with the smallest distance; allowed contacts come last. -1: no rows.
   int smallest = -1;
   std::string text;  ///< "12 checked, 1 contact, smallest 0 mm at t = 4.1 s (bracket)"
 };

@@ -14,8 +14,8 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t kMostPairs = 4000, kMostContacts = 200;
 
-// Speed at which a contact opens, as a linear function of the twist. Rotations are scaled by the
-// radius, as in the length of moves.
+// Returns the speed at which a contact opens, as a linear function of the twist. Rotations are
+// scaled by the radius of the part, as in the length of moves.
 Vector6d opening(const Scene& scene, const State& state, const Contact& contact) {
   Vector6d row;
   row << contact.normal, (contact.point - state.middle).cross(contact.normal) / scene.radius();

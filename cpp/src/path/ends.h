@@ -1,5 +1,5 @@
-// Start and goal of a path: checks whether the part is free there, and finds ways out of contact if
-// it touches a neighbour.
+// Examines the start, the goal or another required placement of a path. Checks whether the part is
+// free there, and finds ways out of contact if it touches a neighbour.
 // In:      a placement that a path has to reach.
 // Out:     ways from there to placements that keep the required distance from each neighbour; or an
 //          Error that names the neighbour in the way and the distance or depth.
@@ -38,8 +38,8 @@ Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOpt
 
 struct End {
   State state;
-  /// mm, by neighbour: how deep the part may lie inside it within the release distance of this end.
-  /// Negative: the part must keep the usual clearance.
+  /// mm, one entry per neighbour: how deep the part may lie inside the neighbour within the release
+  /// distance of this end. Negative: the part must keep the usual clearance from the neighbour.
   std::vector<double> allowedDepth;
   /// Ways out of contact. Each is a list of keys from this state to a state that keeps all required
   /// distances. A list with one key means that this state already keeps them.
@@ -69,8 +69,8 @@ End touchedAt(const Scene& scene, const Demand& demand, const State& state, cons
 End examineEnd(const Scene& scene, const Demand& demand, const State& state,
                const std::string& what, RunContext& run);
 
-/// Whether the part lies nowhere deeper in the neighbours that it touches at this end than `end`
-/// allows.
+/// Returns whether the motion stays within `end.allowedDepth`: the part never lies deeper in a
+/// neighbour that it touches at this end.
 bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
                    const Trajectory& motion, RunContext& run);
 

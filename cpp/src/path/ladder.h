@@ -34,7 +34,7 @@ struct LegResult {
   std::string method;
   bool noTranslation = false;  ///< proven: no path without turning exists
   State farthest;              ///< if no path is found: the farthest state in the tree of the goal
-  std::vector<std::int64_t> blocked;  ///< by neighbour: how often it was in the way
+  std::vector<std::int64_t> blocked;  ///< for each neighbour, how often it was in the way
   std::int64_t steps = 0;
 };
 
@@ -43,7 +43,8 @@ struct Limits {
   double seconds = 0;
   std::uint64_t seed = 1;
   PathWatch* watch = nullptr;
-  std::int64_t mostSteps = 0;  ///< of the search in six dimensions; 0: no limit
+  /// Largest number of queries in the search in six dimensions; 0: no limit.
+  std::int64_t mostSteps = 0;
   bool over() const { return timer.seconds() > seconds; }
 };
 

@@ -83,8 +83,8 @@ class Sequencer {
   }
 
   // Finds the order backwards: the part that comes last is the first that can be removed. If
-  // several can, takes the one that is last in the given order, so that a valid given order is
-  // kept.
+  // several parts can be removed, takes the one that is last in the given order. This keeps a given
+  // order that is valid.
   void takeApart() {
     std::vector<Left> left;
     for (std::size_t i = parts_.size(); i-- > 0;) left.push_back({i});

@@ -21,14 +21,14 @@
 
 namespace swept::path {
 
-/// Returns keys from start to goal, or nothing if none are found within `places` placements on any
-/// grid.
+/// Returns keys from start to goal. Returns an empty list if no path is found within `places`
+/// placements on any grid.
 std::vector<State> shiftsOnly(const Scene& scene, const Rule& rule, const SearchSpace& space,
                               const State& start, const State& goal, int places, Memory& memory,
                               RunContext& run);
 
-/// Returns true only if it is proven that no path without turning leads from the goal to the start;
-/// without a start, out of the search space.
+/// Returns true only if it is proven that no path without turning leads from the goal to the start.
+/// If `start` is null: that none leads out of the search space.
 bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, const State* start,
               const State& goal, int places, RunContext& run);
 

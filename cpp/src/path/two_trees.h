@@ -52,7 +52,7 @@ class TwoTrees {
   std::int64_t steps() const { return memory_.steps; }
   /// The state in the goal's tree whose middle is farthest from its root.
   const State& farthest() const { return trees_[1][farthest_].state; }
-  /// By neighbour: how often it was in the way.
+  /// For each neighbour: how often it was in the way.
   const std::vector<std::int64_t>& blocked() const { return memory_.blocked; }
 
  private:
