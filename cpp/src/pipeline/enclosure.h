@@ -1,4 +1,4 @@
-// Finds the outside of a sweep and checks that it stays out of the body.
+// Finds the outside of a sweep and checks that the outside does not reach into the body.
 // In:    marked edges or a Hermite grid, and the inputs of the run.
 // Out:   the lattice points that the outside reaches; warnings in the report.
 // Throws Error(InvalidInput, "CellTooLarge") if there is nothing to contour, and
@@ -14,7 +14,7 @@
 
 namespace swept {
 
-/// Finds the outside. With keepCavities, hollow spaces that it cannot reach count as outside, too.
+/// Finds the outside. With keepCavities, closed hollow spaces count as outside, too.
 SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const SolidPoint& isSolid,
                    const Prepared& prepared, bool keepCavities, Report& report, RunContext& run);
 

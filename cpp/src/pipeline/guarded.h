@@ -1,4 +1,4 @@
-// The only place where exceptions become a status.
+// Turns the exceptions of a run into the status of its result.
 //
 // In:  a result, and the work that fills it.
 // Out: the result of the work; or, if it threw, an empty result whose report names the failure.

@@ -46,8 +46,8 @@ constexpr double kBytesPerCopy = 24;
 /// Largest number of triangle copies in a preview, so that it stays quick.
 constexpr double kPreviewCopies = 4e6;
 
-/// Refines the motion so that it needs at most half of the memory. Splits the long edges of a
-/// turning body if `maySplit`.
+/// Refines the motion, so finely that it needs at most half of the memory limit. Splits the long
+/// edges of a turning body if `maySplit`.
 Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, RunContext& run) {
   const Trajectory& trajectory = p.trajectory.trajectory;
   const double chord = options.chordTolerance * cell;
@@ -60,9 +60,9 @@ Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, 
     if (std::isfinite(how.longestEdge)) p.body.mesh = splitEdges(p.body.mesh, how.longestEdge, run);
     return refineMotion(p.body.mesh, trajectory, how.chord, run);
   }
-  // The cover (offset/) flattens side patches itself. So only the chords of points count here: the
-  // body has no triangles. An offset is measured from the chords, a conservative envelope from the
-  // true motion near them.
+  // The cover (offset/) flattens side patches itself. So only the chords of points count here, and
+  // the body is replaced by its vertices. An offset is measured from the chords, a conservative
+  // envelope from the true motion near them.
   TriMesh points;
   points.vertices = p.body.mesh.vertices;
   return refineMotion(points, trajectory, chord / 2, run);

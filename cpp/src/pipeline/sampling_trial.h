@@ -2,11 +2,12 @@
 // In:    the sampler input of the run, with clusters.
 // Out:   CPU seconds, crossings and elements of the whole motion.
 // Cost:  limited by counts of triangle copies and crossings, not by time: about kTrialWork, or up
-//        to twice as much if that covers the whole motion. The map of the inside costs as in a run.
-// Method: a part consists of a few steps at some places of the motion. For a body with many
-//        triangles it shows only some clusters of faces, while culling uses the whole body. Parts
-//        use the work items of the run and leave out the same blocks and groups of placements
-//        (sampling/culling/step_blocks.h).
+//        to twice as much if that covers the whole motion. Building the map of the inside takes as
+//        long as in a run.
+// Method: a trial samples windows of a few steps at some places of the motion. For a body with many
+//        triangles, a window uses only some clusters of faces, while culling still uses the whole
+//        body. Windows are cut into the work items of the run and skip the blocks and groups of
+//        placements that the run skips (sampling/culling/step_blocks.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -52,7 +53,7 @@ class SamplingTrial {
   SamplingCost byWindows(std::size_t count, const Parts& parts) const;
   SamplingCost byAllSteps(std::size_t count, const Parts& parts) const;
   std::size_t mostClusterParts() const;
-  /// Returns the fraction of all faces that a trial with `clusterParts` shows.
+  /// Returns the fraction of all faces that a trial with `clusterParts` samples.
   double fractionShown(std::size_t clusterParts) const;
 
   SamplerInput input(const Motion& motion) const;
