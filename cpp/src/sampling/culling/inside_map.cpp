@@ -108,8 +108,9 @@ InsideMap::InsideMap(const MarkedEdges& marked, const SignRuns& signs, const Gri
 }
 
 void InsideMap::findFronts(const MarkedEdges& marked, const SignRuns& signs, const GridPlan& grid) {
-  /// Only crossings at least this far behind a known one are hidden, in 1 / kParts of an edge. This
-  /// is well above the precision of crossings, so an equal crossing is never hidden.
+  /// A crossing is hidden only if it lies at least this far behind a known one, in units of 1 /
+  /// kParts of an edge. This is well above the precision of crossings, so an equal crossing is
+  /// never hidden.
   constexpr float kApart = 0.01f;
   for (auto& fronts : fronts_) fronts.resize(depth_.size());
   parallelFor(static_cast<std::size_t>(grid.points[0]), [&](std::size_t layer) {

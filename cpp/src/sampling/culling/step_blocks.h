@@ -28,10 +28,11 @@ struct PlaceBlock {
   Eigen::Matrix3d turn;
   Eigen::Vector3d place;
   double placeSpread = 0;  ///< largest deviation at the centre, cells
-  double turnSpread = 0;   ///< further deviation per mm of distance from it
+  double turnSpread = 0;   ///< further deviation per mm of distance from the centre
 };
 
-/// Bounds of placements. A placement is twelve numbers here; boxes bound these numbers.
+/// Computes bounds of placements. A placement is twelve numbers here, and boxes bound these
+/// numbers.
 class PlaceBounds {
  public:
   PlaceBounds(const SamplerInput& input, const FaceClusters& clusters);
@@ -62,12 +63,12 @@ class PlaceBounds {
   double radius_ = 0;
 };
 
-/// Groups of placements that lie within a small part of a cell, at whatever times, with the
+/// Groups of placements that differ by a small part of a cell, at any times of the motion, with the
 /// clusters that each group shows. Empty unless the motion often returns to the same places.
 class PlaceGroups {
  public:
-  /// For a trial: the constructor only decides the groups of the placements `only`, and estimates
-  /// the time for the other groups.
+  /// For a trial. Then the constructor only decides the groups that contain placements of `only`,
+  /// and estimates the time for the other groups.
   struct Trial {
     std::vector<PlacementRange> only;
     double secondsOfOthers = 0;  ///< CPU seconds, on one thread
@@ -80,8 +81,8 @@ class PlaceGroups {
   const ShownClusters& shownAt(std::size_t placement) const { return shown_[groupOf_[placement]]; }
 
  private:
-  /// Returns the boxes of the groups of this size, and the group of each placement. Ends early if
-  /// there are too many groups to be worth it.
+  /// Returns the boxes of the groups of at most `cells` in size, and the group of each placement.
+  /// Ends early if there are too many groups to be worth it.
   static std::vector<PlaceBounds::Box> group(const std::vector<PlaceBounds::Box>& boxes,
                                              double cells, double radius,
                                              std::vector<std::uint32_t>& groupOf);
@@ -92,7 +93,7 @@ class PlaceGroups {
 
 class StepBlocks {
  public:
-  /// Blocks for the placements [begin, end).
+  /// Builds the blocks for the placements [begin, end).
   StepBlocks(const SamplerInput& input, const FaceClusters& clusters, const PlaceGroups& groups,
              std::size_t begin, std::size_t end);
 
@@ -112,7 +113,7 @@ class StepBlocks {
  private:
   static constexpr std::size_t kShift = 3, kMostLevels = 2;
 
-  /// level 0: a single placement.
+  /// Visits the block `at` of a level. At level 0, a block is a single placement.
   template <class Use>
   void visit(std::size_t level, std::size_t at, const ShownClusters& above, const Use& use) {
     if (level == 0) {

@@ -43,7 +43,7 @@ struct MotionStep {
 int directionOf(const SamplerInput& input, const MotionStep& step, std::size_t face);
 
 /// Directions of faces during one step. Each cluster and face is decided at its first query. The
-/// buffers are reused for the next step. Not for several threads at a time.
+/// buffers are reused for the next step. Not safe for several threads at a time.
 class FaceDirections {
  public:
   FaceDirections(const SamplerInput& input, const FaceClusters& clusters);

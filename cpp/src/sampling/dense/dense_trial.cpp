@@ -23,9 +23,11 @@ constexpr std::size_t kFacesOfPatch = 1300, kFewestPatches = 4, kMostPatches = 1
 /// Only the middle of a patch is sampled, the fraction 1 / kPartOfPatch of its faces. There the
 /// missing surroundings of the patch have no effect.
 constexpr std::size_t kPartOfPatch = 6;
-/// Largest number of faces at one vertex that join a patch. The hub of a fan has faces far apart.
+/// Largest number of faces at one vertex that join a patch. At the hub of a fan, faces reach far
+/// apart.
 constexpr std::size_t kMostOfStar = 48;
-/// Number of points for timing exact tests, and exact tests per open point while it is followed.
+/// Number of exact tests that are timed, and number of exact tests that a run needs for each open
+/// point.
 constexpr std::size_t kTests = 500;
 constexpr double kFollowed = 3;
 /// Bytes of a placement (in the tree and in cells), of a face (in the lists of candidates, whole

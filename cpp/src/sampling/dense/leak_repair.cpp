@@ -13,7 +13,8 @@
 namespace swept::dense {
 namespace {
 
-// Limits memory and time: the table of covered points then takes several hundred MB.
+// Largest number of covered points. It limits memory and time: their table then takes several
+// hundred MB.
 constexpr std::size_t kMaxFollowed = 6'000'000;
 constexpr std::size_t kMaxTried = 8;  // placements tested exactly per point
 constexpr std::size_t kTrialPoints = 4000;

@@ -46,7 +46,7 @@ class PairSampler {
 
   const SamplerInput& input_;
   RunContext& run_;
-  std::vector<Placement> placements_;    // with results in cells
+  std::vector<Placement> placements_;    // their results are in cells
   std::vector<std::uint32_t> identity_;  // 0, 1, 2 ...: entries serve as lists of one placement
   std::vector<Item> items_;
   MarkedEdges marked_;
