@@ -14,8 +14,8 @@
 
 namespace swept {
 
-/// The part of one worker. The worker may change the vertices with its number in partOf, and keeps
-/// their coordinate on the axis within [low, high).
+/// The part of one worker. The worker may change the vertices that have its number in partOf. Their
+/// coordinate along the axis stays within [low, high).
 struct WorkPart {
   /// By vertex: the number of its worker. null: all vertices belong to this worker.
   const std::vector<std::int32_t>* partOf = nullptr;

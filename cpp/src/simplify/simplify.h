@@ -5,9 +5,10 @@
 //          collapses (collapse.h) use the rest. Then the deviation is measured in both directions.
 //          Where it is too large, a second round also watches the missed points and the places that
 //          deviate. Further rounds use less of the tolerance.
-// The surface is kept, so that it can be simplified again with another tolerance. Coarse tolerances
-// share thinned surfaces, called levels. Level 0 is the surface, and each further level is thinned
-// from the previous one within twice its limit. A level is built at its first use.
+// The surface is kept, so that it can be simplified again with another tolerance. All tolerances
+// share a series of thinned surfaces, called levels. The first level is thinned from the surface,
+// each further level from the previous one with a limit twice as large. A level is built at its
+// first use.
 // Units:   mm.
 // Cost:    O(n) for the levels, O(m log m) to simplify a level of m triangles.
 // SPDX-License-Identifier: LGPL-2.1-or-later

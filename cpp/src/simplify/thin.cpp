@@ -154,8 +154,9 @@ class Thinner {
       if (partOf_[v] != partOf_[w]) inner_[v] = inner_[w] = 0;
     }
   }
-  // Removes vertices in [begin, end). With `inner`, only those with all neighbours in their part:
-  // collapses in other parts do not touch their triangles, so all parts can run in parallel.
+  // Removes vertices in [begin, end). With `inner`, removes only vertices with all neighbours in
+  // their part. Collapses in other parts do not touch the triangles of these vertices, so all parts
+  // can run in parallel.
   void pass(std::int32_t begin, std::int32_t end, double limit, bool inner) {
     Scratch scratch;
     for (std::int32_t v = begin; v < end; ++v) {
@@ -248,6 +249,7 @@ class Thinner {
   }
 
   // Calls visit(corners) for the triangles at v that do not touch u, until visit returns false.
+  // Returns false in that case, else true.
   template <class Visit>
   bool allAbout(std::int32_t v, std::int32_t u, const Visit& visit) const {
     std::int32_t h = fan_[v];
