@@ -1,8 +1,11 @@
-// Mesh -> model and kernel shape within the limits of the options: what writing a solid and trying
-// it out have in common.
-// In: closed mesh, mm. Out: the shape, and what it stands for. Cost: see kernel/shape_maker.h, a
-// few times that where a limit asks for a tolerance. The caller holds the KernelSession. Throws
-// Error(ExportFailed, ...), Error(OutOfMemory), Error(Cancelled).
+// Builds the model and the kernel shape of a mesh within the limits of the options. Writing a solid
+// and estimating its cost both use these functions.
+// In:      closed mesh, mm.
+// Out:     the kernel shape with its model.
+// Cost:    see kernel/shape_maker.h; a few times as much if the limits require a search for a
+//          tolerance.
+// The caller holds the KernelSession. Throws Error(ExportFailed, ...), Error(OutOfMemory),
+// Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,18 +23,18 @@
 
 namespace swept::step {
 
-/// Throws Error(ExportFailed, "BadOption").
+/// Throws Error(ExportFailed, "BadOption") if an option is out of its range.
 void checkOptions(const StepOptions& options);
 
-/// Of the file, about.
+/// Returns the approximate size of the file in megabytes.
 double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
                    SolidFormat format);
 
-/// Without what lies within a tolerance, mm.
+/// Returns the mesh, thinned within `limit` (mm).
 HalfEdgeMesh thinned(const HalfEdgeMesh& mesh, double limit, RunContext& run);
 
-/// If the tolerance is as large as the body, its surface may turn inside out; then tries half of
-/// it.
+/// Returns work(). If the tolerance is as large as the body, the surface may turn inside out. Then
+/// halves the tolerance and tries again.
 template <class Work>
 auto uprightWithin(double& tolerance, const Work& work) {
   constexpr int kHalvings = 8;
@@ -45,19 +48,20 @@ auto uprightWithin(double& tolerance, const Work& work) {
   }
 }
 
-/// With the given tolerance, or with the smallest of a series that meets the limits; `options` then
-/// contains the one that was used.
+/// Builds the solid with the given tolerance. Without one, tries 0 and then a series of tolerances,
+/// and takes the first that keeps the limits. `options` receives the tolerance that was used.
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
                         KernelSession& kernel, RunContext& run);
 
-/// The text of the file; name: that of the file, for its header.
+/// Writes the text of the file. `name` is the file name for the header.
 void writeBuilt(const Built& built, std::ostream& out, const std::string& name,
                 const StepOptions& options, SolidFormat format, RunContext& run);
 
 bool isWorthFacets(const Error& error);
 
-/// work(options), which may write into them; where that fails for the sake of surfaces, once more
-/// with simplified facets alone. why: receives what failed then, else nothing.
+/// Returns work(options), which may change its copy of the options. If it fails because of
+/// recognised surfaces, calls it again without them, so that all faces are facets. `why` receives
+/// the message of the failure; empty if there was none.
 template <class Work>
 auto orFacets(const StepOptions& options, std::string& why, const Work& work) {
   StepOptions used = options;
@@ -76,7 +80,8 @@ auto orFacets(const StepOptions& options, std::string& why, const Work& work) {
                                       RunContext& run);
 [[noreturn]] void refuseMemory(std::size_t triangles);
 
-/// Runs work() with what the kernel throws told as an Error. triangles: of the mesh.
+/// Returns work(). Converts exceptions of the kernel to an Error. `triangles` is their number in
+/// the mesh, for the message.
 template <class Work>
 auto withKernel(const KernelSession& kernel, std::size_t triangles, RunContext& run,
                 const Work& work) {

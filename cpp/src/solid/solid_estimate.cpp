@@ -75,7 +75,7 @@ SolidEstimate guess(const TriMesh& input, const StepOptions& options, SolidForma
     estimate.faces =
         static_cast<std::int64_t>(partition.patches.size()) +
         std::count(partition.patchOf.begin(), partition.patchOf.end(), std::int32_t{-1});
-    // Above the limit of faces, the export searches for a tolerance that keeps it.
+    // Above the limit of faces, the export searches for a tolerance with fewer faces.
     if (!options.exact) estimate.faces = std::min(estimate.faces, options.maxFaces);
   }
   estimate.megabytes = megabytesOf(estimate.faces, mesh, options, format);

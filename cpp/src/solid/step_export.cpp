@@ -1,4 +1,4 @@
-// Mesh -> STEP or BREP file: partition, model, kernel shape, file, check, rename.
+// Writes a mesh as a STEP or BREP file: partition, model, kernel shape, file, check, final name.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <tbb/task_arena.h>
 
@@ -32,7 +32,7 @@ void compare(const SolidCheck& check, const HalfEdgeMesh& mesh, const StepOption
                   "; an existing file was kept. Change the tolerance, or export a mesh file");
 }
 
-// A promise that is not kept must be seen.
+// Adds a note to the report if the solid deviates from the mesh by more than its tolerance.
 void noteDeviation(StepReport& report) {
   if (!(report.tolerance > 0 && report.deviation > report.tolerance)) return;
   if (!report.note.empty()) report.note += "; ";
@@ -41,8 +41,9 @@ void noteDeviation(StepReport& report) {
                  " mm; a smaller tolerance may reduce the deviation";
 }
 
-constexpr double kExact =
-    1e-5;  // mm: plane faces that meet this well need no mending by the kernel
+// The kernel reads plane faces without healing them if their vertices and edges lie within this
+// distance (mm) of their planes.
+constexpr double kExact = 1e-5;
 
 StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptions& options,
                         RunContext& run) {

@@ -54,7 +54,7 @@ void checkStructure(const std::filesystem::path& file, const std::string& path) 
                   "; export the file again from the program that made it");
 }
 
-/// By its suffix; where that is neither's, by how it begins.
+/// Decides by the suffix of the file, or by its first characters if the suffix is unknown.
 bool isBrep(const std::filesystem::path& file) {
   const std::string suffix = suffixOf(utf8FromPath(file));
   if (suffix == "brep" || suffix == "brp") return true;
@@ -65,7 +65,7 @@ bool isBrep(const std::filesystem::path& file) {
   return head.find("ISO-10303-21") == std::string::npos;
 }
 
-// `faces`: of the whole file.
+// `faces` are those of the whole file.
 TriMesh meshOf(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces) {
   TriMesh mesh;
   for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())
@@ -80,8 +80,8 @@ TopoDS_Shape readShape(const std::string& path, step::KernelSession& kernel, Run
   return step::readStepFile(path, kernel, run, &names);
 }
 
-// Solids of several products are called as these, others as the file; what shares its name is
-// numbered.
+// Names each solid after its product, or after the file if the products do not tell the solids
+// apart. Solids with the same name get numbers.
 void nameSolids(std::vector<ImportedSolid>& solids, const std::string& stem) {
   std::map<std::string, int> counts;
   for (const ImportedSolid& solid : solids) ++counts[solid.name];
@@ -97,8 +97,8 @@ void nameSolids(std::vector<ImportedSolid>& solids, const std::string& stem) {
   }
 }
 
-// Calls `read` with the shape of a file and the names of its products; what the kernel says of it
-// is an error of the input.
+// Calls `read` with the shape of a file and the names of its products. A failure of the kernel
+// becomes an error of the input.
 template <class Read>
 auto withShape(const std::string& path, RunContext& run, Read read) {
   std::error_code code;

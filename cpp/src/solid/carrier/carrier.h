@@ -28,7 +28,8 @@ struct Carrier {
   double tubeMid = 0;    ///< torus: tube angle in the middle of the face
   double halfAngle = 0;  ///< cone: between axis and generator line; the radius grows along the axis
   double cosine = 1, sine = 0;  ///< cosine and sine of halfAngle
-  /// The material lies outside (a bore): the outward normal points towards the axis or centre.
+  /// True if the material lies outside (a bore). The outward normal then points towards the axis or
+  /// centre.
   bool reversed = false;
   /// The curve that generates the surface; outward is to its right. Extrusion: in the plane
   /// perpendicular to the axis, with coordinates along xdir and axis x xdir from `point`.

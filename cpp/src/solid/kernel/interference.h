@@ -1,8 +1,10 @@
-// Faces that meet where they share nothing, as the kernel's own test for Boolean operations finds
-// them.
-// In: a Model and its kernel faces. Only faces near one that is no facet are tested: facets do not
-// meet one another as the simplifier leaves them. Out: indices into Model::faces. The caller holds
-// a KernelSession. Cost: about 2 ms a tested face.
+// Finds faces that intersect or touch where they share no vertex or edge. Uses the kernel's own
+// test for Boolean operations.
+// In:      a Model and its kernel faces. Only faces near a recognised surface or plane region are
+//          tested, since the simplifier lets no two facets intersect.
+// Out:     indices into Model::faces.
+// Cost:    about 2 ms per tested face.
+// The caller holds a KernelSession.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,8 +20,9 @@ namespace swept::step {
 
 std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, RunContext& run);
 
-/// Edges of curved faces whose tolerance, as a reader of the file sets it from points along the
-/// edge, is smaller than the largest distance from a face, with the parameter of that distance.
+/// Returns edges of curved faces that are farther from a face than a reader of the file would
+/// assume. A reader sets the tolerance of an edge from the distances at some points along it. Each
+/// entry has the curve parameter at which the distance is largest.
 std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep);
 
 }  // namespace swept::step

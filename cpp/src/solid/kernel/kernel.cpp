@@ -59,9 +59,9 @@ class Collector : public Message_Printer {
 };
 
 #if OCC_VERSION_HEX < 0x070900
-// Leaves what this thread reads as it is in the file, and lets the kernel heal what other threads
-// read. The template accepts any further arguments that the kernel's version of the call has behind
-// the shape.
+// Switches healing off for the shapes that its own thread reads; the kernel still heals what other
+// threads read. The template passes on all arguments after the shape, because their number depends
+// on the version of the kernel.
 class AsItStands : public XSAlgo_AlgoContainer {
   using Base = XSAlgo_AlgoContainer;
   using Real = Standard_Real;
@@ -164,8 +164,8 @@ void KernelProgress::Show(const Message_ProgressScope&, Standard_Boolean) {
                     static_cast<std::uint64_t>(kScale * (from_ + (to_ - from_) * GetPosition())),
                     static_cast<std::uint64_t>(kScale));
   } catch (...) {
-    // On a cancel the kernel calls UserBreak next and stops by itself; no exception may pass
-    // through its frames.
+    // If the run is cancelled, the kernel calls UserBreak() next and stops by itself. No exception
+    // may pass through the kernel's functions.
   }
 }
 

@@ -44,8 +44,8 @@ bool isStraight(const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoD
          line->Value(to).Distance(BRep_Tool::Pnt(last)) <= slack + BRep_Tool::Tolerance(last);
 }
 
-// The corners of a sound plane triangle, counter-clockwise seen from outside; nothing if the face
-// is anything else, or not sound.
+// Returns the corners of a sound plane triangle, counter-clockwise seen from outside. Returns
+// nothing for any other face.
 std::optional<Corners> triangleOf(const TopoDS_Face& face) {
   const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face));
   if (plane.IsNull()) return std::nullopt;
@@ -67,7 +67,7 @@ std::optional<Corners> triangleOf(const TopoDS_Face& face) {
     ++count;
   }
   if (count != 3) return std::nullopt;
-  // The file may list the edges in the other order.
+  // The file may list the edges in the opposite order.
   if (!end[0].IsSame(start[1])) {
     std::swap(start[1], start[2]);
     std::swap(end[1], end[2]);
@@ -87,9 +87,10 @@ std::optional<Corners> triangleOf(const TopoDS_Face& face) {
   return corners;
 }
 
-// The same for the face of an extrusion. The kernel's quadrature does not follow the spans of a
-// spline and would miss half a percent. The contribution of a point of the profile does not depend
-// on how far it was extruded, so that an integral along the border is enough.
+// Returns the volume of the cone from `base` over the face of an extrusion; nothing for other
+// faces. The kernel's quadrature does not follow the spans of a spline and would miss half a
+// percent. The contribution of a point of the profile does not depend on how far it was extruded,
+// so an integral along the border suffices.
 std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt& base) {
   const auto surface = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(BRep_Tool::Surface(face));
   if (surface.IsNull()) return std::nullopt;
@@ -121,8 +122,8 @@ std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt
   return face.Orientation() == TopAbs_REVERSED ? -sum : sum;
 }
 
-// Volume of the cone from `base` over the face; summed over all faces of a solid this gives its
-// volume.
+// Returns the volume of the cone from `base` over the face. The sum over all faces of a solid is
+// the volume of the solid.
 double volumeUnder(const TopoDS_Face& face, const gp_Pnt& base) {
   if (const auto corners = triangleOf(face)) {
     const gp_Vec a(base, (*corners)[0]), b(base, (*corners)[1]), c(base, (*corners)[2]);
@@ -213,7 +214,7 @@ SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, d
     ++check.shells;
     const std::string complaint = shellComplaint(it.Current());
     if (!complaint.empty()) check.complaint = complaint;
-    // With its orientation in the solid, which the volume needs.
+    // Each face keeps its orientation in the solid, because the volume depends on it.
     for (TopExp_Explorer f(it.Current(), TopAbs_FACE); f.More(); f.Next())
       faces.push_back(f.Current());
   }

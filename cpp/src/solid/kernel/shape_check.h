@@ -1,8 +1,9 @@
-// Checks whether a kernel shape is sound: faces, shells, volume. The caller holds a KernelSession.
-// Plane triangles with straight edges, of which a faceted solid has many, are tested here; all
-// other faces by the kernel's checker, which takes a hundred times as long per face. Parallel over
-// faces.
-// Units: mm. Cost: O(faces).
+// Checks whether a kernel shape is sound: its faces, its shells and its volume. Plane triangles
+// with straight edges, of which a faceted solid has many, are tested here. All other faces are
+// tested by the kernel's checker, which takes a hundred times as long per face. The faces are
+// tested in parallel. The caller holds a KernelSession.
+// Units:   mm.
+// Cost:    O(faces).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,15 +18,15 @@
 
 namespace swept::step {
 
-/// Indices of the faces that the kernel's checker refuses. Parallel. from, to: the part of the
-/// export's progress.
+/// Returns the indices of the faces that the kernel's checker refuses. `from` and `to` are the
+/// progress of the export (0 to 1) at the begin and at the end of the call.
 std::vector<std::int32_t> findBadFaces(const std::vector<TopoDS_Shape>& faces, RunContext& run,
                                        double from, double to);
 
 /// Whether the face is a sound plane triangle with straight edges.
 bool isPlaneTriangle(const TopoDS_Face& face);
 
-/// What is sound, and how much of it there is.
+/// Returns whether the shape is sound, what is wrong with it, and its figures.
 SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, double to);
 
 }  // namespace swept::step

@@ -1,9 +1,12 @@
-// From a mesh to the kernel's shape: recognise surfaces, simplify, build the model, and repeat
-// without what the kernel refuses.
-// In: `dense`, the mesh to work on; `whole`, the mesh that the deviation is measured from; the
-// options' tolerance. Out: a shape whose faces the kernel accepts, or nothing if it would have more
-// faces than fit. Units: mm. Cost: a few simplifications of the mesh. Throws Error(ExportFailed,
-// "InvalidFaces"), Error(Cancelled).
+// Makes the kernel shape of a mesh: recognises surfaces, simplifies, and builds the model. Repeats
+// this without the surfaces that the kernel refuses.
+// In:      `dense`, the mesh to work on; `whole`, the mesh from which the deviation is measured;
+//          the tolerance of the options; fits(count), which tells whether that many faces are
+//          allowed.
+// Out:     a shape whose faces the kernel accepts, or nothing if it would have too many faces.
+// Units:   mm.
+// Cost:    a few simplifications of the mesh.
+// Throws Error(ExportFailed, "InvalidFaces"), Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,10 +27,10 @@ struct Built {
   Model model;
   Brep brep;
   std::map<std::string, std::int64_t> facesByKind;
-  double deviation = 0;  // mm, of the mesh's vertices from their faces
+  double deviation = 0;  // mm, of the mesh's vertices from the faces of the solid
 };
 
-/// faces: receives their number, also if there are too many.
+/// `faces` receives the number of faces, even if there are too many.
 std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
                                const StepOptions& options,
                                const std::function<bool(std::int64_t)>& fits, KernelSession& kernel,

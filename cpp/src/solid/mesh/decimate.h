@@ -6,7 +6,8 @@
 // Out:     the reduced mesh and its partition. The result may be the input of a further call.
 // Units:   mm.
 // Promise: The mesh stays closed and manifold. Each removed or moved vertex outside the patches
-//          stays within the tolerance of the new triangles. Borders move only along themselves.
+//          stays within the tolerance of the new triangles. A border vertex collapses only along
+//          its border.
 // Paper:   quadric error as the order of the collapses (Garland, Heckbert 1997). The bound is
 //          checked on sample points.
 // Cost:    O(n log n).
