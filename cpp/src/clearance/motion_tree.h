@@ -33,8 +33,8 @@ class MotionSteps {
   virtual ~MotionSteps() = default;
   virtual Pose poseAt(std::int64_t step, double s) const = 0;
   virtual Flow flowAt(std::int64_t step, double s) const = 0;
-  /// mm, upper bound of how far any point departs in the step from the chord between its two end
-  /// positions. The bound is an eighth of the largest acceleration.
+  /// Returns, in mm, an upper bound of how far any point departs in the step from the chord between
+  /// its two end positions. The bound is an eighth of the largest acceleration.
   virtual double bulge(std::int64_t step) const = 0;
 };
 
@@ -69,21 +69,22 @@ struct MotionBound {
   /// mm, largest displacement of any point from its position at the representative
   double reach = 0;
 
-  /// Largest advance along the unit vector n of any body point in the given box (body frame).
+  /// Returns the largest advance along the unit vector n of any body point in the given box (body
+  /// frame).
   double advance(const Eigen::Vector3d& n, const Eigen::Vector3d& centre,
                  const Eigen::Vector3d& half) const;
 
  private:
   friend class MotionTree;
   enum class Kind { Point, Flow, Cluster } kind_ = Kind::Point;
-  // Flow: velocity v(x) = linear + angular x position at the representative, half the span, and a
-  // second-order bound.
+  // If kind_ is Flow: velocity v(x) = linear + angular x position at the representative, half the
+  // span, and a second-order bound.
   Eigen::Vector3d linear_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_ = Eigen::Vector3d::Zero();
   double span_ = 0;
   double rest_ = 0;
-  // Cluster: the interval of each matrix entry over all members. Columns 0 to 2 are R - R_rep,
-  // column 3 is the displacement of the body's centre.
+  // If kind_ is Cluster: the interval of each matrix entry over all members. Columns 0 to 2 are R -
+  // R_rep, column 3 is the displacement of the body's centre.
   const Eigen::Matrix<double, 3, 4>* low_ = nullptr;
   const Eigen::Matrix<double, 3, 4>* high_ = nullptr;
   Eigen::Vector3d bodyCentre_ = Eigen::Vector3d::Zero();

@@ -18,7 +18,7 @@ class PairRules {
 
   /// Returns the rule of a pair: its required distance, its allowed contact, or that it is ignored.
   NeighbourRule of(PartPair pair) const;
-  /// mm, the largest required distance of all pairs.
+  /// Returns the largest required distance of all pairs, mm.
   double largestRequired() const;
   bool ignores(PartPair pair) const { return of(pair).ignored; }
   /// Pairs that a rule excludes, in ascending order.

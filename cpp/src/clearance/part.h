@@ -37,29 +37,29 @@ struct NearestOnPart {
 
 class Part {
  public:
-  /// `who` names the mesh in messages. Throws Error(InvalidInput): EmptyMesh, BadIndex,
-  /// NonFiniteVertex.
+  /// Prepares the mesh. `who` names the mesh in messages. Throws Error(InvalidInput) with the code
+  /// EmptyMesh, BadIndex or NonFiniteVertex.
   Part(const TriMesh& mesh, const std::string& who);
 
   const BoxTree& tree() const { return tree_; }
   /// Returns the box of a node. The box of the root is exact; others are rounded outward.
   Box box(BoxTree::Node node) const;
   const Plate* plate(BoxTree::Node node) const { return plates_.of(node); }
-  /// Vertices of the triangle, or of the piece of a triangle, at a place of the tree.
+  /// Returns the vertices of the triangle, or of the piece of a triangle, at a place of the tree.
   const Triangle3d& corners(std::uint32_t place) const { return corners_[place]; }
   std::int64_t triangle(std::uint32_t place) const { return triangles_[place]; }
 
   /// Whether each edge is used equally often in both directions, so that "inside" has a meaning.
   bool closed() const { return rays_.has_value(); }
-  /// One surface point of each connected piece.
+  /// Returns one surface point of each connected piece.
   const std::vector<Eigen::Vector3d>& pieces() const { return pieces_; }
 
   /// Returns the nearest surface point. If no point is nearer than `within`, place is -1.
   NearestOnPart nearest(const Eigen::Vector3d& point, double within) const;
   /// Whether the winding number of the point is not 0. Always false if the mesh is open.
   bool inside(const Eigen::Vector3d& point) const;
-  /// Depth below the surface: positive inside, negative outside. For a point outside the bounding
-  /// box, returns only an upper bound (minus the distance to the box).
+  /// Returns the depth below the surface: positive inside, negative outside. For a point outside
+  /// the bounding box, returns only an upper bound (minus the distance to the box).
   double depth(const Eigen::Vector3d& point) const;
 
  private:

@@ -85,7 +85,7 @@ class DepthSearch {
  private:
   double allowed() const { return std::max(tolerance_, 0.01 * best_.depth); }
 
-  // `bound`: the bound of the item from which this item is split.
+  // Returns a new item of the queue. `bound` is that of the item from which the new item is split.
   Item makeItem(const MotionNode& node, const Piece& piece, double bound) {
     Item item;
     item.bound = bound;

@@ -35,9 +35,9 @@ class TimedMotion {
               const Eigen::Vector3d& half);
 
   bool moves() const { return times_.size() > 1; }
-  /// Time from the first to the last pose; for a body that stands still, all times.
+  /// Returns the time from the first to the last pose; for a body that stands still, all times.
   TimeInterval span() const;
-  /// Pose at a time, which is clamped to span().
+  /// Returns the pose at a time, which is clamped to span().
   Pose poseAt(double time) const;
   const Eigen::Vector3d& centre() const { return centre_; }
   const Eigen::Vector3d& half() const { return half_; }
@@ -54,10 +54,11 @@ class TimedMotion {
   /// [from, to].
   Slice slice(double from, double to) const;
   const StepPath& path(const Slice& slice) const { return paths_[slice.step]; }
-  /// Largest distance of the body's box from the rotation axis of the slice's step, mm.
+  /// Returns the largest distance, in mm, of the body's box from the rotation axis of the slice's
+  /// step.
   double radius(const Slice& slice) const { return radii_[slice.step]; }
-  /// mm, upper bound of how far any point of the body departs from the chord of its path in the
-  /// slice.
+  /// Returns, in mm, an upper bound of how far any point of the body departs from the chord of its
+  /// path in the slice.
   double bulge(const Slice& slice) const;
 
  private:

@@ -24,8 +24,8 @@ struct StampedMinimum {
 StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
                               const TriMesh& neighbour, RunContext& run);
 
-/// As above, for a neighbour that also moves. `neighbourPoses[i]` is the pose of the neighbour at
-/// the time of `poses[i]`.
+/// Does the same for a neighbour that also moves. `neighbourPoses[i]` is the pose of the neighbour
+/// at the time of `poses[i]`.
 StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
                               const TriMesh& neighbour, const std::vector<Pose>& neighbourPoses,
                               RunContext& run);

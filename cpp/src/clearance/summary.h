@@ -18,8 +18,8 @@ struct Summary {
 /// Whether the text gives the time of the smallest distance.
 enum class Timed { Yes, No };
 
-/// `head` begins the text, for example "12 checked". `ignored` is the number of neighbours that
-/// rules exclude.
+/// Returns the summary. `head` begins its text, for example "12 checked". `ignored` is the number
+/// of neighbours that rules exclude.
 Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std::string& head,
                   std::size_t ignored = 0, Timed timed = Timed::Yes);
 

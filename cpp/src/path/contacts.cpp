@@ -26,8 +26,8 @@ Twist unscaled(const Scene& scene, const Vector6d& v) {
   return {v.head<3>(), v.tail<3>() / scene.radius()};
 }
 
-// Normal of a contact. Triangles that touch have no line between their nearest points, so the
-// normal of the neighbour's triangle is used.
+// Returns the normal of a contact. Triangles that touch have no line between their nearest points.
+// Then it is the normal of the neighbour's triangle.
 Vector3d normalOf(const NearestPoints& near, const Triangle3d& still) {
   const double distance = std::sqrt(near.squared);
   if (distance > 1e-6) return (near.a - near.b) / distance;

@@ -64,7 +64,7 @@ Scene::Scene(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbo
   resolution_ = std::max(0.25 * options.tolerance, 2e-5 * radius_);
 }
 
-// x_world = R x + t with both frames rotated: W (R (own^T x')) + W t.
+// Both frames are rotated: x_world = R x + t becomes W (R (own^T x')) + W t.
 State Scene::inside(const Pose& pose) const {
   Pose turned = pose;
   turned.rotation =

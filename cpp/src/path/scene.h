@@ -73,16 +73,16 @@ class Scene {
   const clearance::Part& neighbour(std::size_t i) const { return neighbours_[i]; }
   bool neighbourMended(std::size_t i) const { return mended_[i] != 0; }
   std::size_t count() const { return neighbours_.size(); }
-  /// Box around all neighbours.
+  /// Returns the box around all neighbours.
   const Eigen::AlignedBox3d& box() const { return box_; }
-  /// Largest distance of a point of the part from its middle, mm.
+  /// Returns the largest distance of a point of the part from its middle, mm.
   double radius() const { return radius_; }
   Interpolation interpolation() const { return interpolation_; }
 
   /// Convert a placement from the caller's world to a state, and back.
   State inside(const Pose& pose) const;
   Pose outside(const State& state) const;
-  /// Rotation from the caller's world to the rotated world.
+  /// Returns the rotation from the caller's world to the rotated world.
   const Eigen::Matrix3d& world() const { return world_; }
 
   State at(const Pose& pose) const;

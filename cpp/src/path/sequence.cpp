@@ -19,8 +19,8 @@ namespace {
 
 using namespace path;
 
-// Limits of the moves per search while the order is sought. They grow from round to round; round 0
-// allows only the quick methods.
+// Limits of the number of moves per search while the order is sought: the first, the factor from
+// round to round, and the largest. Round 0 allows only the quick methods.
 constexpr std::int64_t kFirstMoves = 20000, kMoreMoves = 4, kMostMoves = 1000000000;
 
 class Sequencer {

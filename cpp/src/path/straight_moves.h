@@ -13,7 +13,7 @@
 
 namespace swept::path {
 
-/// `far`: mm; a move of this length leaves all neighbours behind.
+/// Returns the keys. `far` (mm): a move of this length leaves all neighbours behind.
 std::vector<State> straightMoves(const Scene& scene, const Rule& rule, const MoveAllowed& allowed,
                                  const std::vector<State>& starts, const std::vector<State>& goals,
                                  double far, Memory& memory, RunContext& run);

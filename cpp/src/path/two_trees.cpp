@@ -113,7 +113,7 @@ State TwoTrees::sampleNear(int tree, int node) {
     if (length > 0) twist = twist * (scale / length);
   }
   const double noise = scene_.length(twist) > 0 ? 0.3 * scale : scale;
-  // A third each: only a shift, only a turn, both.
+  // Adds noise. A third of the samples get only a shift, a third only a turn, and a third both.
   const double kind = random_.fraction();
   if (kind < 0.67 || !space_.turns())
     twist.shift += noise * random_.fraction() * random_.direction();

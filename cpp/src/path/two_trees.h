@@ -46,13 +46,13 @@ class TwoTrees {
 
   /// Grows the trees by some rounds. Returns true once they have met.
   bool grow(int rounds);
-  /// Keys from one of the starts to one of the goals.
+  /// Returns the keys from one of the starts to one of the goals.
   const std::vector<State>& path() const { return path_; }
   std::size_t nodes() const { return trees_[0].size() + trees_[1].size(); }
   std::int64_t steps() const { return memory_.steps; }
-  /// The state in the goal's tree whose middle is farthest from its root.
+  /// Returns the state in the goal's tree whose middle is farthest from the root of that tree.
   const State& farthest() const { return trees_[1][farthest_].state; }
-  /// For each neighbour: how often it was in the way.
+  /// Returns for each neighbour how often it was in the way.
   const std::vector<std::int64_t>& blocked() const { return memory_.blocked; }
 
  private:

@@ -137,8 +137,9 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   p.grid = planGrid(p.keepRoom ? withRoom(box) : box, bodyBox, fixed);
 }
 
-// Peak memory per crossing of the surface, the larger of two phases: sampling keeps raw crossings
-// twice (12 bytes each); later there are edges, crossings, cells and the mesh (about 170 bytes).
+// Returns the peak memory per crossing of the surface, the larger of two phases. Sampling keeps raw
+// crossings twice (12 bytes each). Later there are edges, crossings, cells and the mesh (about 170
+// bytes).
 double bytesOfCrossing(const Options& options) {
   constexpr double kSource = sizeof(SurfaceSource) + sizeof(double);  // and its exact time
   return options.sources ? 180 + kSource : 180;
@@ -148,7 +149,8 @@ std::uint64_t denseBytes(const TriMesh& body) {
   return 250'000'000 + 3200 * static_cast<std::uint64_t>(body.triangles.size());
 }
 
-// A rough estimate: assumes that the surface of the sweep is 1.5 times that of its bounding box.
+// Returns a rough estimate. It assumes that the surface of the sweep is 1.5 times that of its
+// bounding box.
 Estimate estimateOf(const Prepared& p, const Options& options) {
   Estimate e;
   e.grid = p.grid.cells();
@@ -206,7 +208,7 @@ void requireMemory(const Estimate& e, const RunContext& run) {
 
 namespace {
 
-/// `body`: in coordinates about the pivot of the trajectory.
+/// Plans a run. `body` is in coordinates about the pivot of the trajectory.
 Prepared preparedFor(CheckedBody body, const Trajectory& trajectory, const Options& options,
                      RunContext& run) {
   Prepared prepared;

@@ -50,7 +50,7 @@ double bytesOfCrossing(const Options& options);
 /// batch.
 std::uint64_t denseBytes(const TriMesh& body);
 
-/// See Estimate::usefulFilter. Requires the grid and the unfiltered poses.
+/// Returns Estimate::usefulFilter. Requires the grid and the unfiltered poses.
 double usefulFilterOf(const Prepared& prepared, const Options& options);
 
 /// Returns whether the run fits into its memory limit if it takes `times` the estimated memory.

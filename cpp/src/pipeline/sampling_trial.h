@@ -25,13 +25,14 @@ class SamplingTrial {
  public:
   SamplingTrial(const SamplerInput& whole, RunContext& run);
 
-  /// CPU seconds to find the deep inside of the whole motion (sampling/cpu/deep_inside.h).
+  /// Returns the CPU seconds for finding the deep inside of the whole motion
+  /// (sampling/cpu/deep_inside.h).
   double insideSeconds() const { return insideSeconds_; }
   struct Whole {
     SamplingCost cost;
     std::optional<MarkedEdges> marked;  ///< set if the trial sampled the whole motion
   };
-  /// Cost of sampling the whole motion, without insideSeconds().
+  /// Returns the cost of sampling the whole motion, without insideSeconds().
   Whole whole() const;
   /// Returns the peak memory in bytes: the larger of sampling the whole motion and of building the
   /// map of the inside before. `surface`: number of crossings of the surface.

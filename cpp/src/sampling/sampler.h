@@ -43,8 +43,8 @@ struct SamplerInput {
   /// left out.
   bool fillsHollows = false;
   const InsideMap* inside = nullptr;  ///< known inside of the sweep, for the CPU sampler
-  /// Placements that a trial of the CPU sampler samples. In a continuous motion, each comes with
-  /// the step that starts there.
+  /// The placements that a trial of the CPU sampler samples. In a continuous motion, the step that
+  /// starts at such a placement is also sampled.
   PlacementRange only{};
   const PlaceGroups* groups = nullptr;  ///< of the whole motion, if they exist already
   /// A trial uses one of this many parts of the clusters of a closed body

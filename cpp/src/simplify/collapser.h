@@ -81,12 +81,12 @@ class Collapser {
   CollapseLog* log_;
   MovingBoxes boxes_;
   std::priority_queue<Entry> queue_;
-  // Buffers; they are members only so that their memory is reused.
+  // Buffers. They are members so that their memory is reused.
   std::vector<std::int32_t> ring_, otherRing_, common_;
   std::vector<std::int32_t> staying_, dying_;  // triangles
   std::vector<Corners> was_;  // vertices of the remaining triangles before the step
   std::vector<std::array<Point, 3>> corners_;  // the same after the step
-  // Points, and the index in staying_ of their new triangle.
+  // Attached points, each with the index in staying_ of its new triangle.
   std::vector<std::pair<Point, std::int32_t>> moved_;
   std::vector<std::int32_t> hits_;
   // Triangles near those that stay, with their boxes.

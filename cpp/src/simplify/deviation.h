@@ -28,7 +28,8 @@ struct Deviation {
   std::vector<FarPlace> strays;
 };
 
-/// `spacing`: mm, distance of the grid points. `nearOriginal` must be built with Walks::Yes.
+/// Measures the deviation. `spacing` (mm) is the distance of the grid points. `nearOriginal` must
+/// be built with Walks::Yes.
 Deviation measureDeviation(const TriMesh& original, const NearestTriangle& nearOriginal,
                            const TriMesh& result, double spacing, double tolerance);
 

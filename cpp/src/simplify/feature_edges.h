@@ -16,7 +16,7 @@
 namespace swept {
 
 std::vector<std::array<std::int32_t, 2>> findFeatureEdges(const TriMesh& mesh);
-/// As above, with known opposite half-edges (geometry/half_edges.h).
+/// Does the same with known opposite half-edges (geometry/half_edges.h).
 std::vector<std::array<std::int32_t, 2>> findFeatureEdges(const TriMesh& mesh,
                                                           const RawArray<std::uint32_t>& across);
 

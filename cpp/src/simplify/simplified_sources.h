@@ -16,7 +16,8 @@
 
 namespace swept {
 
-/// `spacing`: mm, typical size of the surface's triangles. `nearest`: search tree of the surface.
+/// Returns the sources of `mesh`. `spacing` (mm) is the typical size of the surface's triangles,
+/// `nearest` the search tree of the surface.
 Sources sourcesOfSimplified(const TriMesh& surface, const NearestTriangle& nearest,
                             const Sources& sources, const TriMesh& mesh, double spacing);
 

@@ -226,7 +226,8 @@ class Thinner {
     return true;
   }
 
-  // `off` receives how far the vertices merged into u may deviate from the new triangles.
+  // Returns whether the new triangles keep the limit. `off` receives how far the vertices merged
+  // into u may deviate from the new triangles.
   bool trianglesHold(std::int32_t edge, double limit, double& off) const {
     const std::int32_t u = vertex_[edge];
     const Vector3d &from = points_[u], &to = points_[target(edge)];

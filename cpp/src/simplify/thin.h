@@ -35,8 +35,8 @@ struct Thinned {
   std::vector<std::int32_t> triangle;
 };
 
-/// `phase`: the phase for progress reports. `kept`: by vertex, 1 if the vertex must stay. A
-/// triangle with three such vertices stays, too. Empty: no vertex must stay.
+/// Returns the thinned mesh. `phase` is that for progress reports. `kept`: by vertex, 1 if the
+/// vertex must stay. A triangle with three such vertices stays, too. Empty: no vertex must stay.
 Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase, RunContext& run,
                 std::vector<char> kept = {});
 

@@ -27,7 +27,8 @@ class Distances {
   }
 
  private:
-  /// way: -1 looks at the rows and the block before, 1 at those after.
+  /// Processes one row of blocks. With `way` -1, looks at the rows and the block before it, with 1
+  /// at those after it.
   void pass(std::size_t row, int way) {
     const auto i = static_cast<std::ptrdiff_t>(row / blocks_[1]);
     const auto j = static_cast<std::ptrdiff_t>(row % blocks_[1]);

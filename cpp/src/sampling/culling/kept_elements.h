@@ -104,7 +104,8 @@ class KeptElements {
   }
 
  private:
-  /// `s`: the cluster on the left of the border. If its bits are kAll, every face is shown.
+  /// Calls use(edge, ends) for the side patches kept on one border. `s` is the cluster on the left
+  /// of the border. If its bits are kAll, every face is shown.
   template <class Use>
   void borderPatches(const FaceClusters::Border& border, std::uint32_t firstFace,
                      const ShownCluster& s, const Use& use) const {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRoom = 1 + 1e-9;   ///< covers the rounding of the bounds
 constexpr double kSnapReach = 1e-4;  ///< cells: above the largest displacement by snapping
-/// Cells: largest and smallest size of a group of placements.
+/// Largest and smallest size of a group of placements, in cells.
 constexpr double kLargestGroup = 2, kSmallestGroup = 1e-3;
 constexpr double kFaceGroup = 0.5;  ///< cells; groups of at most this size are tested face by face
 /// Groups are worth their tests if they have at least this many placements on average.

@@ -46,13 +46,13 @@ class PlaceBounds {
       high = high.max(other.high);
     }
   };
-  /// Bounds of the placement k and of the step that starts there.
+  /// Returns bounds of the placement k and of the step that starts there.
   Box boxOf(std::size_t k) const;
   static PlaceBlock blockOf(const Box& box);
 
-  /// True if the copies and side patches of a cluster in these placements can matter.
+  /// Returns whether the copies and side patches of a cluster in these placements can matter.
   bool shows(const PlaceBlock& block, const FaceCluster& cluster) const;
-  /// The same for one face. Requires the map of the inside.
+  /// Returns whether the copies of one face can matter. Requires the map of the inside.
   bool shows(const PlaceBlock& block, std::uint32_t face) const;
   bool hasInside() const { return input_.inside != nullptr; }
   double radius() const { return radius_; }  ///< mm

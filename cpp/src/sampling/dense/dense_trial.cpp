@@ -114,7 +114,7 @@ double secondsOfTest(const TriMesh& body, const BodyTests& tests) {
   return inside < 0 ? 0 : (threadSeconds() - start) / count;
 }
 
-/// Expected crossings: of a copy of the body, and of a copy of the inner faces.
+/// Expected numbers of crossings of a copy of the body, and of a copy of the inner faces.
 struct Work {
   double body = 0, inner = 0;
   double pairs = 0;  ///< of all candidate pairs of inner faces

@@ -33,7 +33,7 @@ struct LeakSearch {
   std::int64_t covered = 0;  ///< of these, number covered by a placement although called outside
   double deepest = 0;        ///< mm: largest advance of a missed placement beyond such a point
   bool complete = true;      ///< false: the search stopped at a limit
-  /// (face, placement) pairs, sorted, each once
+  /// Missing (face, placement) pairs, sorted; each occurs once.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> missing;
 };
 
@@ -59,8 +59,8 @@ struct BodyTests {
   BoxTree tree;
 };
 
-/// margin: mm by which a placement must reach beyond a point to count as missed. All calls that
-/// share `clear` must use the same margin.
+/// Searches for holes. `margin` (mm): a placement counts as missed if it reaches beyond a point by
+/// more. All calls that share `clear` must use the same margin.
 LeakSearch findLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                      const MarkedEdges& marked, const SignRuns& signs, double margin,
                      ClearPoints& clear, RunContext& run);

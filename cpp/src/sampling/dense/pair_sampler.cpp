@@ -14,8 +14,8 @@ namespace {
 // Crossings per task: a batch has 160 tasks, enough to balance all cores.
 constexpr double kTaskCrossings = 150e3;
 
-/// Expected number of crossings of a face with this area (cells^2): half the sum of its three
-/// projections, at most 1.74 times the area.
+/// Returns the expected number of crossings of a face with this area (cells^2): half the sum of its
+/// three projections, at most 1.74 times the area.
 double expectedCrossings(double area) { return 1.74 * area + 0.5; }
 
 }  // namespace

@@ -28,7 +28,7 @@ class PairSampler {
   const MarkedEdges& marked() const { return marked_; }
   MarkedEdges take() { return std::move(marked_); }
   std::int64_t pairs() const { return pairs_; }
-  /// Number of raw crossings of all pairs, before those on one edge are merged.
+  /// Returns the number of raw crossings of all pairs, before those on one edge are merged.
   std::int64_t crossings() const { return crossings_; }
   /// Returns the expected number of crossings of a face at one placement. A batch has about
   /// kBatchWork of these; each takes 12 bytes, and twice that while they are sorted.

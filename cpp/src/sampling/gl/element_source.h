@@ -31,7 +31,7 @@ struct ElementSource {
     const auto placement = static_cast<std::uint32_t>(number / perPlacement);
     return {local < faces ? local : (local - faces) | SweptElement::kSidePatchBit, placement};
   }
-  /// False for side patches at the last placement, where no step starts.
+  /// Returns false for side patches at the last placement, where no step starts.
   bool exists(const SweptElement& element) const {
     return !element.isSidePatch() || element.placement + 1 < placements;
   }

@@ -19,9 +19,9 @@ const char* surfaceKindName(CarrierKind kind);
 struct Carrier {
   CarrierKind kind = CarrierKind::Facet;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< a point on the plane or axis, or the centre
-  /// Normal of the plane, or direction of the axis; unit.
+  /// Unit vector: normal of the plane, or direction of the axis.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  /// Direction in which angles start; zero: anyOrthogonal(axis).
+  /// Direction in which angles start. Zero: anyOrthogonal(axis) replaces it.
   Eigen::Vector3d xdir = Eigen::Vector3d::Zero();
   double radius = 0;     ///< cylinder, sphere; cone: at `point`; torus: of the centre circle
   double minor = 0;      ///< torus: radius of the tube

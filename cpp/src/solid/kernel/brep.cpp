@@ -36,7 +36,7 @@
 namespace swept::step {
 namespace {
 
-/// mm; the kernel treats two points closer than this as one.
+/// Distance in mm; the kernel treats two points closer than this as one.
 constexpr double kKernelTolerance = 1e-7;
 
 gp_Pnt pointOf(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }

@@ -21,7 +21,7 @@ namespace {
 using Eigen::Vector3d;
 using Box = Eigen::AlignedBox3d;
 
-/// mm; faces nearer than this may count as touching.
+/// Distance in mm; faces nearer than this may count as touching.
 constexpr double kNear = 1e-5;
 
 // Returns points along the borders of a face. Inside its borders, a curved face may bulge by less

@@ -150,8 +150,8 @@ void parallelFaces(std::size_t count, RunContext& run, double from, double to, c
   });
 }
 
-// Closed: every edge is used twice. Oriented: once in each direction. Returns an empty text if the
-// shell is both. (The kernel's own check of a shell tests the same and takes ten times as long.)
+// Returns an empty text if the shell is closed (every edge is used twice) and oriented (once in
+// each direction). The kernel's own check of a shell tests the same and takes ten times as long.
 std::string shellComplaint(const TopoDS_Shape& shell) {
   TopTools_IndexedMapOfShape edges;
   std::vector<std::array<std::int32_t, 2>> uses;
@@ -220,7 +220,8 @@ SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, d
   }
   const std::vector<std::int32_t> bad = findBadFaces(faces, run, from, (from + to) / 2);
   if (!bad.empty()) check.complaint = std::to_string(bad.size()) + " faces are not valid";
-  // Relative to a point of the shape: the volume of a shape far from the origin would lose digits.
+  // The volume is computed relative to a point of the shape. Otherwise it would lose digits far
+  // from the origin.
   gp_Pnt base;
   if (edgeMap.Extent() > 0) base = BRep_Tool::Pnt(TopExp::FirstVertex(TopoDS::Edge(edgeMap(1))));
   std::vector<double> volumes(faces.size());

@@ -30,7 +30,7 @@ struct Built {
   double deviation = 0;  // mm, of the mesh's vertices from the faces of the solid
 };
 
-/// `faces` receives the number of faces, even if there are too many.
+/// Returns the shape, or nothing. `faces` receives the number of faces, even if there are too many.
 std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
                                const StepOptions& options,
                                const std::function<bool(std::int64_t)>& fits, KernelSession& kernel,

@@ -26,7 +26,7 @@ using ProductNames = std::unordered_map<const TopoDS_TShape*, std::string>;
 /// tolerances by itself. `names`, unless null, receives the names of the solids.
 TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run,
                           ProductNames* names = nullptr);
-/// As readStepFile(), from memory.
+/// Does the same with a text in memory.
 TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext& run);
 /// Reads the shape of a file with plane faces only. The kernel does not change the shape and takes
 /// the tolerance (mm) that the file states. This takes a fifth of the time of readStepFile().
