@@ -21,10 +21,10 @@ struct Piece {
 };
 
 struct Probe {
-  double depth = 0;  // at the centre of the piece
+  double depth = 0;  // depth of the centre of the piece
   double radius = 0;
   double most = 0;               // upper bound of the depth of all points of the piece
-  Eigen::Vector3d surfacePoint;  // in the neighbour's frame, at the representative pose
+  Eigen::Vector3d surfacePoint;  // the centre, in the neighbour's frame at the representative pose
   double surfaceDepth = 0;
 };
 

@@ -19,8 +19,9 @@ constexpr double kNoBound = std::numeric_limits<double>::infinity();
 /// A point of a piece is likely to lie deeper than the piece's centre by about this share of two
 /// lengths: the radius of the piece and the reach of its motion.
 constexpr double kPromise = 0.3;
-constexpr std::size_t kMostPieces = 1000;  // most connected pieces of a part to start from
-constexpr std::size_t kRound = 64;         // pieces per round; fixed, see motion_search.cpp
+// Largest number of connected pieces of a part at which the search starts.
+constexpr std::size_t kMostPieces = 1000;
+constexpr std::size_t kRound = 64;  // pieces per round; fixed, see motion_search.cpp
 
 struct Item {
   double bound = 0;    // mm, no point of the piece can lie deeper in this part of the motion
@@ -308,7 +309,7 @@ PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touc
 bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, double atLeast) {
   if (atLeast < 0) return true;
   struct Open {
-    double promise;  // as in DepthSearch; one deep point suffices, so likely pieces come first
+    double promise;  // see Item::promise; one deep point suffices, so promising pieces come first
     Piece piece;
     bool operator<(const Open& other) const { return promise < other.promise; }
   };

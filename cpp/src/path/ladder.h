@@ -33,7 +33,7 @@ struct LegResult {
   std::vector<State> keys;  ///< empty: no path was found
   std::string method;
   bool noTranslation = false;  ///< proven: no path without turning exists
-  State farthest;              ///< if no path is found: the farthest state in the tree of the goal
+  State farthest;              ///< the farthest state in the tree of the goal, if no path is found
   std::vector<std::int64_t> blocked;  ///< for each neighbour, how often it was in the way
   std::int64_t steps = 0;
 };

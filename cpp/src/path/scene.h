@@ -118,7 +118,7 @@ class Scene {
   std::vector<char> mended_;
   Eigen::AlignedBox3d box_;
   clearance::Box partBox_;
-  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();  ///< in the part's frame
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();  ///< the middle in the part's frame
   double radius_ = 0;
   double resolution_ = 0;
   Interpolation interpolation_;

@@ -11,10 +11,11 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kStart = 0, kGoal = 1;
-constexpr int kSlides = 5, kPushes = 60;  // most moves of one extension and of one push
-constexpr double kPushed = 0.5;           // share of the rounds that push
-constexpr double kPush = 3;               // longest push, in radii of the part or in rad
-constexpr double kLost = 1e-9;            // largest share of a move that counts as a rounding error
+// Largest number of moves of one extension and of one push.
+constexpr int kSlides = 5, kPushes = 60;
+constexpr double kPushed = 0.5;  // share of the rounds that push
+constexpr double kPush = 3;      // longest push, in radii of the part or in rad
+constexpr double kLost = 1e-9;   // largest share of a move that counts as a rounding error
 // Least share of a wanted move that the allowed move must keep.
 constexpr double kOnward = 0.05;
 // Resolution at which the search finds where a move is blocked, as a share of the move.

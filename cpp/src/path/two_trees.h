@@ -96,7 +96,7 @@ class TwoTrees {
   const SearchSpace space_;
   RandomNumbers random_;
   Memory memory_;
-  Tree trees_[2];  ///< from the start, from the goal
+  Tree trees_[2];  ///< one tree from the start, one from the goal
   std::map<CellKey, int> cells_[2];
   std::vector<int> cellNodes_[2];
   std::vector<State> path_;

@@ -83,7 +83,7 @@ void EnvelopeRun::sweep(const Trajectory& trajectory) {
   describePlan();
   adviseFilter();
   if (warm_ != nullptr && prepared_.body.mesh.triangles != warm_->body.mesh.triangles) {
-    warm_->setBody(prepared_.body);  // its long edges have been split
+    warm_->setBody(prepared_.body);  // the long edges of the body have been split
   }
   BodyTopology own;
   if (warm_ == nullptr) own = buildTopology(prepared_.body.mesh);

@@ -74,7 +74,8 @@ class EnvelopeRun {
   Prepared prepared_;
   WarmBody* warm_ = nullptr;  ///< null without a session
   bool sketch_ = false;
-  MeshTopology topology_;               ///< of the mended surface; empty if it was not computed
+  /// Neighbours in the mended surface; empty if they were not computed.
+  MeshTopology topology_;
   std::vector<SweptElement> elements_;  // kept until contouring no longer needs them
   Timer timer_;
   double cpuSeconds_ = 0;

@@ -27,7 +27,7 @@ RoughRoom roomBeside(const SamplingCost& sampling, double copies);
 
 struct RoughSurface {
   double crossings = 0;
-  ProbeCost probes;  ///< of contouring
+  ProbeCost probes;  ///< cost of the probes that contouring casts
 };
 
 /// Returns the estimate. `known` are the marked edges of the whole motion on the grid of the run,

@@ -173,7 +173,7 @@ SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) con
     const PlacementRange half{both.begin, both.begin + steps};
     const SamplingCost bare = at(half, 0, &groups), one = at(half, parts.clusterParts, &groups),
                        two = at(both, parts.clusterParts, &groups);
-    SamplingCost each = two;  // for 2 * steps steps
+    SamplingCost each = two;  // cost of 2 * steps steps
     const double shown = std::max(0.0, two.seconds - bare.seconds);
     each.seconds = 2 * std::clamp(two.seconds - one.seconds, shown / 3, shown / 2);
     sum.add(each, times(count, 2 * windows * steps) / fraction);

@@ -35,8 +35,8 @@ struct SamplerInput {
   bool cull = true;  ///< drop provably enclosed faces and side patches
   /// True if the body is closed and its normals point outward; culling by direction is then valid.
   bool orientable = true;
-  const FaceClusters* clusters = nullptr;  ///< of the body, if they exist already
-  SampleCache* cache = nullptr;            ///< of the CPU sampler, for continuous motions
+  const FaceClusters* clusters = nullptr;  ///< clusters of the body, if they exist already
+  SampleCache* cache = nullptr;            ///< cache of the CPU sampler, for continuous motions
   /// Receives the number of crossings that the CPU sampler sorts, which determines its memory.
   std::uint64_t* crossings = nullptr;
   /// True if enclosed spaces always count as inside. Then elements deep inside the sweep may be
@@ -46,7 +46,7 @@ struct SamplerInput {
   /// The placements that a trial of the CPU sampler samples. In a continuous motion, the step that
   /// starts at such a placement is also sampled.
   PlacementRange only{};
-  const PlaceGroups* groups = nullptr;  ///< of the whole motion, if they exist already
+  const PlaceGroups* groups = nullptr;  ///< groups of the whole motion, if they exist already
   /// A trial uses one of this many parts of the clusters of a closed body
   /// (culling/kept_elements.h). 0: no clusters.
   std::size_t clusterParts = 1;

@@ -51,11 +51,11 @@ struct CollapseState {
   const NearestTriangle* original = nullptr;  ///< new triangles stay near it; null: not checked
   std::vector<std::unique_ptr<LabelSurface>> surfaces;  ///< by label
   TriMesh mesh;
-  std::vector<std::int32_t> label;  ///< by triangle
-  std::vector<VertexKind> kind;     ///< by vertex
+  std::vector<std::int32_t> label;  ///< label of each triangle
+  std::vector<VertexKind> kind;     ///< kind of each vertex
   /// By triangle: points that must stay near the triangle.
   std::vector<std::vector<Eigen::Vector3d>> attached;
-  std::vector<char> dead;  ///< by triangle: 1 if it was removed
+  std::vector<char> dead;  ///< for each triangle, 1 if it was removed
   /// By vertex: 1 if new triangles around it are sampled at half the tolerance. A vertex that
   /// collapses passes this flag on. Empty: no vertex has the flag.
   std::vector<char> careful;
@@ -70,9 +70,9 @@ struct CollapseState {
   // collapseEdges() sets the members below.
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< origin of the quadrics
   double spacing = 0;  ///< distance of the sample points on new triangles, mm
-  std::vector<std::vector<std::int32_t>> around;  ///< by vertex: its triangles
+  std::vector<std::vector<std::int32_t>> around;  ///< for each vertex, its triangles
   std::vector<Quadric> quadric;
-  std::vector<char> gone;  ///< by vertex: 1 if it was removed
+  std::vector<char> gone;  ///< for each vertex, 1 if it was removed
   std::vector<std::uint32_t> stamp;
 };
 

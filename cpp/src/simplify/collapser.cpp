@@ -16,9 +16,10 @@ using Eigen::Vector3d;
 
 // Share of the squared tolerance; a search stops at a point this near.
 constexpr double kNearFraction = 0.25;
-constexpr double kFoldFraction = 0.1;  // of the tolerance: how far a border may pass over its patch
-constexpr double kMinCosine = 0.2;     // a triangle may turn by less than 78 degrees
-constexpr double kMinShape = 0.01;     // height / longest side of a new triangle
+// Share of the tolerance by which a border may pass over its patch.
+constexpr double kFoldFraction = 0.1;
+constexpr double kMinCosine = 0.2;  // a triangle may turn by less than 78 degrees
+constexpr double kMinShape = 0.01;  // height / longest side of a new triangle
 // Limit for the sample points on new triangles, as a share of the squared tolerance. The rest
 // allows for the surface between the points.
 constexpr double kNetFraction = 0.96;

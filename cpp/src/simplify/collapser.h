@@ -85,14 +85,15 @@ class Collapser {
   std::vector<std::int32_t> ring_, otherRing_, common_;
   std::vector<std::int32_t> staying_, dying_;  // triangles
   std::vector<Corners> was_;  // vertices of the remaining triangles before the step
-  std::vector<std::array<Point, 3>> corners_;  // the same after the step
+  std::vector<std::array<Point, 3>> corners_;  // vertices of these triangles after the step
   // Attached points, each with the index in staying_ of its new triangle.
   std::vector<std::pair<Point, std::int32_t>> moved_;
   std::vector<std::int32_t> hits_;
   // Triangles near those that stay, with their boxes.
   std::vector<std::pair<std::int32_t, MovingBoxes::Box>> around_;
   std::int32_t nearest_ = -1;  // triangle of the original near the last point in question
-  std::int32_t placed_ = -1;   // the same for the new position of the vertex that stays
+  // Triangle of the original near the new position of the staying vertex.
+  std::int32_t placed_ = -1;
 };
 
 }  // namespace swept

@@ -26,7 +26,7 @@ constexpr double kFirstFraction = 0.1;  // share of the limit in the first round
 // quarter of the triangles of the mesh for surface recognition. More rounds do not make it smaller.
 struct Manner {
   int rounds = 3;
-  double meanFraction = 1;  // of the limit: largest root mean square distance from the planes
+  double meanFraction = 1;  // share of the limit: largest root mean square distance from the planes
   double minCosine = 0.5;   // a triangle may turn by less than 60 degrees
   double minShape = 0.03;   // area vector / longest side squared
   double longest = 50;  // limit of a new edge's length, as a multiple of the mean edge of the input

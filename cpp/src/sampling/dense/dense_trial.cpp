@@ -117,7 +117,7 @@ double secondsOfTest(const TriMesh& body, const BodyTests& tests) {
 /// Expected numbers of crossings of a copy of the body, and of a copy of the inner faces.
 struct Work {
   double body = 0, inner = 0;
-  double pairs = 0;  ///< of all candidate pairs of inner faces
+  double pairs = 0;  ///< crossings of all candidate pairs of inner faces
 };
 
 }  // namespace

@@ -29,10 +29,11 @@
 namespace swept::dense {
 
 struct LeakSearch {
-  std::int64_t tested = 0;   ///< number of surface points (outside ends of edges) that were tested
-  std::int64_t covered = 0;  ///< of these, number covered by a placement although called outside
-  double deepest = 0;        ///< mm: largest advance of a missed placement beyond such a point
-  bool complete = true;      ///< false: the search stopped at a limit
+  std::int64_t tested = 0;  ///< number of surface points (outside ends of edges) that were tested
+  /// Number of these points that a placement covers, although they were called outside.
+  std::int64_t covered = 0;
+  double deepest = 0;    ///< mm: largest advance of a missed placement beyond such a point
+  bool complete = true;  ///< false: the search stopped at a limit
   /// Missing (face, placement) pairs, sorted; each occurs once.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> missing;
 };

@@ -18,7 +18,7 @@ namespace swept::gl {
 struct ElementSource {
   bool listed = false;
   std::vector<SweptElement> list;
-  std::uint32_t faces = 0;         ///< of the body
+  std::uint32_t faces = 0;         ///< number of faces of the body
   std::uint32_t perPlacement = 0;  ///< faces, or faces and edges
   std::uint32_t placements = 0;
 

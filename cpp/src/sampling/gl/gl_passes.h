@@ -18,7 +18,7 @@
 namespace swept::gl {
 
 struct GlSettings {
-  std::uint64_t budgetBytes = std::uint64_t{192} << 20;  ///< for marks, lists and chunks
+  std::uint64_t budgetBytes = std::uint64_t{192} << 20;  ///< memory for marks, lists and chunks
   std::uint64_t chunkBytes = 0;  ///< placements or elements per chunk; 0: from the limits
   double fenceTimeoutSeconds = 10;
   std::uint32_t firstBatch = 1024;  ///< elements in the first draw; later draws adapt
