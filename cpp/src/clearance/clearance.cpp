@@ -61,8 +61,8 @@ std::vector<const ClearanceNeighbour*> withoutIgnored(const std::vector<Clearanc
   return kept;
 }
 
-/// Adds a finding about allowed contacts for which a greater depth could not be excluded. Its text
-/// names the deepest one.
+/// Adds a finding about allowed contacts for which a greater depth could not be excluded. The text
+/// names the deepest contact.
 void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
   Finding finding{"ContactNotProven", 0, {}, ""};
   const NeighbourClearance* worst = nullptr;

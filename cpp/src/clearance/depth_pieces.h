@@ -1,4 +1,4 @@
-// Pieces of the surfaces of two parts, for the search for their deepest overlap.
+// Measures pieces of the surfaces of two parts, to find where the parts overlap most deeply.
 // In:      two parts and their relative placement.
 // Out:     bounds on how deep the points of a piece lie inside the other part.
 // Units:   mm.

@@ -1,6 +1,6 @@
-// The parts are prepared in parallel. Boxes over time discard the pairs that stay far apart. Each
-// remaining pair is searched like one moving body, in the frame of the part from which the other
-// moves less.
+// The parts are prepared in parallel. Boxes over time discard the pairs of parts that stay far
+// apart. Each remaining pair is searched like one moving body. The frame of the search is that part
+// from which the other one is seen to move less.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/mechanism.h"
 

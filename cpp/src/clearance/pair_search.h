@@ -1,4 +1,5 @@
-// Distance of two meshes at one pose, and proof that they stay apart during a part of a motion.
+// Measures the distance of two meshes at one pose, and proves that they stay apart during a part of
+// a motion.
 // In:      the bounding volume hierarchies of both meshes; a pose, or a node of the motion's tree.
 // Out:     the nearest pair of triangles, or "no pair comes nearer than x anywhere in this node".
 // Units:   mm.
@@ -39,8 +40,8 @@ class PairSearch {
  public:
   PairSearch(const Part& body, const Part& neighbour) : body_(body), neighbour_(neighbour) {}
 
-  /// Returns the smallest distance at a pose. If it is not less than `below`, returns `below` and
-  /// no pair.
+  /// Returns the smallest distance at a pose. If this distance is not less than `below`, returns
+  /// `below` and no pair.
   PairDistance distanceAt(const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double below,
                           LeafPair hint = {}) const;
 

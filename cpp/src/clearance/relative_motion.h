@@ -7,8 +7,6 @@
 // Cost:    O(n) for the n joined times of both motions, O(log n) for the pose at one time.
 // Why:     The bounds are certain. Between two joined times each body follows one step at constant
 //          angular speed. In the moving frame, the velocity of a point is the difference of both
-// Why:     The bounds are certain. Between two joined times each body follows one step at constant
-//          angular speed. In the moving frame, the velocity of a point is the difference of both
 //          velocity fields. Its acceleration is at most w1^2 r1 + w2^2 r2 + 2 w2 v: two centripetal
 //          terms and the Coriolis term. Here r2 is the largest distance of the first body from the
 //          rotation axis of the second. The acceleration limits how far the point departs from its

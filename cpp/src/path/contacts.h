@@ -1,4 +1,5 @@
-// Directions in which the part can move at a placement, because no contact blocks them.
+// Finds the directions in which the part can move at a placement without being blocked by a
+// contact.
 // In:      a placement and the neighbours near it.
 // Out:     moves of unit length, the most promising first.
 // Units:   mm, rad. A twist has length 1 if no point of the part travels more than 1 mm.

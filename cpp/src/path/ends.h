@@ -1,8 +1,8 @@
 // Examines the start, the goal or another required placement of a path. Checks whether the part is
 // free there, and finds ways out of contact if it touches a neighbour.
 // In:      a placement that a path has to reach.
-// Out:     ways from there to placements that keep the required distance from each neighbour; or an
-//          Error that names the neighbour in the way and the distance or depth.
+// Out:     ways from this placement to placements that keep the required distance from each
+//          neighbour; or an Error that names the neighbour in the way and the distance or depth.
 // Units:   mm.
 // Cost:    one exact check per neighbour; if parts touch, also one for each direction that is
 //          tried.

@@ -48,8 +48,8 @@ struct Limits {
   bool over() const { return timer.seconds() > seconds; }
 };
 
-/// Returns a test of a move: whether the part stays within the largest turn from its orientation at
-/// the goal.
+/// Returns a function that tests a move: whether the part stays within the largest turn from its
+/// orientation at the goal.
 MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space);
 
 LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,

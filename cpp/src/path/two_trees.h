@@ -1,5 +1,5 @@
-// Search in six dimensions: a tree of moves grows from the start and one from the goal until they
-// meet.
+// Search in six dimensions: one tree of moves grows from the start and another from the goal until
+// they meet.
 // In:      placements to grow from, and the space to search.
 // Out:     placements from start to goal, with each move between two of them proven free.
 // Units:   mm, rad.

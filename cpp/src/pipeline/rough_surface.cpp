@@ -13,7 +13,8 @@
 namespace swept {
 namespace {
 
-/// Bounds of the number of placements of the rough motion. RoughRoom::faces chooses between them.
+/// Bounds of the number of placements of the rough motion. Between the bounds, the limit
+/// RoughRoom::faces decides.
 constexpr std::size_t kFewest = 6, kMost = 192;
 /// A motion of at most this many placements is used whole, if its faces are within the limit.
 constexpr std::size_t kMostWhole = 384;

@@ -1,5 +1,6 @@
-// Decides which clusters of faces can matter at which placements ("are shown"). It decides blocks
-// of placements as a whole; what a block leaves out is not tested again for its single placements.
+// Decides which clusters of faces can matter at which placements. These clusters "are shown", all
+// others are hidden. Blocks of placements are decided as a whole. A cluster that a block hides is
+// not tested again at the single placements of the block.
 //
 // In: body, motion, clusters, and, if known, the map of the inside.
 // Out: the clusters shown at every placement.

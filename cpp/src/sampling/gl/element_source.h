@@ -1,10 +1,9 @@
 // Decides which elements of the swept surface are drawn, and numbers them.
 //
-// Listed: the elements of a continuous motion that culling keeps, one by one, in the order of the
-// CPU sampler.
-// Not listed (dense motions, or culling switched off): every face at every placement and, if the
-// motion is continuous, every edge in every step. Then there is no list; the shader derives the
-// elements from their numbers.
+// A continuous motion with culling has a list: the elements that culling keeps, one by one, in the
+// order of the CPU sampler. Dense motions, and motions without culling, have no list. Then every
+// face is drawn at every placement and, if the motion is continuous, every edge in every step. The
+// shader derives these elements from their numbers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
