@@ -26,8 +26,8 @@ Twist unscaled(const Scene& scene, const Vector6d& v) {
   return {v.head<3>(), v.tail<3>() / scene.radius()};
 }
 
-// Returns the normal of a contact. Triangles that touch have no line between their nearest points.
-// Then it is the normal of the neighbour's triangle.
+// Returns the normal of a contact. Triangles that touch have no line between their nearest points;
+// then the normal of the neighbour's triangle is used.
 Vector3d normalOf(const NearestPoints& near, const Triangle3d& still) {
   const double distance = std::sqrt(near.squared);
   if (distance > 1e-6) return (near.a - near.b) / distance;

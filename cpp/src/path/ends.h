@@ -29,8 +29,9 @@ struct Demand {
   bool turns = true;
 };
 
-/// Returns the distance, in mm, that the triangles must keep. It is slightly larger than what the
-/// check accepts as clear, so that rounding does not matter. `chordErrors`: sum for both parts.
+/// Returns the distance, in mm, that the triangles must keep. It is slightly larger than the
+/// distance that the check accepts as clear, so that rounding does not matter. `chordErrors` is the
+/// sum for both parts.
 double apartBy(double required, double chordErrors, double tolerance);
 
 /// Combines the rules of the neighbours and the options.

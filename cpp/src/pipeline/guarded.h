@@ -14,7 +14,7 @@ namespace swept {
 /// Call it in a catch block: empties the result and writes the caught exception to its report.
 void failAsThrown(Result& result);
 
-// A template: a std::function might allocate memory before the try block.
+// This is a template, because a std::function might allocate memory before the try block.
 template <class Work>
 void guarded(Result& result, const Work& work) {
   try {

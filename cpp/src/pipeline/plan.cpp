@@ -68,7 +68,8 @@ Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, 
   return refineMotion(points, trajectory, chord / 2, run);
 }
 
-/// Returns false if the sweep leaves the last grid or fills too little of it.
+/// Plans the run on the grid of the last run. Returns false if the sweep leaves that grid or fills
+/// too little of it.
 bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
   const GridPlan& last = *p.lastGrid;
   Motion motion = refined(p, options, last.cell, false, run);

@@ -28,7 +28,7 @@ constexpr std::size_t kMostWindows = 32, kFewestWindows = 2;
 constexpr std::size_t kLooks = 4, kLookFaces = 4096;
 /// A trial samples at least this many groups of kClustersTogether clusters each.
 constexpr std::size_t kFewestParts = 24;
-/// Each further copy costs at least this fraction of the mean cost of a sampled copy.
+/// Each further copy is assumed to cost at least this fraction of the mean cost of a sampled copy.
 constexpr double kLeastFraction = 0.2;
 /// Bytes of a crossing that is being sorted (with its share of the buffer), and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;

@@ -31,10 +31,10 @@ struct Carrier {
   /// True if the material lies outside (a bore). The outward normal then points towards the axis or
   /// centre.
   bool reversed = false;
-  /// The curve that generates the surface; outward is to its right. Extrusion: in the plane
-  /// perpendicular to the axis, with coordinates along xdir and axis x xdir from `point`.
-  /// Revolution: in the half plane of xdir, with coordinates distance from the axis and position
-  /// along it.
+  /// The curve that generates the surface; outward is to its right. The profile of an extrusion
+  /// lies in the plane perpendicular to the axis, with coordinates along xdir and axis x xdir from
+  /// `point`. The profile of a revolution lies in the half plane of xdir. Its coordinates are the
+  /// distance from the axis and the position along the axis.
   std::shared_ptr<const Profile> profile;
 
   bool isPlanar() const { return kind == CarrierKind::Facet || kind == CarrierKind::Plane; }
