@@ -154,9 +154,9 @@ class Thinner {
       if (partOf_[v] != partOf_[w]) inner_[v] = inner_[w] = 0;
     }
   }
-  // Removes vertices in [begin, end). With `inner`, removes only vertices with all neighbours in
-  // their part. Collapses in other parts do not touch the triangles of these vertices, so all parts
-  // can run in parallel.
+  // Removes vertices in [begin, end). With `inner`, only vertices with all neighbours in their
+  // part. Collapses in other parts do not touch the triangles of such vertices: parts can run in
+  // parallel.
   void pass(std::int32_t begin, std::int32_t end, double limit, bool inner) {
     Scratch scratch;
     for (std::int32_t v = begin; v < end; ++v) {
@@ -226,8 +226,7 @@ class Thinner {
     return true;
   }
 
-  // Returns whether the new triangles keep the limit. `off` receives how far the vertices merged
-  // into u may deviate from the new triangles.
+  // `off` receives how far the vertices merged into u may deviate from the new triangles.
   bool trianglesHold(std::int32_t edge, double limit, double& off) const {
     const std::int32_t u = vertex_[edge];
     const Vector3d &from = points_[u], &to = points_[target(edge)];
@@ -249,8 +248,7 @@ class Thinner {
     return off <= limit;
   }
 
-  // Calls visit(corners) for the triangles at v that do not touch u, until visit returns false.
-  // Returns false in that case, else true.
+  // Returns whether visit(corners) is true for all triangles at v that do not touch u.
   template <class Visit>
   bool allAbout(std::int32_t v, std::int32_t u, const Visit& visit) const {
     std::int32_t h = fan_[v];
