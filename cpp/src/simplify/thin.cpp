@@ -154,9 +154,8 @@ class Thinner {
       if (partOf_[v] != partOf_[w]) inner_[v] = inner_[w] = 0;
     }
   }
-  // Removes vertices in [begin, end). With `inner`, only vertices with all neighbours in their
-  // part. Collapses in other parts do not touch the triangles of such vertices: parts can run in
-  // parallel.
+  // Removes vertices in [begin, end); with `inner`, only those with all neighbours in their part.
+  // Collapses in other parts do not touch their triangles, so all parts can run in parallel.
   void pass(std::int32_t begin, std::int32_t end, double limit, bool inner) {
     Scratch scratch;
     for (std::int32_t v = begin; v < end; ++v) {
