@@ -33,7 +33,7 @@ void checkClearanceOptions(const ClearanceOptions& o,
   }
 }
 
-constexpr std::size_t kMostFirst = 8;  // most indices that a finding lists
+constexpr std::size_t kMostFirst = 8;  // largest number of indices that a finding lists
 
 void summarise(ClearanceReport& report) {
   std::vector<const NeighbourClearance*> rows;
@@ -61,8 +61,8 @@ std::vector<const ClearanceNeighbour*> withoutIgnored(const std::vector<Clearanc
   return kept;
 }
 
-/// Adds a finding about allowed contacts for which a greater depth could not be excluded. Its text
-/// names the deepest one.
+/// Adds a finding about allowed contacts for which a greater depth could not be excluded. The text
+/// names the deepest contact.
 void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
   Finding finding{"ContactNotProven", 0, {}, ""};
   const NeighbourClearance* worst = nullptr;
@@ -161,8 +161,9 @@ ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory
 ClearanceReport firstContacts(const TriMesh& body, const Trajectory& trajectory,
                               const std::vector<ClearanceNeighbour>& neighbours,
                               const ClearanceOptions& options, RunContext& run) {
-  // The allowed depth is a tenth larger than the depth found, since a rotating bearing may lie
-  // slightly deeper at other times. It is rounded to hundredths, which are easier to read.
+  // The allowed depth is a tenth larger than the depth at the first pose, since a rotating bearing
+  // may lie slightly deeper at other times. It is rounded up to hundredths, which are easier to
+  // read.
   constexpr double kMore = 1.1, kRound = 0.01;
   Trajectory first = trajectory;
   first.interpolation = Interpolation::None;

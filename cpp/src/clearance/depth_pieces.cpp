@@ -24,9 +24,9 @@ Vector3d seen(const Matrix3d& R, const Vector3d& t, bool ofBody, const Vector3d&
   return ofBody ? Vector3d(R * local + t) : Vector3d(R.transpose() * (local - t));
 }
 
-// Bounds the distance of a piece's points from the surface of the other part. The distance from one
-// triangle of that surface is convex, so it is largest at a corner of the piece. Where faces lie
-// flat on each other, the bound equals the depth, whatever the size of the piece.
+// Returns an upper bound of the depth of all points of the piece. The distance from the triangle
+// nearest to the centre is convex, so it is largest at a corner of the piece. Where faces lie flat
+// on each other, the bound equals the depth, whatever the size of the piece.
 template <class Corners>
 double farthestCorner(const PairSearch& pair, const Matrix3d& R, const Vector3d& t,
                       const Piece& piece, const Vector3d& centre, const Corners& corners) {

@@ -1,4 +1,4 @@
-// Pieces of the surfaces of two parts, for the search for their deepest overlap.
+// Measures pieces of the surfaces of two parts, to find where the parts overlap most deeply.
 // In:      two parts and their relative placement.
 // Out:     bounds on how deep the points of a piece lie inside the other part.
 // Units:   mm.
@@ -21,10 +21,10 @@ struct Piece {
 };
 
 struct Probe {
-  double depth = 0;  // at the centre of the piece
+  double depth = 0;  // depth of the centre of the piece
   double radius = 0;
-  double most = 0;               // no point of the piece lies deeper
-  Eigen::Vector3d surfacePoint;  // in the neighbour's frame, at the representative pose
+  double most = 0;               // upper bound of the depth of all points of the piece
+  Eigen::Vector3d surfacePoint;  // the centre, in the neighbour's frame at the representative pose
   double surfaceDepth = 0;
 };
 
@@ -36,10 +36,11 @@ double depthIn(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Ve
                bool ofBody, const Eigen::Vector3d& local);
 Probe probe(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
             const Piece& piece);
-/// Appends the parts of a piece: the children of a node, or four triangles of a triangle.
+/// Appends the smaller pieces that a piece consists of: the children of a node, or the four
+/// triangles into which a triangle is cut.
 void cutPiece(const PairSearch& pair, const Piece& piece, std::vector<Piece>& out);
-/// Returns the root piece of each part that the other part may contain. A part contains points only
-/// if it is closed.
+/// Returns the root piece of each part, but only if the other part is closed. Nothing lies inside
+/// an open part.
 std::vector<Piece> roots(const PairSearch& pair);
 
 }  // namespace swept::clearance

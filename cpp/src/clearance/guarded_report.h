@@ -15,8 +15,8 @@
 namespace swept::clearance {
 
 /// Calls work() with the thread count of the run. If work() fails, takeBack(report) removes partial
-/// results, since an unfinished run must not look like a result. Messages name the computation by
-/// `what` and its input by `inputs`.
+/// results, since an unfinished run must not look like a result. In messages, `what` names the
+/// computation and `inputs` names its input.
 template <class Report, class TakeBack, class Work>
 void fillGuarded(Report& report, RunContext& run, const std::string& what,
                  const std::string& inputs, const TakeBack& takeBack, const Work& work) {

@@ -1,6 +1,6 @@
-// The parts are prepared in parallel. Boxes over time discard the pairs that stay far apart. Each
-// remaining pair is searched like one moving body, in the frame of the part from which the other
-// moves less.
+// The parts are prepared in parallel. Boxes over time discard the pairs of parts that stay far
+// apart. Each remaining pair is searched like one moving body. The frame of the search is that part
+// from which the other one is seen to move less.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/mechanism.h"
 
@@ -140,8 +140,8 @@ class PairLook {
   RunContext& run_;
 };
 
-/// Returns the pairs that may come near, of which at least one part moves, and that no rule
-/// excludes.
+/// Returns the pairs of parts that may come near each other. At least one part of each pair moves,
+/// and no rule excludes the pair.
 std::vector<PartPair> candidates(const std::vector<PreparedPart>& prepared, const PairRules& rules,
                                  const MechanismReport& report) {
   std::vector<std::optional<SweptBoxes>> built(prepared.size());
@@ -157,7 +157,7 @@ std::vector<PartPair> candidates(const std::vector<PreparedPart>& prepared, cons
   return pairs;
 }
 
-/// Counts the pairs of which at least one part moves and that no rule excludes.
+/// Counts the pairs that no rule excludes and in which at least one part moves.
 std::int64_t askedPairs(const std::vector<PreparedPart>& prepared, const PairRules& rules) {
   const std::int64_t all = std::ssize(prepared);
   const std::int64_t still = std::count_if(prepared.begin(), prepared.end(),

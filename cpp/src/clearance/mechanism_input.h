@@ -1,7 +1,7 @@
 // Checks and prepares the parts of a mechanism for the search, and finds their common time span.
 // In:      parts as the caller gives them.
-// Out:     hierarchies and timed motions, with the pivot of each part as the origin of its
-//          coordinates.
+// Out:     bounding volume hierarchies and timed motions, with the pivot of each part as the origin
+//          of its coordinates.
 // Units:   mm, s.
 // Cost:    O(n log n) in the number of triangles; parts are prepared in parallel.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -17,7 +17,7 @@ namespace swept::clearance {
 
 struct PreparedPart {
   Part part;
-  bool mended;  ///< a repaired copy, whose triangle numbers mean nothing to the caller
+  bool mended;  ///< true: `part` is a repaired copy, so the caller cannot use its triangle numbers
   Eigen::Vector3d pivot;
   TimedMotion motion;
   std::vector<Finding> findings;
@@ -29,8 +29,8 @@ std::vector<PreparedPart> prepareParts(const std::vector<MechanismPart>& parts, 
 /// Returns the checked motion of one part, as poses of its pivot.
 Trajectory timedPoses(const MechanismPart& part, std::vector<Finding>& findings);
 
-/// Returns the time span that all motions share. Throws NothingMoves or NoCommonTime. Adds a
-/// finding about motions that extend beyond the span.
+/// Returns the time span that all motions share. Throws Error(InvalidInput) with the code
+/// NothingMoves or NoCommonTime. Adds a finding about motions that extend beyond the span.
 TimeInterval commonTime(const std::vector<MechanismPart>& parts,
                         const std::vector<PreparedPart>& prepared, std::vector<Finding>& findings);
 

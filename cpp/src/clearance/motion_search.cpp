@@ -23,8 +23,8 @@ struct QueuedNode {
   int level = 0;
 };
 
-// Effort for a proof. Proofs mostly fail near the root, so the effort is small there and doubles
-// with each split.
+// Returns the effort for a proof. Proofs mostly fail near the root, so the effort is small there
+// and doubles with each split.
 std::int64_t effortAt(int level) { return std::int64_t{1000} << std::min(level, 11); }
 
 struct Examined {
@@ -56,8 +56,8 @@ class MinimumSearch {
     queue_.push({key, number_++, node, hint, level});
   }
 
-  // Measures the distance at a few spread representatives for a first bound, and starts the queue
-  // with their nodes.
+  // Measures the distance at the representative poses of a few nodes spread over the motion, for a
+  // first bound. Starts the queue with these nodes.
   void seed() {
     std::vector<MotionNode> nodes{c_.motion.root()};
     for (bool grown = true; grown && nodes.size() < 32;) {
@@ -91,7 +91,7 @@ class MinimumSearch {
     if (overlapping && result_.distance > slack_) takeInside(*overlapping);
   }
 
-  /// mm; surfaces at this distance or farther apart count as not touching.
+  /// Returns the distance, in mm, from which on surfaces count as not touching.
   double meeting() const { return std::max(slack_, std::numeric_limits<double>::min()); }
 
   void takeInside(double parameter) {
@@ -217,9 +217,9 @@ struct LevelItem {
   Level outcome = Level::Clear;
 };
 
-/// Upper bound, in mm, of the distance of these nearest points anywhere in the node. Along the line
-/// between them the distance grows at most by the advance of the body's point, across it by at most
-/// the reach.
+/// Returns an upper bound, in mm, of the distance of these nearest points anywhere in the node.
+/// Along the line between the points, the distance grows at most by the advance of the body's
+/// point; across the line, at most by the reach.
 double largestDistance(const MotionBound& b, const PairDistance& d) {
   if (d.pair.body < 0 || d.distance <= 0) return d.distance + b.reach;
   const Eigen::Vector3d n = (d.onBody - d.onNeighbour) / d.distance;

@@ -1,6 +1,6 @@
-// Smallest distance over a whole motion, time spans below a given distance, and samples for a
-// graph.
-// In:      a pair of meshes and a hierarchy over the motion.
+// Finds the smallest distance over a whole motion, the time spans in which the distance is below a
+// given value, and samples of the distance for a graph.
+// In:      a pair of meshes and the tree of the motion (motion_tree.h).
 // Out:     plain values. They do not depend on the number of threads: nodes are examined in rounds
 //          of fixed size and merged in order.
 // Units:   mm.
@@ -45,13 +45,13 @@ struct Minimum {
 Minimum searchMinimum(SearchContext& context, double slack);
 
 /// Returns true only if the parts overlap by at least `atLeast` at a pose. May return false
-/// although they do.
+/// although the parts do overlap that far.
 using OverlapTest =
     std::function<bool(const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double atLeast)>;
 
-/// Returns spans of the motion parameter, in ascending order, that contain each time with a
-/// distance below `level` (> 0). Each end is too long by at most `resolution` of travel. Without
-/// interpolation, a single pose gives a span with from == to.
+/// Returns spans of the motion parameter, in ascending order. Together they contain all times with
+/// a distance below `level` (> 0). Each end of a span is too far out by at most `resolution` (mm of
+/// travel). Without interpolation, a single pose gives a span with from == to.
 std::vector<std::pair<double, double>> spansBelow(SearchContext& context, double level,
                                                   double resolution, const OverlapTest& overlaps);
 

@@ -46,7 +46,7 @@ class PathSteps : public MotionSteps {
  private:
   struct Step {  // from pose i to pose i + 1
     StepPath path;
-    double radius = 0;  ///< of the body's box about the rotation axis
+    double radius = 0;  ///< largest distance of the body's box from the rotation axis
   };
   std::vector<Step> steps_;
 };

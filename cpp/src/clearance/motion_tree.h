@@ -1,13 +1,13 @@
-// Hierarchy over a motion. Single poses, or steps between poses, form clusters of similar
-// placements.
+// A binary tree over a motion. Its nodes are clusters of similar placements. The members of a
+// cluster are steps between poses or, without interpolation, single poses.
 // In:      trajectory; box of the body in its own frame. The parameter of a motion is pose index +
 //          s, where s in [0, 1] is the share of the step after that pose.
 // Out:     for each node a representative pose, and bounds on the displacement of any point of the
 //          body from its position at that pose: in all directions, and along one direction.
 // Units:   mm, rad.
 // Cost:    O(n log n), about 600 bytes per pose.
-// MotionSteps supplies the steps: of one body in the world, or of one moving body relative to
-// another (relative_motion.h).
+// The class MotionSteps supplies the steps: those of one body in the world, or those of one moving
+// body relative to another (relative_motion.h).
 // Why:     The corners of a box suffice: a displacement is affine in the point, so its length is
 //          convex and largest at a corner of any box that contains the body.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -21,20 +21,20 @@
 
 namespace swept::clearance {
 
-/// Steps between successive poses, as the hierarchy needs them. s in [0, 1] is the share of a step.
-/// All bounds hold for the box of the body that the hierarchy uses.
+/// Steps between successive poses, as the tree needs them. s in [0, 1] is the share of a step. All
+/// bounds hold for the box of the body from which the tree is built.
 class MotionSteps {
  public:
   struct Flow {
     Pose pose;       ///< at s
     Twist twist;     ///< at s, per unit of s, in the frame of the poses
-    double fastest;  ///< mm per unit of s; no point is faster anywhere in the step
+    double fastest;  ///< mm per unit of s, upper bound of the speed of any point in the whole step
   };
   virtual ~MotionSteps() = default;
   virtual Pose poseAt(std::int64_t step, double s) const = 0;
   virtual Flow flowAt(std::int64_t step, double s) const = 0;
-  /// mm; in the step no point departs farther from the chord between its two end positions. This is
-  /// an eighth of the largest acceleration.
+  /// Returns, in mm, an upper bound of how far any point departs in the step from the chord between
+  /// its two end positions. The bound is an eighth of the largest acceleration.
   virtual double bulge(std::int64_t step) const = 0;
 };
 
@@ -66,23 +66,25 @@ struct MotionBound {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   Eigen::Vector3d t = Eigen::Vector3d::Zero();
   double parameter = 0;
-  double reach = 0;  ///< mm, largest displacement of any point of the body from the representative
+  /// mm, largest displacement of any point from its position at the representative
+  double reach = 0;
 
-  /// Largest advance along the unit vector n of any body point in the given box (body frame).
+  /// Returns the largest advance along the unit vector n of any body point in the given box (body
+  /// frame).
   double advance(const Eigen::Vector3d& n, const Eigen::Vector3d& centre,
                  const Eigen::Vector3d& half) const;
 
  private:
   friend class MotionTree;
   enum class Kind { Point, Flow, Cluster } kind_ = Kind::Point;
-  // Flow: velocity v(x) = linear + angular x position at the representative, half the span, and a
-  // second-order bound.
+  // If kind_ is Flow: velocity v(x) = linear + angular x position at the representative, half the
+  // span, and a second-order bound.
   Eigen::Vector3d linear_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_ = Eigen::Vector3d::Zero();
   double span_ = 0;
   double rest_ = 0;
-  // Cluster: the interval of each matrix entry over all members. Columns 0 to 2 are R - R_rep,
-  // column 3 is the displacement of the body's centre.
+  // If kind_ is Cluster: the interval of each matrix entry over all members. Columns 0 to 2 are R -
+  // R_rep, column 3 is the displacement of the body's centre.
   const Eigen::Matrix<double, 3, 4>* low_ = nullptr;
   const Eigen::Matrix<double, 3, 4>* high_ = nullptr;
   Eigen::Vector3d bodyCentre_ = Eigen::Vector3d::Zero();
@@ -92,7 +94,7 @@ class MotionTree {
  public:
   MotionTree(const Trajectory& trajectory, const Eigen::Vector3d& bodyCentre,
              const Eigen::Vector3d& bodyHalf);
-  /// `poses`: the ends of the steps, so one more than there are steps; at least two.
+  /// `poses` are the ends of the steps, at least two: one pose more than there are steps.
   MotionTree(std::vector<Pose> poses, std::unique_ptr<const MotionSteps> steps,
              const Eigen::Vector3d& bodyCentre, const Eigen::Vector3d& bodyHalf);
 
@@ -114,7 +116,8 @@ class MotionTree {
  private:
   struct Cluster {
     std::int32_t first, last;  ///< range of order_, half open
-    /// Index of the second child; the first child is the next node. -1: members, no child clusters.
+    /// Index of the second child; the first child is the next node. -1: the cluster has no
+    /// children.
     std::int32_t right = -1;
     std::int32_t representative = 0;
     double reach = 0;

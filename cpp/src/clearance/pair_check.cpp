@@ -29,8 +29,8 @@ class PairCheck {
     if (!least.found()) least.distance = std::numeric_limits<double>::infinity();
     row.inside = least.inside;
     if (least.inside || least.distance <= slack) {
-      // Where contact is allowed, parts overlap slightly in many places, so the search may take
-      // longer.
+      // Where contact is allowed, parts overlap slightly in many places, so the search is given
+      // more effort.
       const std::int64_t effort = row.rule.contact ? 200000 : o_.penetration ? 40000 : 4000;
       row.penetration = deepestPenetration(context, least, o_.tolerance, effort);
       const bool undecidable = !row.penetration.known && least.distance <= 0 &&

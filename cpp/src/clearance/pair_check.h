@@ -1,5 +1,6 @@
-// Checks one neighbour: from two parts and a motion to one row of the report.
-// In:      parts, which are prepared once and serve many motions, and the hierarchy over a motion.
+// Checks one neighbour: computes its row of the report.
+// In:      two parts, which are prepared once for many motions, and the tree of one motion
+//          (motion_tree.h).
 // Out:     the row that docs/clearance.md describes.
 // Units:   mm.
 // Cost:    some hundred distance queries, more if the parts overlap.
@@ -23,8 +24,8 @@ struct CheckedPair {
   bool bodyMended;
   const Part& neighbour;
   bool neighbourMended;
-  /// mm; a pair that never comes nearer gets an infinite distance and no curve. Must exceed the
-  /// required distance plus the chord errors plus two tolerances.
+  /// mm; a pair that never comes nearer than this gets an infinite distance and no curve. Must
+  /// exceed the sum of the required distance, the chord errors and two tolerances.
   double within = std::numeric_limits<double>::infinity();
 };
 
@@ -38,7 +39,7 @@ struct CheckedNeighbour {
 /// Returns the rule that holds for a neighbour: its own, or else the common required distance.
 NeighbourRule askedOf(const NeighbourRule& own, double commonRequired);
 
-/// Throws Error(Cancelled).
+/// Computes the row of one neighbour. Throws Error(Cancelled).
 NeighbourClearance checkPair(const CheckedPair& parts, const CheckedNeighbour& neighbour,
                              const MotionTree& motion, const ClearanceOptions& options,
                              RunContext& run);

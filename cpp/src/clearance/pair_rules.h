@@ -16,9 +16,9 @@ class PairRules {
   /// twice. "BadRule": a rule is impossible, or two rules contradict each other for a pair.
   PairRules(const std::vector<std::string>& names, const MechanismOptions& options);
 
-  /// Returns the rule of a pair: a required distance, contact or ignored.
+  /// Returns the rule of a pair: its required distance, its allowed contact, or that it is ignored.
   NeighbourRule of(PartPair pair) const;
-  /// mm, the largest required distance of all pairs.
+  /// Returns the largest required distance of all pairs, mm.
   double largestRequired() const;
   bool ignores(PartPair pair) const { return of(pair).ignored; }
   /// Pairs that a rule excludes, in ascending order.

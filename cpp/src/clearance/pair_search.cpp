@@ -11,19 +11,21 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Gap of two boxes at one pose. The gap is a lower bound of the distance, and the boxes are at
-// least so far apart along the direction of the gap.
+// Gap of two boxes at one pose. The gap is a lower bound of the distance. Along the direction of
+// the gap, the boxes are at least that far apart.
 class BoxGap {
  public:
   BoxGap(const Matrix3d& R, const Vector3d& t) : R_(R), t_(t), absolute_(R.cwiseAbs()) {}
 
-  // Gap in the axes of the neighbour. The moving box is replaced by its bounding box in these axes.
+  // Returns the gap in the axes of the neighbour. The moving box is replaced by its bounding box in
+  // these axes.
   double inWorld(const Box& moving, const Box& still) {
     offset_ = still.centre - (R_ * moving.centre + t_);
     world_ = (offset_.cwiseAbs() - absolute_ * moving.half - still.half).cwiseMax(0.0);
     return world_.norm();
   }
-  // Gap in the axes of the body. Call inWorld() for the same pair first, because it sets offset_.
+  // Returns the gap in the axes of the body. Call inWorld() for the same pair first, because it
+  // sets offset_.
   double inBody(const Box& moving, const Box& still) {
     local_ = R_.transpose() * offset_;
     gap_ = (local_.cwiseAbs() - moving.half - absolute_.transpose() * still.half).cwiseMax(0.0);
@@ -136,7 +138,8 @@ Triangle3d posed(const Matrix3d& R, const Vector3d& t, const Triangle3d& c) {
   return {Vector3d(R * c[0] + t), Vector3d(R * c[1] + t), Vector3d(R * c[2] + t)};
 }
 
-// Largest advance of a triangle along n. Displacements are affine, so a vertex has the largest one.
+// Returns the largest advance of a triangle along n. Displacements are affine, so a vertex has the
+// largest one.
 double advanceOf(const MotionBound& motion, const Vector3d& n, const Triangle3d& c) {
   double a = 0;
   for (const Vector3d& x : c) a = std::max(a, motion.advance(n, x, Vector3d::Zero()));

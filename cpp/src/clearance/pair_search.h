@@ -1,5 +1,6 @@
-// Distance of two meshes at one pose, and proof that they stay apart during a part of a motion.
-// In:      the hierarchies of both meshes; a pose, or a node of the hierarchy over the motion.
+// Measures the distance of two meshes at one pose, and proves that they stay apart during a part of
+// a motion.
+// In:      the bounding volume hierarchies of both meshes; a pose, or a node of the motion's tree.
 // Out:     the nearest pair of triangles, or "no pair comes nearer than x anywhere in this node".
 // Units:   mm.
 // Cost:    proportional to the surface area that lies nearer than the distance in question.
@@ -39,8 +40,8 @@ class PairSearch {
  public:
   PairSearch(const Part& body, const Part& neighbour) : body_(body), neighbour_(neighbour) {}
 
-  /// Returns the smallest distance at a pose. If it is not less than `below`, returns `below` and
-  /// no pair.
+  /// Returns the smallest distance at a pose. If this distance is not less than `below`, returns
+  /// `below` and no pair.
   PairDistance distanceAt(const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double below,
                           LeafPair hint = {}) const;
 

@@ -3,10 +3,11 @@
 // Out:     their bounding volume hierarchy, nearest point, inside test.
 // Units:   mm.
 // Cost:    O(n) to build, about 220 bytes per triangle; O(log n) per query on well-shaped parts.
-// Long thin triangles are frequent on tessellated solids. They are cut into pieces first (at most
-// half as many more triangles): a box around a long oblique sliver is nearly empty and would be
-// visited in vain. The boxes keep the axes of their mesh, so one rotation serves each pair of boxes
-// of two meshes. A box test is then several times cheaper than with individually oriented boxes.
+// Tessellated solids often have long thin triangles. A box around a long oblique sliver is nearly
+// empty, and a search would enter it in vain. So slivers are cut into pieces first, which adds at
+// most half as many triangles. All boxes keep the axes of their mesh. One rotation then serves all
+// pairs of boxes of two meshes, which makes a box test several times cheaper than with individually
+// oriented boxes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -36,29 +37,29 @@ struct NearestOnPart {
 
 class Part {
  public:
-  /// `who` names the mesh in messages. Throws Error(InvalidInput): EmptyMesh, BadIndex,
-  /// NonFiniteVertex.
+  /// Prepares the mesh. `who` names the mesh in messages. Throws Error(InvalidInput) with the code
+  /// EmptyMesh, BadIndex or NonFiniteVertex.
   Part(const TriMesh& mesh, const std::string& who);
 
   const BoxTree& tree() const { return tree_; }
   /// Returns the box of a node. The box of the root is exact; others are rounded outward.
   Box box(BoxTree::Node node) const;
   const Plate* plate(BoxTree::Node node) const { return plates_.of(node); }
-  /// Vertices of the triangle, or of the piece of a triangle, at a place of the tree.
+  /// Returns the vertices of the triangle, or of the piece of a triangle, at a place of the tree.
   const Triangle3d& corners(std::uint32_t place) const { return corners_[place]; }
   std::int64_t triangle(std::uint32_t place) const { return triangles_[place]; }
 
   /// Whether each edge is used equally often in both directions, so that "inside" has a meaning.
   bool closed() const { return rays_.has_value(); }
-  /// One surface point of each connected piece.
+  /// Returns one surface point of each connected piece.
   const std::vector<Eigen::Vector3d>& pieces() const { return pieces_; }
 
   /// Returns the nearest surface point. If no point is nearer than `within`, place is -1.
   NearestOnPart nearest(const Eigen::Vector3d& point, double within) const;
   /// Whether the winding number of the point is not 0. Always false if the mesh is open.
   bool inside(const Eigen::Vector3d& point) const;
-  /// Depth below the surface: positive inside, negative outside. For a point outside the bounding
-  /// box, returns only an upper bound (minus the distance to the box).
+  /// Returns the depth below the surface: positive inside, negative outside. For a point outside
+  /// the bounding box, returns only an upper bound (minus the distance to the box).
   double depth(const Eigen::Vector3d& point) const;
 
  private:
@@ -69,11 +70,12 @@ class Part {
   static std::vector<Piece> cutSlivers(const TriMesh& mesh);
 
   BoxTree tree_;
-  std::vector<Triangle3d> corners_;      ///< by place in the tree
-  std::vector<std::int64_t> triangles_;  ///< by place: the triangle of the mesh
+  std::vector<Triangle3d> corners_;  ///< by place in the tree
+  /// By place in the tree: the triangle's number in the mesh.
+  std::vector<std::int64_t> triangles_;
   Plates plates_;
   std::vector<Eigen::Vector3d> pieces_;
-  /// On the heap, so that rays_ can refer to it even after the part is moved.
+  /// On the heap: rays_ refers to the mesh, which must keep its address when the Part is moved.
   std::unique_ptr<const TriMesh> mesh_;
   std::optional<RayColumns> rays_;  ///< only for closed meshes
 };

@@ -16,11 +16,12 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
-/// Share of the radius of a piece and of the reach of its motion. A point of the piece is likely to
-/// lie deeper than its centre by about this much.
+/// A point of a piece is likely to lie deeper than the piece's centre by about this share of two
+/// lengths: the radius of the piece and the reach of its motion.
 constexpr double kPromise = 0.3;
-constexpr std::size_t kMostPieces = 1000;  // most connected pieces of a part to start from
-constexpr std::size_t kRound = 64;         // pieces per round; fixed, see motion_search.cpp
+// Largest number of connected pieces of a part at which the search starts.
+constexpr std::size_t kMostPieces = 1000;
+constexpr std::size_t kRound = 64;  // pieces per round; fixed, see motion_search.cpp
 
 struct Item {
   double bound = 0;    // mm, no point of the piece can lie deeper in this part of the motion
@@ -85,7 +86,7 @@ class DepthSearch {
  private:
   double allowed() const { return std::max(tolerance_, 0.01 * best_.depth); }
 
-  // `bound`: the bound of the item from which this item is split.
+  // Returns a new item of the queue. `bound` is that of the item from which the new item is split.
   Item makeItem(const MotionNode& node, const Piece& piece, double bound) {
     Item item;
     item.bound = bound;
@@ -182,8 +183,8 @@ double DepthSearch::tryAt(double u, bool ofBody, const Vector3d& local) {
   return depth;
 }
 
-// Section search for the time at which a point is deepest, in [u - width, u + width] of the
-// parameter.
+// Improves the time at which a point is deepest by a section search between the motion parameters u
+// - width and u + width.
 void DepthSearch::tryRound(double u, double width, bool ofBody, const Vector3d& local) {
   double low = std::max(0.0, u - width);
   double high = std::min(c_.motion.largestParameter(), u + width);
@@ -253,9 +254,9 @@ void DepthSearch::finish() {
   measureRegion(R, t);
 }
 
-// Box around the intersection of the surfaces and all vertices inside the other part. A box of the
-// hierarchy whose centre is deeper than its radius lies wholly inside; if its centre is farther
-// outside than its radius, it lies wholly outside.
+// Measures the box around the intersection of the surfaces and all vertices inside the other part.
+// A node of the hierarchy lies wholly inside if the centre of its box is deeper than the box's
+// radius. It lies wholly outside if the centre is farther outside than the radius.
 void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
   Vector3d low = best_.point.cwiseMin(best_.surface);
   Vector3d high = best_.point.cwiseMax(best_.surface);
@@ -308,7 +309,7 @@ PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touc
 bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, double atLeast) {
   if (atLeast < 0) return true;
   struct Open {
-    double promise;  // as in DepthSearch; one deep point suffices, so likely pieces come first
+    double promise;  // see Item::promise; one deep point suffices, so promising pieces come first
     Piece piece;
     bool operator<(const Open& other) const { return promise < other.promise; }
   };

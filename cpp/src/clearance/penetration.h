@@ -1,12 +1,12 @@
 // Finds how deep two closed meshes overlap during a motion, and where.
-// In:      a pair of meshes and a hierarchy over the motion.
+// In:      a pair of meshes and the tree of the motion (motion_tree.h).
 // Out:     the surface point of either mesh that lies deepest inside the other at some time.
 // Units:   mm.
 // Cost:    branch and bound over time and pieces of surface. Each pair of a time span and a piece
 //          takes one nearest-point query and one inside test.
-// Why:     It is exact up to its tolerance. If a point or the surface moves by d, the depth of the
-//          point changes by at most d. So no point of a box is deeper than the depth at its centre
-//          + its radius + the displacement.
+// Why:     The result is exact up to the tolerance. If a point or the surface moves by d, the depth
+//          of the point changes by at most d. So no point of a box is deeper than the depth at the
+//          box's centre + the radius of the box + the displacement.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -51,7 +51,7 @@ class PlateGap {
  public:
   PlateGap(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) : R_(R), t_(t) {}
 
-  /// mm; if the gap is 0 or negative, the plates may intersect.
+  /// Returns the gap in mm. If it is 0 or negative, the plates may intersect.
   double between(const Plate& moving, const Plate& still) {
     if (&moving != moving_) {
       moving_ = &moving;
@@ -80,8 +80,8 @@ class PlateGap {
   const Eigen::Vector3d& direction() const { return direction_; }
 
  private:
-  /// Half of the plate's extent along a direction, given the cosine between the direction and the
-  /// axis.
+  /// Returns half of the plate's extent along a direction. `cosine` is that between the direction
+  /// and the axis.
   static double extent(const Plate& plate, double cosine) {
     constexpr double kRounding = 1e-15;  // keeps the root from being too small after rounding
     return std::abs(cosine) * plate.half +

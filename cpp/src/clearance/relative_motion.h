@@ -1,15 +1,16 @@
 // Motion of one moving body as seen from another moving body.
 // In:      timed motions that are interpolated between their poses, and the boxes of the bodies.
-// Out:     a hierarchy over the relative motion (motion_tree.h). With it, each search for one
-//          moving body also serves two, because the frame is the second body and moves with it.
+// Out:     a tree over the relative motion (motion_tree.h). With this tree, each search for one
+//          moving body also serves two moving bodies: the frame of reference moves with the second
+//          body.
 // Units:   mm, s.
 // Cost:    O(n) for the n joined times of both motions, O(log n) for the pose at one time.
 // Why:     The bounds are certain. Between two joined times each body follows one step at constant
 //          angular speed. In the moving frame, the velocity of a point is the difference of both
 //          velocity fields. Its acceleration is at most w1^2 r1 + w2^2 r2 + 2 w2 v: two centripetal
 //          terms and the Coriolis term. Here r2 is the largest distance of the first body from the
-//          rotation axis of the second. This limits how far the point departs from its tangent and
-//          from its chord.
+//          rotation axis of the second. The acceleration limits how far the point departs from its
+//          tangent and from its chord.
 // Source:  B. Mirtich, Impulse-based dynamic simulation (1996), 2.3; X. Zhang, S. Redon, M. Lee, Y.
 //          J. Kim, Continuous collision detection for articulated models (2007), section 4.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -32,9 +33,9 @@ class TimedMotion {
               const Eigen::Vector3d& half);
 
   bool moves() const { return times_.size() > 1; }
-  /// Time from the first to the last pose; for a body that stands still, all times.
+  /// Returns the time from the first to the last pose; for a body that stands still, all times.
   TimeInterval span() const;
-  /// Pose at a time, which is clamped to span().
+  /// Returns the pose at a time, which is clamped to span().
   Pose poseAt(double time) const;
   const Eigen::Vector3d& centre() const { return centre_; }
   const Eigen::Vector3d& half() const { return half_; }
@@ -51,9 +52,11 @@ class TimedMotion {
   /// [from, to].
   Slice slice(double from, double to) const;
   const StepPath& path(const Slice& slice) const { return paths_[slice.step]; }
-  /// Largest distance of the body's box from the rotation axis of the slice's step, mm.
+  /// Returns the largest distance, in mm, of the body's box from the rotation axis of the slice's
+  /// step.
   double radius(const Slice& slice) const { return radii_[slice.step]; }
-  /// mm; no point of the body departs farther from the chord of its path within the slice.
+  /// Returns, in mm, an upper bound of how far any point of the body departs from the chord of its
+  /// path in the slice.
   double bulge(const Slice& slice) const;
 
  private:
@@ -72,13 +75,13 @@ std::vector<double> joinedTimes(const TimedMotion& a, const TimedMotion& b,
 /// Returns the placement of `a` in the frame of `b`.
 Pose seenFrom(const Pose& a, const Pose& b);
 
-/// Builds the hierarchy over the motion of `body` relative to `frame`. `times` has two or more
-/// joined times. Both motions must outlive the hierarchy.
+/// Builds the tree over the motion of `body` relative to `frame`. `times` contains at least two
+/// joined times. Both motions must outlive the tree.
 MotionTree relativeMotion(const TimedMotion& body, const TimedMotion& frame,
                           const std::vector<double>& times);
 
-/// Returns the largest distance, in mm, that a corner of the body's box has from its first
-/// position at one of the given times, as seen from `frame`.
+/// Returns the largest distance, in mm, between a corner of the body's box at the first of the
+/// given times and the same corner at another of them, as seen from `frame`.
 double relativeTravel(const TimedMotion& body, const TimedMotion& frame,
                       const std::vector<double>& times);
 

@@ -1,11 +1,11 @@
-// Slow reference computation: one distance query at each pose, with the hierarchy of the library
-// FCL.
+// Computes the smallest distance slowly, as a reference: with one distance query of the library FCL
+// at each pose.
 // In:      body, poses, neighbour.
 // Out:     the smallest distance and the pose at which it occurs.
 // Units:   mm.
 // Cost:    one query per pose.
-// An independent check for tests and for `swept clearance --stamp`. It shares no search code with
-// the fast computation and sees nothing between the given poses.
+// This is an independent check for tests and for `swept clearance --stamp`. It shares no search
+// code with the fast computation and sees nothing between the given poses.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,8 +24,8 @@ struct StampedMinimum {
 StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
                               const TriMesh& neighbour, RunContext& run);
 
-/// As above, for a neighbour that also moves. `neighbourPoses[i]` is the pose of the neighbour at
-/// the time of `poses[i]`.
+/// Does the same for a neighbour that also moves. `neighbourPoses[i]` is the pose of the neighbour
+/// at the time of `poses[i]`.
 StampedMinimum stampEveryPose(const TriMesh& body, const std::vector<Pose>& poses,
                               const TriMesh& neighbour, const std::vector<Pose>& neighbourPoses,
                               RunContext& run);

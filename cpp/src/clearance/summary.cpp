@@ -19,7 +19,7 @@ bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
   return a.penetration.depth > b.penetration.depth;
 }
 
-/// Length in mm; less than a nanometre counts as rounding and becomes 0.
+/// Returns a length in mm as text. Less than a nanometre counts as rounding and becomes 0.
 std::string lengthText(double length) {
   return numberText(std::abs(length) < 1e-6 ? 0 : length, 4);
 }

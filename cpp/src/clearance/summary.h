@@ -10,15 +10,16 @@
 namespace swept::clearance {
 
 struct Summary {
-  int smallest = -1;  ///< the nearest row: deepest clash first, allowed contacts last; -1: no rows
-  std::string text;   ///< "12 checked, 1 contact, smallest 0 mm at t = 4.1 s (bracket)"
+  /// Index of the row with the smallest distance; allowed contacts come last. -1: no rows.
+  int smallest = -1;
+  std::string text;  ///< "12 checked, 1 contact, smallest 0 mm at t = 4.1 s (bracket)"
 };
 
 /// Whether the text gives the time of the smallest distance.
 enum class Timed { Yes, No };
 
-/// `head` begins the text, for example "12 checked". `ignored` is the number of neighbours that
-/// rules exclude.
+/// Returns the summary. `head` begins its text, for example "12 checked". `ignored` is the number
+/// of neighbours that rules exclude.
 Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std::string& head,
                   std::size_t ignored = 0, Timed timed = Timed::Yes);
 

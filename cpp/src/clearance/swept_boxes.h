@@ -18,7 +18,7 @@ class SweptBoxes {
  public:
   SweptBoxes(const TimedMotion& motion, const TimeInterval& span);
 
-  /// The box of the whole motion.
+  /// Returns the box of the whole motion.
   const BoxTree::Bounds& whole() const { return boxes_[1]; }
   /// Returns true only if no two points of the two bodies are ever `within` or less apart. Both
   /// trees must cover the same time span.

@@ -13,10 +13,11 @@ namespace swept::page {
 namespace {
 
 constexpr double kWidth = 880, kHeight = 340, kLeft = 56, kRight = 14, kTop = 14, kBottom = 40;
+// The first six colours are from Okabe and Ito, 2008.
 constexpr std::array kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                              "#56b4e9", "#e69f00", "#7a4fbf", "#8c564b"};  // Okabe and Ito, 2008
-constexpr std::size_t kRowLength = 4;                                       // names per row
-constexpr std::size_t kLetters = 26;                                        // letters per name
+                              "#56b4e9", "#e69f00", "#7a4fbf", "#8c564b"};
+constexpr std::size_t kRowLength = 4;  // names per row
+constexpr std::size_t kLetters = 26;   // letters per name
 constexpr double kTickGap = 16, kLegendRow = 19;
 constexpr const char* kOther = "#999999";
 
@@ -53,7 +54,8 @@ class Graph {
 
   bool isEmpty() const { return curves_.empty(); }
 
-  /// follows: true adds the line that marks the moment shown in the 3D view.
+  /// Returns the svg element. With `follows`, it includes the line that marks the moment shown in
+  /// the 3D view.
   std::string text(bool follows) const {
     const std::size_t named = std::min(curves_.size(), kColours.size());
     const std::size_t names = named + (curves_.size() > named ? 1 : 0);
@@ -131,7 +133,7 @@ class Graph {
     return svg + label(0.5 * (kLeft + kWidth), kHeight - 6, "middle", words_("axis_time"));
   }
 
-  // Draws each required distance once.
+  // Draws one line for each different required distance.
   std::string demands() const {
     std::string svg;
     for (const double distance : asked_) {

@@ -1,7 +1,8 @@
 // The graph of distances over time as an svg element.
-// The scale is linear near 0 and logarithmic beyond (asinh), so that the required distance stays
-// visible however large the largest distance is. A curve shows its name if the reader points at it.
-// Colours are attributes, for readers without style sheets; the page's style sheet changes some.
+// The scale of distances is linear near 0 and logarithmic beyond (asinh), so that the required
+// distance stays visible however large the largest distance is. A curve shows its name if the
+// reader points at it. Colours are attributes, for readers without style sheets; the page's style
+// sheet changes some.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

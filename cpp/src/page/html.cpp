@@ -49,7 +49,7 @@ std::string escaped(const std::string& text) {
 std::string dataElement(const char* id, const Json& json) {
   std::string out = std::string("<script type=\"application/json\" id=\"") + id + "\">";
   for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<' || c == '>' || c == '&')  // occur only in strings, where JSON allows \u
+    if (c == '<' || c == '>' || c == '&')  // in JSON, only strings contain these characters
       out += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : "\\u0026";
     else
       out += c;

@@ -34,7 +34,7 @@ Values checkValues(const Told& told, const PageOptions& options, const Words& wo
           {"data", dataElement("report", told.report)}};
 }
 
-/// A study has no 3D view. Graphs, rules and findings stand in the parts of its runs.
+/// The page of a study has no 3D view. Graphs, rules and findings are in the sections of its runs.
 Values studyValues(const ToldStudy& study, const Words& words) {
   return {{"title", escaped(study.report.value("name", words("title_study")))},
           {"verdict", studyBanner(study, words)},

@@ -15,8 +15,8 @@
 namespace swept::page {
 
 struct Row {
-  std::string name;           ///< of the pair, as in the report
-  std::string first, second;  ///< its parts; `first` is empty in a clearance report
+  std::string name;           ///< name of the pair, as in the report
+  std::string first, second;  ///< names of its parts; `first` is empty in a clearance report
   std::string verdict;        ///< clear | below | contact | clash
   bool meetsRule = false;
   double distance = 0, guaranteed = 0, time = 0;
@@ -29,7 +29,7 @@ struct Row {
   double belowSeconds = 0;
   /// The two closest points; for a clash, the deepest point and its nearest point on the surface.
   std::array<Eigen::Vector3d, 2> line;
-  Pose pose;                                     ///< of the first part, at `time`
+  Pose pose;                                     ///< pose of the first part at `time`
   std::vector<std::pair<double, double>> curve;  ///< (s, mm)
 };
 

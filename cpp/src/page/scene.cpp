@@ -18,10 +18,12 @@
 namespace swept::page {
 namespace {
 
-constexpr int kMoments = 120;             // frames besides those of the rows
-constexpr std::size_t kMostCopies = 400;  // most such frames if only copies are checked
-constexpr double kCrease = 0.5;           // rad, as in the workbench's 3D view in FreeCAD
-constexpr double kSteps = 65535;          // steps of a position along each side of the box
+constexpr int kMoments = 120;  // intervals between evenly spaced frames
+// Largest number of frames for the poses of one motion without interpolation.
+constexpr std::size_t kMostCopies = 400;
+constexpr double kCrease = 0.5;  // rad, as in the workbench's 3D view in FreeCAD
+// Positions are rounded to this many steps along each side of the box.
+constexpr double kSteps = 65535;
 
 template <class Number>
 std::string bytesOf(const std::vector<Number>& numbers) {
@@ -33,8 +35,8 @@ struct Frame {
   const Row* row = nullptr;  // the row whose moment this is, if any
 };
 
-/// Returns for each part how many triangles it may have. Small parts leave their rest to the
-/// others.
+/// Returns for each part how many triangles it may have. Triangles that small parts do not need are
+/// left for the larger ones.
 std::vector<std::size_t> sharesOf(const std::vector<PagePart>& parts, std::size_t all) {
   std::vector<std::size_t> order(parts.size()), shares(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) order[i] = i;

@@ -20,8 +20,8 @@ namespace swept::page {
 std::string viewOf(const Told& told, const PageOptions& options, const Words& words,
                    RunContext& run);
 
-/// Returns the pose of a part at a moment, clamped to its motion. Without interpolation: the last
-/// pose that is not later.
+/// Returns the pose of a part at a moment, clamped to its motion. Without interpolation, returns
+/// the last pose that is not later than the moment.
 Pose poseAt(const Trajectory& motion, double time);
 
 }  // namespace swept::page

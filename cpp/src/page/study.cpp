@@ -13,8 +13,8 @@ namespace {
 
 using Cells = std::vector<std::vector<std::string>>;
 
-/// The state of a run. `told`: its name in the rows of a report; `key`: its key in the report and
-/// in Words; `kind`: the class of its mark.
+/// A state of a run: its name in a report (`told`), its key in Words (`key`), and the class of its
+/// mark (`kind`).
 struct State {
   const char *told, *key, *kind;
 };

@@ -1,7 +1,7 @@
-// The page of a study: a table of its runs, the worst first, and a part for each run with its
-// verdicts, graph and rules. The rows and their order come from the report of the study. In it, a
-// run with computed clearances has their report as "clearance". A run may have the address of its
-// own page as "page" (docs/studies.md).
+// The page of a study: a table of its runs, the worst first, and a section for each run with its
+// verdicts, graph and rules. The rows and their order come from the report of the study. If the
+// clearances of a run are computed, the row of the run contains their report as "clearance". A run
+// may have the address of its own page as "page" (docs/studies.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

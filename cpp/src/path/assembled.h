@@ -30,7 +30,7 @@ class Assembled {
   /// goals.
   std::vector<ClearanceNeighbour> neighboursOf(std::size_t part,
                                                const std::vector<char>& installed) const;
-  /// Box around all parts at their goals, mm.
+  /// Returns the box around all parts at their goals, mm.
   const Eigen::AlignedBox3d& box() const { return box_; }
   /// Returns the goal of a part.
   static const Pose& goalOf(const SequencePart& part);

@@ -14,8 +14,8 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t kMostPairs = 4000, kMostContacts = 200;
 
-// Speed at which a contact opens, as a linear function of the twist. Rotations are scaled by the
-// radius, as in the length of moves.
+// Returns the speed at which a contact opens, as a linear function of the twist. Rotations are
+// scaled by the radius of the part, as in the length of moves.
 Vector6d opening(const Scene& scene, const State& state, const Contact& contact) {
   Vector6d row;
   row << contact.normal, (contact.point - state.middle).cross(contact.normal) / scene.radius();
@@ -26,8 +26,8 @@ Twist unscaled(const Scene& scene, const Vector6d& v) {
   return {v.head<3>(), v.tail<3>() / scene.radius()};
 }
 
-// Normal of a contact. Triangles that touch have no line between their nearest points, so the
-// normal of the neighbour's triangle is used.
+// Returns the normal of a contact. Triangles that touch have no line between their nearest points;
+// then the normal of the neighbour's triangle is used.
 Vector3d normalOf(const NearestPoints& near, const Triangle3d& still) {
   const double distance = std::sqrt(near.squared);
   if (distance > 1e-6) return (near.a - near.b) / distance;

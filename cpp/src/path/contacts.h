@@ -1,4 +1,5 @@
-// Directions in which the part can move at a placement, because no contact blocks them.
+// Finds the directions in which the part can move at a placement without being blocked by a
+// contact.
 // In:      a placement and the neighbours near it.
 // Out:     moves of unit length, the most promising first.
 // Units:   mm, rad. A twist has length 1 if no point of the part travels more than 1 mm.
@@ -14,8 +15,9 @@
 
 namespace swept::path {
 
-/// Returns contacts with all neighbours nearer than their entry of `within`; a negative entry
-/// excludes a neighbour. At most 200 contacts per neighbour, spread over the surface.
+/// Returns the contacts with each neighbour that are nearer than its entry of `within`. A negative
+/// entry excludes the neighbour. Per neighbour there are at most 200 contacts, spread over the
+/// surface.
 std::vector<Contact> contactsOf(const Scene& scene, const State& state, const Rule& within);
 
 /// Returns shifts and, with `turns`, also rotations and screws. Always includes both directions of

@@ -37,7 +37,7 @@ constexpr std::size_t kMostExits = 6;
                   "within which the part may touch it");
 }
 
-// Keys of a move: one straight piece, or a screw in pieces of at most 30 degrees.
+// Returns the keys of a move: one straight piece, or a screw in pieces of at most 30 degrees.
 std::vector<State> keysOf(const Scene& scene, const State& from, const Twist& twist) {
   const int pieces = std::max(1, static_cast<int>(std::ceil(twist.turn.norm() / 0.52)));
   std::vector<State> keys;

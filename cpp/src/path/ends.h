@@ -1,8 +1,8 @@
-// Start and goal of a path: checks whether the part is free there, and finds ways out of contact if
-// it touches a neighbour.
+// Examines the start, the goal or another required placement of a path. Checks whether the part is
+// free there, and finds ways out of contact if it touches a neighbour.
 // In:      a placement that a path has to reach.
-// Out:     ways from there to placements that keep the required distance from each neighbour; or an
-//          Error that names the neighbour in the way and the distance or depth.
+// Out:     ways from this placement to placements that keep the required distance from each
+//          neighbour; or an Error that names the neighbour in the way and the distance or depth.
 // Units:   mm.
 // Cost:    one exact check per neighbour; if parts touch, also one for each direction that is
 //          tried.
@@ -29,8 +29,9 @@ struct Demand {
   bool turns = true;
 };
 
-/// Returns the distance, in mm, that the triangles must keep. It is slightly larger than what the
-/// check accepts as clear, so that rounding does not matter. `chordErrors`: sum for both parts.
+/// Returns the distance, in mm, that the triangles must keep. It is slightly larger than the
+/// distance that the check accepts as clear, so that rounding does not matter. `chordErrors` is the
+/// sum for both parts.
 double apartBy(double required, double chordErrors, double tolerance);
 
 /// Combines the rules of the neighbours and the options.
@@ -38,8 +39,8 @@ Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOpt
 
 struct End {
   State state;
-  /// mm, by neighbour: how deep the part may lie inside it within the release distance of this end.
-  /// Negative: the part must keep the usual clearance.
+  /// mm, one entry per neighbour: how deep the part may lie inside the neighbour within the release
+  /// distance of this end. Negative: the part must keep the usual clearance from the neighbour.
   std::vector<double> allowedDepth;
   /// Ways out of contact. Each is a list of keys from this state to a state that keeps all required
   /// distances. A list with one key means that this state already keeps them.
@@ -69,8 +70,8 @@ End touchedAt(const Scene& scene, const Demand& demand, const State& state, cons
 End examineEnd(const Scene& scene, const Demand& demand, const State& state,
                const std::string& what, RunContext& run);
 
-/// Whether the part lies nowhere deeper in the neighbours that it touches at this end than `end`
-/// allows.
+/// Returns whether the motion stays within `end.allowedDepth`: the part never lies deeper in a
+/// neighbour that it touches at this end.
 bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
                    const Trajectory& motion, RunContext& run);
 

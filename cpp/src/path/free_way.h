@@ -1,4 +1,4 @@
-// Path of a part without neighbours to check: there are none, or rules ignore all of them.
+// Returns a path of a part that no neighbour hinders: there are none, or rules ignore all of them.
 // In:      the part with its task or motion.
 // Out:     a report like that of a found path, with infinite clearance.
 // Units:   mm.
@@ -9,8 +9,9 @@
 
 namespace swept::path {
 
-/// Returns the motion of the part if it has one. Otherwise a straight path from the start, from
-/// `far` along the direction, or from the given radius above the goal.
+/// The path is the motion of the part if it has one. Otherwise it is straight. It begins at the
+/// start, or `far` (mm) from the goal in the given direction, or at the given radius above the
+/// goal.
 PathReport freeWay(const SequencePart& part, const PathOptions& options, double far);
 
 }  // namespace swept::path

@@ -93,8 +93,9 @@ class GivenMotion {
     return i + 1 == keys_.size() ? i : insertBetween(i, start, true);
   }
 
-  // Adds a key at the end of the zone, between key i and the next key, exactly one of which lies in
-  // the zone. The new key is just inside. Returns its index.
+  // Adds a key where the motion crosses the border of the release zone of `end`, between key i and
+  // the next key. Exactly one of these two keys must lie in the zone. The new key lies just inside.
+  // Returns its index.
   std::size_t insertBetween(std::size_t i, const State& end, bool zoneFirst) {
     const Key a = keys_[i], b = keys_[i + 1];
     double in = zoneFirst ? 0 : 1, out = 1 - in;
@@ -118,8 +119,9 @@ class GivenMotion {
     return cut;
   }
 
-  // In a release zone, the part keeps its clearance from neighbours that it does not touch at the
-  // end. It enters the others no deeper than at that end.
+  // Checks the motion in a release zone. There, the part must keep its clearance from neighbours
+  // that it does not touch at the end. It must not enter the other neighbours deeper than at that
+  // end.
   void checkZone(const End& end, const Trajectory& motion) {
     if (motion.poses.size() < 2) return;
     checked(motion, end.ruleInside(demand_));

@@ -1,5 +1,5 @@
-// Common frame of all runs that end in a path: fills the head of the report and turns errors into
-// its status.
+// Does what all computations of a path have in common: fills the head of the report and turns
+// errors into its status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace swept::path {
 
-/// Calls work(report, neighbours), which fills the report and returns the seconds that it took; it
-/// may throw. Ignored neighbours are left out.
+/// Calls work(report, neighbours) with the neighbours that are not ignored. work() fills the report
+/// and returns the seconds that it took; it may throw.
 template <class Work>
 PathReport guardedPath(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbours,
                        const PathOptions& options, RunContext& run, const Work& work) {

@@ -16,8 +16,8 @@ namespace {
 // Number of parallel searches. They differ in their random numbers, and the first path found wins.
 constexpr std::size_t kSearches = 2;
 constexpr int kRounds = 20;                  // rounds of a search between checks of all searches
-constexpr std::size_t kNodesAtFirst = 3000;  // in both trees, before a search starts again
-constexpr std::size_t kMostStarts = 8;       // starts for which grids are searched
+constexpr std::size_t kNodesAtFirst = 3000;  // nodes of both trees at the first restart of a search
+constexpr std::size_t kMostStarts = 8;       // with more starts, no grids are searched
 constexpr int kPlaces = 8000, kPlacesOfProof = 6000;  // placements tried on one grid
 
 // One search. When its trees have grown too large, it starts again with other random numbers.
@@ -118,8 +118,8 @@ MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space) {
   return [&scene, &space](const State& a, const State& b) {
     if (!space.turns()) return a.pose.rotation.angularDistance(b.pose.rotation) < 1e-9;
     if (space.largestTurn >= std::numbers::pi) return true;
-    // Rotations of less than 90 degrees about one centre form a convex set. Beyond that, placements
-    // in between must be tested too.
+    // Rotations of less than 90 degrees about one centre form a convex set. For a larger limit,
+    // placements in between must be tested too.
     const int pieces = space.largestTurn <= std::numbers::pi / 2 ? 1 : 32;
     for (int k = 0; k <= pieces; ++k) {
       const State at = k == 0 ? a : k == pieces ? b : scene.stateBetween(a, b, double(k) / pieces);

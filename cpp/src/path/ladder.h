@@ -33,8 +33,8 @@ struct LegResult {
   std::vector<State> keys;  ///< empty: no path was found
   std::string method;
   bool noTranslation = false;  ///< proven: no path without turning exists
-  State farthest;              ///< if no path is found: the farthest state in the tree of the goal
-  std::vector<std::int64_t> blocked;  ///< by neighbour: how often it was in the way
+  State farthest;              ///< the farthest state in the tree of the goal, if no path is found
+  std::vector<std::int64_t> blocked;  ///< for each neighbour, how often it was in the way
   std::int64_t steps = 0;
 };
 
@@ -43,12 +43,13 @@ struct Limits {
   double seconds = 0;
   std::uint64_t seed = 1;
   PathWatch* watch = nullptr;
-  std::int64_t mostSteps = 0;  ///< of the search in six dimensions; 0: no limit
+  /// Largest number of queries in the search in six dimensions; 0: no limit.
+  std::int64_t mostSteps = 0;
   bool over() const { return timer.seconds() > seconds; }
 };
 
-/// Returns a test of a move: whether the part stays within the largest turn from its orientation at
-/// the goal.
+/// Returns a function that tests a move: whether the part stays within the largest turn from its
+/// orientation at the goal.
 MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space);
 
 LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,

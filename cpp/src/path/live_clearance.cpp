@@ -45,7 +45,7 @@ LiveDistance LiveClearance::at(const Pose& pose) {
   const Eigen::Vector3d& t = state.pose.translation;
   LiveDistance best;
   best.distance = std::numeric_limits<double>::infinity();
-  // The neighbour that was nearest last time comes first, so that farther ones are quickly
+  // The neighbour that was nearest last time is measured first. The others are then quickly
   // discarded.
   const std::size_t first = memory.last;
   for (std::size_t k = 0; k < scene.count() && best.distance > 0; ++k) {

@@ -10,13 +10,13 @@
 
 namespace swept::path {
 
-/// Returns free placements outside, with the orientation of the goal. Each of them is an exit of
-/// the End.
+/// Returns free placements outside, with the orientation of the goal, as the exits of an End.
 End outside(const Scene& scene, const Demand& demand, const State& goal,
             const Extraction& extraction);
 
-/// Returns a test whether a state is outside: at least the radius away from the goal; or, with a
-/// direction, past all neighbours by the required clearance.
+/// Returns a function that tells whether a state is outside. Without a direction, this means: at
+/// least the radius of the extraction away from the goal. With a direction: past all neighbours by
+/// the largest required distance.
 std::function<bool(const State&)> outTest(const Scene& scene, const Demand& demand,
                                           const State& goal, const Extraction& extraction);
 

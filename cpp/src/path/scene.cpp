@@ -64,7 +64,7 @@ Scene::Scene(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbo
   resolution_ = std::max(0.25 * options.tolerance, 2e-5 * radius_);
 }
 
-// x_world = R x + t with both frames rotated: W (R (own^T x')) + W t.
+// Both frames are rotated: x_world = R x + t becomes W (R (own^T x')) + W t.
 State Scene::inside(const Pose& pose) const {
   Pose turned = pose;
   turned.rotation =
@@ -152,8 +152,8 @@ Follow Scene::follow(const State& from, const State& to, const Rule& rule, Memor
   return result;
 }
 
-// Processes spans of the move from its start. Each span is proven free, halved, or the end of the
-// free part.
+// Follows the move against one neighbour. Processes spans of the move from its start: a span is
+// proven free, or halved, or it ends the free part.
 void Scene::followOne(const clearance::MotionTree& motion, std::size_t i, double apart,
                       double finest, Follow& result, Memory& memory) const {
   struct Span {

@@ -1,8 +1,8 @@
 // The part and its neighbours, as path searches use them.
 // In:      meshes, clearances.
 // Out:     answers to queries about placements and about moves between two placements.
-// Units:   mm, rad. The length of a move is |dt| + angle x radius of the part; no point travels
-//          farther.
+// Units:   mm, rad. The length of a move is |dt| + angle x radius of the part. No point of the part
+//          travels farther than this length.
 // Note:    The part and the world are rotated so that their main axes become x, y and z. States
 //          refer to that rotated world; inside() and outside() convert.
 // Cost:    some ten microseconds per query; the parts are prepared once.
@@ -53,7 +53,7 @@ struct Memory {
   std::vector<clearance::LeafPair> pairs;  ///< one per neighbour
   std::size_t last = 0;                    ///< the neighbour that was in the way last
   std::int64_t steps = 0;                  ///< number of queries
-  std::vector<std::int64_t> blocked;       ///< by neighbour: how often it was in the way
+  std::vector<std::int64_t> blocked;       ///< for each neighbour, how often it was in the way
 };
 
 /// Result of following a move.
@@ -73,16 +73,16 @@ class Scene {
   const clearance::Part& neighbour(std::size_t i) const { return neighbours_[i]; }
   bool neighbourMended(std::size_t i) const { return mended_[i] != 0; }
   std::size_t count() const { return neighbours_.size(); }
-  /// Box around all neighbours.
+  /// Returns the box around all neighbours.
   const Eigen::AlignedBox3d& box() const { return box_; }
-  /// Largest distance of a point of the part from its middle, mm.
+  /// Returns the largest distance of a point of the part from its middle, mm.
   double radius() const { return radius_; }
   Interpolation interpolation() const { return interpolation_; }
 
   /// Convert a placement from the caller's world to a state, and back.
   State inside(const Pose& pose) const;
   Pose outside(const State& state) const;
-  /// Rotation from the caller's world to the rotated world.
+  /// Returns the rotation from the caller's world to the rotated world.
   const Eigen::Matrix3d& world() const { return world_; }
 
   State at(const Pose& pose) const;
@@ -96,14 +96,14 @@ class Scene {
   /// Returns the state at a fraction of the way from a to b, by the interpolation of the motion.
   State stateBetween(const State& a, const State& b, double fraction) const;
 
-  /// Returns the hierarchy over a motion of the part.
+  /// Returns the tree over a motion of the part (clearance/motion_tree.h).
   clearance::MotionTree motionTree(const Trajectory& motion) const {
     return {motion, partBox_.centre, partBox_.half};
   }
   Memory memory() const;
   bool isFree(const State& state, const Rule& rule, Memory& memory) const;
-  /// Returns how far a move is free. `finest`: share of the move at which halving stops. A span of
-  /// this length without proof counts as blocked.
+  /// Returns how far a move is free. `finest` is the share of the move at which halving stops. A
+  /// span of this length counts as blocked unless it is proven free.
   Follow follow(const State& from, const State& to, const Rule& rule, Memory& memory,
                 double finest = 0) const;
 
@@ -118,7 +118,7 @@ class Scene {
   std::vector<char> mended_;
   Eigen::AlignedBox3d box_;
   clearance::Box partBox_;
-  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();  ///< in the part's frame
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();  ///< the middle in the part's frame
   double radius_ = 0;
   double resolution_ = 0;
   Interpolation interpolation_;

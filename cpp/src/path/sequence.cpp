@@ -19,8 +19,8 @@ namespace {
 
 using namespace path;
 
-// Limits of the moves per search while the order is sought. They grow from round to round; round 0
-// allows only the quick methods.
+// Limits of the number of moves per search while the order is sought: the first, the factor from
+// round to round, and the largest. Round 0 allows only the quick methods.
 constexpr std::int64_t kFirstMoves = 20000, kMoreMoves = 4, kMostMoves = 1000000000;
 
 class Sequencer {
@@ -83,8 +83,8 @@ class Sequencer {
   }
 
   // Finds the order backwards: the part that comes last is the first that can be removed. If
-  // several can, takes the one that is last in the given order, so that a valid given order is
-  // kept.
+  // several parts can be removed, takes the one that is last in the given order. This keeps a given
+  // order that is valid.
   void takeApart() {
     std::vector<Left> left;
     for (std::size_t i = parts_.size(); i-- > 0;) left.push_back({i});

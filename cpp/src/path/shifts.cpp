@@ -28,7 +28,8 @@ bool within(const SearchSpace& space, const State& state) {
          (state.middle.array() <= space.high.array()).all();
 }
 
-// Best-first search over one grid, ordered by the shortest way so far plus the remaining distance.
+// Best-first search over one grid. The order is that of the shortest way so far plus the remaining
+// distance.
 class GridSearch {
  public:
   GridSearch(const Scene& scene, const Rule& rule, const SearchSpace& space, const State& start,
@@ -139,7 +140,8 @@ bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, co
   for (const double fraction : kWidths) {
     const double width = fraction * scene.radius();
     std::set<Cell> seen{{0, 0, 0}};
-    // Floods from the goal, the farthest cell first, so that a way out is found early.
+    // Floods the cells that are not proven blocked, from the goal, the farthest cell first. This
+    // finds a way out early.
     std::priority_queue<std::pair<int, Cell>> queue;
     queue.push({0, {0, 0, 0}});
     bool out = false;

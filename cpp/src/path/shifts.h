@@ -4,11 +4,11 @@
 //          cannot leave its goal without turning.
 // Units:   mm. Grids are centred on the goal, follow the main axes, and become finer.
 // Cost:    one query about a move, or one depth, per placement that is examined.
-// Promise: "Proven" means a proof. A cube of placements is blocked if, at its middle, the part lies
-//          deeper in a neighbour than half the diagonal of the cube. It is also blocked if the part
-//          is nearer than required by more than that length. A path without turning passes from
-//          cube to cube through their faces. So no path exists if the unblocked cubes that connect
-//          to the goal neither contain the start nor lead out.
+// Promise: noShifts() returns true only with a proof. A cube of placements counts as blocked if, at
+//          its middle, the part lies deeper in a neighbour than half the diagonal of the cube. It
+//          is also blocked if the part is nearer than required by more than half the diagonal. A
+//          path without turning passes from cube to cube through their faces. So no path exists if
+//          the unblocked cubes that connect to the goal neither contain the start nor lead out.
 // Source:  best-first search over cells: J. Barraquand, J.-C. Latombe, Robot motion planning: a
 //          distributed representation approach (1991).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -21,14 +21,14 @@
 
 namespace swept::path {
 
-/// Returns keys from start to goal, or nothing if none are found within `places` placements on any
-/// grid.
+/// Returns keys from start to goal. Returns an empty list if no path is found within `places`
+/// placements on any grid.
 std::vector<State> shiftsOnly(const Scene& scene, const Rule& rule, const SearchSpace& space,
                               const State& start, const State& goal, int places, Memory& memory,
                               RunContext& run);
 
-/// Returns true only if it is proven that no path without turning leads from the goal to the start;
-/// without a start, out of the search space.
+/// Returns true only if it is proven that no path without turning leads from the goal to the start.
+/// If `start` is null: that none leads out of the search space.
 bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, const State* start,
               const State& goal, int places, RunContext& run);
 

@@ -10,7 +10,8 @@ namespace {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t kMostTouches = 12;
-constexpr double kMargin = 2e-3;  // in radii of the part; kept from contacts if there is room
+// Distance kept from contacts if there is room, in radii of the part.
+constexpr double kMargin = 2e-3;
 constexpr int kRounds = 40;
 
 /// Linear inequality for a move v: row . v >= least.
@@ -90,7 +91,8 @@ Twist allowedMove(const Scene& scene, const State& state, const Rule& rule, cons
   Vector6d v = start;
   for (Limit& limit : limits) limit.least += margin;
   if (!nearest(limits, std::min(tolerance, 0.5 * margin), v)) {
-    // There is no room for the margin. Without it, some move exists: at worst, not to move.
+    // There is no room for the margin. Without a margin, some move satisfies all limits: at worst,
+    // not to move.
     for (Limit& limit : limits) limit.least = std::min(0.0, limit.least - margin);
     v = start;
     nearest(limits, tolerance, v);

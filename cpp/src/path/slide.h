@@ -1,4 +1,4 @@
-// Moves along obstacles: the part of a wanted move that the known contacts allow.
+// Moves along obstacles: finds the part of a wanted move that the known contacts allow.
 // In:      a scene, the distances to keep, a state, and the wanted move.
 // Out:     the allowed move nearest to the wanted one.
 // Units:   mm, rad; the metric is that of moves (scene.h).

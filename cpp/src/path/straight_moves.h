@@ -1,7 +1,7 @@
 // Finds paths of one to three straight moves.
 // In:      placements to start from and to reach.
-// Out:     keys from one of the starts to one of the goals with each move proven free; empty if
-//          there are none.
+// Out:     keys from one of the starts to one of the goals with each move proven free; no keys if
+//          no such path is found.
 // Cost:    some hundred queries about moves.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace swept::path {
 
-/// `far`: mm; a move of this length leaves all neighbours behind.
+/// Returns the keys. `far` (mm): a move of this length leaves all neighbours behind.
 std::vector<State> straightMoves(const Scene& scene, const Rule& rule, const MoveAllowed& allowed,
                                  const std::vector<State>& starts, const std::vector<State>& goals,
                                  double far, Memory& memory, RunContext& run);

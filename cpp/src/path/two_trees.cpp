@@ -11,12 +11,14 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kStart = 0, kGoal = 1;
-constexpr int kSlides = 5, kPushes = 60;  // moves of one extension, of one push
-constexpr double kPushed = 0.5;           // share of the rounds that push
-constexpr double kPush = 3;               // longest push, in radii of the part or in rad
-constexpr double kLost = 1e-9;            // share of a move that rounding may change
-constexpr double kOnward = 0.05;          // least share of a wanted move that must remain
-// Share of a move: resolution at which the tree finds where a move is blocked.
+// Largest number of moves of one extension and of one push.
+constexpr int kSlides = 5, kPushes = 60;
+constexpr double kPushed = 0.5;  // share of the rounds that push
+constexpr double kPush = 3;      // longest push, in radii of the part or in rad
+constexpr double kLost = 1e-9;   // largest share of a move that counts as a rounding error
+// Least share of a wanted move that the allowed move must keep.
+constexpr double kOnward = 0.05;
+// Resolution at which the search finds where a move is blocked, as a share of the move.
 constexpr double kFinest = 1.0 / 16;
 
 }  // namespace
@@ -68,7 +70,7 @@ int TwoTrees::nearest(int tree, const State& to) const {
   return best;
 }
 
-// Returns, of a few random nodes, the one with the fewest trials and the sparsest cell.
+// Picks a few random nodes and returns the one with the fewest trials and the sparsest cell.
 int TwoTrees::sparse(int tree) {
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -112,7 +114,7 @@ State TwoTrees::sampleNear(int tree, int node) {
     if (length > 0) twist = twist * (scale / length);
   }
   const double noise = scene_.length(twist) > 0 ? 0.3 * scale : scale;
-  // A third each: only a shift, only a turn, both.
+  // Adds noise. A third of the samples get only a shift, a third only a turn, and a third both.
   const double kind = random_.fraction();
   if (kind < 0.67 || !space_.turns())
     twist.shift += noise * random_.fraction() * random_.direction();

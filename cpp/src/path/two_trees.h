@@ -1,5 +1,5 @@
-// Search in six dimensions: a tree of moves grows from the start and one from the goal until they
-// meet.
+// Search in six dimensions: one tree of moves grows from the start and another from the goal until
+// they meet.
 // In:      placements to grow from, and the space to search.
 // Out:     placements from start to goal, with each move between two of them proven free.
 // Units:   mm, rad.
@@ -46,13 +46,13 @@ class TwoTrees {
 
   /// Grows the trees by some rounds. Returns true once they have met.
   bool grow(int rounds);
-  /// Keys from one of the starts to one of the goals.
+  /// Returns the keys from one of the starts to one of the goals.
   const std::vector<State>& path() const { return path_; }
   std::size_t nodes() const { return trees_[0].size() + trees_[1].size(); }
   std::int64_t steps() const { return memory_.steps; }
-  /// The state in the goal's tree whose middle is farthest from its root.
+  /// Returns the state in the goal's tree whose middle is farthest from the root of that tree.
   const State& farthest() const { return trees_[1][farthest_].state; }
-  /// By neighbour: how often it was in the way.
+  /// Returns for each neighbour how often it was in the way.
   const std::vector<std::int64_t>& blocked() const { return memory_.blocked; }
 
  private:
@@ -96,7 +96,7 @@ class TwoTrees {
   const SearchSpace space_;
   RandomNumbers random_;
   Memory memory_;
-  Tree trees_[2];  ///< from the start, from the goal
+  Tree trees_[2];  ///< one tree from the start, one from the goal
   std::map<CellKey, int> cells_[2];
   std::vector<int> cellNodes_[2];
   std::vector<State> path_;

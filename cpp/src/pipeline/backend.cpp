@@ -28,8 +28,8 @@ SampledSurface sampleOnCpu(const SamplerInput& input, const FindSigns& findSigns
 
 SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double cpuSeconds,
                              const FindSigns& findSigns, RunContext& run) {
-  // If the dense sampler suits the input, it samples only some of the copies. On the CPU this takes
-  // less time than all copies take on any GPU.
+  // If the dense sampler suits the input, it samples only some copies of the body. On the CPU this
+  // takes less time than sampling all copies takes on any GPU.
   if (wanted != Backend::Gpu) {
     if (auto dense = dense::sampleDense(input, {}, run)) {
       SampledSurface out;

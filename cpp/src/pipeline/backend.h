@@ -13,9 +13,10 @@
 
 namespace swept {
 
-/// cpuSeconds: estimated time of the whole run on the CPU. Below kMinAutoSeconds, `auto` does not
-/// look for a GPU. Only one run per process uses the GPU at a time.
+/// CPU seconds. If the estimated time of a run is shorter, `auto` does not look for a GPU.
 constexpr double kMinAutoSeconds = 3;
+/// Samples with the wanted backend. `cpuSeconds` is the estimated time of the whole run on the CPU.
+/// Only one run per process uses the GPU at a time.
 SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double cpuSeconds,
                              const FindSigns& findSigns, RunContext& run);
 

@@ -19,7 +19,8 @@
 namespace swept {
 namespace {
 
-/// Whether to return the memory freed by a run to the system. A session keeps it for its next run.
+/// Whether the memory that a run frees goes back to the system. A preview session keeps it for its
+/// next run.
 enum class Freed : std::uint8_t { Returned, Kept };
 
 /// Runs work(run) in a task arena with the requested number of threads and writes the outcome to
@@ -50,7 +51,8 @@ Result runWith(const Options& options, RunContext& run, Freed freed, const Work&
   } else {
     try {
       close();
-    } catch (const std::bad_alloc&) {  // the report names the failure; only figures are missing
+      // The report already names the failure; only some figures are missing.
+    } catch (const std::bad_alloc&) {
     }
   }
   return result;
@@ -78,7 +80,7 @@ PreviewSession::PreviewSession(const TriMesh& body, const Options& options, RunC
   warm_ = std::move(warm);
 }
 PreviewSession::~PreviewSession() {
-  if (warm_ == nullptr) return;  // moved from
+  if (warm_ == nullptr) return;  // the session has been moved from
   warm_.reset();
   returnFreeMemory();
 }

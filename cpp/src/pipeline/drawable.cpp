@@ -111,7 +111,8 @@ struct Planes {
   }
 };
 
-/// Merges the vertices of each cell into one point, where the planes of their triangles meet.
+/// Merges the vertices of each cell into one point, the point nearest to the planes of their
+/// triangles.
 TriMesh clustered(const TriMesh& mesh, double cell) {
   std::int32_t count = 0;
   const std::vector<std::int32_t> cells = cellsOf(mesh, cell, count);

@@ -1,4 +1,4 @@
-// Finds the outside of a sweep and checks that it stays out of the body.
+// Finds the outside of a sweep and checks that the outside does not reach into the body.
 // In:    marked edges or a Hermite grid, and the inputs of the run.
 // Out:   the lattice points that the outside reaches; warnings in the report.
 // Throws Error(InvalidInput, "CellTooLarge") if there is nothing to contour, and
@@ -14,11 +14,11 @@
 
 namespace swept {
 
-/// Finds the outside. With keepCavities, hollow spaces that it cannot reach count as outside, too.
+/// Finds the outside. With keepCavities, closed hollow spaces count as outside, too.
 SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const SolidPoint& isSolid,
                    const Prepared& prepared, bool keepCavities, Report& report, RunContext& run);
 
-/// Throw if no grid line crosses the surface, or if contouring gave no triangles.
+/// These functions throw if no grid line crosses the surface, or if contouring gave no triangles.
 void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared, RunContext& run);
 void requireSurface(const TriMesh& mesh, const Prepared& prepared, RunContext& run);
 /// Throws if the outside enters through holes of an open body. Only warns if the motion is

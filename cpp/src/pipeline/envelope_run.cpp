@@ -83,7 +83,7 @@ void EnvelopeRun::sweep(const Trajectory& trajectory) {
   describePlan();
   adviseFilter();
   if (warm_ != nullptr && prepared_.body.mesh.triangles != warm_->body.mesh.triangles) {
-    warm_->setBody(prepared_.body);  // its long edges have been split
+    warm_->setBody(prepared_.body);  // the long edges of the body have been split
   }
   BodyTopology own;
   if (warm_ == nullptr) own = buildTopology(prepared_.body.mesh);
@@ -173,7 +173,7 @@ SamplerInput EnvelopeRun::samplerInput(const BodyTopology& topology, bool cull) 
 void EnvelopeRun::envelope(const BodyTopology& topology) {
   const SamplerInput input = samplerInput(topology, options_.cull);
   HermiteGrid hermite = sample(topology, options_.cull);
-  // A preview saves the time of the probe, which looks for the ends of thin walls.
+  // A preview does without the probe, which takes time to find the ends of thin walls.
   std::optional<ElementProbe> probe;
   if (warm_ == nullptr) probe.emplace(input, elements_, hermite.winner);
   Surface surface = contourUniform(hermite, options_, run_, probe ? &*probe : nullptr);
@@ -240,7 +240,7 @@ void EnvelopeRun::grow(const BodyTopology& topology) {
     report_.conservativeBound = (proof.farthest + chord - wanted) * cell;
     report_.warnings.push_back(
         sweep.conservativeFinding(proof, options_.offset, report_.conservativeBound));
-    result_.kept.reset();  // each tolerance would need its own proof
+    result_.kept.reset();  // dropped: with another tolerance, the envelope would need its own proof
     return;
   }
   throw Error(Status::InternalError, "NotProven",

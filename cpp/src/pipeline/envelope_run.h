@@ -43,8 +43,8 @@ class EnvelopeRun {
       : options_(options), run_(context), result_(result), report_(result.report) {}
 
   void compute(const TriMesh& body, const Trajectory& trajectory);
-  /// Does the same with a body that is checked already. `sketch`: leaves the contoured surface
-  /// without repair, check and simplification.
+  /// Does the same with a body that is checked already. With `sketch`, the contoured surface is not
+  /// repaired, checked or simplified.
   void compute(WarmBody& warm, const Trajectory& trajectory, bool sketch);
 
  private:
@@ -74,7 +74,8 @@ class EnvelopeRun {
   Prepared prepared_;
   WarmBody* warm_ = nullptr;  ///< null without a session
   bool sketch_ = false;
-  MeshTopology topology_;               ///< of the mended surface; empty if it was not computed
+  /// Neighbours in the mended surface; empty if they were not computed.
+  MeshTopology topology_;
   std::vector<SweptElement> elements_;  // kept until contouring no longer needs them
   Timer timer_;
   double cpuSeconds_ = 0;

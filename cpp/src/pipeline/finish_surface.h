@@ -30,7 +30,8 @@ struct Finishing {
   SettlingMoves settlingMoves = {};        ///< empty: no vertex has to move
 };
 
-/// Returns the neighbours of the triangles; empty if they were not computed.
+/// Repairs and checks the surface. Returns the neighbours of the triangles; empty if they were not
+/// computed.
 MeshTopology checkAndMend(Surface& surface, const HermiteGrid& hermite, const Finishing& with,
                           Report& report);
 

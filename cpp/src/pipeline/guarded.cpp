@@ -7,7 +7,8 @@
 namespace swept {
 namespace {
 
-/// `remedy`: advice for the user, appended to the message.
+/// Empties the result and writes the failure to its report. `remedy` is advice for the user,
+/// appended to the message.
 void fail(Result& result, Status status, const char* code, const char* message,
           const char* remedy = "") {
   result.mesh = TriMesh{};

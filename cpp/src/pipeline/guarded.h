@@ -1,4 +1,4 @@
-// The only place where exceptions become a status.
+// Turns the exceptions of a run into the status of its result.
 //
 // In:  a result, and the work that fills it.
 // Out: the result of the work; or, if it threw, an empty result whose report names the failure.
@@ -14,7 +14,7 @@ namespace swept {
 /// Call it in a catch block: empties the result and writes the caught exception to its report.
 void failAsThrown(Result& result);
 
-// A template: a std::function might allocate memory before the try block.
+// This is a template, because a std::function might allocate memory before the try block.
 template <class Work>
 void guarded(Result& result, const Work& work) {
   try {

@@ -15,8 +15,9 @@ namespace {
 /// (docs/performance.md). Thin walls need more, to compare the surfaces that may touch there.
 constexpr double kBytesPerCrossing = 310, kBytesPerWall = 700;
 constexpr double kRoom = 1.1;
-constexpr double kMinRatio = 2;          ///< least ratio of the resolutions of run and pilot
-constexpr double kMaxCopiedFaces = 5e7;  ///< faces times placements, for a union of copies
+constexpr double kMinRatio = 2;  ///< smallest ratio of the resolutions of run and pilot
+/// Largest number of faces times placements, for a union of copies.
+constexpr double kMaxCopiedFaces = 5e7;
 
 }  // namespace
 
@@ -43,8 +44,8 @@ Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
   };
   const std::optional<CrossingCounts> coarse = countAt(2 * ratio), fine = countAt(ratio);
   if (!coarse || !fine || coarse->crossings == 0) return estimate;
-  // A surface has four times as many crossings on a grid twice as fine; thin walls that only the
-  // finer grid shows have more.
+  // On a grid twice as fine, a surface has four times as many crossings. If the finer grid resolves
+  // more thin walls, there are more.
   const double power = std::clamp(
       std::log2(static_cast<double>(fine->crossings) / static_cast<double>(coarse->crossings)), 2.0,
       2.5);

@@ -2,8 +2,8 @@
 //
 // The estimate of plan.h only knows the bounding box of the sweep. It is two or three times too
 // high for most sweeps, and too low if thin walls abound. The pilot counts the crossings on two
-// coarse grids and extrapolates their growth. Cost: sampling with kPilotCells and with half as
-// many.
+// coarse grids and extrapolates their growth. Cost: sampling on a grid with kPilotCells cells along
+// its longest side, and on one with half as many.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -46,8 +46,8 @@ constexpr double kBytesPerCopy = 24;
 /// Largest number of triangle copies in a preview, so that it stays quick.
 constexpr double kPreviewCopies = 4e6;
 
-/// Refines the motion so that it needs at most half of the memory. Splits the long edges of a
-/// turning body if `maySplit`.
+/// Refines the motion, so finely that it needs at most half of the memory limit. Splits the long
+/// edges of a turning body if `maySplit`.
 Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, RunContext& run) {
   const Trajectory& trajectory = p.trajectory.trajectory;
   const double chord = options.chordTolerance * cell;
@@ -60,15 +60,16 @@ Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, 
     if (std::isfinite(how.longestEdge)) p.body.mesh = splitEdges(p.body.mesh, how.longestEdge, run);
     return refineMotion(p.body.mesh, trajectory, how.chord, run);
   }
-  // The cover (offset/) flattens side patches itself. So only the chords of points count here: the
-  // body has no triangles. An offset is measured from the chords, a conservative envelope from the
-  // true motion near them.
+  // The cover (offset/) flattens side patches itself. So only the chords of points count here, and
+  // the body is replaced by its vertices. An offset is measured from the chords, a conservative
+  // envelope from the true motion near them.
   TriMesh points;
   points.vertices = p.body.mesh.vertices;
   return refineMotion(points, trajectory, chord / 2, run);
 }
 
-/// Returns false if the sweep leaves the last grid or fills too little of it.
+/// Plans the run on the grid of the last run. Returns false if the sweep leaves that grid or fills
+/// too little of it.
 bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
   const GridPlan& last = *p.lastGrid;
   Motion motion = refined(p, options, last.cell, false, run);
@@ -137,8 +138,9 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   p.grid = planGrid(p.keepRoom ? withRoom(box) : box, bodyBox, fixed);
 }
 
-// Peak memory per crossing of the surface, the larger of two phases: sampling keeps raw crossings
-// twice (12 bytes each); later there are edges, crossings, cells and the mesh (about 170 bytes).
+// Returns the peak memory per crossing of the surface, the larger of two phases. Sampling keeps raw
+// crossings twice (12 bytes each). Later there are edges, crossings, cells and the mesh (about 170
+// bytes).
 double bytesOfCrossing(const Options& options) {
   constexpr double kSource = sizeof(SurfaceSource) + sizeof(double);  // and its exact time
   return options.sources ? 180 + kSource : 180;
@@ -148,7 +150,8 @@ std::uint64_t denseBytes(const TriMesh& body) {
   return 250'000'000 + 3200 * static_cast<std::uint64_t>(body.triangles.size());
 }
 
-// A rough estimate: assumes that the surface of the sweep is 1.5 times that of its bounding box.
+// Returns a rough estimate. It assumes that the surface of the sweep is 1.5 times that of its
+// bounding box.
 Estimate estimateOf(const Prepared& p, const Options& options) {
   Estimate e;
   e.grid = p.grid.cells();
@@ -206,7 +209,7 @@ void requireMemory(const Estimate& e, const RunContext& run) {
 
 namespace {
 
-/// `body`: in coordinates about the pivot of the trajectory.
+/// Plans a run. `body` is in coordinates about the pivot of the trajectory.
 Prepared preparedFor(CheckedBody body, const Trajectory& trajectory, const Options& options,
                      RunContext& run) {
   Prepared prepared;

@@ -29,10 +29,10 @@ struct Prepared {
   std::size_t givenPoses = 0;         ///< number of poses before the position filter
   double positionFilterDistance = 0;  ///< mm
   /// Grid of the previous run, used again if it still suits the sweep. With keepRoom, a new grid
-  /// gets some room for later sweeps.
+  /// has a margin for later sweeps.
   const GridPlan* lastGrid = nullptr;
   bool keepRoom = false;
-  bool keepBody = false;  ///< its topology is in use: do not split long edges
+  bool keepBody = false;  ///< true: do not split long edges, since the topology is in use
   Motion motion;
   GridPlan grid;
 };
@@ -46,11 +46,11 @@ void planRun(Prepared& prepared, const Options& options, RunContext& run);
 Estimate estimateOf(const Prepared& prepared, const Options& options);
 /// Returns the bytes per crossing of the surface at the peak of a run.
 double bytesOfCrossing(const Options& options);
-/// Returns the bytes that estimateOf() adds for the dense sampler; most belong to its largest
+/// Returns the bytes that estimateOf() adds for the dense sampler. Most of them are for its largest
 /// batch.
 std::uint64_t denseBytes(const TriMesh& body);
 
-/// See Estimate::usefulFilter. Requires the grid and the unfiltered poses.
+/// Returns Estimate::usefulFilter. Requires the grid and the unfiltered poses.
 double usefulFilterOf(const Prepared& prepared, const Options& options);
 
 /// Returns whether the run fits into its memory limit if it takes `times` the estimated memory.

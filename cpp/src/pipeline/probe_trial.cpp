@@ -110,10 +110,11 @@ struct OwnCell {
   }
 };
 
-/// A probe for one cell, whose origin is the corner of the cell. Records count and time of casts.
+/// Casts the probes of one cell, in coordinates whose origin is the corner of the cell. Records
+/// number and time of casts.
 class CellProbe : public SurfaceProbe {
  public:
-  /// `starts`: indices of the crossings with whose elements every search begins.
+  /// `starts`: every search begins with the elements of these crossings.
   CellProbe(const ElementProbe& whole, const Eigen::Vector3d& corner,
             const std::vector<std::uint32_t>& starts)
       : whole_(whole), corner_(corner), starts_(starts) {}

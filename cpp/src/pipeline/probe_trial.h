@@ -3,10 +3,10 @@
 // Out:   number of probes and their CPU seconds.
 // Cost:  about kProbeSeconds, or the fraction kProbePart of the estimated time.
 // Method: the probes of a cell depend on the exact positions of its crossings. A recorded motion
-//        trembles between the placements of a rough sweep, and the creases that this makes need
-//        many more probes. So the trial first moves the crossings of a cell to the surface of the
-//        whole motion. Then it casts the same probes as a run, against elements of the whole
-//        motion, so that later probes depend on true answers.
+//        trembles between the placements of a rough sweep. Trembling makes creases, which need many
+//        more probes. So the trial first moves the crossings of a cell to the surface of the whole
+//        motion. Then it casts the same probes as a run, against elements of the whole motion,
+//        because the positions of later probes depend on the answers to earlier ones.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -27,7 +27,7 @@ struct RoughSweep {
   const HermiteGrid& hermite;
 };
 
-/// Takes the time of one thread.
+/// Returns the estimated cost for all cells. Runs on the calling thread only.
 ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough, ComponentMethod components);
 
 }  // namespace swept

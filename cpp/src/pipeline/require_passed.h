@@ -9,7 +9,8 @@
 
 namespace swept {
 
-/// `what` names the mesh in the message, such as "the envelope".
+/// Throws unless the mesh has passed the check. `what` names the mesh in the message, such as "the
+/// envelope".
 void requirePassed(const MeshCheck& check, const char* what, double cell);
 
 }  // namespace swept

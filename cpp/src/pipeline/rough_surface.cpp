@@ -13,14 +13,15 @@
 namespace swept {
 namespace {
 
-/// Bounds of the number of placements of the rough motion. The limit of faces decides between them.
+/// Bounds of the number of placements of the rough motion. Between the bounds, the limit
+/// RoughRoom::faces decides.
 constexpr std::size_t kFewest = 6, kMost = 192;
 /// A motion of at most this many placements is used whole, if its faces are within the limit.
 constexpr std::size_t kMostWhole = 384;
 /// The grid is at most this many times coarser and has at least this many cells along its longest
 /// side.
 constexpr std::int32_t kCoarsest = 8, kFewestCells = 12;
-/// For a motion of fewer steps, one place is sampled to choose the coarsening; else two.
+/// To choose the coarsening, a motion of fewer steps is sampled at one place, others at two.
 constexpr std::size_t kFewSteps = 16;
 /// Normals and times are computed for about this many crossings at most.
 constexpr double kRoughCrossings = 5e5;

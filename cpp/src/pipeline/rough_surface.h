@@ -19,7 +19,7 @@ namespace swept {
 /// Approximate limits of a rough sweep.
 struct RoughRoom {
   double faces = 1.5e6;    ///< faces of the body times placements
-  double crossings = 1e7;  ///< raw crossings, before only the first on each edge remain
+  double crossings = 1e7;  ///< raw crossings, of which later only the first on each edge remain
 };
 /// Returns limits that are a small fraction of the run's own figures, but no less than the
 /// defaults.
@@ -27,10 +27,11 @@ RoughRoom roomBeside(const SamplingCost& sampling, double copies);
 
 struct RoughSurface {
   double crossings = 0;
-  ProbeCost probes;  ///< of contouring
+  ProbeCost probes;  ///< cost of the probes that contouring casts
 };
 
-/// `known`: the marked edges of the whole motion on the grid of the run, if they exist; consumed.
+/// Returns the estimate. `known` are the marked edges of the whole motion on the grid of the run,
+/// if they exist; the function consumes them.
 RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
                           std::optional<MarkedEdges> known, ComponentMethod components,
                           RunContext& run);

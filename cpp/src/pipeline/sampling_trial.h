@@ -2,11 +2,12 @@
 // In:    the sampler input of the run, with clusters.
 // Out:   CPU seconds, crossings and elements of the whole motion.
 // Cost:  limited by counts of triangle copies and crossings, not by time: about kTrialWork, or up
-//        to twice as much if that covers the whole motion. The map of the inside costs as in a run.
-// Method: a part consists of a few steps at some places of the motion. For a body with many
-//        triangles it shows only some clusters of faces, while culling uses the whole body. Parts
-//        use the work items of the run and leave out the same blocks and groups of placements
-//        (sampling/culling/step_blocks.h).
+//        to twice as much if that covers the whole motion. Building the map of the inside takes as
+//        long as in a run.
+// Method: a trial samples windows of a few steps at some places of the motion. For a body with many
+//        triangles, a window uses only some clusters of faces, while culling still uses the whole
+//        body. Windows are cut into the work items of the run and skip the blocks and groups of
+//        placements that the run skips (sampling/culling/step_blocks.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,13 +25,14 @@ class SamplingTrial {
  public:
   SamplingTrial(const SamplerInput& whole, RunContext& run);
 
-  /// CPU seconds to find the deep inside of the whole motion (sampling/cpu/deep_inside.h).
+  /// Returns the CPU seconds for finding the deep inside of the whole motion
+  /// (sampling/cpu/deep_inside.h).
   double insideSeconds() const { return insideSeconds_; }
   struct Whole {
     SamplingCost cost;
     std::optional<MarkedEdges> marked;  ///< set if the trial sampled the whole motion
   };
-  /// Cost of sampling the whole motion, without insideSeconds().
+  /// Returns the cost of sampling the whole motion, without insideSeconds().
   Whole whole() const;
   /// Returns the peak memory in bytes: the larger of sampling the whole motion and of building the
   /// map of the inside before. `surface`: number of crossings of the surface.
@@ -52,7 +54,7 @@ class SamplingTrial {
   SamplingCost byWindows(std::size_t count, const Parts& parts) const;
   SamplingCost byAllSteps(std::size_t count, const Parts& parts) const;
   std::size_t mostClusterParts() const;
-  /// Returns the fraction of all faces that a trial with `clusterParts` shows.
+  /// Returns the fraction of all faces that a trial with `clusterParts` samples.
   double fractionShown(std::size_t clusterParts) const;
 
   SamplerInput input(const Motion& motion) const;

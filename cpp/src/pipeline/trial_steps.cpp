@@ -35,7 +35,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   const double faces = static_cast<double>(p.body.mesh.triangles.size()), threads = threadsOf(run);
   double seconds = std::max(body.seconds / threads, faces * kBodySeconds) +
                    static_cast<double>(p.givenPoses) * kPoseSeconds;
-  double bytes = 0;  // of sampling
+  double bytes = 0;  // memory of sampling
   RoughSurface surface;
   const auto look = [&] {
     if (dense) {

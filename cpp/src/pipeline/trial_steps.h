@@ -1,11 +1,11 @@
-// Estimates the cost of a run by trying parts of it on the grid of the run (sampling_trial.h) and
-// by looking at a rough surface (rough_surface.h).
+// Estimates the cost of a run: samples parts of the run on its grid (sampling_trial.h) and a rough
+// surface (rough_surface.h).
 // In:    checked body, cost of its check, planned run.
 // Out:   the estimate with better values for seconds and memory.
-// Cost:  that of the parts, on one thread. Counts limit it, not time, so the figures for memory and
-//        triangles are reproducible.
-// Promise: within a factor of 2 for memory and 3 for seconds over most of the inputs of
-//        tests/tools/unseen_inputs.py (tests/tools/estimate_suite.py measures it).
+// Cost:  that of the samples, on one thread. Counts limit the work, not time, so the figures for
+//        memory and triangles are reproducible.
+// Promise: the estimate is within a factor of 2 for memory and 3 for seconds over most of the
+//        inputs of tests/tools/unseen_inputs.py (tests/tools/estimate_suite.py measures it).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

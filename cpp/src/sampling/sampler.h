@@ -35,18 +35,20 @@ struct SamplerInput {
   bool cull = true;  ///< drop provably enclosed faces and side patches
   /// True if the body is closed and its normals point outward; culling by direction is then valid.
   bool orientable = true;
-  const FaceClusters* clusters = nullptr;  ///< of the body, if they exist already
-  SampleCache* cache = nullptr;            ///< of the CPU sampler, for continuous motions
+  const FaceClusters* clusters = nullptr;  ///< clusters of the body, if they exist already
+  SampleCache* cache = nullptr;            ///< cache of the CPU sampler, for continuous motions
   /// Receives the number of crossings that the CPU sampler sorts, which determines its memory.
   std::uint64_t* crossings = nullptr;
-  /// True if enclosed spaces always count as inside. Then the deep inside may be left out.
+  /// True if enclosed spaces always count as inside. Then elements deep inside the sweep may be
+  /// left out.
   bool fillsHollows = false;
   const InsideMap* inside = nullptr;  ///< known inside of the sweep, for the CPU sampler
-  /// Placements that a trial of the CPU sampler samples. In a continuous motion, each comes with
-  /// the step that starts there.
+  /// The placements that a trial of the CPU sampler samples. In a continuous motion, the step that
+  /// starts at such a placement is also sampled.
   PlacementRange only{};
-  const PlaceGroups* groups = nullptr;  ///< of the whole motion, if they exist already
-  /// A trial shows one of this many parts of the clusters of a closed body; 0: no clusters.
+  const PlaceGroups* groups = nullptr;  ///< groups of the whole motion, if they exist already
+  /// A trial uses one of this many parts of the clusters of a closed body
+  /// (culling/kept_elements.h). 0: no clusters.
   std::size_t clusterParts = 1;
 
   /// Returns the input for another motion or grid, without data that belong to this motion.

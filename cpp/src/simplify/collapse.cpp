@@ -17,7 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Distance, in tolerances, and largest number of the attached points on a long edge.
+// For the points that are attached along a long edge: their distance in tolerances, and their
+// largest number.
 constexpr double kWatchSpacing = 3;
 constexpr int kMaxWatched = 3;
 // Number of slabs that are processed in parallel; fixed, so that the result does not depend on the
@@ -57,8 +58,8 @@ void prepare(CollapseState& state) {
   state.spacing = state.coarseness * state.tolerance;
 }
 
-// Slabs across the longest side, with about the same number of vertices each. With `shifted`, their
-// limits lie in the middle of the unshifted slabs.
+// Slabs across the longest side, with about the same number of vertices each. With `shifted`, the
+// limits between the slabs lie in the middle of the unshifted slabs.
 class Slabs {
  public:
   Slabs(const CollapseState& state, bool shifted) : state_(state) {
@@ -89,7 +90,8 @@ class Slabs {
 
   const std::vector<std::int32_t>& partOf() const { return partOf_; }
 
-  /// `done`: by vertex, >= 0 if an earlier pass has finished it; null: no earlier pass.
+  /// `done`: by vertex, 0 or more if an earlier pass has finished the vertex. null: there was no
+  /// earlier pass.
   std::vector<WorkPart> parts(const std::vector<std::int32_t>* done) const {
     std::vector<WorkPart> parts(limits_.size() + 1);
     for (std::size_t s = 0; s < parts.size(); ++s) {

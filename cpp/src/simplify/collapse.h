@@ -10,11 +10,11 @@
 // Promise: The surface stays closed and manifold. Each attached point and each removed vertex lies
 //          within the tolerance of a triangle of open ground. Sample points on new triangles of
 //          open ground lie within the tolerance of the original. No new triangle intersects another
-//          one, unless the triangles that it replaces did. A border stays near the surface of its
-//          patch and does not pass over vertices of the patch.
+//          one, unless the triangles that it replaces already did. A border stays near the surface
+//          of its patch and does not pass over vertices of the patch.
 // Threads: First, a fixed number of slabs is processed in parallel. Triangles of different slabs
-//          cannot meet. Then follow slabs around the limits of the first ones, and last the rest in
-//          one thread. The result does not depend on the number of threads.
+//          cannot meet. Then follow the slabs around the limits of the first slabs, and last the
+//          rest in one thread. The result does not depend on the number of threads.
 // Cost:    about 30 us per collapse.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -51,28 +51,28 @@ struct CollapseState {
   const NearestTriangle* original = nullptr;  ///< new triangles stay near it; null: not checked
   std::vector<std::unique_ptr<LabelSurface>> surfaces;  ///< by label
   TriMesh mesh;
-  std::vector<std::int32_t> label;  ///< by triangle
-  std::vector<VertexKind> kind;     ///< by vertex
-  /// By triangle: points that must stay near it.
+  std::vector<std::int32_t> label;  ///< label of each triangle
+  std::vector<VertexKind> kind;     ///< kind of each vertex
+  /// By triangle: points that must stay near the triangle.
   std::vector<std::vector<Eigen::Vector3d>> attached;
-  std::vector<char> dead;  ///< by triangle: 1 if it was removed
+  std::vector<char> dead;  ///< for each triangle, 1 if it was removed
   /// By vertex: 1 if new triangles around it are sampled at half the tolerance. A vertex that
   /// collapses passes this flag on. Empty: no vertex has the flag.
   std::vector<char> careful;
-  /// Distance of the sample points on other new triangles, in tolerances. Trial: the bunny over 16
-  /// keys at 512 cells, tolerance 0.5 mm. After the first round, with coarseness 1.5, 10 places
-  /// were too far off, by at most 1.1 tolerances; with 3, 11 places by 1.2; with 5, 48 places by
-  /// 1.3; with 8, 53 places by 2.1.
+  /// Distance of the sample points on all other new triangles, in tolerances. It comes from a
+  /// trial: the bunny over 16 keys at 512 cells, tolerance 0.5 mm. After the first round, with
+  /// coarseness 1.5, 10 places were too far off, by at most 1.1 tolerances; with 3, 11 places by
+  /// 1.2; with 5, 48 places by 1.3; with 8, 53 places by 2.1.
   double coarseness = 3;
-  /// By vertex: a triangle of the original near it. -1, or an empty list: not known.
+  /// By vertex: a triangle of the original near the vertex; -1 if not known. Empty: none is known.
   std::vector<std::int32_t> nearby;
 
   // collapseEdges() sets the members below.
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< origin of the quadrics
   double spacing = 0;  ///< distance of the sample points on new triangles, mm
-  std::vector<std::vector<std::int32_t>> around;  ///< by vertex: its triangles
+  std::vector<std::vector<std::int32_t>> around;  ///< for each vertex, its triangles
   std::vector<Quadric> quadric;
-  std::vector<char> gone;  ///< by vertex: 1 if it was removed
+  std::vector<char> gone;  ///< for each vertex, 1 if it was removed
   std::vector<std::uint32_t> stamp;
 };
 
@@ -81,7 +81,7 @@ struct CollapseState {
 /// such points.
 void watchLongEdges(CollapseState& state, const std::vector<char>& watched);
 
-/// `quick`: stop after the slabs. `log`, unless null, receives each step.
+/// Collapses edges. With `quick`, stops after the slabs. `log`, unless null, receives each step.
 void collapseEdges(CollapseState& state, bool quick, RunContext& run, CollapseLog* log = nullptr);
 
 /// Continues at the vertices of these triangles, after collapseEdges().

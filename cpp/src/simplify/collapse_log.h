@@ -46,7 +46,7 @@ class CollapseLog {
   void takeBack(CollapseState& state, const Step& step) const;
 
   std::vector<Step> steps_;
-  /// Of each step: the remaining triangles, then the removed ones.
+  /// For each step: the remaining triangles, then the removed ones.
   std::vector<std::int32_t> triangles_;
   std::vector<Corners> corners_;  ///< parallel to triangles_; unused for the removed ones
 };

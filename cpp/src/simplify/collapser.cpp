@@ -14,10 +14,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNearFraction = 0.25;  // of the squared tolerance: near enough to stop searching
-constexpr double kFoldFraction = 0.1;  // of the tolerance: how far a border may pass over its patch
-constexpr double kMinCosine = 0.2;     // a triangle may turn by less than 78 degrees
-constexpr double kMinShape = 0.01;     // height / longest side of a new triangle
+// Share of the squared tolerance; a search stops at a point this near.
+constexpr double kNearFraction = 0.25;
+// Share of the tolerance by which a border may pass over its patch.
+constexpr double kFoldFraction = 0.1;
+constexpr double kMinCosine = 0.2;  // a triangle may turn by less than 78 degrees
+constexpr double kMinShape = 0.01;  // height / longest side of a new triangle
 // Limit for the sample points on new triangles, as a share of the squared tolerance. The rest
 // allows for the surface between the points.
 constexpr double kNetFraction = 0.96;
@@ -129,7 +131,8 @@ void Collapser::collapse(std::int32_t from, std::int32_t to) {
   if (!mayGo(from, to) || !linkIsSimple(from, to) || !borderHolds(from, to)) return;
   const Vector3d best = placeFor(from, to);
   if (tryCollapse(from, to, best)) return;
-  // If a point is too far from the quadrics' best position, another position may still work.
+  // If a point is too far from the surface with the quadrics' best position, another position may
+  // still work.
   if (!isFree(from) || !isFree(to)) return;
   const Vector3d middle = 0.5 * (at(from) + at(to));
   const Vector3d first = at(from), last = at(to), between = 0.5 * (best + middle);
@@ -138,8 +141,8 @@ void Collapser::collapse(std::int32_t from, std::int32_t to) {
   }
 }
 
-// Checks that the new straight border edges stay within the tolerance of the patch's surface. The
-// attached points cannot ensure this where open ground rises beside the border.
+// Checks that the new straight border edges stay within the tolerance of the patch's surface. Where
+// open ground rises beside the border, the attached points alone cannot ensure this.
 bool Collapser::borderHolds(std::int32_t from, std::int32_t to) {
   if (state_.kind[from] != VertexKind::Border) return true;
   const LabelSurface* surface = nullptr;
@@ -159,7 +162,7 @@ bool Collapser::borderHolds(std::int32_t from, std::int32_t to) {
   return true;
 }
 
-// Whether the triangle would face the other way, seen along the normal of the surface.
+// Whether the triangle would face the other way: its normal against that of the surface.
 bool Collapser::turnsOver(const std::array<Vector3d, 3>& next, const LabelSurface& surface) const {
   const Vector3d normal = surface.normal((next[0] + next[1] + next[2]) / 3);
   return areaOf(next).dot(normal) <
@@ -283,7 +286,7 @@ bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d
     if (state_.label[staying_[k]] >= 0) continue;
     const auto& c = corners_[k];
     if (squaredLongest(c) <= spacing * spacing) continue;
-    // The corners are known to be near. They only supply the hint for the next search.
+    // The corners are known to be near the original. They only supply the hint for the next search.
     const auto& v = state_.mesh.triangles[staying_[k]];
     const bool far = spreadPoints(c[0], c[1], c[2], spacing, [&](const Vector3d& p) {
       for (int i = 0; i < 3; ++i) {
@@ -306,8 +309,8 @@ bool Collapser::meet(std::int32_t triangle, std::int32_t other) const {
   return meetWrongly(mesh, triangle, other);
 }
 
-// Whether remaining triangles with their new vertices intersect other triangles, which go into
-// hits_.
+// Returns whether a remaining triangle with its new vertices intersects another triangle. Collects
+// these triangles in hits_.
 bool Collapser::meetsOthers() {
   hits_.clear();
   around_.clear();

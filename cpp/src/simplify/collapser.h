@@ -14,8 +14,8 @@
 
 namespace swept {
 
-/// The part of one worker. The worker may change the vertices with its number in partOf, and keeps
-/// their coordinate on the axis within [low, high).
+/// The part of one worker. The worker may change the vertices that have its number in partOf. Their
+/// coordinate along the axis stays within [low, high).
 struct WorkPart {
   /// By vertex: the number of its worker. null: all vertices belong to this worker.
   const std::vector<std::int32_t>* partOf = nullptr;
@@ -81,18 +81,19 @@ class Collapser {
   CollapseLog* log_;
   MovingBoxes boxes_;
   std::priority_queue<Entry> queue_;
-  // Buffers; they are members only so that their memory is reused.
+  // Buffers. They are members so that their memory is reused.
   std::vector<std::int32_t> ring_, otherRing_, common_;
   std::vector<std::int32_t> staying_, dying_;  // triangles
   std::vector<Corners> was_;  // vertices of the remaining triangles before the step
-  std::vector<std::array<Point, 3>> corners_;  // the same after the step
-  // Points, and the index in staying_ of their new triangle.
+  std::vector<std::array<Point, 3>> corners_;  // vertices of these triangles after the step
+  // Attached points, each with the index in staying_ of its new triangle.
   std::vector<std::pair<Point, std::int32_t>> moved_;
   std::vector<std::int32_t> hits_;
   // Triangles near those that stay, with their boxes.
   std::vector<std::pair<std::int32_t, MovingBoxes::Box>> around_;
   std::int32_t nearest_ = -1;  // triangle of the original near the last point in question
-  std::int32_t placed_ = -1;   // the same for the new position of the vertex that stays
+  // Triangle of the original near the new position of the staying vertex.
+  std::int32_t placed_ = -1;
 };
 
 }  // namespace swept

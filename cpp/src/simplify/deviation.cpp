@@ -38,7 +38,8 @@ class Measurement {
 
  private:
   // Calls part(i, found, hint) for each i < n, in blocks. Each block starts with the largest
-  // distance known before, since smaller distances within the limit need not be exact.
+  // distance known before. Smaller distances need not be exact, as long as they are within the
+  // limit.
   template <class Part>
   void forAll(std::size_t n, std::size_t block, const Part& part) {
     std::vector<Found> found((n + block - 1) / block);
@@ -69,8 +70,8 @@ class Measurement {
       see(original_.vertices[v], found, hint);
       home[v] = hint;
     });
-    // If all vertices lie near one triangle, so does the inside, since distance from a triangle is
-    // convex.
+    // If all three vertices lie near the same triangle, so does the inside, since the distance from
+    // a triangle is convex.
     constexpr std::array<std::array<double, 2>, 7> kInner = {
         {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
     forAll(original_.triangles.size(), 2048, [&](std::size_t t, Found& found, std::int32_t& hint) {

@@ -1,6 +1,6 @@
-// Measures the distance of two surfaces in both directions. From the original: each vertex, and
-// points within those triangles that are not near a single triangle of the result. From the result:
-// a grid of points on each triangle.
+// Measures the distance of two surfaces in both directions. On the original it measures at each
+// vertex, and at points within those triangles that are not near a single triangle of the result.
+// On the result it measures at a grid of points on each triangle.
 // Units:   mm.
 // Cost:    O(n) searches in the trees of both surfaces. Mostly the triangle of the previous search
 //          suffices.
@@ -22,13 +22,14 @@ struct FarPlace {
 };
 
 struct Deviation {
-  double largest = 0;            ///< mm, largest distance of both directions
+  double largest = 0;            ///< mm, largest distance in either direction
   std::vector<FarPlace> missed;  ///< points of the original
   /// The farthest point of each triangle of the result that is too far, by ascending triangle.
   std::vector<FarPlace> strays;
 };
 
-/// `spacing`: mm, distance of the grid points. `nearOriginal` must be built with Walks::Yes.
+/// Measures the deviation. `spacing` (mm) is the distance of the grid points. `nearOriginal` must
+/// be built with Walks::Yes.
 Deviation measureDeviation(const TriMesh& original, const NearestTriangle& nearOriginal,
                            const TriMesh& result, double spacing, double tolerance);
 

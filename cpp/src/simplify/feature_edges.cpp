@@ -53,7 +53,8 @@ std::vector<Edge> turningEdges(const TriMesh& mesh, const RawArray<std::uint32_t
   return edges;
 }
 
-/// For each vertex of an edge: whether the planes of its triangles have rank 2 or 3.
+/// Returns for each vertex whether it belongs to one of the edges and the planes of its triangles
+/// have rank 2 or 3.
 std::vector<std::uint8_t> onFeature(const TriMesh& mesh, const std::vector<Edge>& edges) {
   std::vector<std::uint32_t> place(mesh.vertices.size(), kNone);
   std::vector<std::int32_t> wanted;

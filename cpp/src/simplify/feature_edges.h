@@ -1,6 +1,6 @@
 // Finds the creases of a mesh: edges at which the surface turns, if both end vertices lie on a
-// crease or at a corner. Such a vertex has a quadric of rank 2 or 3 (from the planes of its
-// triangles).
+// crease or at a corner. A vertex lies there if its quadric, made from the planes of its triangles,
+// has rank 2 or 3.
 // Cost:    O(n).
 // Order:   by the smaller, then the larger vertex.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -16,7 +16,7 @@
 namespace swept {
 
 std::vector<std::array<std::int32_t, 2>> findFeatureEdges(const TriMesh& mesh);
-/// As above, with known opposite half-edges (geometry/half_edges.h).
+/// Does the same with known opposite half-edges (geometry/half_edges.h).
 std::vector<std::array<std::int32_t, 2>> findFeatureEdges(const TriMesh& mesh,
                                                           const RawArray<std::uint32_t>& across);
 

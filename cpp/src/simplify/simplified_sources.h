@@ -5,8 +5,8 @@
 // Units:   mm.
 // Cost:    up to 16 nearest-triangle searches per triangle of the mesh. The result does not depend
 //          on the number of threads.
-// Limits:  a triangle that crosses a border stands for both sides. A point is ignored if the
-//          nearest triangle of the surface faces the other way (thin wall).
+// Limits:  a triangle that crosses the border between two sources gets only one of them. A sample
+//          point is ignored if the nearest triangle of the surface faces the other way (thin wall).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,7 +16,8 @@
 
 namespace swept {
 
-/// `spacing`: mm, typical size of the surface's triangles. `nearest`: search tree of the surface.
+/// Returns the sources of `mesh`. `spacing` (mm) is the typical size of the surface's triangles,
+/// `nearest` the search tree of the surface.
 Sources sourcesOfSimplified(const TriMesh& surface, const NearestTriangle& nearest,
                             const Sources& sources, const TriMesh& mesh, double spacing);
 

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Share of the tolerance for thinning; edge collapses use the rest.
+/// Share of the tolerance that thinning may use; edge collapses use the rest.
 constexpr double kThinFraction = 0.3;
 constexpr double kFirstLevel = 0.025;  ///< limit of the first level, in cells
 /// Share of the remaining tolerance for the collapses. They test points only, and the surface
@@ -27,7 +27,7 @@ constexpr double kLessEachRound = 0.9;  ///< factor of the tolerance after a rou
 constexpr int kRounds = 4;              ///< rounds of improvement
 constexpr int kFirstDepth = 2;          ///< steps undone at each place; doubles with each round
 constexpr int kThinTrials = 4;          ///< thinning trials, each with more vertices kept
-constexpr double kLeastFraction = 0.1;  ///< of the tolerance; below it, nothing is simplified
+constexpr double kLeastFraction = 0.1;  ///< share of the tolerance; below it, nothing is simplified
 
 // Attaches each missed point of the original to the nearest of the changed triangles, so that
 // further collapses keep it near.

@@ -5,9 +5,10 @@
 //          collapses (collapse.h) use the rest. Then the deviation is measured in both directions.
 //          Where it is too large, a second round also watches the missed points and the places that
 //          deviate. Further rounds use less of the tolerance.
-// The surface is kept, so that it can be simplified again with another tolerance. Coarse tolerances
-// share thinned surfaces, called levels. Level 0 is the surface, and each further level is thinned
-// from the previous one within twice its limit. A level is built at its first use.
+// The surface is kept, so that it can be simplified again with another tolerance. All tolerances
+// share a series of thinned surfaces, called levels. The first level is thinned from the surface,
+// each further level from the previous one with a limit twice as large. A level is built at its
+// first use.
 // Units:   mm.
 // Cost:    O(n) for the levels, O(m log m) to simplify a level of m triangles.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -43,14 +44,14 @@ class Simplifier {
   /// `sources`: sources of the surface's triangles, or empty.
   Simplifier(TriMesh mesh, std::vector<double> contactTime, double cell, Sources sources = {});
 
-  /// `tolerance`: mm, above 0. Several threads may call this at once. The result depends only on
-  /// the tolerance, never on earlier calls.
+  /// Returns the simplified surface. `tolerance` (mm) must be above 0. Several threads may call
+  /// this at once. The result depends only on the tolerance, never on earlier calls.
   Simplified cut(double tolerance, RunContext& run) const;
 
   const TriMesh& mesh() const { return mesh_; }
   const std::vector<double>& contactTime() const { return contactTime_; }
   const Sources& sources() const { return sources_; }
-  /// Feature edges of the unsimplified surface.
+  /// Returns the feature edges of the unsimplified surface.
   std::vector<std::array<std::int32_t, 2>> featureEdges() const;
 
  private:
@@ -60,7 +61,8 @@ class Simplifier {
     double limit = 0;                  ///< mm, largest distance from the surface
     std::unique_ptr<NearestTriangle> nearest;
   };
-  /// `kept`: by vertex of the surface, 1 if it must stay; empty: none must.
+  /// Returns a level thinned from `from`, or from the surface if it is null. `kept`: by vertex of
+  /// the surface, 1 if the vertex must stay; empty: no vertex must stay.
   std::unique_ptr<Level> thinned(const Level* from, double limit, RunContext& run,
                                  std::vector<char> kept = {}) const;
   /// Returns the coarsest level within `limit`, or null.

@@ -26,7 +26,7 @@ constexpr double kFirstFraction = 0.1;  // share of the limit in the first round
 // quarter of the triangles of the mesh for surface recognition. More rounds do not make it smaller.
 struct Manner {
   int rounds = 3;
-  double meanFraction = 1;  // of the limit: largest root mean square distance from the planes
+  double meanFraction = 1;  // share of the limit: largest root mean square distance from the planes
   double minCosine = 0.5;   // a triangle may turn by less than 60 degrees
   double minShape = 0.03;   // area vector / longest side squared
   double longest = 50;  // limit of a new edge's length, as a multiple of the mean edge of the input
@@ -154,8 +154,8 @@ class Thinner {
       if (partOf_[v] != partOf_[w]) inner_[v] = inner_[w] = 0;
     }
   }
-  // Removes vertices in [begin, end). With `inner`, only those with all neighbours in their part:
-  // collapses in other parts do not touch their triangles, so all parts can run in parallel.
+  // Removes vertices in [begin, end); with `inner`, only those with all neighbours in their part.
+  // Collapses in other parts do not touch their triangles, so all parts can run in parallel.
   void pass(std::int32_t begin, std::int32_t end, double limit, bool inner) {
     Scratch scratch;
     for (std::int32_t v = begin; v < end; ++v) {
@@ -247,7 +247,7 @@ class Thinner {
     return off <= limit;
   }
 
-  // Calls visit(corners) for the triangles at v that do not touch u, until visit returns false.
+  // Returns whether visit(corners) is true for all triangles at v that do not touch u.
   template <class Visit>
   bool allAbout(std::int32_t v, std::int32_t u, const Visit& visit) const {
     std::int32_t h = fan_[v];

@@ -4,15 +4,15 @@
 // Out:     a smaller closed manifold mesh. It has no more pairs of intersecting triangles than the
 //          input.
 // Units:   mm.
-// Promise: The displacements of the collapses add up, for each vertex, to no more than the limit.
-//          A displacement is the larger of two distances: of the removed vertex from the new
-//          triangles, and of the middles of new edges from the old ones. Neighbours share the
-//          limit, so the surface may deviate slightly more in places. A caller that promises a
-//          distance must measure it.
-// Order:   rounds with growing limits instead of a queue, since the order matters little at a small
-//          part of the final tolerance.
-// Cost:    O(n), about 2 us per vertex. The parts of a round do not depend on the number of
-//          threads.
+// Promise: The displacements of the collapses add up, for each vertex, to no more than the limit. A
+//          displacement is the larger of two distances: of the removed vertex from the new
+//          triangles, and of the middles of new edges from the old triangles. Each vertex has its
+//          own sum, so the surface around several moved vertices may deviate slightly more. A
+//          caller that promises a distance must measure it.
+// Order:   rounds with growing limits instead of a priority queue. The limit is a small part of the
+//          final tolerance, so the order of the collapses matters little.
+// Cost:    O(n), about 2 us per vertex. Each round works on a fixed number of parts in parallel, so
+//          the result does not depend on the number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -35,8 +35,8 @@ struct Thinned {
   std::vector<std::int32_t> triangle;
 };
 
-/// `phase`: the phase for progress reports. `kept`: by vertex, 1 if it must stay together with all
-/// triangles that have only such vertices; empty: none must.
+/// Returns the thinned mesh. `phase` is that for progress reports. `kept`: by vertex, 1 if the
+/// vertex must stay. A triangle with three such vertices stays, too. Empty: no vertex must stay.
 Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase, RunContext& run,
                 std::vector<char> kept = {});
 

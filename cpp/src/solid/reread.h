@@ -9,9 +9,10 @@
 
 namespace swept {
 
-/// Returns what is wrong with the solid, or an empty text. The solid must be valid and have as many
-/// solids and shells as the mesh. Its volume may differ by at most area times tolerance. If
-/// surfaces were recognised, no edge or vertex may have a larger tolerance than the solid.
+/// Returns what is wrong with a solid that was read back; empty if nothing is. The solid must be
+/// sound. It must have the volume of the mesh and as many solids and shells as the mesh. If
+/// surfaces were recognised, no edge or vertex may have a tolerance (mm) larger than that of the
+/// solid.
 std::string rereadComplaint(const SolidCheck& read, const step::HalfEdgeMesh& mesh,
                             const StepOptions& options);
 

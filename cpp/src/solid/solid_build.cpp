@@ -65,7 +65,7 @@ bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOpti
           ", or export a mesh file: PLY, STL, OBJ, OFF or 3MF hold it easily");
 }
 
-// Fraction of the tolerance, for thinning a dense mesh before surfaces are recognised.
+// Share of the tolerance for thinning a dense mesh before surfaces are recognised.
 constexpr double kThinFraction = 0.15;
 constexpr std::size_t kDense = 150000;  // triangles; a smaller mesh is not thinned first
 
@@ -75,14 +75,14 @@ double diagonalOf(const HalfEdgeMesh& mesh) {
   return box.diagonal().norm();
 }
 
-// Builds with the given tolerance, or with the smallest of a series that meets the limits;
-// `options` then contains it.
+// Builds with the given tolerance. Without one, takes the first tolerance of a series with which
+// the solid keeps the limits. `options` receives the tolerance.
 Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
                    KernelSession& kernel, RunContext& run) {
   const auto fits = [&](std::int64_t count) {
     return isWithinLimits(count, mesh, options, format);
   };
-  constexpr double kFirst = 1.0 / 4000, kMax = 1.0 / 100;  // of the diagonal
+  constexpr double kFirst = 1.0 / 4000, kMax = 1.0 / 100;  // share of the diagonal
   const bool given = options.tolerance > 0;
   std::int64_t faces = 0;
   if (!given) {
@@ -96,7 +96,7 @@ Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat f
   if (!given) options.tolerance = kFirst * diagonal;
   for (;; options.tolerance *= 2) {
     if (dense->triangles.size() > kDense) {
-      // Continue with the result of the last round, whose part of the tolerance was half as large.
+      // Continues with the result of the last round, which was thinned with half the limit.
       thin = thinned(*dense, kThinFraction * options.tolerance, run);
       dense = &thin;
     }
@@ -130,7 +130,7 @@ void checkOptions(const StepOptions& options) {
 
 double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
                    SolidFormat format) {
-  // Many plane faces without hollow spaces are written by their corners.
+  // If there are many plane faces and no cavities, the file contains only the corners of the faces.
   const bool corners = faces >= kManyFaces && (options.tolerance <= 0 || !options.recognise) &&
                        countOuterShells(mesh.shellOwner) == std::ssize(mesh.shellOwner);
   const double bytes = format == SolidFormat::Brep ? kBrepBytesPerFace

@@ -1,8 +1,11 @@
-// Builds a solid from a mesh within the limits of the options. Export and trial estimate share this
-// code.
-// In: closed mesh, mm. Out: the model and the kernel shape. Cost: that of kernel/shape_maker.h, or
-// a few times that if the tolerance must be searched to meet a limit. The caller holds the
-// KernelSession. Throws Error(ExportFailed, ...), Error(OutOfMemory), Error(Cancelled).
+// Builds the model and the kernel shape of a mesh within the limits of the options. Writing a solid
+// and estimating its cost both use these functions.
+// In:      closed mesh, mm.
+// Out:     the kernel shape with its model.
+// Cost:    see kernel/shape_maker.h; a few times as much if the limits require a search for a
+//          tolerance.
+// The caller holds the KernelSession. Throws Error(ExportFailed, ...), Error(OutOfMemory),
+// Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,18 +23,18 @@
 
 namespace swept::step {
 
-/// Throws Error(ExportFailed, "BadOption").
+/// Throws Error(ExportFailed, "BadOption") if an option is out of its range.
 void checkOptions(const StepOptions& options);
 
-/// Returns the approximate size of the file.
+/// Returns the approximate size of the file in megabytes.
 double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
                    SolidFormat format);
 
-/// Returns a copy with fewer triangles that deviates by at most about `limit` (mm).
+/// Returns the mesh, thinned within `limit` (mm).
 HalfEdgeMesh thinned(const HalfEdgeMesh& mesh, double limit, RunContext& run);
 
-/// Runs work() and returns its result. If the tolerance is as large as the body, the surface may
-/// turn inside out; then halves the tolerance and tries again, up to eight times.
+/// Returns work(). If the tolerance is as large as the body, the surface may turn inside out. Then
+/// halves the tolerance and tries again.
 template <class Work>
 auto uprightWithin(double& tolerance, const Work& work) {
   constexpr int kHalvings = 8;
@@ -45,21 +48,21 @@ auto uprightWithin(double& tolerance, const Work& work) {
   }
 }
 
-/// Builds with the tolerance of the options. If this is 0 and the exact solid exceeds a limit, uses
-/// the smallest tolerance of a series that meets the limits, and stores it in `options`.
+/// Builds the solid with the given tolerance. Without one, tries 0 and then a series of tolerances,
+/// and takes the first that keeps the limits. `options` receives the tolerance that was used.
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
                         KernelSession& kernel, RunContext& run);
 
-/// Writes the text of the file. `name`: the name of the file, for its header.
+/// Writes the text of the file. `name` is the file name for the header.
 void writeBuilt(const Built& built, std::ostream& out, const std::string& name,
                 const StepOptions& options, SolidFormat format, RunContext& run);
 
 /// Returns whether a solid with facets only may succeed after this error.
 bool isWorthFacets(const Error& error);
 
-/// Runs work() with a copy of the options, which it may change, and returns its result. If that
-/// fails because of recognised surfaces, runs work() once more with facets only. `why` then
-/// receives the message of the failure; otherwise it is empty.
+/// Returns work(options), which may change its copy of the options. If it fails because of
+/// recognised surfaces, calls it again without them, so that all faces are facets. `why` receives
+/// the message of the failure; empty if there was none.
 template <class Work>
 auto orFacets(const StepOptions& options, std::string& why, const Work& work) {
   StepOptions used = options;
@@ -78,8 +81,8 @@ auto orFacets(const StepOptions& options, std::string& why, const Work& work) {
                                       RunContext& run);
 [[noreturn]] void refuseMemory(std::size_t triangles);
 
-/// Runs work() and converts exceptions of the kernel to Error. `triangles`: their number in the
-/// mesh, for the message.
+/// Returns work(). Converts exceptions of the kernel to an Error. `triangles` is their number in
+/// the mesh, for the message.
 template <class Work>
 auto withKernel(const KernelSession& kernel, std::size_t triangles, RunContext& run,
                 const Work& work) {

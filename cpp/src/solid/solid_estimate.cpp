@@ -23,8 +23,8 @@ using namespace step;
 // Seconds, measured on triangulated bodies and swept parts (tests/tools/solid_estimate_suite.py).
 constexpr double kGuessPerFace = 3e-4, kGuessPerTriangle = 8e-6;
 constexpr double kAsItIs = 2e-6;  // per triangle of a tessellated solid
-// Seconds to read back and check a plane face, and an edge of a curved face. A BREP file needs no
-// repair.
+// Seconds to read back and check a plane face, and an edge of a curved face. A BREP file takes
+// less, since it needs no healing.
 constexpr double kStepFace = 2e-4, kStepCurvedEdge = 1e-3;
 constexpr double kBrepFace = 2e-5, kBrepCurvedEdge = 1e-4;
 
@@ -75,7 +75,7 @@ SolidEstimate guess(const TriMesh& input, const StepOptions& options, SolidForma
     estimate.faces =
         static_cast<std::int64_t>(partition.patches.size()) +
         std::count(partition.patchOf.begin(), partition.patchOf.end(), std::int32_t{-1});
-    // Above the limit of faces, the export searches for a tolerance that keeps it.
+    // Above the limit of faces, the export searches for a tolerance with fewer faces.
     if (!options.exact) estimate.faces = std::min(estimate.faces, options.maxFaces);
   }
   estimate.megabytes = megabytesOf(estimate.faces, mesh, options, format);

@@ -1,5 +1,4 @@
-// Writes a mesh as a STEP or BREP file: builds the solid, writes the file under a temporary name,
-// reads it back, checks it, and renames it.
+// Writes a mesh as a STEP or BREP file: partition, model, kernel shape, file, check, final name.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <tbb/task_arena.h>
 
@@ -33,7 +32,7 @@ void compare(const SolidCheck& check, const HalfEdgeMesh& mesh, const StepOption
                   "; an existing file was kept. Change the tolerance, or export a mesh file");
 }
 
-// Adds to the note of the report if the solid does not keep the tolerance.
+// Adds a note to the report if the solid deviates from the mesh by more than its tolerance.
 void noteDeviation(StepReport& report) {
   if (!(report.tolerance > 0 && report.deviation > report.tolerance)) return;
   if (!report.note.empty()) report.note += "; ";
@@ -42,7 +41,8 @@ void noteDeviation(StepReport& report) {
                  " mm; a smaller tolerance may reduce the deviation";
 }
 
-// mm: plane faces whose edges are at least this accurate need no healing by the kernel.
+// The kernel reads plane faces without healing them if their vertices and edges lie within this
+// distance (mm) of their planes.
 constexpr double kExact = 1e-5;
 
 StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptions& options,

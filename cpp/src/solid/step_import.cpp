@@ -54,8 +54,7 @@ void checkStructure(const std::filesystem::path& file, const std::string& path) 
                   "; export the file again from the program that made it");
 }
 
-/// Returns whether a file is BREP, by its suffix. If the suffix belongs to neither format, by the
-/// first bytes of the file.
+/// Decides by the suffix of the file, or by its first characters if the suffix is unknown.
 bool isBrep(const std::filesystem::path& file) {
   const std::string suffix = suffixOf(utf8FromPath(file));
   if (suffix == "brep" || suffix == "brp") return true;
@@ -66,7 +65,7 @@ bool isBrep(const std::filesystem::path& file) {
   return head.find("ISO-10303-21") == std::string::npos;
 }
 
-// Returns the triangles of a shape. `faces`: all faces of the file, which number those of the mesh.
+// `faces` are those of the whole file.
 TriMesh meshOf(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces) {
   TriMesh mesh;
   for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())
@@ -81,8 +80,8 @@ TopoDS_Shape readShape(const std::string& path, step::KernelSession& kernel, Run
   return step::readStepFile(path, kernel, run, &names);
 }
 
-// Names the solids after their products if the file has several named products, else all after the
-// file. Solids that share a name get numbers.
+// Names each solid after its product, or after the file if the products do not tell the solids
+// apart. Solids with the same name get numbers.
 void nameSolids(std::vector<ImportedSolid>& solids, const std::string& stem) {
   std::map<std::string, int> counts;
   for (const ImportedSolid& solid : solids) ++counts[solid.name];
@@ -98,8 +97,8 @@ void nameSolids(std::vector<ImportedSolid>& solids, const std::string& stem) {
   }
 }
 
-// Calls read() with the shape of a file and the names of its products. Converts errors of the
-// kernel to Error(InvalidInput, "BadFile").
+// Calls `read` with the shape of a file and the names of its products. A failure of the kernel
+// becomes an error of the input.
 template <class Read>
 auto withShape(const std::string& path, RunContext& run, Read read) {
   std::error_code code;

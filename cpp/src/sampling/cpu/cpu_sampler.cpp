@@ -27,8 +27,8 @@ class CrossingBudget {
  public:
   CrossingBudget(const RunContext& run, double cell) : limit_(memoryLimit(run)), cell_(cell) {}
 
-  /// `crossings` may be negative, converted to unsigned, if a step thins its crossings: the sum
-  /// wraps around to the correct value.
+  /// Adds a number of crossings. If a step thins its crossings, it passes a negative number,
+  /// converted to unsigned; the sum then wraps around to the correct value.
   void add(std::size_t crossings) {
     const std::uint64_t bytes = kBytes * (taken_ += crossings);
     if (limit_ == 0 || bytes <= limit_) return;
@@ -102,8 +102,8 @@ class ItemSampler {
     });
   }
   /// Once there are many crossings, removes those that are neither first nor last on their lattice
-  /// edge. Faces that slide within themselves cross the same edges at every placement. `last`: true
-  /// for the last call of the item.
+  /// edge. Faces that slide within their own surface cross the same edges at every placement.
+  /// `last`: true for the last call of the item.
   void thin(bool last) {
     if (out_.records.size() < limit_ && !(last && thinned_)) return;
     keepEnds(out_.records, input_.grid);
@@ -149,7 +149,7 @@ class ItemSampler {
 /// Samples one work item of a union of copies.
 class UnionSampler {
  public:
-  /// `posed`: shared by all items of one thread, which often have the same placement.
+  /// `posed` is shared by all items of one thread, since these often have the same placement.
   UnionSampler(const SamplerInput& input, PosedVertices& posed, RecordChunk& out,
                CrossingBudget& budget)
       : input_(input), sampler_(input, out), out_(out), budget_(budget), posed_(posed) {}
@@ -277,7 +277,7 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   if (input.groups == nullptr) ownGroups.emplace(input, clusters, run);
   const PlaceGroups& groups = input.groups != nullptr ? *input.groups : *ownGroups;
   CrossingBudget budget(run, input.grid.cell);
-  // One per thread: buffers that keep their size, and the posed vertices of a union.
+  // Each thread has its own buffers, which keep their size, and its own posed vertices of a union.
   tbb::enumerable_thread_specific<std::vector<CrossingRecord>> rooms;
   tbb::enumerable_thread_specific<PosedVertices> posed([&] { return PosedVertices(input); });
   parallelFor(items.size(), [&](std::size_t i) {

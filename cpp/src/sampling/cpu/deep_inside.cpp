@@ -12,12 +12,12 @@
 namespace swept {
 namespace {
 
-/// At most one placement per kPlacementsPerCopy is sampled as a whole copy; none if that gives
-/// fewer than kFewest copies. From kWithExtreme copies on, the placements farthest along many
-/// directions are among them.
+/// The number of whole copies is that of the placements, divided by kPlacementsPerCopy, up to
+/// kMost. If it is less than kFewest, no copies are sampled. From kWithExtreme copies on, they
+/// include the placements farthest along many directions.
 constexpr std::size_t kPlacementsPerCopy = 128, kFewest = 8, kWithExtreme = 176, kMost = 256;
 /// The map is used only if it hides at least this fraction of the crossings of some other copies.
-/// Thin parts on long ways hide little, and the queries take time.
+/// Thin parts that travel far hide little, and the queries take time.
 constexpr double kLeastHidden = 0.5;
 constexpr std::size_t kTrials = 8;
 
@@ -58,8 +58,8 @@ class Places {
     });
   }
 
-  /// For each of some directions, adds the placements that carry a point of the body farthest that
-  /// way. These placements form the surface of the sweep, or lie close below it.
+  /// For each of some directions, adds the placements that carry a point of the body farthest in
+  /// this direction. These placements form the surface of the sweep, or lie close below it.
   void addExtreme(std::vector<std::size_t>& chosen) const {
     constexpr int kFine = 2;
     for (int x = -kFine; x <= kFine; ++x) {
@@ -77,7 +77,7 @@ class Places {
     sortUnique(chosen);
   }
 
-  /// Adds the placement farthest from all chosen ones, until there are `count`.
+  /// Adds placements until there are `count`. Each is the one farthest from all chosen before.
   void addSpread(std::vector<std::size_t>& chosen, std::size_t count) const {
     std::vector<float> distance(at_.size(), std::numeric_limits<float>::max());
     const auto take = [&](std::size_t from) {

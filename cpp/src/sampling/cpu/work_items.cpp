@@ -6,7 +6,8 @@
 namespace swept {
 namespace {
 
-/// Faces per item of a union: an item takes some milliseconds, and all cores share a large body.
+/// Faces per item of a union. With this number an item takes some milliseconds, and several cores
+/// can share the faces of a large body.
 constexpr std::size_t kFaces = 8192;
 /// About this many items of a union suffice for all cores. More items take more memory: each has
 /// its own list of grid layers. If faces can be left out, there are fewer and longer items, since

@@ -14,7 +14,7 @@ namespace swept {
 /// Approximate number of work items of a continuous motion.
 constexpr std::size_t kMotionItems = 48;
 /// A work item with at least this many placements or crossings may hold many crossings that cannot
-/// matter. It removes them on the way (thinning).
+/// matter. Such an item removes them on the way (thinning).
 constexpr std::size_t kMinThinPlacements = 16, kMinThinRecords = std::size_t{1} << 20;
 
 /// Work item: the placements [begin, end) with the faces [faceBegin, faceEnd).

@@ -10,7 +10,8 @@
 namespace swept {
 namespace {
 
-constexpr float kMinCosine = 0.985f;  ///< to the first face's normal; a cone of at most 10 degrees
+/// Smallest cosine of a normal to that of the first face: a cone of at most 10 degrees.
+constexpr float kMinCosine = 0.985f;
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 void measure(const TriMesh& body, const BodyTopology& topology, const FaceClusters& all,

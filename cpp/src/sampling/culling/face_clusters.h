@@ -23,8 +23,8 @@ struct FaceCluster {
 };
 
 struct FaceClusters {
-  /// Largest number of faces. Larger clusters have wider normal cones; fewer are decided as a
-  /// whole.
+  /// Largest number of faces of a cluster. Larger clusters have wider normal cones, so culling
+  /// could keep or drop fewer clusters as a whole.
   static constexpr std::uint32_t kMaxFaces = 24;
 
   std::vector<FaceCluster> clusters;
@@ -45,7 +45,8 @@ struct FaceClusters {
   struct Border {
     std::uint32_t firstEdge = 0, edgeCount = 0;
     std::int32_t left = 0;
-    /// Cluster; -1 for boundary and non-manifold edges, whose side patches are never enclosed.
+    /// The cluster on the other side; -1 for boundary and non-manifold edges, whose side patches
+    /// are never enclosed.
     std::int32_t right = -1;
     bool opposed = false;
   };

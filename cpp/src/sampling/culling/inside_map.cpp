@@ -27,7 +27,8 @@ class Distances {
   }
 
  private:
-  /// way: -1 looks at the rows and the block before, 1 at those after.
+  /// Processes one row of blocks. With `way` -1, looks at the rows and the block before it, with 1
+  /// at those after it.
   void pass(std::size_t row, int way) {
     const auto i = static_cast<std::ptrdiff_t>(row / blocks_[1]);
     const auto j = static_cast<std::ptrdiff_t>(row % blocks_[1]);
@@ -108,8 +109,9 @@ InsideMap::InsideMap(const MarkedEdges& marked, const SignRuns& signs, const Gri
 }
 
 void InsideMap::findFronts(const MarkedEdges& marked, const SignRuns& signs, const GridPlan& grid) {
-  /// Only crossings at least this far behind a known one are hidden, in 1 / kParts of an edge. This
-  /// is well above the precision of crossings, so an equal crossing is never hidden.
+  /// A crossing is hidden only if it lies at least this far behind a known one, in units of 1 /
+  /// kParts of an edge. This is well above the precision of crossings, so an equal crossing is
+  /// never hidden.
   constexpr float kApart = 0.01f;
   for (auto& fronts : fronts_) fronts.resize(depth_.size());
   parallelFor(static_cast<std::size_t>(grid.points[0]), [&](std::size_t layer) {

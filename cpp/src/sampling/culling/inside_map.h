@@ -51,8 +51,8 @@ class InsideMap {
   /// each axis (grid coordinates, cells).
   bool hides(const std::array<Eigen::Vector3d, 3>& corner, double reach) const;
 
-  /// True if a crossing cannot matter that lies at `fraction` of the edge from (i, j, k) along
-  /// `axis`.
+  /// True if the crossing at `fraction` of the edge that starts at (i, j, k) along `axis` cannot
+  /// matter.
   bool hides(int axis, std::int32_t i, std::int32_t j, std::int32_t k, double fraction) const {
     if (!hasFronts()) return false;
     const Front front = fronts_[axis][pointOf(i, j, k)];
@@ -82,10 +82,11 @@ class InsideMap {
   int shift_ = 0;  // a block has 2^shift_ cells along each axis
   Eigen::Array3d limit_ = Eigen::Array3d::Zero();
   std::array<std::size_t, 3> blocks_{};
-  /// Per block of cells: number of blocks, along any axis, to the nearest block with a corner
-  /// outside (0: this block itself), at most 255.
+  /// For each block of cells: the number of blocks, along any axis, to the nearest block with a
+  /// corner outside. 0 means this block itself; the largest value is 255.
   std::vector<std::uint8_t> depth_;
-  /// Per axis and lattice point, for the edge that starts there. Empty if a block is not one cell.
+  /// For each axis and lattice point: the hidden part of the edge that starts there. Empty if a
+  /// block has several cells.
   std::array<std::vector<Front>, 3> fronts_;
 };
 

@@ -24,11 +24,13 @@ struct ShownCluster {
 };
 using ShownClusters = std::vector<ShownCluster>;  // in ascending order
 
-/// A trial shows or leaves out this many clusters together. Clusters with near indices are near
-/// each other, so a trial also covers the borders between them.
+/// A trial (pipeline/sampling_trial.h) uses only a part of the clusters. It takes or leaves this
+/// many successive clusters together. Successive clusters are near each other, so a trial also
+/// covers the borders between them.
 constexpr std::size_t kClustersTogether = 16;
 
-/// Returns all clusters, or one of `parts` parts of them, spread over the body; none for 0.
+/// Returns one of `parts` equal parts of the clusters, spread over the body: all of them for 1,
+/// none for 0.
 inline ShownClusters allClusters(const FaceClusters& clusters, std::size_t parts = 1) {
   ShownClusters all;
   for (std::uint32_t c = 0; parts > 0 && c < clusters.clusters.size(); ++c) {
@@ -102,7 +104,8 @@ class KeptElements {
   }
 
  private:
-  /// `s`: the cluster on the left of the border. If its bits are kAll, every face is shown.
+  /// Calls use(edge, ends) for the side patches kept on one border. `s` is the cluster on the left
+  /// of the border. If its bits are kAll, every face is shown.
   template <class Use>
   void borderPatches(const FaceClusters::Border& border, std::uint32_t firstFace,
                      const ShownCluster& s, const Use& use) const {

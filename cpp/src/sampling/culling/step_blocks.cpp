@@ -16,14 +16,14 @@ namespace {
 
 constexpr double kRoom = 1 + 1e-9;   ///< covers the rounding of the bounds
 constexpr double kSnapReach = 1e-4;  ///< cells: above the largest displacement by snapping
-/// Cells: largest and smallest size of a group of placements.
+/// Largest and smallest size of a group of placements, in cells.
 constexpr double kLargestGroup = 2, kSmallestGroup = 1e-3;
-constexpr double kFaceGroup = 0.5;  ///< from this size down, single faces are tested
+constexpr double kFaceGroup = 0.5;  ///< cells; groups of at most this size are tested face by face
 /// Groups are worth their tests if they have at least this many placements on average.
 constexpr std::size_t kWorthGroup = 8;
 
-/// Returns whether a triangle or flat quad with this bounding box can meet a line along an axis:
-/// the box must contain whole numbers along both other axes.
+/// Returns whether a triangle or flat quad with this bounding box (in cells) can meet a grid line.
+/// To meet a line along one axis, the box must contain whole numbers along both other axes.
 bool meetsLines(const Eigen::Array3d& low, const Eigen::Array3d& high) {
   int axes = 0;
   for (int axis = 0; axis < 3; ++axis) axes += std::floor(low[axis]) < std::floor(high[axis]);
@@ -105,8 +105,8 @@ PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters
   parallelBlocks(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) boxes[k] = bounds.boxOf(k);
   });
-  // Smaller groups hide more, but there are more of them. Each only tests what its larger group
-  // shows.
+  // Smaller groups hide more, but there are more of them. A group only tests the clusters that the
+  // larger group around it shows.
   for (double cells = kLargestGroup; cells > kSmallestGroup; cells /= 2) {
     std::vector<std::uint32_t> groupOf;
     const auto groups = group(boxes, cells, bounds.radius(), groupOf);

@@ -1,5 +1,6 @@
-// Decides which clusters of faces can matter at which placements ("are shown"). It decides blocks
-// of placements as a whole; what a block leaves out is not tested again for its single placements.
+// Decides which clusters of faces can matter at which placements. These clusters "are shown", all
+// others are hidden. Blocks of placements are decided as a whole. A cluster that a block hides is
+// not tested again at the single placements of the block.
 //
 // In: body, motion, clusters, and, if known, the map of the inside.
 // Out: the clusters shown at every placement.
@@ -28,10 +29,11 @@ struct PlaceBlock {
   Eigen::Matrix3d turn;
   Eigen::Vector3d place;
   double placeSpread = 0;  ///< largest deviation at the centre, cells
-  double turnSpread = 0;   ///< further deviation per mm of distance from it
+  double turnSpread = 0;   ///< further deviation per mm of distance from the centre
 };
 
-/// Bounds of placements. A placement is twelve numbers here; boxes bound these numbers.
+/// Computes bounds of placements. A placement is twelve numbers here, and boxes bound these
+/// numbers.
 class PlaceBounds {
  public:
   PlaceBounds(const SamplerInput& input, const FaceClusters& clusters);
@@ -45,13 +47,13 @@ class PlaceBounds {
       high = high.max(other.high);
     }
   };
-  /// Bounds of the placement k and of the step that starts there.
+  /// Returns bounds of the placement k and of the step that starts there.
   Box boxOf(std::size_t k) const;
   static PlaceBlock blockOf(const Box& box);
 
-  /// True if the copies and side patches of a cluster in these placements can matter.
+  /// Returns whether the copies and side patches of a cluster in these placements can matter.
   bool shows(const PlaceBlock& block, const FaceCluster& cluster) const;
-  /// The same for one face. Requires the map of the inside.
+  /// Returns whether the copies of one face can matter. Requires the map of the inside.
   bool shows(const PlaceBlock& block, std::uint32_t face) const;
   bool hasInside() const { return input_.inside != nullptr; }
   double radius() const { return radius_; }  ///< mm
@@ -62,12 +64,12 @@ class PlaceBounds {
   double radius_ = 0;
 };
 
-/// Groups of placements that lie within a small part of a cell, at whatever times, with the
+/// Groups of placements that differ by a small part of a cell, at any times of the motion, with the
 /// clusters that each group shows. Empty unless the motion often returns to the same places.
 class PlaceGroups {
  public:
-  /// For a trial: the constructor only decides the groups of the placements `only`, and estimates
-  /// the time for the other groups.
+  /// For a trial. Then the constructor only decides the groups that contain placements of `only`,
+  /// and estimates the time for the other groups.
   struct Trial {
     std::vector<PlacementRange> only;
     double secondsOfOthers = 0;  ///< CPU seconds, on one thread
@@ -80,8 +82,8 @@ class PlaceGroups {
   const ShownClusters& shownAt(std::size_t placement) const { return shown_[groupOf_[placement]]; }
 
  private:
-  /// Returns the boxes of the groups of this size, and the group of each placement. Ends early if
-  /// there are too many groups to be worth it.
+  /// Returns the boxes of the groups of at most `cells` in size, and the group of each placement.
+  /// Ends early if there are too many groups to be worth it.
   static std::vector<PlaceBounds::Box> group(const std::vector<PlaceBounds::Box>& boxes,
                                              double cells, double radius,
                                              std::vector<std::uint32_t>& groupOf);
@@ -92,7 +94,7 @@ class PlaceGroups {
 
 class StepBlocks {
  public:
-  /// Blocks for the placements [begin, end).
+  /// Builds the blocks for the placements [begin, end).
   StepBlocks(const SamplerInput& input, const FaceClusters& clusters, const PlaceGroups& groups,
              std::size_t begin, std::size_t end);
 
@@ -112,7 +114,7 @@ class StepBlocks {
  private:
   static constexpr std::size_t kShift = 3, kMostLevels = 2;
 
-  /// level 0: a single placement.
+  /// Visits the block `at` of a level. At level 0, a block is a single placement.
   template <class Use>
   void visit(std::size_t level, std::size_t at, const ShownClusters& above, const Use& use) {
     if (level == 0) {

@@ -30,8 +30,8 @@ int FaceDirections::decideCluster(const FaceCluster& cluster) const {
                         travel * (step.angle * step.angle + kNormalRounding +
                                   snapAngle(cluster.minHeight, input_->grid.cell)) +
                         step.snap;
-  // Smallest |n . d| over the normal cone, at both ends of the step. `side` returns the sign of n .
-  // d; 0 if n . d may be within the margin.
+  // `side` finds the smallest |n . d| over the normal cone, at one end of the step. Returns the
+  // sign of n . d, or 0 if n . d may be within the margin.
   const auto side = [&](double along) {
     const double across = std::sqrt(std::max(0.0, length * length - along * along));
     const double least = std::abs(along) * cluster.cosCone - across * cluster.sinCone;

@@ -43,14 +43,15 @@ struct MotionStep {
 int directionOf(const SamplerInput& input, const MotionStep& step, std::size_t face);
 
 /// Directions of faces during one step. Each cluster and face is decided at its first query. The
-/// buffers are reused for the next step. Not for several threads at a time.
+/// buffers are reused for the next step. Not safe for several threads at a time.
 class FaceDirections {
  public:
   FaceDirections(const SamplerInput& input, const FaceClusters& clusters);
   /// Changes the step to placements[k] -> placements[k + 1].
   void setStep(std::size_t k);
 
-  /// -1, +1, or 0: no common direction, or only known per face.
+  /// Returns the direction of a whole cluster, -1 or +1. 0: there is no common direction, or only
+  /// the directions of the single faces are known.
   int ofCluster(std::size_t cluster) const {
     if (decidedAt_[cluster] != stamp_) decide(cluster);
     return clusterDirection_[cluster];
@@ -59,8 +60,8 @@ class FaceDirections {
     ofCluster(clusters_->clusterOf[face]);
     return ofIndex(clusters_->indexOf[face]);
   }
-  /// The same for a face, by its index in FaceClusters::faces. Call ofCluster() for its cluster
-  /// first.
+  /// Returns the direction of a face, by its index in FaceClusters::faces. Call ofCluster() for its
+  /// cluster first.
   int ofIndex(std::size_t index) const {
     if (faceDirection_[index] == kNotDecided) decideFace(index);
     return faceDirection_[index];
@@ -89,8 +90,8 @@ class FaceDirections {
 constexpr double kSnapCells = 0x1p-17;
 /// Error of n . d from normals in 32-bit floats, as a fraction of |d|; includes a safety factor.
 constexpr double kNormalRounding = 1e-6;
-/// Approximate bound of the angle by which snapping the corners turns the normal of a triangle.
-/// `height`: the smallest height of the triangle (mm).
+/// Returns an approximate bound of the angle by which snapping the corners turns the normal of a
+/// triangle. `height`: the smallest height of the triangle (mm).
 double snapAngle(double height, double cell);
 
 bool faceIsEnclosed(int directionBefore, int directionAfter, bool hasBefore, bool hasAfter,

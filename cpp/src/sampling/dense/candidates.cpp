@@ -121,7 +121,8 @@ class CandidateSearch {
     }
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
-        if (i > 0 && queried[i].dot(queried[j]) > 0.9) continue;  // faces: only across creases
+        // Two normals of faces are paired only across a crease.
+        if (i > 0 && queried[i].dot(queried[j]) > 0.9) continue;
         queryBetween(x, queried[i], answer[i], x, queried[j], answer[j], kArcDepth, winners_[v]);
       }
     }
@@ -159,7 +160,8 @@ class CandidateSearch {
     return false;
   }
 
-  /// Spreads the winners by one ring of vertices. Returns false if nothing changed.
+  /// Spreads the winners by one ring of vertices, with `freely` regardless of the slack. Returns
+  /// false if nothing changed.
   bool spread(bool freely) {
     if (fresh_.empty()) fresh_ = winners_;
     std::vector<Set> next(vertices_);

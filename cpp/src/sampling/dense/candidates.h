@@ -30,7 +30,8 @@ struct FacePlacements {
   std::vector<std::uint32_t> placement;  ///< sorted within a face
 };
 
-/// corners: the half-edges at every vertex of the body (geometry/half_edges.h), sorted.
+/// Returns the candidates. `corners`: the half-edges at every vertex of the body
+/// (geometry/half_edges.h), sorted.
 FacePlacements findCandidates(const SamplerInput& input, const PlacementSpace& space,
                               const DenseSettings& settings, const ListsByKey<>& corners,
                               RunContext& run);

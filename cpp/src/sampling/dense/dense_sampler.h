@@ -6,9 +6,9 @@
 // compare with brute force (sampleCpu).
 // Source: METHOD.md section 2, "Dense motions".
 //
-// It samples only the (face, placement) pairs that can reach the envelope (candidates.h) and a few
-// whole copies that close the inside. Then it searches, against all placements, for places that
-// this choice leaves open, and adds the missing pairs, round by round (leak_repair.h).
+// The sampler takes only the (face, placement) pairs that can reach the envelope (candidates.h) and
+// a few whole copies that close the inside. Then it searches, against all placements, for places
+// that this choice leaves open, and adds the missing pairs, round by round (leak_repair.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,14 +23,15 @@
 namespace swept::dense {
 
 struct DenseSettings {
-  double minPairs = 5e7;    ///< faces x placements from which this sampler is used
-  double maxTurn = 0.15;    ///< rad, largest turn relative to the mean placement
-  double maxReach = 0.25;   ///< largest displacement from it, as a fraction of the body's radius
+  double minPairs = 5e7;  ///< faces x placements from which this sampler is used
+  double maxTurn = 0.15;  ///< rad, largest turn relative to the mean placement
+  /// Largest displacement from the mean placement, as a fraction of the body's radius.
+  double maxReach = 0.25;
   double maxRemainder = 2;  ///< cells, largest error of the linear form (placement_space.h)
   /// A winner spreads while its advance is less than the local best by at most this (cells) plus
   /// the error of the linear form.
   double slackCells = 0.3;
-  /// A placement is missed only if it reaches beyond a point by more than this (cells).
+  /// A placement counts as missed only if it reaches beyond a point by more than this (cells).
   double marginCells = 0.05;
   /// Returns this margin in mm, plus an allowance for the error `remainder` (mm) of the linear
   /// form.
@@ -41,7 +42,8 @@ struct DenseSettings {
   int rings = 8;                 ///< rings over which winners spread within the slack
   std::size_t maxAtVertex = 96;  ///< a vertex accepts at most this many placements
   int wholeCopies = 12;
-  /// Fraction of the surface points that remain open. Above it, brute force takes over ...
+  /// Largest fraction of the surface points that may remain open. Above it, brute force takes over
+  /// ...
   double maxOpenFraction = 1e-3;
   double bruteForcePairs = 2e9;  ///< ... unless it has more pairs than this to sample
   int rounds = 6;                ///< largest number of repair rounds

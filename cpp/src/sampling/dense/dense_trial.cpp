@@ -23,9 +23,11 @@ constexpr std::size_t kFacesOfPatch = 1300, kFewestPatches = 4, kMostPatches = 1
 /// Only the middle of a patch is sampled, the fraction 1 / kPartOfPatch of its faces. There the
 /// missing surroundings of the patch have no effect.
 constexpr std::size_t kPartOfPatch = 6;
-/// Largest number of faces at one vertex that join a patch. The hub of a fan has faces far apart.
+/// Largest number of faces at one vertex that join a patch. At the hub of a fan, faces reach far
+/// apart.
 constexpr std::size_t kMostOfStar = 48;
-/// Number of points for timing exact tests, and exact tests per open point while it is followed.
+/// Number of exact tests that are timed, and number of exact tests that a run needs for each open
+/// point.
 constexpr std::size_t kTests = 500;
 constexpr double kFollowed = 3;
 /// Bytes of a placement (in the tree and in cells), of a face (in the lists of candidates, whole
@@ -112,10 +114,10 @@ double secondsOfTest(const TriMesh& body, const BodyTests& tests) {
   return inside < 0 ? 0 : (threadSeconds() - start) / count;
 }
 
-/// Expected crossings: of a copy of the body, and of a copy of the inner faces.
+/// Expected numbers of crossings of a copy of the body, and of a copy of the inner faces.
 struct Work {
   double body = 0, inner = 0;
-  double pairs = 0;  ///< of all candidate pairs of inner faces
+  double pairs = 0;  ///< crossings of all candidate pairs of inner faces
 };
 
 }  // namespace

@@ -13,7 +13,8 @@
 namespace swept::dense {
 namespace {
 
-// Limits memory and time: the table of covered points then takes several hundred MB.
+// Largest number of covered points. It limits memory and time: their table then takes several
+// hundred MB.
 constexpr std::size_t kMaxFollowed = 6'000'000;
 constexpr std::size_t kMaxTried = 8;  // placements tested exactly per point
 constexpr std::size_t kTrialPoints = 4000;
@@ -52,8 +53,8 @@ class CoverSearch {
   }
   bool isInside(const Eigen::Vector3d& x) const { return tests_.rays.winding(x) > 0; }
 
-  /// Lattice point g lies near `face` at `placement`, outside of that copy. Searches for another
-  /// placement whose copy covers it.
+  /// The lattice point g lies near `face` at `placement`, outside of that copy of the body.
+  /// Searches for another placement whose copy covers the point.
   bool findCover(const Lattice& g, std::uint32_t face, std::uint32_t placement, Scratch& s,
                  Covered& out) const {
     const Eigen::Vector3d x = inBody(g, placement);

@@ -4,13 +4,13 @@
 // open. Units: mm. Cost: one support query and one exact test per surface point.
 // Source: own method; docs/pipeline.md, "Dense motions".
 //
-// The choice can only call covered points outside: each sampled crossing is a true one, so a point
-// that it calls inside is inside. The search tests each lattice point next to the surface against
-// all placements. A support query gives the placement that pushes the surface farthest there; an
-// exact test shows whether the body at this placement covers the point. From a covered point that
-// the choice called outside, the search follows unmarked edges to the surface of the covering copy.
-// An unmarked edge that this surface crosses is a hole. The missing pair is the triangle there with
-// the placement of the copy.
+// The choice can err only in one way: it may call a covered point outside. Each sampled crossing is
+// a true one, so a point that the choice calls inside is inside. The search tests each lattice
+// point next to the surface against all placements. A support query gives the placement that pushes
+// the surface farthest there; an exact test shows whether the body at this placement covers the
+// point. From a covered point that the choice called outside, the search follows unmarked edges to
+// the surface of the covering copy. An unmarked edge that this surface crosses is a hole. The
+// missing pair is the triangle there with the placement of the copy.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -29,16 +29,18 @@
 namespace swept::dense {
 
 struct LeakSearch {
-  std::int64_t tested = 0;   ///< number of surface points (outside ends of edges) that were tested
-  std::int64_t covered = 0;  ///< of these, number covered by a placement although called outside
-  double deepest = 0;        ///< mm: largest advance of a missed placement beyond such a point
-  bool complete = true;      ///< false: the search stopped at a limit
-  /// (face, placement) pairs, sorted, each once
+  std::int64_t tested = 0;  ///< number of surface points (outside ends of edges) that were tested
+  /// Number of these points that a placement covers, although they were called outside.
+  std::int64_t covered = 0;
+  double deepest = 0;    ///< mm: largest advance of a missed placement beyond such a point
+  bool complete = true;  ///< false: the search stopped at a limit
+  /// Missing (face, placement) pairs, sorted; each occurs once.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> missing;
 };
 
-/// Surface points that no placement covers, by layer, in the order of the tests. This does not
-/// depend on the choice of pairs, so the next round need not test these points again.
+/// Surface points that no placement covers, by layer, in the order of the tests. Whether a point is
+/// covered does not depend on the choice of pairs, so the next round need not test these points
+/// again.
 struct ClearPoints {
   struct Point {
     /// Key of the lattice point, and of the axis and side of its edge.
@@ -58,8 +60,8 @@ struct BodyTests {
   BoxTree tree;
 };
 
-/// margin: mm by which a placement must reach beyond a point to count as missed. All calls that
-/// share `clear` must use the same margin.
+/// Searches for holes. `margin` (mm): a placement counts as missed if it reaches beyond a point by
+/// more. All calls that share `clear` must use the same margin.
 LeakSearch findLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                      const MarkedEdges& marked, const SignRuns& signs, double margin,
                      ClearPoints& clear, RunContext& run);
@@ -77,9 +79,9 @@ struct LeakTrial {
   double seconds = 0;  ///< CPU seconds per point
 };
 
-/// For estimates, without signs. A point counts as open if the placement that covers it is not
-/// chosen for the face. A point covered by another chosen placement does not lie next to the
-/// surface and does not count.
+/// Estimates how much the choice leaves open, without signs. A point counts as open if the
+/// placement that covers it is not chosen for the face. A point covered by another chosen placement
+/// does not lie next to the surface and does not count.
 LeakTrial tryLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                    const ChosenFaces& chosen, double margin);
 

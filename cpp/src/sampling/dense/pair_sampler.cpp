@@ -14,8 +14,8 @@ namespace {
 // Crossings per task: a batch has 160 tasks, enough to balance all cores.
 constexpr double kTaskCrossings = 150e3;
 
-/// Expected number of crossings of a face with this area (cells^2): half the sum of its three
-/// projections, at most 1.74 times the area.
+/// Returns the expected number of crossings of a face with this area (cells^2): half the sum of its
+/// three projections, at most 1.74 times the area.
 double expectedCrossings(double area) { return 1.74 * area + 0.5; }
 
 }  // namespace
@@ -81,8 +81,8 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
       }
       return slot.to;
     };
-    // Gives the same fixed-point fraction again: the middle of its interval is safe against
-    // rounding.
+    // Returns the middle of the interval of a fixed-point fraction. Rounding then gives the same
+    // fixed-point fraction again.
     constexpr double kHalf = 0.5 / ((1 << CrossingRecord::kFractionBits) - 1);
     const auto fractionOf = [](float f) { return std::min(static_cast<double>(f) + kHalf, 1.0); };
     for (std::size_t i = begin; i < end; ++i) {

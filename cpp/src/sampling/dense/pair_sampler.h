@@ -28,7 +28,7 @@ class PairSampler {
   const MarkedEdges& marked() const { return marked_; }
   MarkedEdges take() { return std::move(marked_); }
   std::int64_t pairs() const { return pairs_; }
-  /// Number of raw crossings of all pairs, before those on one edge are merged.
+  /// Returns the number of raw crossings of all pairs, before those on one edge are merged.
   std::int64_t crossings() const { return crossings_; }
   /// Returns the expected number of crossings of a face at one placement. A batch has about
   /// kBatchWork of these; each takes 12 bytes, and twice that while they are sorted.
@@ -46,7 +46,7 @@ class PairSampler {
 
   const SamplerInput& input_;
   RunContext& run_;
-  std::vector<Placement> placements_;    // with results in cells
+  std::vector<Placement> placements_;    // their results are in cells
   std::vector<std::uint32_t> identity_;  // 0, 1, 2 ...: entries serve as lists of one placement
   std::vector<Item> items_;
   MarkedEdges marked_;

@@ -38,7 +38,7 @@ class PlacementSpace {
   };
 
   enum Wanted { kAll, kExtentOnly };
-  /// kExtentOnly: measures only how much the placements differ; builds no tree for queries.
+  /// With kExtentOnly, only measures how much the placements differ and builds no tree for queries.
   PlacementSpace(const TriMesh& body, const std::vector<Placement>& placements,
                  Wanted wanted = kAll);
 

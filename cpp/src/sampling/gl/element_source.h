@@ -1,10 +1,9 @@
 // Decides which elements of the swept surface are drawn, and numbers them.
 //
-// Listed: the elements of a continuous motion that culling keeps, one by one, in the order of the
-// CPU sampler.
-// Not listed (dense motions, or culling switched off): every face at every placement and, if the
-// motion is continuous, every edge in every step. Then there is no list; the shader derives the
-// elements from their numbers.
+// A continuous motion with culling has a list: the elements that culling keeps, one by one, in the
+// order of the CPU sampler. Dense motions, and motions without culling, have no list. Then every
+// face is drawn at every placement and, if the motion is continuous, every edge in every step. The
+// shader derives these elements from their numbers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,7 +17,7 @@ namespace swept::gl {
 struct ElementSource {
   bool listed = false;
   std::vector<SweptElement> list;
-  std::uint32_t faces = 0;         ///< of the body
+  std::uint32_t faces = 0;         ///< number of faces of the body
   std::uint32_t perPlacement = 0;  ///< faces, or faces and edges
   std::uint32_t placements = 0;
 
@@ -31,7 +30,7 @@ struct ElementSource {
     const auto placement = static_cast<std::uint32_t>(number / perPlacement);
     return {local < faces ? local : (local - faces) | SweptElement::kSidePatchBit, placement};
   }
-  /// False for side patches at the last placement, where no step starts.
+  /// Returns false for side patches at the last placement, where no step starts.
   bool exists(const SweptElement& element) const {
     return !element.isSidePatch() || element.placement + 1 < placements;
   }

@@ -20,8 +20,8 @@ struct GlSetup {
 /// Opens a device and tests it. Throws Error(DeviceUnavailable) or Error(DeviceLost).
 std::shared_ptr<GlDevice> openTested(const GlSetup& setup, RunContext& run);
 
-/// mustBeFaster: throws Error(DeviceUnavailable) if a probe of about 0.1 s finds the CPU faster.
-/// The ratio is remembered per device.
+/// Runs the sampler on the GPU. With mustBeFaster, throws Error(DeviceUnavailable) if a probe of
+/// about 0.1 s finds the CPU faster. The ratio is remembered per device.
 SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup, bool mustBeFaster,
                            const FindSigns& findSigns, RunContext& run);
 

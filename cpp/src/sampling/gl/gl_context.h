@@ -50,7 +50,7 @@ class GlContext {
  private:
   struct Candidate;
   GlContext() = default;
-  /// Both return why the candidate cannot be used; empty if it can.
+  /// Both functions return why the candidate cannot be used, or an empty text if it can be used.
   std::string tryOpen(const Candidate& candidate, const DeviceWish& wish);
   std::string describe(const DeviceWish& wish);
   std::vector<Candidate> candidates() const;

@@ -14,8 +14,9 @@
 namespace swept::gl {
 namespace {
 
-/// Seconds. The batch grows or shrinks to keep draws between these times. The promised limit is
-/// 0.050 s, so a draw may take four times as long as the one before.
+/// Longest and shortest time of a draw, in seconds. The batch grows or shrinks to keep draws
+/// between them. The promised limit is 0.050 s, so a draw may take four times as long as the one
+/// before.
 constexpr double kMaxDraw = 0.012, kMinDraw = 0.004;
 // Limits of the batch, so that a single odd measurement cannot make it far too small or too large.
 constexpr std::uint64_t kMinBatch = 64, kMaxBatch = std::uint64_t{1} << 22;

@@ -18,7 +18,7 @@
 namespace swept::gl {
 
 struct GlSettings {
-  std::uint64_t budgetBytes = std::uint64_t{192} << 20;  ///< for marks, lists and chunks
+  std::uint64_t budgetBytes = std::uint64_t{192} << 20;  ///< memory for marks, lists and chunks
   std::uint64_t chunkBytes = 0;  ///< placements or elements per chunk; 0: from the limits
   double fenceTimeoutSeconds = 10;
   std::uint32_t firstBatch = 1024;  ///< elements in the first draw; later draws adapt
@@ -50,13 +50,13 @@ class GlPasses {
   std::vector<EdgeWinner> findWinners(const Brick& brick, const std::vector<std::uint32_t>& codes,
                                       std::uint64_t first, std::uint64_t end,
                                       const std::function<void()>& afterDraw);
-  /// The chunks. An epoch may end between two of them.
+  /// Returns the chunks. An epoch may end between two of them.
   const std::vector<ElementChunk>& chunks() const { return chunks_; }
-  /// Largest number of codes for one call of findWinners().
+  /// Returns the largest number of codes for one call of findWinners().
   std::size_t maxCodes() const { return maxCodes_; }
   double longestDrawSeconds() const { return longestDraw_; }
   std::uint64_t draws() const { return draws_; }
-  /// Peak of the device memory allocated so far, bytes.
+  /// Returns the peak of the device memory allocated so far, in bytes.
   std::uint64_t bytes() const { return bytes_; }
 
  private:

@@ -13,7 +13,7 @@ namespace swept::gl {
 /// A linked program. Throws Error(DeviceUnavailable, "ShaderFailed") with the driver's log.
 class Program {
  public:
-  /// fragment: "mark.frag" or "winner.frag".
+  /// Compiles and links the program. `fragment` is "mark.frag" or "winner.frag".
   Program(const GlContext& context, const std::string& fragment);
   ~Program();
   Program(const Program&) = delete;

@@ -99,7 +99,8 @@ struct BestCrossings {
   std::uint32_t low = 0xffffffffu, high = 0;
   std::uint64_t lowElement = ~std::uint64_t{0}, highElement = ~std::uint64_t{0};
 
-  /// Takes in the winners of an epoch. `epoch`: number of its first element.
+  /// Merges the winners of an epoch into the best crossings. `epoch` is the number of its first
+  /// element.
   void add(const EdgeWinner& w, std::uint64_t epoch) {
     if (w.lowElement != EdgeWinner::kNone && w.lowFraction < low) {
       low = w.lowFraction;

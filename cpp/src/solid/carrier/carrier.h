@@ -19,21 +19,22 @@ const char* surfaceKindName(CarrierKind kind);
 struct Carrier {
   CarrierKind kind = CarrierKind::Facet;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< a point on the plane or axis, or the centre
-  /// Normal of the plane, or direction of the axis; unit.
+  /// Unit vector: normal of the plane, or direction of the axis.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  /// Direction in which angles start; zero: anyOrthogonal(axis).
+  /// Direction in which angles start. Zero: anyOrthogonal(axis) replaces it.
   Eigen::Vector3d xdir = Eigen::Vector3d::Zero();
   double radius = 0;     ///< cylinder, sphere; cone: at `point`; torus: of the centre circle
   double minor = 0;      ///< torus: radius of the tube
   double tubeMid = 0;    ///< torus: tube angle in the middle of the face
   double halfAngle = 0;  ///< cone: between axis and generator line; the radius grows along the axis
   double cosine = 1, sine = 0;  ///< cosine and sine of halfAngle
-  /// The material lies outside (a bore): the outward normal points towards the axis or centre.
+  /// True if the material lies outside (a bore). The outward normal then points towards the axis or
+  /// centre.
   bool reversed = false;
-  /// The curve that generates the surface; outward is to its right. Extrusion: in the plane
-  /// perpendicular to the axis, with coordinates along xdir and axis x xdir from `point`.
-  /// Revolution: in the half plane of xdir, with coordinates distance from the axis and position
-  /// along it.
+  /// The curve that generates the surface; outward is to its right. The profile of an extrusion
+  /// lies in the plane perpendicular to the axis, with coordinates along xdir and axis x xdir from
+  /// `point`. The profile of a revolution lies in the half plane of xdir. Its coordinates are the
+  /// distance from the axis and the position along the axis.
   std::shared_ptr<const Profile> profile;
 
   bool isPlanar() const { return kind == CarrierKind::Facet || kind == CarrierKind::Plane; }

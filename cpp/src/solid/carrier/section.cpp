@@ -14,8 +14,8 @@ using Eigen::Vector3d;
 constexpr double kLeastSine = 0.01;
 constexpr std::size_t kFewestSpans = 4, kMostSpans = 64;
 
-// Returns the point on both carriers near q. Each step is the shortest to first order. Fails if the
-// point moves farther than `strays`.
+// Returns the point on both carriers near q. Each step of the iteration is the shortest to first
+// order. Returns nothing if the point moves farther than `strays`.
 std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const Carrier& b,
                                     double strays) {
   Vector3d p = q;
@@ -72,7 +72,8 @@ std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& poi
   return tangents;
 }
 
-// A plane intersects an extrusion in an affine image of its profile, computed piece by piece.
+// Returns the curve in which a plane intersects an extrusion. The curve is an affine image of the
+// profile and is computed span by span.
 std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrier& extrusion,
                                 const Carrier& plane) {
   constexpr double kLeastCosine = 0.05;  // the plane is at least 3 degrees off the direction
@@ -122,8 +123,8 @@ std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrie
 }  // namespace
 
 double largestGap(const Curve& curve, const Carrier& carrier) {
-  // A straight edge is farthest from a plane at its ends. Otherwise at least as many points as a
-  // kernel checks, and some in each span.
+  // A straight edge is farthest from a plane at its ends. Other curves are sampled at no fewer
+  // points than a kernel checks, with some points in each span.
   const bool flat = curve.kind == CurveKind::Line && carrier.isPlanar();
   const std::size_t steps = flat ? 1 : std::max<std::size_t>(24, 4 * curve.knots.size());
   double largest = 0;

@@ -1,4 +1,4 @@
-// Curve in which two carriers intersect, so exact that a CAD kernel sees no gap.
+// Computes the curve in which two carriers intersect, so exactly that a CAD kernel sees no gap.
 // In:      points along the curve in order. The first and the last one lie on both carriers.
 // Out:     a line, circle or spline with all points within kOnCarrier of both carriers. Nothing if
 //          the carriers are nearly parallel along it, or if the curve strays from the points.
@@ -24,7 +24,7 @@ constexpr double kOnCarrier = 5e-8;
 /// Returns the largest distance of sampled points of the curve from the carrier.
 double largestGap(const Curve& curve, const Carrier& carrier);
 
-/// `strays`: mm, how far the curve may lie from the polyline.
+/// Returns the curve. `strays`: mm, how far the curve may lie from the polyline.
 std::optional<Curve> sectionCurve(std::vector<Eigen::Vector3d> along, bool closed, const Carrier& a,
                                   const Carrier& b, double strays);
 

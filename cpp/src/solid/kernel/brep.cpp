@@ -36,14 +36,14 @@
 namespace swept::step {
 namespace {
 
-/// Mm, the distance below which the kernel treats two points as one.
+/// Distance in mm; the kernel treats two points closer than this as one.
 constexpr double kKernelTolerance = 1e-7;
 
 gp_Pnt pointOf(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 gp_Dir dirOf(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
 
-// Returns the tolerance to store in the shape: the measured one plus 1 % for rounding, but at least
-// that of the kernel.
+// Returns the tolerance to store for a measured distance: slightly larger because of rounding, and
+// never below the kernel's own.
 double stated(double measured) { return std::max(kKernelTolerance, 1.01 * measured); }
 
 class BrepBuilder {
@@ -161,13 +161,14 @@ class BrepBuilder {
         if (!face.surface.isPlanar()) addParameterCurve(use.edge, face.surface, made);
       }
       wire.Closed(true);
-      // The face of a bore is reversed, so its loops are reversed as well.
+      // The face of a bore is reversed, and so are its loops.
       builder_.Add(made, reversed ? wire.Reversed() : wire);
     }
     return reversed ? TopoDS::Face(made.Reversed()) : made;
   }
 
-  // Adds the curve of an edge in the parameters of the surface, shifted to the period of the face.
+  // Adds the curve of an edge in the parameters of the surface, shifted to the period in which the
+  // face lies.
   void addParameterCurve(std::int32_t e, const Carrier& surface, const TopoDS_Face& face) {
     const Curve& curve = model_.edges[e].curve;
     const Handle(Geom_Surface) geometry = BRep_Tool::Surface(face);
@@ -181,7 +182,7 @@ class BrepBuilder {
     auto periods = [](double value, double wanted) {
       return std::round((wanted - value) / (2 * M_PI));
     };
-    // Only angles are periodic.
+    // Only parameters that are angles are periodic.
     const double u =
         surface.kind == CarrierKind::Extrusion ? 0 : 2 * M_PI * periods(middle.X(), M_PI);
     const double v =

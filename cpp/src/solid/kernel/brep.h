@@ -1,4 +1,4 @@
-// Converts a Model to a shape of the OpenCASCADE kernel. The caller must hold a KernelSession.
+// Makes the kernel shape of a Model. The caller must hold a KernelSession.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,10 +14,11 @@
 namespace swept::step {
 
 struct Brep {
-  TopoDS_Shape shape;                ///< one solid, or a compound of solids
-  std::vector<TopoDS_Shape> faces;   ///< in the order of Model::faces
-  std::vector<TopoDS_Edge> edges;    ///< in the order of Model::edges
-  std::vector<std::int32_t> failed;  ///< faces that the kernel could not build
+  TopoDS_Shape shape;               ///< one solid, or a compound of solids
+  std::vector<TopoDS_Shape> faces;  ///< in the order of Model::faces
+  std::vector<TopoDS_Edge> edges;   ///< in the order of Model::edges
+  /// Indices of faces whose edges, wires or parameter curves the kernel could not make.
+  std::vector<std::int32_t> failed;
 };
 
 Brep buildBrep(const Model& model, RunContext& run);

@@ -21,11 +21,11 @@ namespace {
 using Eigen::Vector3d;
 using Box = Eigen::AlignedBox3d;
 
-/// Mm: the kernel may treat parts nearer than this as touching.
+/// Distance in mm; faces nearer than this may count as touching.
 constexpr double kNear = 1e-5;
 
-// Returns points along the borders of a face. Between these points, a curved face may bulge, by
-// less than the length of its bounding box.
+// Returns points along the borders of a face. Inside its borders, a curved face may bulge by less
+// than the size of its bounding box.
 std::vector<Vector3d> pointsOf(const Model& model, const ModelFace& face) {
   constexpr int kSteps = 8;
   std::vector<Vector3d> points;
@@ -44,8 +44,8 @@ struct Known {
   Box box;
 };
 
-// Returns whether a face with these points may intersect a recognised face: their boxes intersect,
-// and the points do not all lie on one side of the surface of that face.
+// Returns whether a face with these points may meet a recognised face. It cannot if their boxes are
+// apart, or if all its points lie on one side of the recognised surface.
 bool mayMeet(const std::vector<Vector3d>& points, const Box& box, const Known& known) {
   if (!box.intersects(known.box)) return false;
   const double size = box.diagonal().norm();

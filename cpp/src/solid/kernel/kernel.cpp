@@ -59,9 +59,9 @@ class Collector : public Message_Printer {
 };
 
 #if OCC_VERSION_HEX < 0x070900
-// Returns shapes that this thread reads without healing them; the kernel still heals those of other
-// threads. process() is a template, since the arguments after the shape differ between versions of
-// the kernel.
+// Switches healing off for the shapes that its own thread reads; the kernel still heals what other
+// threads read. The template passes on all arguments after the shape, because their number depends
+// on the version of the kernel.
 class AsItStands : public XSAlgo_AlgoContainer {
   using Base = XSAlgo_AlgoContainer;
   using Real = Standard_Real;
@@ -164,8 +164,8 @@ void KernelProgress::Show(const Message_ProgressScope&, Standard_Boolean) {
                     static_cast<std::uint64_t>(kScale * (from_ + (to_ - from_) * GetPosition())),
                     static_cast<std::uint64_t>(kScale));
   } catch (...) {
-    // The checkpoint throws when the run is cancelled. No exception may pass through the frames of
-    // the kernel; it calls UserBreak next, and stops.
+    // If the run is cancelled, the kernel calls UserBreak() next and stops by itself. No exception
+    // may pass through the kernel's functions.
   }
 }
 

@@ -1,6 +1,7 @@
-// Gives one thread at a time the use of the OpenCASCADE kernel, whose STEP settings and messages
-// are process-wide. KernelSession holds the lock and changes the settings. It collects the kernel's
-// messages of this thread and forwards those of other threads. Its destructor restores everything.
+// Gives one thread at a time access to the OpenCASCADE kernel, because its STEP settings and
+// messages are process-wide. KernelSession holds the lock and makes the settings. It collects the
+// kernel's messages of its thread; those of other threads go where they went before. Its destructor
+// restores everything.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,8 +22,8 @@ class KernelSession {
 
   /// Sets a text option of the STEP translators until the end of the session.
   void set(const char* name, const std::string& value);
-  /// Sets until the end of the session whether the kernel repairs (heals) the shapes that this
-  /// thread reads, which is its default. Kernels from 7.9 on always heal.
+  /// Sets whether the kernel heals the shapes that this thread reads. With false, they stay as they
+  /// are in the file until the end of the session. (Kernels from 7.9 on always heal.)
   void setHealing(bool on);
   /// Returns the warnings and failures since the session began, in one line of at most a few
   /// hundred characters.
@@ -33,8 +34,8 @@ class KernelSession {
   std::unique_ptr<State> state_;
 };
 
-/// Makes long kernel calls cancellable, and reports their progress as a part of the export: from
-/// `from` to `to`, both between 0 and 1.
+/// Allows long kernel calls to be cancelled and reports their progress to the run, from `from` to
+/// `to` (shares of the export, 0 to 1).
 class KernelProgress : public Message_ProgressIndicator {
  public:
   KernelProgress(RunContext& run, double from, double to) : run_(run), from_(from), to_(to) {}

@@ -14,8 +14,8 @@
 namespace swept::step {
 namespace {
 
-// Returns a model of the curved faces only. Each has a shell of its own, so that the reader keeps
-// their order. `from` receives their indices in `model`.
+// Returns a model of the curved faces only. Each face has a shell of its own, so that the reader
+// keeps their order. `from` receives the indices of the faces in `model`.
 Model curvedPart(const Model& model, std::vector<std::int32_t>& from) {
   Model part;
   std::vector<std::int32_t> vertexId(model.vertices.size(), -1), edgeId(model.edges.size(), -1);
@@ -57,7 +57,7 @@ std::vector<std::int32_t> ReadCheck::findUnreadable(const Model& model) {
   std::stringstream stream;
   writeStepText(part, stream, "curved", options_, run_);
   const std::string text = std::move(stream).str();
-  // Only the data section is compared, since the header contains the time of writing.
+  // Compares only the data section, since the header contains the time of writing.
   std::string data = text.substr(std::min(text.size(), text.find("DATA;")));
   if (data != lastText_) {
     answer_ = read(text, from.size());
@@ -73,7 +73,8 @@ std::vector<std::int32_t> ReadCheck::read(const std::string& text, std::size_t c
   const TopoDS_Shape shape = readStepText(stream, kernel_, run_);
   std::vector<TopoDS_Shape> faces;
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
-  // If the reader has split faces, their order is lost; the later check of the whole file decides.
+  // If the reader split faces, their order is lost. Then only the later check of the whole file can
+  // decide.
   if (faces.size() != count) return {};
   return findBadFaces(faces, run_, 0.3, 0.3);
 }

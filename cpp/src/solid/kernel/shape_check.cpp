@@ -43,8 +43,8 @@ bool isStraight(const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoD
          line->Value(to).Distance(BRep_Tool::Pnt(last)) <= slack + BRep_Tool::Tolerance(last);
 }
 
-// Returns the corners of a plane triangle, counter-clockwise seen from outside. Returns nothing if
-// the face is no plane triangle, or not valid.
+// Returns the corners of a sound plane triangle, counter-clockwise seen from outside. Returns
+// nothing for any other face.
 std::optional<Corners> triangleOf(const TopoDS_Face& face) {
   const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face));
   if (plane.IsNull()) return std::nullopt;
@@ -66,7 +66,7 @@ std::optional<Corners> triangleOf(const TopoDS_Face& face) {
     ++count;
   }
   if (count != 3) return std::nullopt;
-  // The file may list the edges in reverse order.
+  // The file may list the edges in the opposite order.
   if (!end[0].IsSame(start[1])) {
     std::swap(start[1], start[2]);
     std::swap(end[1], end[2]);
@@ -86,9 +86,10 @@ std::optional<Corners> triangleOf(const TopoDS_Face& face) {
   return corners;
 }
 
-// Returns the same as volumeUnder() for the face of an extrusion. The kernel's quadrature does not
-// follow the spans of a spline and is off by half a percent. The contribution of a point of the
-// profile does not depend on how far it is extruded, so an integral along the border is enough.
+// Returns the volume of the cone from `base` over the face of an extrusion; nothing for other
+// faces. The kernel's quadrature does not follow the spans of a spline and would miss half a
+// percent. The contribution of a point of the profile does not depend on how far it was extruded,
+// so an integral along the border suffices.
 std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt& base) {
   const auto surface = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(BRep_Tool::Surface(face));
   if (surface.IsNull()) return std::nullopt;
@@ -120,8 +121,8 @@ std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt
   return face.Orientation() == TopAbs_REVERSED ? -sum : sum;
 }
 
-// Returns the signed volume of the cone from `base` over the face. The sum over all faces of a
-// solid is its volume.
+// Returns the volume of the cone from `base` over the face. The sum over all faces of a solid is
+// the volume of the solid.
 double volumeUnder(const TopoDS_Face& face, const gp_Pnt& base) {
   if (const auto corners = triangleOf(face)) {
     const gp_Vec a(base, (*corners)[0]), b(base, (*corners)[1]), c(base, (*corners)[2]);
@@ -148,9 +149,8 @@ void parallelFaces(std::size_t count, RunContext& run, double from, double to, c
   });
 }
 
-// Returns what is wrong with a shell, or an empty text. In a closed shell every edge is used twice;
-// in an oriented one, once in each direction. The kernel's own check of a shell tests the same and
-// takes ten times as long.
+// Returns an empty text if the shell is closed (every edge is used twice) and oriented (once in
+// each direction). The kernel's own check of a shell tests the same and takes ten times as long.
 std::string shellComplaint(const TopoDS_Shape& shell) {
   TopTools_IndexedMapOfShape edges;
   std::vector<std::array<std::int32_t, 2>> uses;
@@ -213,14 +213,14 @@ SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, d
     ++check.shells;
     const std::string complaint = shellComplaint(it.Current());
     if (!complaint.empty()) check.complaint = complaint;
-    // Faces keep their orientation in the solid, on which the sign of the volume depends.
+    // Each face keeps its orientation in the solid, because the volume depends on it.
     for (TopExp_Explorer f(it.Current(), TopAbs_FACE); f.More(); f.Next())
       faces.push_back(f.Current());
   }
   const std::vector<std::int32_t> bad = findBadFaces(faces, run, from, (from + to) / 2);
   if (!bad.empty()) check.complaint = std::to_string(bad.size()) + " faces are not valid";
-  // Volumes are relative to a point of the shape; relative to a distant origin they would lose
-  // digits.
+  // The volume is computed relative to a point of the shape. Otherwise it would lose digits far
+  // from the origin.
   gp_Pnt base;
   if (edgeMap.Extent() > 0) base = BRep_Tool::Pnt(TopExp::FirstVertex(TopoDS::Edge(edgeMap(1))));
   std::vector<double> volumes(faces.size());

@@ -1,8 +1,9 @@
-// Checks whether a kernel shape is valid: faces, shells, volume. The caller holds a KernelSession.
-// Plane triangles with straight edges, of which a faceted solid has many, are tested here. The
-// kernel's checker tests the other faces; it takes a hundred times as long per face. The faces are
-// checked in parallel.
-// Units: mm. Cost: O(faces).
+// Checks whether a kernel shape is sound: its faces, its shells and its volume. Plane triangles
+// with straight edges, of which a faceted solid has many, are tested here. All other faces are
+// tested by the kernel's checker, which takes a hundred times as long per face. The faces are
+// tested in parallel. The caller holds a KernelSession.
+// Units:   mm.
+// Cost:    O(faces).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,15 +18,15 @@
 
 namespace swept::step {
 
-/// Returns the indices of the invalid faces. `from`, `to`: the part of the export's progress that
-/// this check covers, 0 to 1.
+/// Returns the indices of the faces that the kernel's checker refuses. `from` and `to` are the
+/// progress of the export (0 to 1) at the begin and at the end of the call.
 std::vector<std::int32_t> findBadFaces(const std::vector<TopoDS_Shape>& faces, RunContext& run,
                                        double from, double to);
 
 /// Returns whether the face is a valid plane triangle with straight edges.
 bool isPlaneTriangle(const TopoDS_Face& face);
 
-/// Checks faces and shells; counts faces, edges, shells and solids; computes the volume.
+/// Returns whether the shape is sound, what is wrong with it, and its figures.
 SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, double to);
 
 }  // namespace swept::step

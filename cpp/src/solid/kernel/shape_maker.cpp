@@ -23,13 +23,12 @@
 namespace swept::step {
 namespace {
 
-// Fractions of the tolerance that recognised surfaces and facets may use. If facets and the
-// simplification before them exceed the tolerance together, vertices are added to the mesh at the
-// end.
+// Shares of the tolerance that recognised surfaces and facets may use. Facets and the
+// simplification before them may together exceed the tolerance. Then vertices are added to the mesh
+// at the end.
 constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
-// Fraction of the tolerance for thinning open ground (triangles without a surface). Without this,
-// the bunny over 16 keys had 500,000 such triangles, and their collapse took two thirds of the
-// time.
+// Share of the tolerance for thinning open ground (triangles without a patch). The bunny over 16
+// keys had no patch and 500,000 such triangles, and their collapse took two thirds of the time.
 constexpr double kThinFraction = 0.15;
 
 Built describe(Model model, Brep brep, double deviation) {
@@ -49,9 +48,8 @@ Partition partitionOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole,
   return partition;
 }
 
-// Turns refused patches into open ground (triangles without a surface). Vertices on their borders
-// may have moved along the surface. The new triangles must therefore stay near the vertices that
-// the mesh had there at first, which are attached to them.
+// Turns patches into open ground. Vertices on their borders may have moved along the surfaces. So
+// the new triangles must stay near the original vertices of these patches.
 void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh& dense,
                    const Partition& first, Decimated& now) {
   now.attached.resize(now.mesh.triangles.size());
@@ -77,7 +75,7 @@ void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh&
   }
 }
 
-// Appends the recognised patches around the first vertex of a half-edge.
+// Adds the recognised patches around the start vertex of the half-edge `first`.
 void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t known,
                     std::vector<std::int32_t>& patches) {
   std::int32_t h = first;
@@ -88,8 +86,8 @@ void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t kno
   } while (h != first);
 }
 
-// Gives up faces that the kernel refuses. Recognised patches are added to `refused`; plane regions
-// are split into facets in `small`. Returns true if a plane region was split.
+// Withdraws faces that the kernel refuses. Recognised patches among them go into `refused`, to lose
+// their surface. Plane regions are split into facets. Returns true if a plane region was split.
 bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int32_t known,
               Decimated& small, std::vector<std::int32_t>& refused) {
   bool again = false;
@@ -101,7 +99,7 @@ bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int
       dissolvePatch(small.mesh, patch, small.partition);
       again = true;
     } else {
-      // A facet fails because a neighbouring surface has moved one of its corners.
+      // The kernel refuses a facet if a neighbouring surface has moved one of its corners.
       const std::int32_t t = small.partition.patches[patch].triangles[0];
       for (int k = 0; k < 3; ++k) addKnownAround(small, 3 * t + k, known, refused);
     }
@@ -110,13 +108,13 @@ bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int
   return again;
 }
 
-// Largest number of border edges towards open ground per facet that a patch saves. On a free form,
-// a patch has a long jagged border, and there are fewer facets without the patch.
+// Number of border edges on open ground that a patch may have for each facet that it saves. On a
+// free form, a patch has a long jagged border, and there would be fewer facets without the patch.
 constexpr double kBorderPerSaved = 1, kBorderPerSavedByPlane = 2;
-constexpr double kSmooth = 0.85;  // cosine (32 degrees)
+constexpr double kSmooth = 0.85;  // cosine of 32 degrees
 
-// Returns the patches that save fewer facets, after simplification, than their border with open
-// ground (triangles without a surface) needs.
+// Returns the patches that save fewer facets than their border adds after simplification. Only
+// border edges on open ground count.
 std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition& first,
                                      const Decimated& now, double tolerance) {
   const std::size_t count = first.patches.size();
@@ -124,7 +122,7 @@ std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition&
   for (std::size_t h = 0; h < now.mesh.opposite.size(); ++h) {
     const std::int32_t own = now.partition.patchOf[h / 3], beyond = now.mesh.opposite[h] / 3;
     if (own < 0 || now.partition.patchOf[beyond] >= 0) continue;
-    // Edges on a crease do not count, since its corners are needed without the patch as well.
+    // At a crease there are vertices with or without the patch, so its edges do not count.
     const Eigen::Vector3d normal = now.mesh.areaVector(beyond).normalized();
     const Eigen::Vector3d& from = now.mesh.points[now.mesh.origin(static_cast<std::int32_t>(h))];
     if (first.patches[own].surface.normal(from).dot(normal) > kSmooth) ++border[own];
@@ -143,8 +141,8 @@ std::int64_t countFaces(const Partition& partition) {
                        [](const Patch& patch) { return !patch.triangles.empty(); });
 }
 
-// Returns the best parameter at which to cut a curve in halves: the knot nearest to its middle,
-// since a profile may bend unevenly at a knot.
+// Returns the parameter at which a curve is best halved. This is a knot, since a profile may bend
+// unevenly there.
 double middleOf(const Curve& curve) {
   double middle = 0.5 * curve.last;
   if (curve.knots.size() > 2) {
@@ -215,8 +213,8 @@ class ShapeMaker {
  private:
   bool worthTrial() const { return dense_.triangles.size() > kWorthTrial; }
 
-  // Simplifies roughly, and turns two kinds of patches into open ground: those that cost more than
-  // they save, and those that the kernel refuses. The real simplification starts from the result.
+  // A rough simplification finds the patches that are not worth their border, and those that the
+  // kernel refuses. They become open ground before the real simplification starts.
   Decimated trial(const Partition& first, Decimated start, double tolerance) {
     Decimated left = decimate(std::move(start), tolerance, original_, run_, Effort::Rough);
     std::vector<std::int32_t> bad = findCostly(dense_, first, left, tolerance);
@@ -238,10 +236,9 @@ class ShapeMaker {
     return left;
   }
 
-  // Builds the shape, and cuts edges until their tolerance holds everywhere. A reader of the file
-  // finds the tolerance of an edge from some points along it, and passes a curve on the surface
-  // through them. If an edge deviates more between these points, it is cut: at the largest gap if
-  // it has one, otherwise in the middle. `left` receives the edges for which no cut was enough.
+  // Builds the kernel shape and cuts edges that are farther from a face than a reader of the file
+  // would find (findUnheldEdges()). An edge with a gap is cut where the distance is largest, others
+  // in the middle. `left` receives the edges for which no number of cuts was enough.
   Brep buildHeld(Model& model, std::vector<EdgeCut>& left) {
     constexpr int kCuts = 6;
     for (int round = 0;; ++round) {
@@ -258,8 +255,8 @@ class ShapeMaker {
     }
   }
 
-  // Returns faces that are loose (model/gaps.h) or that the kernel refuses. `brep` receives the
-  // shape unless there are loose faces.
+  // Returns the faces that are loose or that the kernel refuses. Unless a face is loose, `brep`
+  // receives the kernel shape.
   std::vector<std::int32_t> findUnsound(Model& model, Brep& brep) {
     if (options_.tolerance > 0) {
       std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
@@ -268,16 +265,16 @@ class ShapeMaker {
     std::vector<EdgeCut> unheld;
     brep = buildHeld(model, unheld);
     if (!brep.failed.empty()) return brep.failed;
-    // If the solid has facets anyway, a few more do no harm. A solid of surfaces only would turn
-    // into hundreds of facets, so it keeps these edges.
+    // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
+    // of recognised surfaces alone would become hundreds of facets.
     if (!unheld.empty() && hasFacets(model)) return curvedFacesOf(unheld, model);
     std::vector<std::int32_t> bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
     return bad.empty() ? reader_.findUnreadable(model) : bad;
   }
 
   // Splits plane regions into facets if the kernel does not accept their faces, does not read them
-  // back, or finds that they intersect others. Returns false if a recognised patch must lose its
-  // surface, so that everything starts again.
+  // back, or finds that they intersect others. Returns false if a face stays unsound. Also returns
+  // false if a recognised patch has to lose its surface; then the caller starts again.
   bool acceptFaces(Decimated& small, double tolerance, Model& model, Brep& brep) {
     constexpr int kTrials = 4;
     for (int trial = 0; trial < kTrials; ++trial) {
@@ -295,12 +292,13 @@ class ShapeMaker {
     return false;
   }
 
-  // Builds the model from a simplified mesh. Adds corners where the original mesh lies too far
-  // away, then tests the faces with the kernel.
+  // Builds the solid, adds vertices where the mesh lies too far away from it, and tests the faces
+  // with the kernel. Returns nothing if there are too many faces or if faces are not accepted.
   std::optional<Built> tryMesh(Decimated base, std::int64_t& faces) {
     const double tolerance = std::max(options_.planarTolerance, options_.tolerance);
     const bool exact = options_.tolerance <= 0;
-    std::vector<Eigen::Vector3d> about;  // points of the original near the last added corners
+    // Mesh vertices whose distance the last repair may have changed.
+    std::vector<Eigen::Vector3d> about;
     for (int mended = 0;; ++mended) {
       Decimated small{base.mesh, base.partition, {}, {}, base.deviation};
       if (options_.mergeCoplanar)
@@ -326,7 +324,7 @@ class ShapeMaker {
   }
 
   static constexpr int kMendings = 16;
-  /// Number of triangles below which a trial costs more than it saves.
+  /// Number of triangles; for a smaller mesh, a trial costs more than it saves.
   static constexpr std::size_t kWorthTrial = 20000;
   const HalfEdgeMesh& whole_;
   const HalfEdgeMesh& dense_;

@@ -1,9 +1,12 @@
-// Makes a kernel shape from a mesh: recognises surfaces, simplifies, and builds the model. If the
-// kernel refuses faces, their surfaces are given up and the steps are repeated.
-// In: `dense`, the mesh to work on; `whole`, the mesh from which the deviation is measured; the
-// tolerance of the options. Out: a shape whose faces the kernel accepts, or nothing if fits()
-// refuses the number of faces. Units: mm. Cost: a few simplifications of the mesh. Throws
-// Error(ExportFailed, "InvalidFaces"), Error(Cancelled).
+// Makes the kernel shape of a mesh: recognises surfaces, simplifies, and builds the model. Repeats
+// this without the surfaces that the kernel refuses.
+// In:      `dense`, the mesh to work on; `whole`, the mesh from which the deviation is measured;
+//          the tolerance of the options; fits(count), which tells whether that many faces are
+//          allowed.
+// Out:     a shape whose faces the kernel accepts, or nothing if it would have too many faces.
+// Units:   mm.
+// Cost:    a few simplifications of the mesh.
+// Throws Error(ExportFailed, "InvalidFaces"), Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,10 +27,10 @@ struct Built {
   Model model;
   Brep brep;
   std::map<std::string, std::int64_t> facesByKind;
-  double deviation = 0;  // mm, largest distance of a mesh vertex from its face
+  double deviation = 0;  // mm, of the mesh's vertices from the faces of the solid
 };
 
-/// `faces` receives the number of faces, even if fits() refuses it.
+/// Returns the shape, or nothing. `faces` receives the number of faces, even if there are too many.
 std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
                                const StepOptions& options,
                                const std::function<bool(std::int64_t)>& fits, KernelSession& kernel,

@@ -74,7 +74,7 @@ void fillHeader(STEPControl_Writer& writer, const std::string& targetName,
   header.SetOriginatingSystem(text("Swept Volume for FreeCAD"));
   header.SetAuthorisation(text(""));
   header.SetDescriptionValue(1, text("Envelope of a moving body: " + options.productName));
-  // The kernel appends a number to product names; this restores the given name.
+  // The kernel appends a number to product names. This restores the given name.
   const Handle(StepData_StepModel) model = writer.Model();
   for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
     const Handle(StepBasic_Product) product = Handle(StepBasic_Product)::DownCast(model->Value(i));
@@ -96,7 +96,8 @@ TopoDS_Shape shapeOf(STEPControl_Reader& reader, const KernelSession& kernel, Ru
 
 ProductNames productNames(const STEPControl_Reader& reader) {
   ProductNames names;
-  std::unordered_map<const TopoDS_TShape*, int> sizes;  // number of solids in the named product
+  // Number of solids in the product that names a solid.
+  std::unordered_map<const TopoDS_TShape*, int> sizes;
   const Handle(StepData_StepModel) model = reader.StepModel();
   const Handle(Transfer_TransientProcess) transfers =
       reader.WS()->TransferReader()->TransientProcess();
@@ -132,7 +133,7 @@ void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
   kernel.set("write.surfacecurve.mode", "1");
   kernel.set("write.precision.mode", "0");
   STEPControl_Writer writer;
-  // Makes a new model, because a model takes its schema when it is made.
+  // Starts a new model, because the kernel reads the schema setting only when it makes a model.
   writer.Model(Standard_True);
   const Handle(KernelProgress) progress = new KernelProgress(run, 0.3, 0.45);
   const IFSelect_ReturnStatus transferred =

@@ -1,5 +1,5 @@
-// Writes kernel shapes to STEP and BREP files, and reads them. The caller holds the KernelSession.
-// Throws Error(ExportFailed, "WriteFailed" | "RereadFailed" | "KernelFailure"), Error(Cancelled).
+// Writes and reads kernel shapes as STEP or BREP files. The caller holds the KernelSession. Throws
+// Error(ExportFailed, "WriteFailed" | "RereadFailed" | "KernelFailure"), Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,26 +14,26 @@
 
 namespace swept::step {
 
-/// Writes with the kernel's own translator, which adds the parameter curves of curved faces.
-/// text/step_text.h is faster, but omits these curves.
+/// Writes a STEP file with the kernel's own translator, which adds the parameter curves of curved
+/// faces. text/step_text.h writes files without them.
 void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
                    const std::string& targetName, const StepOptions& options, KernelSession& kernel,
                    RunContext& run);
 /// Maps a solid to the name of its product (the innermost one in an assembly). The key is the shape
 /// without its location, which all instances of the solid share.
 using ProductNames = std::unordered_map<const TopoDS_TShape*, std::string>;
-/// Reads the shape as the kernel does by default: the kernel computes parameter curves and
-/// tolerances. `names`, unless null, receives the names of the solids.
+/// Reads a shape in the default manner of the kernel, which computes parameter curves and
+/// tolerances by itself. `names`, unless null, receives the names of the solids.
 TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run,
                           ProductNames* names = nullptr);
 /// Does the same with a text in memory.
 TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext& run);
-/// Reads a file of plane faces without healing them, in a fifth of the time. `tolerance`: mm, as
-/// stated in the file; tolerances of the shape are limited to it.
+/// Reads the shape of a file with plane faces only. The kernel does not change the shape and takes
+/// the tolerance (mm) that the file states. This takes a fifth of the time of readStepFile().
 TopoDS_Shape readFlatStepFile(const std::string& path, double tolerance, KernelSession& kernel,
                               RunContext& run);
-/// Reads a file that has some other faces besides plane triangles. The kernel heals only these
-/// others.
+/// Reads the shape of a file that has mostly plane faces. Plane triangles stay unchanged; the
+/// kernel heals only the other faces.
 TopoDS_Shape readMostlyFlatStepFile(const std::string& path, KernelSession& kernel,
                                     RunContext& run);
 void writeBrep(const TopoDS_Shape& shape, std::ostream& out, RunContext& run);

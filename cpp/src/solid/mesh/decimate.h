@@ -6,7 +6,8 @@
 // Out:     the reduced mesh and its partition. The result may be the input of a further call.
 // Units:   mm.
 // Promise: The mesh stays closed and manifold. Each removed or moved vertex outside the patches
-//          stays within the tolerance of the new triangles. Borders move only along themselves.
+//          stays within the tolerance of the new triangles. A border vertex collapses only along
+//          its border.
 // Paper:   quadric error as the order of the collapses (Garland, Heckbert 1997). The bound is
 //          checked on sample points.
 // Cost:    O(n log n).
@@ -21,7 +22,7 @@ namespace swept::step {
 struct Decimated {
   HalfEdgeMesh mesh;
   Partition partition;
-  /// By triangle: removed vertices that must stay near it. Empty before the first call.
+  /// By triangle: removed vertices that must stay near the triangle. Empty before the first call.
   std::vector<std::vector<Eigen::Vector3d>> attached;
   std::vector<char> watched;  ///< by triangle: 1 if `attached` has points on its long edges already
   double deviation = 0;       ///< mm: largest distance of an attached point from its triangle
@@ -37,7 +38,8 @@ enum class Effort {
 /// Removes vertices without a patch if the surface moves by at most `limit`.
 Decimated thinOpenGround(Decimated start, double limit, RunContext& run);
 
-/// `original`: the mesh before any collapse; triangles of open ground stay near it.
+/// Returns the reduced mesh. `original` is the mesh before any collapse; triangles of open ground
+/// stay near it.
 Decimated decimate(Decimated start, double tolerance, const NearestTriangle& original,
                    RunContext& run, Effort effort = Effort::Thorough);
 

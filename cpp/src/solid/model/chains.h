@@ -38,7 +38,7 @@ class Borders {
 };
 
 struct Chain {
-  /// In order; the two patches beside them are the same along the chain.
+  /// The half-edges in order. The same two patches lie beside all of them.
   std::vector<std::int32_t> halfEdges;
   /// The surfaces on which the chain lies, without facets. A cutting plane comes last.
   std::vector<const Carrier*> surfaces;

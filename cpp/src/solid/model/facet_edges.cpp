@@ -14,7 +14,8 @@ using Eigen::Vector3d;
 /// Share of the facet's angle at a vertex that a curve may use: the other edge there may bend
 /// inward too.
 constexpr double kMaxIntoCorner = 0.45;
-/// In rad: how far a curve may turn away from the facet. Edges of the curved face may lie beyond.
+/// rad; largest angle by which a curve may turn away from the facet. Edges of the curved face may
+/// lie beyond.
 constexpr double kMaxOutward = 0.4;
 /// Largest distance of the curve from its chord, as a share of the chord's length.
 constexpr double kMaxStray = 0.3;

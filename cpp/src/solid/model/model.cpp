@@ -134,7 +134,8 @@ class Builder {
     return vertexId_[v];
   }
 
-  // Returns the curve in which the two surfaces of a chain intersect, if both its ends lie on both.
+  // Returns the curve in which the two surfaces of a chain intersect, if both ends of the chain lie
+  // on both surfaces.
   std::optional<Curve> exactCurveOf(const Chain& chain, const Vector3d& first,
                                     const Vector3d& last) const {
     for (const Carrier* surface : chain.surfaces) {

@@ -82,7 +82,7 @@ class Cutter {
   }
 
   // Reduces a closed profile to the part that the patch uses, with a margin at both ends. Returns
-  // false if there is no gap.
+  // false if the patch leaves no gap.
   bool openProfile(Patch& patch) const {
     Carrier& s = patch.surface;
     const double period = s.profile->length(), from = s.profile->nodes().front().knot;
@@ -187,9 +187,10 @@ class Cutter {
     return corners;
   }
 
-  // Returns the direction perpendicular to the axis for which the plane through `point` is farthest
-  // from the corners. If a corner nearly lies on the cut, edges get shorter than their tolerance.
-  // The tried angles start at 0.3 rad, so that the cut does not follow a row of vertices.
+  // Returns the normal of the plane through `point` that stays farthest from the corners. The
+  // normal is perpendicular to the axis. If a corner nearly lies on the cut, edges get shorter than
+  // their tolerance. The tried angles start at 0.3 rad, so that the cut does not follow a row of
+  // vertices.
   static Vector3d directionAwayFrom(const std::vector<Vector3d>& corners, const Vector3d& point,
                                     const Vector3d& axis) {
     constexpr int kDirections = 12;

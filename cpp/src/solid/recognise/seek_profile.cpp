@@ -22,13 +22,14 @@ constexpr double kMaxLean = 0.08;    // sine: a single normal may deviate by thi
 constexpr double kSurfaceCosine = 0.90;  // a triangle may deviate by 26 degrees from its surface
 constexpr double kExactFraction = 0.1;  // of the tolerance: largest median distance of the vertices
 constexpr double kRoughFraction = 0.2;  // of the tolerance: the same for a quick first test
-/// Of the tolerance: spans are halved until their points are this near.
+/// Spans are halved until their points are within this share of the tolerance.
 constexpr double kFitFraction = 0.02;
-/// Of the tolerance: only patches with a larger median distance may give triangles to a profile.
+/// Only patches whose median distance exceeds this share of the tolerance may give triangles to a
+/// profile.
 constexpr double kMinLoose = 0.02;
 constexpr double kMinGain = 3;   // factor by which the profile must fit better than the patch
 constexpr double kMinSaved = 8;  // facets that a patch must save
-/// In edge lengths: nearer to the axis, triangles belong to the pole and are left out.
+/// Triangles nearer to the axis than this many edge lengths belong to the pole and are left out.
 constexpr double kMinAxisDistance = 6;
 
 struct Candidate {
@@ -64,7 +65,8 @@ class ProfileSeeker {
   }
 
  private:
-  // Whether the triangle has no patch, or a patch that fits loosely and has no profile.
+  // Whether the triangle may join a profile: it has no patch, or its patch fits loosely and has no
+  // profile.
   bool isFree(std::int32_t t) const {
     const std::int32_t p = partition_.patchOf[t];
     return p < 0 ||

@@ -13,7 +13,7 @@ constexpr int kMaxSeedTriangles = 4000;  // triangles of the largest guess
 /// Cosine: a triangle may deviate by this angle (26 degrees) from its surface.
 constexpr double kSurfaceCosine = 0.90;
 constexpr double kMinFraction = 0.1;  // of the tolerance: least value to which it is reduced
-/// Of the tolerance: largest median distance of the vertices.
+/// Largest median distance of the vertices, as a share of the tolerance.
 constexpr double kExactFraction = 0.1;
 constexpr int kRimRings = 3;
 constexpr std::size_t kFewSamples = 80;  // for a first guess: few, since most guesses fail
@@ -24,7 +24,8 @@ constexpr std::array<CarrierKind, 5> kKinds{CarrierKind::Plane, CarrierKind::Cyl
                                             CarrierKind::Sphere, CarrierKind::Cone,
                                             CarrierKind::Torus};
 
-// Whether a later candidate covers enough more area; much more is needed if it fits less exactly.
+// Whether a later candidate covers enough more area than the best one. If it fits less exactly, it
+// must cover much more.
 bool isBetter(const Candidate& next, const Candidate& best, double tolerance) {
   const bool exact = next.median <= 3 * best.median + 0.02 * tolerance;
   return next.area > (exact ? kMinMore : kMinMuchMore) * best.area;

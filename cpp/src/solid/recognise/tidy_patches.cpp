@@ -24,7 +24,7 @@ constexpr double kMaxSpeckArea = 30;   // in squared tolerances
 constexpr double kMaxSpeckReach = 6;  // in tolerances: distance from the surface that a speck joins
 constexpr int kStepsBeyond = 6;       // triangles beyond a border that are examined
 constexpr double kMinSteep = 0.12;    // sine of about 7 degrees
-/// In tolerances: distance from the surface beyond which the steepness counts.
+/// Distance from the surface, in tolerances, beyond which the steepness counts.
 constexpr double kSteepFrom = 0.25;
 
 // Prepares the patches of a partition to become faces, step by step.

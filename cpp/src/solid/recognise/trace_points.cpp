@@ -17,7 +17,7 @@ constexpr double kReach = 1.0 / 80;     // of the box: how far a step looks
 constexpr double kMaxReach = 1.0 / 6;   // of the box: how far it looks at most if points are sparse
 constexpr double kMinSameCosine = 0.7;  // cosine: normals at a larger angle are ignored
 constexpr int kMaxSteps = 1500;
-/// Of the box: points nearer to each other than this count as one.
+/// Share of the box's size; points nearer to each other than this count as one.
 constexpr double kMinSpacing = 1.0 / 800;
 constexpr int kCells = 80;
 

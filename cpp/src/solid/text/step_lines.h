@@ -127,7 +127,7 @@ class Lines {
   Id last_ = 0;
 };
 
-/// Parts of the file around the geometry.
+/// Writes the parts of the file around the geometry.
 class FileSections {
  public:
   FileSections(Lines& lines, const StepOptions& options) : lines_(lines), options_(options) {}

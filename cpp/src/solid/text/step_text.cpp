@@ -156,7 +156,8 @@ class Writer {
     return id;
   }
 
-  // A file of corners only stores the vertices of a loop; the edges follow from them.
+  // If the file contains only corners, a loop is stored as its vertices. The edges follow from
+  // them.
   Id writeFace(const ModelFace& face) {
     std::vector<Id> bounds, uses;
     for (const auto& loop : face.loops) {

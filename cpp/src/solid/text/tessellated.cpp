@@ -16,8 +16,9 @@ namespace swept::step {
 namespace {
 
 constexpr double kBytesPerTriangle = 45;
-constexpr double kSameVolume = 1e-9;  // of area^1.5; allows for rounded points
-constexpr double kExact = 1e-7;       // mm, accuracy stated in the file
+// Volumes that differ by less than this share of area^1.5 are equal.
+constexpr double kSameVolume = 1e-9;
+constexpr double kExact = 1e-7;  // mm, accuracy stated in the file
 
 class Writer {
  public:

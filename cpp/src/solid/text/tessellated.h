@@ -1,8 +1,8 @@
 // Writes a closed mesh as a tessellated solid of AP242 (ISO 10303-42): points and triangles, no
 // surfaces. Needs no CAD kernel.
 // In:      mesh.
-// Out:     a file with one TESSELLATED_SOLID for each outer shell. The cavities are further faces
-//          of it.
+// Out:     a file with one TESSELLATED_SOLID for each outer shell. The cavities of a shell are
+//          further faces of its solid.
 // Units:   mm.
 // Cost:    O(n).
 // Promise: The file is written beside the target, read back by an independent reader and compared
