@@ -50,7 +50,9 @@ class Rules(Neighbours):
         self.assertEqual(obj.Verdict, "clear")
         self.assertEqual(self.verdicts(obj), {"Wall": ("clear", True), "Table": ("contact", True)})
         self.assertTrue(
-            obj.Summary.startswith("2 checked, 1 in allowed contact, 1 ignored, smallest 3.5 mm"),
+            obj.Summary.startswith(
+                "2 checked, 1 in allowed contact, 1 ignored, smallest distance 3.5 mm"
+            ),
             obj.Summary,
         )
         rows = clearance_table.table(clearance.report_of(obj))

@@ -64,15 +64,15 @@ _TEXTS = {
     "BadFile": mark("Core", "The file cannot be read: the text in brackets says where and why."),
     "BadFormat": mark(
         "Core",
-        "The file extension is not supported: use an extension that the text in brackets " "names.",
+        "The file extension is not supported: use one of those listed in brackets.",
     ),
     "FileTooLarge": mark(
         "Core", "The file is larger than the limit for input files: split it, or reduce it."
     ),
     "ResourceLimit": mark(
         "Core",
-        "The computation exceeds a limit, mostly that of memory: choose a larger "
-        "cell, or raise the memory limit in the preferences.",
+        "The computation exceeds a limit, usually the memory limit: choose a larger cell, or "
+        "raise the limit in the preferences.",
     ),
     "TooManyTriangles": mark(
         "Core",
@@ -145,7 +145,8 @@ _TEXTS = {
     ),
     "ContactNotProven": mark(
         "Core",
-        "The depth of an allowed contact was measured, but a deeper point cannot be " "excluded.",
+        "The depth of an allowed contact was measured, but the parts may overlap more deeply at "
+        "another point.",
     ),
     "EqualTimes": mark(
         "Core", "Some poses have the same time as the pose before. Their order was kept."

@@ -168,7 +168,7 @@ TEST(ClearanceRules, ContactThatIsAllowedIsNoFault) {
   ASSERT_EQ(row.contact.size(), 1u);  // the times of contact are told all the same
   EXPECT_EQ(report.ignored, std::vector<std::string>{"wall"});
   EXPECT_EQ(report.smallest, 1);  // what is meant to touch does not hide what comes near
-  EXPECT_NE(report.summary.find("2 checked, 1 allowed contact, 1 ignored, smallest"),
+  EXPECT_NE(report.summary.find("2 checked, 1 allowed contact, 1 ignored, smallest distance"),
             std::string::npos)
       << report.summary;
 }

@@ -63,7 +63,7 @@ INPUT = [
         "MeshDeflection",
         mark(
             "Properties",
-            "How far the triangles of a solid may deviate from it. This deviation is "
+            "How far the triangle mesh of a solid may deviate from the solid. This deviation is "
             "subtracted from guaranteed distances",
         ),
         0.05,
@@ -140,8 +140,8 @@ RESULT = [
         "Seen",
         mark(
             "Properties",
-            "Parts that were visible in the last run with AllVisible. If they change, "
-            "the result is stale",
+            "Parts that were visible in the last run, recorded if AllVisible was true. If one of "
+            "them changes, the result is stale",
         ),
         HIDDEN,
     ),

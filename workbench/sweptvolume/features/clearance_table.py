@@ -135,13 +135,13 @@ def summary(report, head=""):
     deep = row.get("penetration", {}).get("depth") if row["verdict"] == "clash" else None
     where = number(row["time_seconds"], TABLE_DIGITS), row["name"]
     if isinstance(deep, (int, float)):
-        text, lengths = translate("Messages", "deepest {0} at t = {1} s ({2})"), [deep]
+        text, lengths = translate("Messages", "deepest clash {0} at t = {1} s ({2})"), [deep]
     else:
-        text = translate("Messages", "smallest {0} at t = {1} s ({2})")
+        text = translate("Messages", "smallest distance {0} at t = {1} s ({2})")
         lengths = [row["distance"], row.get("guaranteed", row["distance"])]
     lengths = [quantity(length, TABLE_DIGITS) for length in lengths]
     if len(set(lengths)) > 1:  # what triangles and tolerance may hide
-        text = translate("Messages", "smallest {0}, at least {1}, at t = {2} s ({3})")
+        text = translate("Messages", "smallest distance {0} (guaranteed: {1}) at t = {2} s ({3})")
     else:
         del lengths[1:]
     return ", ".join(words + [text.format(*lengths, *where)])

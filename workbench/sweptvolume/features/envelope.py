@@ -71,7 +71,9 @@ class Envelope(Feature):
                 (missing.PROPERTY, mark("Properties", "Inputs that were deleted (JSON)")),
                 (
                     made_by.PROPERTY,
-                    mark("Properties", "Which face or edge made each triangle (packed)"),
+                    mark(
+                        "Properties", "Record of which face or edge made each triangle (compressed)"
+                    ),
                 ),
             )
         ]

@@ -91,8 +91,8 @@ ACCURACY = [
         "Accuracy",
         mark(
             "Properties",
-            "How far the triangles of a solid may deviate from it, as a fraction of the "
-            "cell size",
+            "How far the triangle mesh of a solid may deviate from the solid, as a fraction of "
+            "the cell size",
         ),
         0.1,
         0,
@@ -184,7 +184,8 @@ PLACED = (
     "Result",
     mark(
         "Properties",
-        "Placement of the result when it was stored. If it changes, the result was moved",
+        "Placement of the result when the result was stored. If the present placement differs, "
+        "the result was moved",
     ),
     None,
     HIDDEN,

@@ -55,8 +55,9 @@ def write(vertices, triangles, path, max_faces):
         raise InputProblem(
             translate(
                 "Messages",
-                "the core was built without OpenCASCADE, and {0} triangles would become as many faces "
-                "(limit {1}): simplify the envelope, or export STL, PLY or OBJ.",
+                "the core was built without OpenCASCADE, so each of the {0} triangles would "
+                "become a face, but the limit is {1} faces: simplify the envelope, or export "
+                "STL, PLY or OBJ.",
             ).format(len(triangles), max_faces)
         )
     corners = vertices[triangles]

@@ -28,7 +28,7 @@ CAP, EDGE, GRAZE = range(3)
 #: Results of one envelope whose records are kept, for Undo.
 MOST_KEPT = 3
 KINDS = (
-    mark("Panels", "Made by the face itself, standing at a pose"),
+    mark("Panels", "Made by the face itself, in its place at one pose"),
     mark("Panels", "Swept by an edge that passed here"),
     mark("Panels", "Swept by a face that passed here"),
 )

@@ -32,8 +32,8 @@ INPUT = [
         "ReleaseDistance",
         mark(
             "Properties",
-            "Close to its start or end, a part may touch the parts that it touches "
-            "there, until it has moved this far away",
+            "If a part touches another part at its start or end, it may keep touching that part "
+            "while no point of it is farther than this from that start or end",
         ),
         path_plan.DEFAULTS["ReleaseDistance"],
     ),

@@ -211,7 +211,7 @@ def notes_of(obj):
     """What is to be said of the stored result."""
     if not obj.InputHash or obj.Mesh.CountFacets:
         return ""
-    text = translate("Messages", "They share no volume; the smallest distance is {0}.")
+    text = translate("Messages", "The two sides share no volume. Their smallest distance is {0}.")
     return text.format(quantity(obj.Distance.Value, TABLE_DIGITS))
 
 

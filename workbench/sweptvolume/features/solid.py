@@ -158,8 +158,9 @@ def notes_of(obj):
         return ""
     return translate(
         "Messages",
-        "at one edge the faces of the solid have a gap of {0}, more than its deviation of {1} "
-        "from the mesh. A smaller Tolerance gives more faces and smaller gaps.",
+        "at one edge, the gap between two faces of the solid is {0}, which is more than the "
+        "tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and "
+        "smaller gaps.",
     ).format(quantity(obj.EdgeTolerance.Value), quantity(asked))
 
 

@@ -121,14 +121,14 @@ class ResultPanel(StayingPanel):
             for text, tip in (
                 (
                     translate("Panels", "Pre&vious place"),
-                    translate("Panels", "Goes back to the next worse place"),
+                    translate("Panels", "Goes to the previous place, which is worse than this one"),
                 ),
                 (
                     translate("Panels", "&Next worst place"),
                     translate(
                         "Panels",
-                        "Goes to the next place, from the worst to the best: first clashes by "
-                        "depth, then all others by distance",
+                        "Goes to the next place. Clashes come first, beginning with the deepest, "
+                        "then all other places, beginning with the closest",
                     ),
                 ),
             )

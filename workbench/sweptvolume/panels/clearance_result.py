@@ -24,8 +24,8 @@ class ResultPanel(played_result.PlayedPanel):
             QtWidgets.QPushButton(translate("Panels", "Keep volume to cut awa&y")),
             translate(
                 "Panels",
-                "Makes an object of the volume that the envelope and the part of the "
-                "chosen row share",
+                "Creates an object from the volume that the envelope shares with the part of the "
+                "chosen row",
             ),
         )
         self.cut_away.setObjectName("SweptVolumeKeepCut")

@@ -317,8 +317,8 @@ class EnvelopePanel(StartPanel):
         if found.get("useful_filter"):
             hint = translate(
                 "Panels",
-                "Most poses are nearly equal: set a position filter of {0} to skip "
-                "them, and the run is much faster.",
+                "Most poses are nearly equal: a position filter of {0} skips them and makes the "
+                "run much faster.",
             )
             text += "\n" + hint.format(quantities.quantity(found["useful_filter"]))
         self._show_estimate(text)

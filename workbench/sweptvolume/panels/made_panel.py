@@ -30,8 +30,8 @@ opened = []
 def _of_before():
     return translate(
         "Panels",
-        "The envelope is stale: the information shown is about the earlier parts and "
-        "motion. Recompute the envelope to see the present ones.",
+        "The envelope is stale: the information shown belongs to its earlier parts and motion. "
+        "Recompute the envelope to update the information.",
     )
 
 
@@ -119,9 +119,8 @@ class MadePanel(StayingPanel):
             if known
             else translate(
                 "Panels",
-                "For this envelope there is no record of what made it. Either it was "
-                "not recorded, or the record ended when the document was closed: "
-                "press Compute and record.",
+                "This envelope has no record of what made it. Either nothing was recorded, or "
+                "the record was lost when the document was closed: press Compute and record.",
             )
         )
         self.player.setEnabled(False)

@@ -208,7 +208,7 @@ class MotionPanel(KeysInView):
         widgets.show_message(self.message, "")
         found = self.history.step(back)
         if found is None:
-            text = translate("Messages", "The keys have no change to undo or redo.")
+            text = translate("Messages", "There is no change of the keys to undo or redo.")
             raise InputProblem(text)
         self.keys, row = found
         self.fill(row)

@@ -80,7 +80,8 @@ class OverlapPanel(StayingPanel):
             QtWidgets.QPushButton(translate("Panels", "Keep s&hared volume")),
             translate(
                 "Panels",
-                "Adds the volume that both share as an object, which shows when it is out of date",
+                "Adds the shared volume of the two objects to the document. The new object shows "
+                "when it is stale",
             ),
         )
         self.keep.setObjectName("SweptVolumeKeepShared")

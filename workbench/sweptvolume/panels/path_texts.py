@@ -54,8 +54,8 @@ def _not_found(report):
         lines = [translate("Messages", "No path was found.")]
     text = translate(
         "Messages",
-        "The part came {0} away from its goal before it was blocked. The 3D view "
-        "shows it there.",
+        "The search moved the part at most {0} away from its goal before the part was blocked. "
+        "The 3D view shows the part at that place.",
     )
     lines.append(text.format(quantities.quantity(escape["distance"])))
     if escape["blockers"]:

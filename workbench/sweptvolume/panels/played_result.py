@@ -72,8 +72,8 @@ class PlayedPanel(check_result.ResultPanel):
             QtWidgets.QPushButton(translate("Panels", "Keep clas&h volume")),
             translate(
                 "Panels",
-                "Makes an object of the volume that the two parts of the chosen row "
-                "share at the time of that row",
+                "Creates an object from the volume that the two parts of the chosen row share at "
+                "the time of that row",
             ),
         )
         self.clash.setObjectName("SweptVolumeKeepClash")

@@ -73,14 +73,14 @@ class RulesTable(QtWidgets.QTableWidget):
         self.horizontalHeaderItem(LENGTH).setToolTip(
             translate(
                 "Panels",
-                "The required distance for this row. Empty: the common required "
-                "distance below. If contact is allowed: how deep the parts may "
-                "overlap. Empty: no measurable overlap",
+                "Required distance for this row (empty: the common required distance below). If "
+                "contact is allowed: how deep the parts may overlap (empty: no measurable "
+                "overlap)",
             )
             if CONTACT in kinds
             else translate(
                 "Panels",
-                "The required distance for this row. Empty: the common required distance below",
+                "Required distance for this row (empty: the common required distance below)",
             )
         )
         self.horizontalHeaderItem(KIND).setToolTip(

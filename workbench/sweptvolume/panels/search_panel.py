@@ -41,9 +41,9 @@ class SearchPanel(StayingPanel):
             widgets.length(now["ReleaseDistance"], 0.0, 5.0),
             translate(
                 "Panels",
-                "If a neighbour is closer than the required distance at the start or "
-                "the goal, it may stay closer until some point of the part has moved "
-                "this far from there",
+                "If the part is closer to a neighbour than the required distance at its start or "
+                "goal, it may stay that close while no point of the part is farther than this "
+                "from its position at that end",
             ),
         )
         self.release.setObjectName("SweptVolumeRelease")

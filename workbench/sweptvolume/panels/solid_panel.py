@@ -50,7 +50,7 @@ class SolidPanel(StartPanel):
         self.merge = QtWidgets.QCheckBox(translate("Panels", "Merge coplanar"))
         self.merge.setChecked(values["merge"])
         widgets.hint(
-            self.merge, translate("Panels", "Merges coplanar triangles into single flat faces")
+            self.merge, translate("Panels", "Merges adjacent coplanar triangles into one flat face")
         )
         self.tolerance = widgets.length(values["tolerance"])
         self.tolerance.setObjectName("SweptVolumeSolidTolerance")
@@ -58,8 +58,8 @@ class SolidPanel(StartPanel):
             self.tolerance,
             translate(
                 "Panels",
-                "How far the solid may deviate from the mesh; 0: exact, unless Max faces forces a "
-                "tolerance",
+                "How far the solid may deviate from the mesh. 0: exact, unless Max faces "
+                "requires a tolerance",
             ),
         )
         self.faces = QtWidgets.QSpinBox()
@@ -72,7 +72,7 @@ class SolidPanel(StartPanel):
             self.faces,
             translate(
                 "Panels",
-                "If the tolerance is 0, the smallest tolerance that stays within this limit is chosen",
+                "If the tolerance is 0, the smallest tolerance that meets this limit is chosen",
             ),
         )
         self.megabytes = QtWidgets.QDoubleSpinBox()
@@ -86,8 +86,9 @@ class SolidPanel(StartPanel):
             self.tessellated,
             translate(
                 "Panels",
-                "Writes the triangles themselves instead of faces: exact, fast and of any size. Only "
-                "programs that read tessellated STEP can open it; FreeCAD 0.20 cannot",
+                "Writes the triangles themselves instead of faces. This is exact and fast, and "
+                "there is no limit on the number of triangles. Only programs that read "
+                "tessellated STEP can open the file; FreeCAD 0.20 cannot",
             ),
         )
         step = self.path.lower().endswith((".step", ".stp"))

@@ -217,7 +217,7 @@ def number_from(text, unit):
     raise InputProblem(
         translate(
             "Messages",
-            '"{0}" is not a number, nor a quantity that can be converted to {1}, or '
-            "it is too large: correct the entry.",
+            '"{0}" is too large, or is neither a number nor a quantity that can be converted to '
+            "{1}: correct the entry.",
         ).format(text, unit)
     )

@@ -87,7 +87,7 @@ class Poses:
                     translate(
                         "Messages",
                         "Poses {0} and {1} have the same time ({2:g} s): give them different "
-                        "times. A spline and a motion with a reference part need this.",
+                        "times, because the motion is a spline or has a reference part.",
                     ).format(i, i + 1, self.times[i])
                 )
 

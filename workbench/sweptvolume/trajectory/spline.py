@@ -82,8 +82,8 @@ class Spline:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "The spline from pose {0} to pose {1} exceeds the range of numbers: "
-                    "check their times, placements and given velocities.",
+                    "The spline from pose {0} to pose {1} gives numbers that are too large: "
+                    "check the times, placements and given velocities of these poses.",
                 ).format(k + 1, k + 2)
             )
         first, last = rotation_of(w0 * third), rotation_of(w1 * third)
