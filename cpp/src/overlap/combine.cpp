@@ -29,8 +29,8 @@ struct Link {
 
 [[noreturn]] void failBroken(const std::string& what) {
   throw Error(Status::InternalError, "InternalError",
-              "the shared volume does not close (" + what +
-                  "): a fault of the program; please report it with the parts");
+              "the computed surface of the shared volume is not closed (" + what +
+                  "). This is a fault of the program; please report it with the parts");
 }
 
 /// Small faults of a mesh do no harm: what lies in itself counts as often as it is there.
