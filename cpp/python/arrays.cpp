@@ -146,8 +146,8 @@ Trajectory trajectoryFromObject(const py::object& motion, const std::string& int
   const auto parts = isSequence ? py::len(motion) : 0;
   if (isSequence && (parts < 2 || parts > 4)) {
     throw py::value_error(
-        "motion must be (times, quaternions, translations), the same and a pivot, (times, "
-        "matrices) or an array (K, 4, 4)");
+        "motion must be (times, quaternions, translations), (times, quaternions, translations, "
+        "pivot), (times, matrices) or an array (K, 4, 4)");
   }
   if (!isSequence) {
     trajectory.poses = posesFromMatrices(motion, nullptr);
@@ -160,7 +160,7 @@ Trajectory trajectoryFromObject(const py::object& motion, const std::string& int
   if (parts == 2) {
     const py::array matrices = py::array::ensure(sequence[1]);
     if (!matrices) throw py::error_already_set();
-    checkShape(matrices, "matrices", {count, 4, 4}, "(K, 4, 4) with as many as there are times");
+    checkShape(matrices, "matrices", {count, 4, 4}, "(K, 4, 4), with one matrix for each time");
     trajectory.poses = posesFromMatrices(matrices, times.data());
     return trajectory;
   }
