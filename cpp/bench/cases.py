@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is measured: the cases of the table, and inputs that grow in one way only."""
+"""Cases of the benchmark: those of the table, and inputs of which only one dimension grows."""
 import csv
 import json
 import lzma
@@ -7,7 +7,8 @@ import pathlib
 
 import numpy as np
 
-# name in cases.json, resolution, seconds of the reference, goal and least that count
+# Each entry: name in cases.json, resolution, seconds of the reference, goal in seconds, and fewest
+# runs that count.
 TABLE = [
     ("bunny_still", 512, 360, 0.5, 1),
     ("bunny_still", 1024, 2632, 2, 4),
@@ -19,14 +20,15 @@ TABLE = [
     ("bunny_vibration", 512, 943, 3, 15),
     ("housing_vibration", 1024, 7084, 15, 75),
 ]
-# The same through a preview session (preview.py): name, resolution, goal and least of later calls.
+# The same for a preview session (preview.py): name, resolution, goal of later calls, fewest calls
+# that count.
 PREVIEW = [("fandisk_keys16", 128, 0.05, 0.15), ("bunny_keys16", 128, 0.05, 0.15)]
 LARGE = [("fandisk_keys16", 4096, None, 40, 150)]
 QUICK = [("fandisk_keys16", 128), ("fandisk_keys16", 256), ("bunny_still", 256)]
 
 
 class Case:
-    """One run of the program: a name for people, and its arguments."""
+    """One run of the program: a name for people, and the arguments."""
 
     def __init__(self, name, resolution, arguments, limits=None):
         self.name = name
@@ -61,7 +63,8 @@ def table(shared, which):
 
 
 def growth(shared, folder):
-    """Growth with resolution, with placements at a fixed envelope, with triangles."""
+    """Cases that grow with the resolution, with the number of placements of a fixed envelope, or
+    with the triangles."""
     entries = shared_cases(shared)
     folder.mkdir(parents=True, exist_ok=True)
     cases = []
@@ -115,7 +118,7 @@ def slerp(p, q, s):
 
 
 def denser_path(source, factor, folder):
-    """The same linear path with `factor` times as many poses."""
+    """Writes the same linear path with `factor` times as many poses."""
     header, rows = read_table(source)
     poses = np.array(rows, float)
     out = [poses[0]]
@@ -129,7 +132,7 @@ def denser_path(source, factor, folder):
 
 
 def subdivided(source, levels, folder):
-    """Every triangle cut in four, `levels` times; vertices stay where the surface is."""
+    """Splits every triangle in four, `levels` times. New vertices lie on the old surface."""
     vertices, triangles = read_ply(source)
     for _ in range(levels):
         edges = np.sort(

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Counts instructions of small runs under callgrind and compares them with the stored counts.
-
-Instructions do not depend on the load of the machine, so a small change shows. Above +10 % it warns
-(exit status 0), so that the change can be looked at; --store writes the counts that hold from now on.
+"""Counts the instructions of small runs under callgrind and compares them with stored counts.
+Instruction counts do not depend on the load of the machine, so they show small changes. Prints a
+warning (exit status 0) if a count grows by more than 10 %. --store writes the present counts as the
+new reference.
 """
 import argparse
 import json
@@ -20,7 +20,7 @@ WARN = 1.10
 
 
 def write_torus(path, around=48, across=24):
-    """Torus round z, radii 20 and 8, as OBJ."""
+    """Writes a torus around z with radii 20 and 8 as an OBJ file."""
     lines = []
     for i in range(around):
         for j in range(across):

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measures the program and prints and stores the tables of docs/performance.md.
-
-Each case is run several times, in turn with the baseline program where one is given, so that both
-see the same load; medians count. Elapsed seconds suffer from other work on the machine, CPU seconds
-much less: both are shown, and the load while it was measured.
+"""Measures the program, and prints and stores the tables of docs/performance.md.
+Each case runs several times. If a baseline program is given, both programs run in turn, so that
+they see the same load. The medians count. Other work on the machine affects elapsed seconds, and
+CPU seconds much less. The tables show both, and the load during the measurement.
 """
 import argparse
 import datetime
@@ -21,7 +20,7 @@ STAGES = ["sampling", "signs", "crossings", "contour", "intersections", "mend", 
 
 
 def measure(program, case, threads, folder):
-    """One run: the program's report, and what the system says about the process."""
+    """Runs a case once and returns the program's report and the system's figures for the process."""
     report = folder / "report.json"
     report.unlink(missing_ok=True)
     command = [program, "envelope", *case.arguments, "--backend", "cpu", "--quiet"]
@@ -39,7 +38,8 @@ def measure(program, case, threads, folder):
     seconds = found["seconds"]
     files = seconds.get("read", 0) + seconds.get("write", 0)
     return {
-        # "total" is the run from mesh to checked mesh; files stand beside it.
+        # "total" covers the run from mesh to checked mesh; reading and writing files is not
+        # included.
         "elapsed": seconds["total"] - (files if seconds["total"] > files else 0),
         "cpu": usage.ru_utime + usage.ru_stime,
         "stages": seconds,
@@ -51,7 +51,7 @@ def measure(program, case, threads, folder):
 
 
 def middle(runs):
-    """Medians of the numbers of several runs of one case."""
+    """Returns the medians of the figures of several runs of one case."""
     good = [r for r in runs if "failed" not in r]
     if not good:
         return runs[0]

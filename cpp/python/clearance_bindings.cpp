@@ -1,4 +1,4 @@
-// Clearance for Python: reports as dicts, distances as arrays.
+// Clearance checks for Python. Reports are dicts; distances are arrays.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "clearance_bindings.h"
 
@@ -90,7 +90,7 @@ constexpr const char* kDistanceDoc =
 
 Returns the distance (mm) of each point (N, 3) from a mesh, negative for points inside a closed mesh.)";
 
-/// A report as a dict; raises where its run failed.
+/// Returns a report as a dict. Raises if its run failed.
 template <class Report>
 py::object foundOf(const Report& report) {
   py::object found = parseJson(toJson(report));

@@ -11,7 +11,7 @@ namespace py = pybind11;
 
 constexpr int kStatusCount = static_cast<int>(Status::InternalError) + 1;
 
-// Owned for the life of the process: exceptions may be raised until the interpreter is gone.
+// Owned until the process ends, because exceptions may be raised until the interpreter ends.
 std::array<PyObject*, kStatusCount>& classes() {
   static std::array<PyObject*, kStatusCount> table{};
   return table;

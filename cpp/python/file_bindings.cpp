@@ -53,7 +53,7 @@ Mesh pyReadBody(const py::object& path, const std::string& unit,
           findingsToList(body.findings)};
 }
 
-/// (name, mesh) of each part.
+/// Returns (name, mesh) for each part.
 py::list pyReadParts(const py::object& path, const std::string& unit, double chordError,
                      double deflection, const py::object& run) {
   const RunPointer context = runFromObject(run);
@@ -89,7 +89,7 @@ py::tuple pyReadTrajectory(const py::object& path, const std::string& unit) {
   return trajectoryToArrays(trajectory);
 }
 
-/// Rigid matrices as the quaternions and translations nearest to them.
+/// Returns the quaternions and translations nearest to the given rigid matrices.
 py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrices) {
   return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
 }

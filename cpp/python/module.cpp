@@ -1,4 +1,4 @@
-// The compiled module `_swept`: the core for Python, numpy in and out.
+// The compiled module `_swept`: the core for Python, with numpy arrays as input and output.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -39,7 +39,7 @@ struct ComputeResult {
   }
   py::object sources() const {
     if (!data->sources.rows) return py::none();
-    // Neither holds the other: a result may go while its sources stay.
+    // The sources own their data, so they remain valid after the result is gone.
     return py::cast(std::make_shared<Sources>(data->sources));
   }
   py::array featureEdges() const {
@@ -56,8 +56,8 @@ std::uint64_t bytesFromMegabytes(double megabytes) {
   return static_cast<std::uint64_t>(megabytes * 1048576.0);
 }
 
-// One option of compute() and estimate(); what is no number, name or flag is a TypeError, a whole
-// number that no option could hold a BadOption.
+// Converts one option of compute() or estimate(). Raises TypeError if the value is not a number,
+// name or flag as expected, and BadOption for a whole number too large for any option.
 template <class T>
 T castOption(const std::string& name, const py::handle& value) {
   try {

@@ -1,4 +1,4 @@
-// Installation paths for Python: reports as dicts, motions as arrays.
+// Installation paths for Python. Reports are dicts; motions are arrays.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "path_bindings.h"
 

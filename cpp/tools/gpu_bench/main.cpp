@@ -1,6 +1,7 @@
-// Prints a table of GPU against CPU sampling on this machine: seconds by stage, memory, equality.
+// Compares GPU and CPU sampling on this machine. Prints a table with seconds by stage, memory, and
+// whether the results are equal.
 // Use: swept-gpu-bench DATA [resolution ...], where DATA is the folder with the meshes and motions
-// of cases.json.
+//        of cases.json.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
 #include <cstdio>
@@ -20,7 +21,8 @@ constexpr auto kNone = Interpolation::None, kLinear = Interpolation::Linear;
 struct Body {
   const char *name, *mesh;
   double unit;
-  const char* arc;  ///< 16 keys; the fandisk's arc (2 units large) is scaled for the others
+  /// 16 keys along an arc; the arc for the fandisk (2 units large) is scaled for the other bodies.
+  const char* arc;
   double arcUnit;
 };
 const Body kBodies[] = {
@@ -57,7 +59,7 @@ void row(const std::string& name, int resolution, const char* backend, const Res
   std::fflush(stdout);
 }
 
-/// Two rows of the table; returns the name of the device, if there is one.
+/// Prints two rows of the table. Returns the name of the device, or "" if there is none.
 std::string compareBackends(const std::string& name, const TriMesh& mesh, const Trajectory& motion,
                             int resolution) {
   Options options;
@@ -108,7 +110,7 @@ int main(int argc, char** argv) {
         const Trajectory motion =
             readTrajectoryCsv(data + "/motions/" + path.file, path.unit, path.interpolation);
         for (const int resolution : resolutions) {
-          // A software rasteriser would take hours here, and its times are of no use.
+          // A software rasteriser would take hours for this case, and its times are of no use.
           if (device.find("llvmpipe") != std::string::npos && motion.poses.size() > 1000) continue;
           const std::string found = compareBackends(name, mesh, motion, resolution);
           if (!found.empty()) device = found;

@@ -1,4 +1,4 @@
-// swept check FILE...: what the checkers of meshes and of solids find in files.
+// swept check FILE...: checks meshes and solids in files.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cstdio>
@@ -41,7 +41,7 @@ struct CheckJob {
   CommonOptions common;
 };
 
-// What was found in one file.
+// Result of the check of one file.
 struct Checked {
   Report report;
 #ifdef HAVE_SWEPT_SOLID
@@ -53,7 +53,7 @@ void fail(Report& report, const std::string& path, const std::string& faults) {
   takeError(report, Status::InvalidInput, "CheckFailed", "'" + path + "': " + faults);
 }
 
-// `file`: the name of `path` that can be read again and again.
+// `file`: a name under which the data of `path` can be read repeatedly.
 void checkFile(const std::string& file, const std::string& path, const CheckJob& job,
                RunContext& run, Checked& found) {
   if (isSolidIn(file, path, job.format)) {

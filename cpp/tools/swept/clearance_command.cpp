@@ -122,7 +122,7 @@ void writeCsv(const ClearanceReport& report, const std::string& path) {
   writeText(text.str(), path);
 }
 
-// Names that several neighbours have get one line, with the deepest contact of them.
+// Neighbours with the same name share one line, with the deepest of their contacts.
 std::string offeredRules(const ClearanceReport& report) {
   std::map<std::string, double> depths;
   for (const NeighbourClearance& row : report.neighbours)
@@ -188,7 +188,7 @@ std::string pageText(const ClearanceJob& job, const PageFrame& frame, std::vecto
   return makePage(job.page, frame, toJson(report), std::move(inputs), std::move(parts), run);
 }
 
-/// The page, if one is asked for, is put into `page`.
+/// Writes the text of the page into `page` if a page was requested.
 ClearanceReport compute(const ClearanceJob& job, std::string& page, RunContext& run) {
   const PageFrame frame = beginPage(job.page);
   std::vector<PageInput> inputs = pageInputs(job);

@@ -1,4 +1,5 @@
-// The program `swept`: chooses the command, turns what is thrown into one line and an exit status.
+// The program `swept`: selects the command, and converts exceptions to one line of text and an exit
+// status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cstdio>
 #include <exception>
@@ -68,7 +69,7 @@ std::string commandOf(const CLI::App& program) {
   return given.empty() ? std::string() : " " + given[0]->get_name();
 }
 
-// What CLI11 refuses, in our words.
+// Returns the messages of CLI11 in the wording of this program.
 std::string refusal(const CLI::ParseError& error, const CLI::App& program,
                     const std::vector<std::string>& words) {
   const std::string text = error.what();
@@ -83,7 +84,7 @@ std::string refusal(const CLI::ParseError& error, const CLI::App& program,
   return "too many files: '" + word + "'";
 }
 
-/// CLI11 from 2.5 on wraps what stands below the options, where the lines are commands to be
+/// From version 2.5, CLI11 wraps the text below the options, but its lines are commands to be
 /// copied.
 template <class Formatter>
 void keepLines(Formatter& formatter) {
@@ -98,7 +99,7 @@ int dispatch(std::vector<std::string> words) {
   program.get_formatter()->column_width(32);
   keepLines(*program.get_formatter());
   const Commands commands = addCommands(program);
-  if (!words.empty() && words[0] == "help") {  // as in version 0.1
+  if (!words.empty() && words[0] == "help") {  // the form of version 0.1
     words.erase(words.begin());
     words.emplace_back("--help");
   }

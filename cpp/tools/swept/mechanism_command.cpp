@@ -28,7 +28,7 @@ struct MechanismJob {
   double motionUnit = 1.0;
   Interpolation interpolation = Interpolation::Linear;
   MechanismOptions options;
-  std::int64_t curve = -1;  ///< -1: as many as are shown
+  std::int64_t curve = -1;  ///< number of points of the graph; -1: not given
   std::int64_t stamp = -1;
   PageJob page;
   CommonOptions common;

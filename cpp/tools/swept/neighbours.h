@@ -1,4 +1,4 @@
-// The parts that stand still, from their files.
+// Reads the parts that stand still from their files.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,28 +12,30 @@ namespace swept::cli {
 
 struct NeighbourFiles {
   std::vector<std::string> paths;
-  double millimetresPerUnit = 1;  ///< of meshes
-  double chordError = 0;          ///< mm, of meshes
-  double deflection = 0.05;       ///< mm, to which solids are tessellated
+  double millimetresPerUnit = 1;  ///< for mesh files
+  double chordError = 0;          ///< mm, for mesh files
+  double deflection = 0.05;       ///< mm, tolerance of the triangles of solids
   std::vector<NamedRule> rules;
   std::string rulesPath;
 };
 
-/// NEIGHBOUR (the option that is returned), --neighbour-unit, --neighbour-chord and --deflection.
+/// Adds NEIGHBOUR, --neighbour-unit, --neighbour-chord and --deflection. Returns NEIGHBOUR.
 CLI::Option* addNeighbourOptions(CLI::App& app, NeighbourFiles& files);
-/// --rule and --rules.
+/// Adds --rule and --rules.
 void addRuleOptions(CLI::App& app, NeighbourFiles& files);
-/// Throws what a wrong usage is; moving: the file of the part that moves, which is no neighbour of
-/// itself ("": there are several, or it is placed where its file does not have it).
+/// Throws the error for wrong usage. moving: the file of the moving part, which must not be among
+/// the neighbours; "" switches this check off (several moving parts, or a part placed elsewhere
+/// than in its file).
 void checkNeighbourOptions(const NeighbourFiles& files, const std::string& moving);
-/// A mesh is one neighbour, a solid file one a solid; each with its rule. Throws
-/// Error(InvalidInput), "BadRule" where rules do not fit; Error(Cancelled).
+/// Reads the neighbours with their rules: a mesh file is one neighbour, and each solid of a solid
+/// file is one. Throws Error(InvalidInput), with code "BadRule" if rules do not fit, and
+/// Error(Cancelled).
 std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run);
 
-/// Gives parts of one name, as solids of one file may have, a number each.
+/// Numbers the parts that have the same name, as solids of one file may have.
 void makeNamesUnique(std::vector<ClearanceNeighbour>& parts);
 
-/// In double quotes, for a table of values with commas between them.
+/// Returns a text in double quotes, for a CSV table.
 std::string quoted(const std::string& text);
 
 }  // namespace swept::cli

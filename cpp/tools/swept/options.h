@@ -1,5 +1,5 @@
-// Options of the commands on CLI11: values are converted here, so that every message names the
-// option, the value and what is allowed. Help, manual page and completions come from the same
+// Options of the commands, based on CLI11. Values are converted here, so that each message names
+// the option, the value and what is allowed. Help, manual page and completions come from the same
 // declarations (manual.h).
 // Throws Error(InvalidInput, "BadOption").
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -16,8 +16,8 @@
 
 namespace swept::cli {
 
-/// `names` as CLI11 has them ("-o,--output"), `kind` stands behind them in the help ("FILE", "MM",
-/// or the allowed words with | between them).
+/// Adds an option. `names` has the form of CLI11 ("-o,--output"). `kind` follows the names in the
+/// help: "FILE", "MM", or the allowed words separated by |.
 CLI::Option* addConverted(CLI::App& app, const std::string& names, const std::string& kind,
                           std::function<void(const std::string&)> take, const std::string& about);
 CLI::Option* addText(CLI::App& app, const std::string& names, const std::string& kind,
@@ -26,18 +26,18 @@ CLI::Option* addNumber(CLI::App& app, const std::string& names, const std::strin
                        double& target, const std::string& about);
 CLI::Option* addInteger(CLI::App& app, const std::string& names, std::int64_t& target,
                         std::int64_t least, std::int64_t most, const std::string& about);
-/// An option that takes so many words and may be given often.
+/// Adds an option that takes `count` words and may be repeated.
 void addWords(CLI::App& app, const std::string& name, int count, const std::string& kind,
               std::vector<std::string>& words, const std::string& about);
 double numberOf(const std::string& name, const std::string& text);
-/// Three numbers with commas between them.
+/// Adds an option that takes three numbers, separated by commas.
 CLI::Option* addPoint(CLI::App& app, const std::string& names, Eigen::Vector3d& target,
                       const std::string& about);
-/// mm, cm, m or in.
+/// Adds an option that takes mm, cm, m or in.
 CLI::Option* addUnit(CLI::App& app, const std::string& names, double& target,
                      const std::string& about);
 
-/// What every command has.
+/// Options of every command.
 struct CommonOptions {
   std::string report;
   std::int64_t threads = 0;
@@ -48,7 +48,7 @@ struct CommonOptions {
 };
 void addCommonOptions(CLI::App& app, CommonOptions& options);
 
-/// Throws what a wrong usage is.
+/// Throws the error for wrong usage of the program.
 [[noreturn]] void badOption(const std::string& text);
 
 }  // namespace swept::cli

@@ -87,7 +87,7 @@ void printTable(const OverlapReport& report) {
               report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
 }
 
-/// All shared volumes in one mesh.
+/// Joins all shared volumes in one mesh.
 TriMesh joined(const OverlapReport& report) {
   TriMesh all;
   for (const PairOverlap& pair : report.pairs) {

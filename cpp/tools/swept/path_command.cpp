@@ -1,4 +1,5 @@
-// swept path PART --goal POSE NEIGHBOUR...: how the part gets to its place, clear all the way.
+// swept path PART --goal POSE NEIGHBOUR...: finds a collision-free path on which a part reaches its
+// place.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_CLEARANCE
 #include <cstdio>
@@ -118,7 +119,8 @@ Run addPathCommand(CLI::App& program) {
       "keeps its distance from parts that stand still, also between the keys.");
   addOptions(app, *job);
   return [job] {
-    checkNeighbourOptions(job->neighbours, "");  // it is placed elsewhere
+    // "" is no file: the part may also be a neighbour, since it stands elsewhere.
+    checkNeighbourOptions(job->neighbours, "");
     return runPath(*job);
   };
 }

@@ -1,4 +1,4 @@
-// What the commands that search for paths share: placements, how far out, options of a search.
+// Options that the commands for paths share: placements, extraction, and settings of a search.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,13 +9,14 @@
 
 namespace swept::cli {
 
-/// "x,y,z" or "x,y,z,qx,qy,qz,qw"; `name`: the option, for messages.
+/// Parses "x,y,z" or "x,y,z,qx,qy,qz,qw". `name`: the option, for messages.
 Pose placementOf(const std::string& name, const std::string& text);
-/// A radius in mm or a direction "x,y,z".
+/// Parses a radius in mm or a direction "x,y,z". `name`: the option, for messages.
 Extraction extractionOf(const std::string& name, const std::string& text);
-/// --clearance to --interpolation; the seed is kept apart since options are signed.
+/// Adds the options from --clearance to --interpolation. The seed has its own argument because
+/// numbers of options are signed.
 void addSearchOptions(CLI::App& app, PathOptions& options, std::int64_t& seed);
-/// The keys as a motion file.
+/// Returns the keys as the text of a motion file.
 std::string motionTable(const Trajectory& motion);
 
 }  // namespace swept::cli

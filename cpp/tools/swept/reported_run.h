@@ -1,5 +1,6 @@
-// What commands share whose result is one report: files that are looked at before anything long, a
-// run with progress and signals, the report, the error. And the options of searches for distances.
+// Shared by the commands whose result is one report: checks of the files before a long computation,
+// a run with progress bar and signals, the report, the error. Also the options for measuring
+// distances.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,9 +13,9 @@
 
 namespace swept::cli {
 
-/// Computes a report, delivers what else is asked for, as a table (only where all went well), and
-/// writes the report where `common` asks for it. What is thrown meanwhile is how the run ended: the
-/// report says so, and it is printed.
+/// Computes a report, writes the other outputs, such as a table (only if the run succeeded), and
+/// writes the report to the file that `common` names. If something throws, the report and standard
+/// error show that error as the end of the run.
 template <class AnyReport>
 AnyReport runReported(const CommonOptions& common, const std::vector<RoledFile>& inputs,
                       const std::vector<RoledFile>& outputs,
@@ -39,7 +40,7 @@ AnyReport runReported(const CommonOptions& common, const std::vector<RoledFile>&
   return report;
 }
 
-/// Findings and seconds on standard error; the exit status.
+/// Prints findings and seconds on standard error. Returns the exit status.
 template <class AnyReport>
 int finishReported(const AnyReport& report, const CommonOptions& common, bool clear) {
   printFindings(report.warnings, common.quiet);
@@ -47,7 +48,7 @@ int finishReported(const AnyReport& report, const CommonOptions& common, bool cl
   return clear ? kExitOk : kExitNotClear;
 }
 
-/// --required and --accuracy (called --tolerance before, which stays).
+/// Adds --required and --accuracy (--tolerance, its earlier name, still works).
 template <class Options>
 void addDistanceOptions(CLI::App& app, Options& options) {
   addNumber(app, "--required", "MM", options.required,
@@ -56,7 +57,7 @@ void addDistanceOptions(CLI::App& app, Options& options) {
             "largest error of a smallest distance (default 0.01)");
 }
 
-/// --interval-tolerance, --curve, --no-penetration and --stamp.
+/// Adds --interval-tolerance, --curve, --no-penetration and --stamp.
 template <class Options>
 void addDetailOptions(CLI::App& app, Options& options, std::int64_t& curve, const char* aboutCurve,
                       std::int64_t& stamp) {

@@ -25,8 +25,8 @@ extern "C" void onInterrupt(int number) {
 
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
-// While it lives, a signal cancels the run. Afterwards none has an effect: the program is about to
-// end, and clears up after itself.
+// While this object lives, a signal cancels the run. Later signals have no effect, because the
+// program is about to end and cleans up.
 class InterruptGuard {
  public:
   explicit InterruptGuard(RunContext& run) {
@@ -37,7 +37,7 @@ class InterruptGuard {
     for (const int number : kSignals) {
       struct sigaction old {};
       sigaction(number, &action, &old);
-      // What the caller has ignored (nohup) stays so.
+      // A signal that the caller ignores (nohup) remains ignored.
       if (number == SIGHUP && old.sa_handler == SIG_IGN) std::signal(number, SIG_IGN);
     }
   }

@@ -1,4 +1,5 @@
-// Runs one job on a thread of its own while this one watches: progress bar, signals, exit status.
+// Runs one job on its own thread. The calling thread shows the progress bar and handles signals.
+// Also computes the exit status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,34 +19,34 @@ constexpr int kExitFailed = 1;
 constexpr int kExitUsage = 2;
 constexpr int kExitNotClear = 3;
 
-/// Of a cancelled run: 128 and the number of the signal (130 Ctrl-C, 143 terminated), as shells
-/// have it.
+/// Returns the exit status. For a cancelled run it is 128 plus the number of the signal, as in
+/// shells (130 for Ctrl-C, 143 for termination).
 int exitStatus(Status status);
 
-/// A full file system, a limit of file sizes or a closed pipe is a failing write, which says its
-/// cause, and not the end of the program.
+/// Ignores the signals of failed writes. On a full disk, at a limit of the file size or on a closed
+/// pipe, the write then fails with an error message and does not end the program.
 void ignoreWriteSignals();
 
-/// Calls `job` on another thread and waits. Draws a progress bar where standard error is a terminal
-/// and `quiet` is false; SIGINT, SIGTERM and SIGHUP cancel `run`. What the job throws is thrown
-/// here.
+/// Calls `job` on another thread and waits. Draws a progress bar if standard error is a terminal
+/// and `quiet` is false. SIGINT, SIGTERM and SIGHUP cancel `run`. Rethrows what the job throws.
 void runWatched(RunContext& run, bool quiet, const std::function<void()>& job);
 
-/// One line on standard error: "swept: Status/Code: message".
+/// Prints one line on standard error: "swept: Status/Code: message".
 void printError(Status status, const std::string& code, const std::string& message);
-/// A line each on standard error. `quiet` leaves those out that cost no accuracy.
+/// Prints one line for each finding on standard error. With `quiet`, prints only findings that mean
+/// a loss of accuracy.
 void printFindings(const std::vector<Finding>& findings, bool quiet);
-/// A line a stage on standard error.
+/// Prints one line for each stage on standard error.
 void printSeconds(const std::vector<StageSeconds>& seconds);
 
-/// How a run ended, into its report, whichever command's it is.
+/// Stores in a report how its run ended. Works for the reports of all commands.
 template <class AnyReport>
 void takeError(AnyReport& report, Status status, const std::string& code, const std::string& text) {
   report.status = status;
   report.code = code;
   report.message = text;
 }
-/// With --strict, a finding that costs accuracy is how an otherwise good run ended.
+/// With --strict, a finding that means a loss of accuracy makes a successful run fail.
 template <class AnyReport>
 void takeStrict(AnyReport& report, bool strict) {
   const Finding* finding = strict ? inaccuracyOf(report.warnings) : nullptr;

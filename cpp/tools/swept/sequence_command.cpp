@@ -1,4 +1,4 @@
-// swept sequence --part PART HOW ...: parts that are installed one after the other.
+// swept sequence --part PART HOW ...: finds paths for parts that are installed one after the other.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_CLEARANCE
 #include <cstdio>
@@ -75,7 +75,7 @@ void addOptions(CLI::App& app, SequenceJob& job) {
       "--release 8");
 }
 
-/// False where a motion says it.
+/// Returns false if `how` is a motion file.
 bool takePlace(const std::string& how, PathTask& task) {
   std::string rest;
   if (takes(how, "motion", rest)) return false;

@@ -1,5 +1,5 @@
-// swept solid MESH --output FILE: a closed mesh becomes a STEP or BREP file, or with --estimate a
-// trial says what that would take.
+// swept solid MESH --output FILE: converts a closed mesh to a STEP or BREP file. With --estimate, a
+// trial estimates the effort.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_SOLID
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace {
 struct SolidJob {
   std::string meshPath, meshFormat, outputPath, outputFormat = "step";
   double unit = 1.0;
-  bool estimate = false;  // write nothing
+  bool estimate = false;  // true: only estimate, write nothing
   CommonOptions common;
   StepOptions options;
 };
@@ -34,8 +34,8 @@ void printEstimate(const SolidEstimate& estimate) {
               estimate.deviation);
 }
 
-/// work(mesh, run) on the mesh of the job, watched; what is thrown is how it ended. outputs: beside
-/// the report.
+/// Calls work(mesh, run) with the mesh of the job, with progress and signals. An exception becomes
+/// the end of the run in the report. outputs: files other than the report.
 template <class Work>
 Report runOnMesh(const SolidJob& job, const std::vector<RoledFile>& outputs, const Work& work) {
   const CommonOptions& common = job.common;
@@ -59,7 +59,7 @@ Report runOnMesh(const SolidJob& job, const std::vector<RoledFile>& outputs, con
   return report;
 }
 
-/// found: the keys that stand beside input and warnings.
+/// found: the keys of the JSON report besides input and warnings.
 void writeSolidReport(const SolidJob& job, const Report& report, const Json& found) {
   Json json = reportHead("solid", report.status, report.code, report.message);
   json["input"] = job.meshPath;

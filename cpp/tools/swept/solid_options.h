@@ -1,4 +1,4 @@
-// Options and summary of solids, shared by the commands that write them.
+// Options and summary line of solids, shared by the commands that write solids.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,7 +9,7 @@ namespace swept::cli {
 
 void addSolidOptions(CLI::App& app, StepOptions& options);
 
-/// One line: faces by kind, size, seconds, deviation.
+/// Prints one line: faces by kind, size, seconds, deviation.
 void printSolid(const StepReport& solid, const std::string& path);
 
 }  // namespace swept::cli

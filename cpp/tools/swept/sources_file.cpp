@@ -9,7 +9,7 @@
 namespace swept::cli {
 namespace {
 
-/// The shortest text that is read back as this very number.
+/// Appends the shortest text that reads back as exactly this number.
 template <class Number>
 void addNumber(Number number, std::string& text) {
   std::array<char, 40> digits;

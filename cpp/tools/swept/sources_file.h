@@ -1,4 +1,4 @@
-// What made each triangle of an envelope, as a table.
+// Writes what made each triangle of an envelope as a table.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace swept::cli {
 
-/// A row for each triangle, in the order of the mesh: triangle, kind, face, other_face, step,
-/// time_s, x, y, z (mm); what is not known is empty. To a file, or to standard output for "-".
-/// Throws Error(ExportFailed).
+/// Writes a row for each triangle, in the order of the mesh: triangle, kind, face, other_face,
+/// step, time_s, x, y, z (mm). Unknown values are empty. Writes to a file, or to standard output
+/// for "-". Throws Error(ExportFailed).
 void writeSources(const Sources& sources, const std::string& path);
 
 }  // namespace swept::cli

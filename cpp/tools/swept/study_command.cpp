@@ -1,5 +1,6 @@
-// swept study FILE: many runs from one file. The Python package computes them, since a cluster is
-// reached through it; this finds the package and becomes its interpreter.
+// swept study FILE: computes many runs from one file. The Python package does this, because it also
+// gives access to a cluster. This command finds the package and replaces its own process by the
+// Python interpreter.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef SWEPT_PYTHON
 #include <unistd.h>
@@ -23,11 +24,13 @@ namespace fs = std::filesystem;
 
 struct StudyJob {
   std::string file;
-  std::vector<std::pair<std::string, std::string>> values;  ///< options, in the order declared
+  /// Options in the order of their declaration.
+  std::vector<std::pair<std::string, std::string>> values;
   std::vector<std::pair<std::string, bool>> flags;
 };
 
-/// Beside the program, in a build or where it is installed; empty: where Python looks by itself.
+/// Returns the folder of the package beside the program, in a build or an installation. Returns ""
+/// if it is not there; then Python searches for the package.
 std::string packageFolder() {
   std::error_code failed;
   const fs::path program = fs::read_symlink("/proc/self/exe", failed);
@@ -38,8 +41,8 @@ std::string packageFolder() {
   return {};
 }
 
-/// What the interpreter runs. Its path of modules would begin with the current folder, where
-/// anybody may have put a file called like one of them.
+/// Code for the interpreter. It sets the module path, which would otherwise begin with the current
+/// folder: a file there could replace a module of the same name.
 constexpr const char* kStart =
     "import sys; sys.path[:] = [p for p in [sys.argv[1], *sys.path] if p]; "
     "from swept_volume.__main__ import main; sys.exit(main(sys.argv[2:]))";
