@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cases of the benchmark: those of the table, and inputs of which only one dimension grows."""
+"""The measured cases: those of the tables, and series of inputs in which one size grows."""
 import csv
 import json
 import lzma
@@ -7,8 +7,7 @@ import pathlib
 
 import numpy as np
 
-# Each entry: name in cases.json, resolution, seconds of the reference, goal in seconds, and fewest
-# runs that count.
+# name in cases.json, resolution, seconds of the reference implementation, goal (s), limit (s)
 TABLE = [
     ("bunny_still", 512, 360, 0.5, 1),
     ("bunny_still", 1024, 2632, 2, 4),
@@ -20,15 +19,14 @@ TABLE = [
     ("bunny_vibration", 512, 943, 3, 15),
     ("housing_vibration", 1024, 7084, 15, 75),
 ]
-# The same for a preview session (preview.py): name, resolution, goal of later calls, fewest calls
-# that count.
+# Preview sessions (preview.py): name, resolution, goal and limit (s) of all calls after the first.
 PREVIEW = [("fandisk_keys16", 128, 0.05, 0.15), ("bunny_keys16", 128, 0.05, 0.15)]
 LARGE = [("fandisk_keys16", 4096, None, 40, 150)]
 QUICK = [("fandisk_keys16", 128), ("fandisk_keys16", 256), ("bunny_still", 256)]
 
 
 class Case:
-    """One run of the program: a name for people, and the arguments."""
+    """One run of the program: its name in the tables, and its arguments."""
 
     def __init__(self, name, resolution, arguments, limits=None):
         self.name = name
@@ -63,8 +61,7 @@ def table(shared, which):
 
 
 def growth(shared, folder):
-    """Cases that grow with the resolution, with the number of placements of a fixed envelope, or
-    with the triangles."""
+    """Returns cases that grow in resolution, placements (same envelope) or triangles."""
     entries = shared_cases(shared)
     folder.mkdir(parents=True, exist_ok=True)
     cases = []
@@ -118,7 +115,7 @@ def slerp(p, q, s):
 
 
 def denser_path(source, factor, folder):
-    """Writes the same linear path with `factor` times as many poses."""
+    """Writes the same linear path with `factor` times as many poses; returns the new file."""
     header, rows = read_table(source)
     poses = np.array(rows, float)
     out = [poses[0]]
@@ -132,7 +129,7 @@ def denser_path(source, factor, folder):
 
 
 def subdivided(source, levels, folder):
-    """Splits every triangle in four, `levels` times. New vertices lie on the old surface."""
+    """Divides every triangle into four, `levels` times, without changing the surface."""
     vertices, triangles = read_ply(source)
     for _ in range(levels):
         edges = np.sort(

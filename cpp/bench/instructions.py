@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Counts the instructions of small runs under callgrind and compares them with stored counts.
-Instruction counts do not depend on the load of the machine, so they show small changes. Prints a
-warning (exit status 0) if a count grows by more than 10 %. --store writes the present counts as the
-new reference.
+"""Counts instructions of small runs under callgrind and compares them with the stored counts.
+
+Instructions do not depend on the load of the machine, so they show small changes. If a count is
+more than 10 % above the stored one, the script warns; its exit status stays 0. --store stores new
+counts.
 """
 import argparse
 import json
@@ -20,7 +21,7 @@ WARN = 1.10
 
 
 def write_torus(path, around=48, across=24):
-    """Writes a torus around z with radii 20 and 8 as an OBJ file."""
+    """Writes a torus around z with radii 20 and 8 as OBJ."""
     lines = []
     for i in range(around):
         for j in range(across):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measures the calls of a preview session after the first one. Each call moves one pose of the
-motion.
-Prints and stores the rows of the table about previews (PREVIEW in cases.py).
+"""Measures a preview session: each call after the first one moves one pose of the motion.
+
+Prints and stores the table of previews (PREVIEW in cases.py).
 """
 import argparse
 import json
@@ -16,7 +16,7 @@ HEAD = ["case", "resolution", "call", "elapsed s", "goal / least", "CPU s", "tri
 
 
 def measure(shared, entry, resolution, calls, threads):
-    """Returns elapsed and CPU seconds of each call of one session."""
+    """Returns elapsed seconds, CPU seconds and triangles of every call of one session."""
     import _swept
 
     body = _swept.read_mesh(str(shared / entry["mesh"]), unit=entry["mesh_unit"])
@@ -27,8 +27,7 @@ def measure(shared, entry, resolution, calls, threads):
     out = []
     edited = places.copy()
     for call in range(calls):
-        # Imitates a user who drags one pose after another, each in ten steps of a hundredth of the
-        # body size.
+        # Imitates a user who drags one pose after another, each in ten steps of 1 % of the body.
         if call > 0:
             edited[1 + (call - 1) // 10 % (len(times) - 2), 2] += 0.01 * size
         run = _swept.RunContext(threads=threads)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measures the program, and prints and stores the tables of docs/performance.md.
-Each case runs several times. If a baseline program is given, both programs run in turn, so that
-they see the same load. The medians count. Other work on the machine affects elapsed seconds, and
-CPU seconds much less. The tables show both, and the load during the measurement.
+"""Measures the program and prints and stores the tables of docs/performance.md.
+
+Each case is run several times, and the medians are shown. If a baseline program is given, it runs
+in turn with the new one, so that both have the same load. Other work on the machine affects elapsed
+seconds, and CPU seconds much less. Both are shown, and the load during the measurement.
 """
 import argparse
 import datetime
@@ -20,7 +21,7 @@ STAGES = ["sampling", "signs", "crossings", "contour", "intersections", "mend", 
 
 
 def measure(program, case, threads, folder):
-    """Runs a case once and returns the program's report and the system's figures for the process."""
+    """Runs a case once; returns numbers from the report of the program and from the system."""
     report = folder / "report.json"
     report.unlink(missing_ok=True)
     command = [program, "envelope", *case.arguments, "--backend", "cpu", "--quiet"]
@@ -38,8 +39,7 @@ def measure(program, case, threads, folder):
     seconds = found["seconds"]
     files = seconds.get("read", 0) + seconds.get("write", 0)
     return {
-        # "total" covers the run from mesh to checked mesh; reading and writing files is not
-        # included.
+        # "total" includes reading and writing the files, which do not count here.
         "elapsed": seconds["total"] - (files if seconds["total"] > files else 0),
         "cpu": usage.ru_utime + usage.ru_stime,
         "stages": seconds,
@@ -51,7 +51,7 @@ def measure(program, case, threads, folder):
 
 
 def middle(runs):
-    """Returns the medians of the figures of several runs of one case."""
+    """Returns the medians of several runs of one case."""
     good = [r for r in runs if "failed" not in r]
     if not good:
         return runs[0]

@@ -1,4 +1,4 @@
-// Whether a solid that was read back is the one that was to be written.
+// Compares a solid that was read back from its file with the mesh from which it was made.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace swept {
 
-/// Says what is wrong with a solid that was read back: it is not sound, it has other numbers of
-/// solids and shells than the mesh, or another volume, or, where surfaces were recognised, the
-/// tolerance (mm) of an edge or vertex is larger than the solid's. Empty where nothing is wrong.
+/// Returns what is wrong with the solid, or an empty text. The solid must be valid and have as many
+/// solids and shells as the mesh. Its volume may differ by at most area times tolerance. If
+/// surfaces were recognised, no edge or vertex may have a larger tolerance than the solid.
 std::string rereadComplaint(const SolidCheck& read, const step::HalfEdgeMesh& mesh,
                             const StepOptions& options);
 

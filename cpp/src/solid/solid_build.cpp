@@ -36,7 +36,7 @@ void requireName(const char* name, const std::string& text) {
             std::to_string(kLongestName));
 }
 
-// Rough figures, measured on triangulated bodies.
+// Rough figures for estimates and messages, measured on triangulated bodies.
 constexpr double kStepBytesPerFace = 750, kBrepBytesPerFace = 700, kBytesByCorners = 340;
 constexpr double kSecondsPerFace = 3e-4;
 
@@ -171,7 +171,8 @@ bool isWorthFacets(const Error& error) {
 
 void refuseKernelFailure(const Standard_Failure& failure, const KernelSession& kernel,
                          RunContext& run) {
-  run.checkpoint(Phase::Export);  // a cancelled kernel call may end in an exception of its own
+  // If the run was cancelled, this throws: a cancelled kernel call may end in an exception too.
+  run.checkpoint(Phase::Export);
   const char* text = failure.GetMessageString();
   throw Error(Status::ExportFailed, "KernelFailure",
               std::string("the geometry kernel failed: ") + failure.DynamicType()->Name() +

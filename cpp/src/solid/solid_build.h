@@ -1,8 +1,8 @@
-// Mesh -> model and kernel shape within the limits of the options: what writing a solid and trying
-// it out have in common.
-// In: closed mesh, mm. Out: the shape, and what it stands for. Cost: see kernel/shape_maker.h, a
-// few times that where a limit asks for a tolerance. The caller holds the KernelSession. Throws
-// Error(ExportFailed, ...), Error(OutOfMemory), Error(Cancelled).
+// Builds a solid from a mesh within the limits of the options. Export and trial estimate share this
+// code.
+// In: closed mesh, mm. Out: the model and the kernel shape. Cost: that of kernel/shape_maker.h, or
+// a few times that if the tolerance must be searched to meet a limit. The caller holds the
+// KernelSession. Throws Error(ExportFailed, ...), Error(OutOfMemory), Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,15 +23,15 @@ namespace swept::step {
 /// Throws Error(ExportFailed, "BadOption").
 void checkOptions(const StepOptions& options);
 
-/// Of the file, about.
+/// Returns the approximate size of the file.
 double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
                    SolidFormat format);
 
-/// Without what lies within a tolerance, mm.
+/// Returns a copy with fewer triangles that deviates by at most about `limit` (mm).
 HalfEdgeMesh thinned(const HalfEdgeMesh& mesh, double limit, RunContext& run);
 
-/// If the tolerance is as large as the body, its surface may turn inside out; then tries half of
-/// it.
+/// Runs work() and returns its result. If the tolerance is as large as the body, the surface may
+/// turn inside out; then halves the tolerance and tries again, up to eight times.
 template <class Work>
 auto uprightWithin(double& tolerance, const Work& work) {
   constexpr int kHalvings = 8;
@@ -45,19 +45,21 @@ auto uprightWithin(double& tolerance, const Work& work) {
   }
 }
 
-/// With the given tolerance, or with the smallest of a series that meets the limits; `options` then
-/// contains the one that was used.
+/// Builds with the tolerance of the options. If this is 0 and the exact solid exceeds a limit, uses
+/// the smallest tolerance of a series that meets the limits, and stores it in `options`.
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
                         KernelSession& kernel, RunContext& run);
 
-/// The text of the file; name: that of the file, for its header.
+/// Writes the text of the file. `name`: the name of the file, for its header.
 void writeBuilt(const Built& built, std::ostream& out, const std::string& name,
                 const StepOptions& options, SolidFormat format, RunContext& run);
 
+/// Returns whether a solid with facets only may succeed after this error.
 bool isWorthFacets(const Error& error);
 
-/// work(options), which may write into them; where that fails for the sake of surfaces, once more
-/// with simplified facets alone. why: receives what failed then, else nothing.
+/// Runs work() with a copy of the options, which it may change, and returns its result. If that
+/// fails because of recognised surfaces, runs work() once more with facets only. `why` then
+/// receives the message of the failure; otherwise it is empty.
 template <class Work>
 auto orFacets(const StepOptions& options, std::string& why, const Work& work) {
   StepOptions used = options;
@@ -76,7 +78,8 @@ auto orFacets(const StepOptions& options, std::string& why, const Work& work) {
                                       RunContext& run);
 [[noreturn]] void refuseMemory(std::size_t triangles);
 
-/// Runs work() with what the kernel throws told as an Error. triangles: of the mesh.
+/// Runs work() and converts exceptions of the kernel to Error. `triangles`: their number in the
+/// mesh, for the message.
 template <class Work>
 auto withKernel(const KernelSession& kernel, std::size_t triangles, RunContext& run,
                 const Work& work) {

@@ -1,4 +1,4 @@
-// Findings and JSON of the report of a solid.
+// Makes the findings about a solid, and the JSON of its report and of its estimate.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/number_text.h"
 #include "base/report_json.h"

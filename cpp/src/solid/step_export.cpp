@@ -1,4 +1,5 @@
-// Mesh -> STEP or BREP file: partition, model, kernel shape, file, check, rename.
+// Writes a mesh as a STEP or BREP file: builds the solid, writes the file under a temporary name,
+// reads it back, checks it, and renames it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <tbb/task_arena.h>
 
@@ -32,7 +33,7 @@ void compare(const SolidCheck& check, const HalfEdgeMesh& mesh, const StepOption
                   "; an existing file was kept. Change the tolerance, or export a mesh file");
 }
 
-// A promise that is not kept must be seen.
+// Adds to the note of the report if the solid does not keep the tolerance.
 void noteDeviation(StepReport& report) {
   if (!(report.tolerance > 0 && report.deviation > report.tolerance)) return;
   if (!report.note.empty()) report.note += "; ";
@@ -41,8 +42,8 @@ void noteDeviation(StepReport& report) {
                  " mm; a smaller tolerance may reduce the deviation";
 }
 
-constexpr double kExact =
-    1e-5;  // mm: plane faces that meet this well need no mending by the kernel
+// mm: plane faces whose edges are at least this accurate need no healing by the kernel.
+constexpr double kExact = 1e-5;
 
 StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptions& options,
                         RunContext& run) {
@@ -77,7 +78,8 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
     if (!check.valid && format == SolidFormat::Step)
       check = checkShape(readStepFile(file.temporary(), kernel, run), run, 0.8, 1.0);
     if (!check.valid && format == SolidFormat::Step && !isFlat(built.model)) {
-      // Some curved faces need their parameter curves in the file, which the kernel adds.
+      // Some curved faces read back wrong without parameter curves. The writer of the kernel adds
+      // them.
       writeStepFile(built.brep.shape, file.temporary(), name, options, kernel, run);
       check = checkShape(readStepFile(file.temporary(), kernel, run), run, 0.8, 1.0);
     }

@@ -54,7 +54,8 @@ void checkStructure(const std::filesystem::path& file, const std::string& path) 
                   "; export the file again from the program that made it");
 }
 
-/// By its suffix; where that is neither's, by how it begins.
+/// Returns whether a file is BREP, by its suffix. If the suffix belongs to neither format, by the
+/// first bytes of the file.
 bool isBrep(const std::filesystem::path& file) {
   const std::string suffix = suffixOf(utf8FromPath(file));
   if (suffix == "brep" || suffix == "brp") return true;
@@ -65,7 +66,7 @@ bool isBrep(const std::filesystem::path& file) {
   return head.find("ISO-10303-21") == std::string::npos;
 }
 
-// `faces`: of the whole file.
+// Returns the triangles of a shape. `faces`: all faces of the file, which number those of the mesh.
 TriMesh meshOf(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces) {
   TriMesh mesh;
   for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())
@@ -80,8 +81,8 @@ TopoDS_Shape readShape(const std::string& path, step::KernelSession& kernel, Run
   return step::readStepFile(path, kernel, run, &names);
 }
 
-// Solids of several products are called as these, others as the file; what shares its name is
-// numbered.
+// Names the solids after their products if the file has several named products, else all after the
+// file. Solids that share a name get numbers.
 void nameSolids(std::vector<ImportedSolid>& solids, const std::string& stem) {
   std::map<std::string, int> counts;
   for (const ImportedSolid& solid : solids) ++counts[solid.name];
@@ -97,8 +98,8 @@ void nameSolids(std::vector<ImportedSolid>& solids, const std::string& stem) {
   }
 }
 
-// Calls `read` with the shape of a file and the names of its products; what the kernel says of it
-// is an error of the input.
+// Calls read() with the shape of a file and the names of its products. Converts errors of the
+// kernel to Error(InvalidInput, "BadFile").
 template <class Read>
 auto withShape(const std::string& path, RunContext& run, Read read) {
   std::error_code code;

@@ -1,7 +1,6 @@
-// Compares GPU and CPU sampling on this machine. Prints a table with seconds by stage, memory, and
-// whether the results are equal.
-// Use: swept-gpu-bench DATA [resolution ...], where DATA is the folder with the meshes and motions
-//        of cases.json.
+// Prints a table of GPU against CPU sampling on this machine: seconds by stage, memory, equality.
+// Usage: swept-gpu-bench DATA [RESOLUTION...], where DATA is the folder of cases.json with its
+// meshes and motions.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
 #include <cstdio>
@@ -21,8 +20,7 @@ constexpr auto kNone = Interpolation::None, kLinear = Interpolation::Linear;
 struct Body {
   const char *name, *mesh;
   double unit;
-  /// 16 keys along an arc; the arc for the fandisk (2 units large) is scaled for the other bodies.
-  const char* arc;
+  const char* arc;  ///< motion with 16 keys; that of the fandisk, scaled, if the body has none
   double arcUnit;
 };
 const Body kBodies[] = {
@@ -59,7 +57,7 @@ void row(const std::string& name, int resolution, const char* backend, const Res
   std::fflush(stdout);
 }
 
-/// Prints two rows of the table. Returns the name of the device, or "" if there is none.
+/// Prints two rows of the table. Returns the name of the device; empty if there is none.
 std::string compareBackends(const std::string& name, const TriMesh& mesh, const Trajectory& motion,
                             int resolution) {
   Options options;
@@ -110,7 +108,7 @@ int main(int argc, char** argv) {
         const Trajectory motion =
             readTrajectoryCsv(data + "/motions/" + path.file, path.unit, path.interpolation);
         for (const int resolution : resolutions) {
-          // A software rasteriser would take hours for this case, and its times are of no use.
+          // A software rasteriser would take hours for long motions, and its times are not useful.
           if (device.find("llvmpipe") != std::string::npos && motion.poses.size() > 1000) continue;
           const std::string found = compareBackends(name, mesh, motion, resolution);
           if (!found.empty()) device = found;

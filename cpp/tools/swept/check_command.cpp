@@ -41,7 +41,7 @@ struct CheckJob {
   CommonOptions common;
 };
 
-// Result of the check of one file.
+// The result for one file.
 struct Checked {
   Report report;
 #ifdef HAVE_SWEPT_SOLID
@@ -53,7 +53,8 @@ void fail(Report& report, const std::string& path, const std::string& faults) {
   takeError(report, Status::InvalidInput, "CheckFailed", "'" + path + "': " + faults);
 }
 
-// `file`: a name under which the data of `path` can be read repeatedly.
+// Checks one file. `file`: a name of `path` that can be read several times, for messages use
+// `path`.
 void checkFile(const std::string& file, const std::string& path, const CheckJob& job,
                RunContext& run, Checked& found) {
   if (isSolidIn(file, path, job.format)) {

@@ -1,4 +1,4 @@
-// swept clearance GENERATOR --motion CSV NEIGHBOUR...: smallest distances over a whole motion.
+// swept clearance GENERATOR --motion CSV NEIGHBOUR...: measures smallest distances over a motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_CLEARANCE
 #include <algorithm>
@@ -122,7 +122,8 @@ void writeCsv(const ClearanceReport& report, const std::string& path) {
   writeText(text.str(), path);
 }
 
-// Neighbours with the same name share one line, with the deepest of their contacts.
+// Returns the lines of a file of rules that allow the contacts. Neighbours with the same name share
+// one line, with the deepest of their contacts.
 std::string offeredRules(const ClearanceReport& report) {
   std::map<std::string, double> depths;
   for (const NeighbourClearance& row : report.neighbours)
@@ -188,7 +189,7 @@ std::string pageText(const ClearanceJob& job, const PageFrame& frame, std::vecto
   return makePage(job.page, frame, toJson(report), std::move(inputs), std::move(parts), run);
 }
 
-/// Writes the text of the page into `page` if a page was requested.
+/// Reads the inputs and computes the report. `page` receives the page if --page is given.
 ClearanceReport compute(const ClearanceJob& job, std::string& page, RunContext& run) {
   const PageFrame frame = beginPage(job.page);
   std::vector<PageInput> inputs = pageInputs(job);

@@ -1,5 +1,5 @@
-// The commands of the program. Each function declares the options of its command on a subcommand of
-// `program`. It returns the function that runs the command and returns the exit status.
+// The commands of the program. Each function adds a subcommand with its options to `program`. It
+// returns a function that runs the command and returns the exit status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

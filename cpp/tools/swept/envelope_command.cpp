@@ -1,4 +1,4 @@
-// swept envelope GENERATOR --motion CSV --output FILE: computes an envelope without FreeCAD.
+// swept envelope GENERATOR --motion CSV --output FILE: computes an envelope.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <chrono>
@@ -140,7 +140,7 @@ std::string suffixOfOutput(const EnvelopeJob& job) {
 }
 
 void checkOptions(const CLI::App& app, EnvelopeJob& job) {
-  // In Options, 0 means "not given". On the command line, 0 is an error.
+  // In Options, 0 means that no cell size is given. On the command line, 0 is an error.
   if (app.count("--cell") > 0 && !(job.options.cellSize > 0))
     badOption("--cell must be greater than 0 mm");
 #ifdef HAVE_SWEPT_SOLID
@@ -220,7 +220,8 @@ Body readGenerator(const EnvelopeJob& job, RunContext& run) {
   return readInputBody(job.generatorPath, job.generatorFormat, files, run);
 }
 
-// STL stores single precision, so the report describes the mesh as stored in the file.
+// STL stores single precision. Rounds the mesh in the same way and checks it again, so that the
+// report describes the mesh in the file.
 void reportAsWritten(TriMesh& mesh, const std::string& suffix, Report& report, RunContext& run) {
   if (suffix != "stl") return;
   mesh = meshAsWritten(mesh, suffix);

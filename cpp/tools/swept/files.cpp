@@ -18,12 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the path to which a file would be written. Follows links, also links to files that do not
-// exist yet.
+// Returns the real path of a file. Follows links, also a link to a file that does not exist yet.
 fs::path resolved(const std::string& path) {
   fs::path name = pathFromUtf8(path);
   std::error_code code;
-  constexpr int kMaxLinks = 40;  // the limit in Linux
+  constexpr int kMaxLinks = 40;  // the limit of Linux
   for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(name, code)); ++i) {
     const fs::path target = fs::read_symlink(name, code);
     if (code) break;
@@ -33,7 +32,7 @@ fs::path resolved(const std::string& path) {
   return code ? name : real;
 }
 
-// Returns a name under which standard input can be opened as a file.
+// Returns a name under which an input can be opened, also standard input.
 std::string inputPath(const std::string& path) { return path == "-" ? "/dev/stdin" : path; }
 
 std::string outputPath(const std::string& path) { return path == "-" ? "/dev/stdout" : path; }
@@ -41,7 +40,7 @@ std::string outputPath(const std::string& path) { return path == "-" ? "/dev/std
 bool areSame(const std::string& a, const std::string& b) {
   std::error_code code;
   const fs::file_status status = fs::status(pathFromUtf8(a), code);
-  // Terminals, /dev/null and sockets contain nothing that could be overwritten.
+  // Terminals, /dev/null and sockets store no data that could be lost.
   if (fs::is_character_file(status) || fs::is_socket(status)) return false;
   if (fs::equivalent(pathFromUtf8(a), pathFromUtf8(b), code) && !code) return true;
   return resolved(a) == resolved(b);
@@ -53,8 +52,7 @@ bool areSame(const std::string& a, const std::string& b) {
 
 [[noreturn]] void failedOutput() {
   const std::string reason = std::system_category().message(errno);
-  // Reports the failure only once: data left in the buffer is discarded, so that no later flush
-  // fails again.
+  // Sends buffered output to /dev/null, so that no later flush fails and reports the error again.
   if (std::freopen("/dev/null", "w", stdout) == nullptr) std::clearerr(stdout);
   throw Error(Status::ExportFailed, "WriteFailed", "writing to standard output failed: " + reason);
 }
@@ -64,13 +62,13 @@ void put(const char* bytes, std::size_t count) {
   if (std::fwrite(bytes, 1, count, stdout) != count) failedOutput();
 }
 
-/// Streams that were copied, by the names given on the command line.
+/// The copies that keepStreams() has made, by their given names.
 std::map<std::string, std::shared_ptr<const RepeatableInput>>& keptStreams() {
   static std::map<std::string, std::shared_ptr<const RepeatableInput>> kept;
   return kept;
 }
 
-/// Creates a file in the folder for temporary files and returns its descriptor.
+/// Creates a file in the folder for temporary files. Returns its handle; `name` receives its path.
 int makeTemporary(std::string& name) {
   name = (fs::temp_directory_path() / "swept-XXXXXX").string();
   const int handle = ::mkstemp(name.data());
@@ -205,7 +203,7 @@ bool isSolidIn(const std::string& file, const std::string& path, const std::stri
 TriMesh meshFrom(const std::string& file, const std::string& path, const std::string& format,
                  double unit) {
   const std::string suffix = format.empty() ? suffixOf(path) : format;
-  // /dev/stdin may be a regular file.
+  // /dev/stdin can be a regular file, for which isStream() is false.
   const bool unnamed = path == "-" || isStream(path) || path.starts_with("/dev/");
   if (!suffix.empty() || !unnamed) return readMesh(file, unit, suffix);
   try {
@@ -246,7 +244,7 @@ Output::Output(const std::string& path, const std::string& format) : path_(path)
   if (path != "-") return;
   std::string name;
   ::close(makeTemporary(name));
-  // The format follows from the suffix. The name before it is the unique one that mkstemp() made.
+  // The suffix selects the format. mkstemp() has made the name without it unique.
   temporary_.path = name + "." + format;
   fs::rename(name, temporary_.path);
   path_ = temporary_.path.string();

@@ -1,5 +1,4 @@
-// The program `swept`: selects the command, and converts exceptions to one line of text and an exit
-// status.
+// The program `swept`: selects the command, and turns exceptions into a message and an exit status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cstdio>
 #include <exception>
@@ -69,7 +68,7 @@ std::string commandOf(const CLI::App& program) {
   return given.empty() ? std::string() : " " + given[0]->get_name();
 }
 
-// Returns the messages of CLI11 in the wording of this program.
+// Returns a message in the style of this program for an error of CLI11.
 std::string refusal(const CLI::ParseError& error, const CLI::App& program,
                     const std::vector<std::string>& words) {
   const std::string text = error.what();
@@ -84,8 +83,8 @@ std::string refusal(const CLI::ParseError& error, const CLI::App& program,
   return "too many files: '" + word + "'";
 }
 
-/// From version 2.5, CLI11 wraps the text below the options, but its lines are commands to be
-/// copied.
+/// Keeps the lines of the text below the options, which are commands to copy. CLI11 from 2.5 on
+/// would wrap them.
 template <class Formatter>
 void keepLines(Formatter& formatter) {
   if constexpr (requires { formatter.enable_footer_formatting(false); })
@@ -99,7 +98,7 @@ int dispatch(std::vector<std::string> words) {
   program.get_formatter()->column_width(32);
   keepLines(*program.get_formatter());
   const Commands commands = addCommands(program);
-  if (!words.empty() && words[0] == "help") {  // the form of version 0.1
+  if (!words.empty() && words[0] == "help") {  // `swept help COMMAND`, as in version 0.1
     words.erase(words.begin());
     words.emplace_back("--help");
   }

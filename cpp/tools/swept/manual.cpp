@@ -21,7 +21,7 @@ Options optionsOf(const CLI::App& app, bool positional) {
 
 bool takesValue(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-// Returns the allowed words of an option, or an empty list.
+// Returns the allowed words of an option; none if any value is allowed.
 std::vector<std::string> wordsOf(const CLI::Option& option) {
   const std::string kind = takesValue(option) ? option.get_type_name() : std::string();
   return kind.find('|') == std::string::npos ? std::vector<std::string>{}
@@ -41,7 +41,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-// Escapes text for man: options are not hyphenated, and no line looks like a macro.
+// Escapes text for man: backslashes, and hyphens, so that options can be copied.
 std::string roff(const std::string& text) {
   return replaced(replaced(text, "\\", "\\e"), "-", "\\-");
 }

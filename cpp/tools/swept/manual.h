@@ -1,5 +1,4 @@
-// Manual page and shell completions. Like the help, they are generated from the declarations of the
-// options.
+// Makes the manual page and the completions. Like the help, they come from the declared options.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -8,9 +7,10 @@
 
 namespace swept::cli {
 
-/// Returns the manual page swept(1) in man macros.
+/// Returns the manual page swept(1), with man macros.
 std::string manualPage(const CLI::App& program);
-/// `shell`: bash, zsh or fish. Throws Error(InvalidInput, "BadOption") for any other.
+/// Returns the completions for `shell`: bash, zsh or fish. Throws Error(InvalidInput, "BadOption")
+/// for other shells.
 std::string completions(const CLI::App& program, const std::string& shell);
 
 }  // namespace swept::cli

@@ -1,4 +1,4 @@
-// swept mechanism --moving PART MOTION ...: smallest distances of parts that move at the same time.
+// swept mechanism --moving PART MOTION ...: measures distances of parts that move at the same time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_CLEARANCE
 #include <algorithm>
@@ -28,7 +28,7 @@ struct MechanismJob {
   double motionUnit = 1.0;
   Interpolation interpolation = Interpolation::Linear;
   MechanismOptions options;
-  std::int64_t curve = -1;  ///< number of points of the graph; -1: not given
+  std::int64_t curve = -1;  ///< points of the graph; -1: 200 if there is a page, else 0
   std::int64_t stamp = -1;
   PageJob page;
   CommonOptions common;

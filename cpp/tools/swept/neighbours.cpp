@@ -50,7 +50,7 @@ void checkNeighbourOptions(const NeighbourFiles& files, const std::string& movin
   if (!(files.deflection > 0)) badOption("--deflection must be greater than 0 mm");
   if (moving.empty() || isStream(moving)) return;
   for (const std::string& path : files.paths) {
-    std::error_code failed;  // a missing file is reported by the code that reads it
+    std::error_code failed;  // ignored: reading the file will report that it is missing
     if (isStream(path) ||
         !std::filesystem::equivalent(pathFromUtf8(path), pathFromUtf8(moving), failed))
       continue;

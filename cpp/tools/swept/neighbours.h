@@ -1,4 +1,4 @@
-// Reads the parts that stand still from their files.
+// Options and reading of neighbours, the parts that stand still.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,23 +19,23 @@ struct NeighbourFiles {
   std::string rulesPath;
 };
 
-/// Adds NEIGHBOUR, --neighbour-unit, --neighbour-chord and --deflection. Returns NEIGHBOUR.
+/// Adds NEIGHBOUR, --neighbour-unit, --neighbour-chord and --deflection. Returns the option
+/// NEIGHBOUR.
 CLI::Option* addNeighbourOptions(CLI::App& app, NeighbourFiles& files);
 /// Adds --rule and --rules.
 void addRuleOptions(CLI::App& app, NeighbourFiles& files);
-/// Throws the error for wrong usage. moving: the file of the moving part, which must not be among
-/// the neighbours; "" switches this check off (several moving parts, or a part placed elsewhere
-/// than in its file).
+/// Throws an error for wrong usage. `moving`: the file of the moving part, which must not be among
+/// the neighbours. "": not checked, since there are several moving parts, or the part is placed
+/// elsewhere.
 void checkNeighbourOptions(const NeighbourFiles& files, const std::string& moving);
-/// Reads the neighbours with their rules: a mesh file is one neighbour, and each solid of a solid
-/// file is one. Throws Error(InvalidInput), with code "BadRule" if rules do not fit, and
-/// Error(Cancelled).
+/// Reads the neighbours with their rules. A mesh is one neighbour; each solid of a solid file is
+/// one. Throws Error(InvalidInput), with "BadRule" if a rule does not match; Error(Cancelled).
 std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run);
 
-/// Numbers the parts that have the same name, as solids of one file may have.
+/// Appends numbers to names that occur several times, such as those of solids of one file.
 void makeNamesUnique(std::vector<ClearanceNeighbour>& parts);
 
-/// Returns a text in double quotes, for a CSV table.
+/// Returns the text in double quotes, as a field of a CSV table.
 std::string quoted(const std::string& text);
 
 }  // namespace swept::cli

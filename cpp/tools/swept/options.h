@@ -1,7 +1,6 @@
-// Options of the commands, based on CLI11. Values are converted here, so that each message names
-// the option, the value and what is allowed. Help, manual page and completions come from the same
-// declarations (manual.h).
-// Throws Error(InvalidInput, "BadOption").
+// Declares options of the commands with CLI11. Values are converted here, so that every message
+// names the option, the value and the allowed values. Help, manual page and completions come from
+// the same declarations (manual.h). Throws Error(InvalidInput, "BadOption").
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,8 +15,8 @@
 
 namespace swept::cli {
 
-/// Adds an option. `names` has the form of CLI11 ("-o,--output"). `kind` follows the names in the
-/// help: "FILE", "MM", or the allowed words separated by |.
+/// Adds an option whose value take() converts. `names`: in the form of CLI11 ("-o,--output").
+/// `kind`: the placeholder in the help ("FILE", "MM", or the allowed words separated by |).
 CLI::Option* addConverted(CLI::App& app, const std::string& names, const std::string& kind,
                           std::function<void(const std::string&)> take, const std::string& about);
 CLI::Option* addText(CLI::App& app, const std::string& names, const std::string& kind,
@@ -30,14 +29,14 @@ CLI::Option* addInteger(CLI::App& app, const std::string& names, std::int64_t& t
 void addWords(CLI::App& app, const std::string& name, int count, const std::string& kind,
               std::vector<std::string>& words, const std::string& about);
 double numberOf(const std::string& name, const std::string& text);
-/// Adds an option that takes three numbers, separated by commas.
+/// Adds an option for three numbers separated by commas.
 CLI::Option* addPoint(CLI::App& app, const std::string& names, Eigen::Vector3d& target,
                       const std::string& about);
-/// Adds an option that takes mm, cm, m or in.
+/// Adds an option for a unit: mm, cm, m or in. `target` receives mm per unit.
 CLI::Option* addUnit(CLI::App& app, const std::string& names, double& target,
                      const std::string& about);
 
-/// Options of every command.
+/// Options that every command has.
 struct CommonOptions {
   std::string report;
   std::int64_t threads = 0;
@@ -48,7 +47,7 @@ struct CommonOptions {
 };
 void addCommonOptions(CLI::App& app, CommonOptions& options);
 
-/// Throws the error for wrong usage of the program.
+/// Throws the error for wrong usage.
 [[noreturn]] void badOption(const std::string& text);
 
 }  // namespace swept::cli

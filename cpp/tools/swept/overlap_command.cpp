@@ -1,4 +1,4 @@
-// swept overlap PART PART ...: distances, depths and shared volumes of parts that stand still.
+// swept overlap PART PART ...: measures distances, depths and shared volumes of still parts.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_CLEARANCE
 #include <algorithm>
@@ -87,7 +87,7 @@ void printTable(const OverlapReport& report) {
               report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
 }
 
-/// Joins all shared volumes in one mesh.
+/// Returns all shared volumes as one mesh.
 TriMesh joined(const OverlapReport& report) {
   TriMesh all;
   for (const PairOverlap& pair : report.pairs) {

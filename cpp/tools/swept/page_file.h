@@ -1,4 +1,4 @@
-// The option --page: writes the results of a check as an HTML page (swept/page.h).
+// Implements --page: writes the result of a check as an HTML page (swept/page.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,22 +18,21 @@ struct PageJob {
 
 /// Adds --page, --page-language, --page-template and --page-title.
 void addPageOptions(CLI::App& app, PageJob& job);
-/// Throws the error for wrong usage if the options do not fit together.
+/// Throws an error for wrong usage.
 void checkPageOptions(const PageJob& job);
-/// Adds the template to the inputs of the command, if one is given.
+/// Adds the template, if there is one, to the inputs of the command.
 void addTemplate(const PageJob& job, std::vector<RoledFile>& inputs);
 
-/// Returns the row of the page about an input file: its size and SHA-256. `role` as in PageInput.
-/// Call this before the file is read, so that a change in between is noticed. For standard input,
-/// size and SHA-256 are not known.
+/// Returns the row of an input file in the page: its size and SHA-256. `role`: see PageInput. Call
+/// this before the file is read. For streams, such as standard input, size and hash stay empty.
 PageInput inputRow(const std::string& role, const std::string& path);
 
-/// Everything that a page needs besides the result. Read and checked before a long computation
-/// starts. The environment variable SOURCE_DATE_EPOCH (seconds since 1970), if set, gives the date.
-/// Throws Error(InvalidInput).
+/// The parts of a page that are known before the computation: the template and the date.
 struct PageFrame {
   std::string layout, date;
 };
+/// Reads and checks the template. Takes the date from the environment variable SOURCE_DATE_EPOCH
+/// (seconds since 1970) if it is set. Throws Error(InvalidInput).
 PageFrame beginPage(const PageJob& job);
 
 /// Returns the text of the page. `report`: JSON. Throws Error(Cancelled).

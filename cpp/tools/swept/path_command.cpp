@@ -1,5 +1,5 @@
-// swept path PART --goal POSE NEIGHBOUR...: finds a collision-free path on which a part reaches its
-// place.
+// swept path PART --goal POSE NEIGHBOUR...: finds a path without collisions to the installed
+// position.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_CLEARANCE
 #include <cstdio>
@@ -119,8 +119,7 @@ Run addPathCommand(CLI::App& program) {
       "keeps its distance from parts that stand still, also between the keys.");
   addOptions(app, *job);
   return [job] {
-    // "" is no file: the part may also be a neighbour, since it stands elsewhere.
-    checkNeighbourOptions(job->neighbours, "");
+    checkNeighbourOptions(job->neighbours, "");  // its file may be a neighbour, too
     return runPath(*job);
   };
 }

@@ -1,4 +1,4 @@
-// Options that the commands for paths share: placements, extraction, and settings of a search.
+// Options that all commands for path searches share.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,14 +9,14 @@
 
 namespace swept::cli {
 
-/// Parses "x,y,z" or "x,y,z,qx,qy,qz,qw". `name`: the option, for messages.
+/// Converts "x,y,z" or "x,y,z,qx,qy,qz,qw" to a pose. `name`: the option, for messages.
 Pose placementOf(const std::string& name, const std::string& text);
-/// Parses a radius in mm or a direction "x,y,z". `name`: the option, for messages.
+/// Converts a radius in mm or a direction "x,y,z", which say where the part comes from.
 Extraction extractionOf(const std::string& name, const std::string& text);
-/// Adds the options from --clearance to --interpolation. The seed has its own argument because
-/// numbers of options are signed.
+/// Adds the options from --clearance to --interpolation. `seed` is separate, since it is unsigned
+/// in PathOptions and addInteger() takes a signed number.
 void addSearchOptions(CLI::App& app, PathOptions& options, std::int64_t& seed);
-/// Returns the keys as the text of a motion file.
+/// Returns the keys in the format of a motion file.
 std::string motionTable(const Trajectory& motion);
 
 }  // namespace swept::cli

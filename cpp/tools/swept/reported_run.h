@@ -1,6 +1,5 @@
-// Shared by the commands whose result is one report: checks of the files before a long computation,
-// a run with progress bar and signals, the report, the error. Also the options for measuring
-// distances.
+// Runs a command whose result is one report: checks the files, watches the run, writes the report
+// and prints errors. Also declares the options that all distance measurements share.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,9 +12,9 @@
 
 namespace swept::cli {
 
-/// Computes a report, writes the other outputs, such as a table (only if the run succeeded), and
-/// writes the report to the file that `common` names. If something throws, the report and standard
-/// error show that error as the end of the run.
+/// Computes a report and returns it. If the run succeeds, deliver() writes its other outputs, such
+/// as a table. An error during the run is stored in the report and printed. The report is written
+/// if `common` has a file for it, also after an error.
 template <class AnyReport>
 AnyReport runReported(const CommonOptions& common, const std::vector<RoledFile>& inputs,
                       const std::vector<RoledFile>& outputs,
@@ -40,7 +39,7 @@ AnyReport runReported(const CommonOptions& common, const std::vector<RoledFile>&
   return report;
 }
 
-/// Prints findings and seconds on standard error. Returns the exit status.
+/// Prints findings and times on standard error. Returns the exit status.
 template <class AnyReport>
 int finishReported(const AnyReport& report, const CommonOptions& common, bool clear) {
   printFindings(report.warnings, common.quiet);
@@ -48,7 +47,7 @@ int finishReported(const AnyReport& report, const CommonOptions& common, bool cl
   return clear ? kExitOk : kExitNotClear;
 }
 
-/// Adds --required and --accuracy (--tolerance, its earlier name, still works).
+/// Adds --required and --accuracy. --tolerance is the earlier name of --accuracy and still works.
 template <class Options>
 void addDistanceOptions(CLI::App& app, Options& options) {
   addNumber(app, "--required", "MM", options.required,

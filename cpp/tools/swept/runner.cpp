@@ -25,8 +25,8 @@ extern "C" void onInterrupt(int number) {
 
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
-// While this object lives, a signal cancels the run. Later signals have no effect, because the
-// program is about to end and cleans up.
+// During its lifetime, signals cancel the run. Afterwards signals are ignored, since the program is
+// about to end and removes its temporary files.
 class InterruptGuard {
  public:
   explicit InterruptGuard(RunContext& run) {
@@ -37,7 +37,7 @@ class InterruptGuard {
     for (const int number : kSignals) {
       struct sigaction old {};
       sigaction(number, &action, &old);
-      // A signal that the caller ignores (nohup) remains ignored.
+      // If the caller ignores SIGHUP (nohup), it stays ignored.
       if (number == SIGHUP && old.sa_handler == SIG_IGN) std::signal(number, SIG_IGN);
     }
   }

@@ -1,5 +1,4 @@
-// Runs one job on its own thread. The calling thread shows the progress bar and handles signals.
-// Also computes the exit status.
+// Runs a job on its own thread, while the calling thread shows the progress and handles signals.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,34 +18,33 @@ constexpr int kExitFailed = 1;
 constexpr int kExitUsage = 2;
 constexpr int kExitNotClear = 3;
 
-/// Returns the exit status. For a cancelled run it is 128 plus the number of the signal, as in
-/// shells (130 for Ctrl-C, 143 for termination).
+/// Returns the exit status of the program. For a cancelled run this is 128 plus the number of the
+/// signal, as in shells (130 for Ctrl-C, 143 for SIGTERM).
 int exitStatus(Status status);
 
-/// Ignores the signals of failed writes. On a full disk, at a limit of the file size or on a closed
-/// pipe, the write then fails with an error message and does not end the program.
+/// Ignores the signals of failed writes. On a closed pipe or at a limit of the file size, the write
+/// then fails with an error, instead of ending the program.
 void ignoreWriteSignals();
 
-/// Calls `job` on another thread and waits. Draws a progress bar if standard error is a terminal
-/// and `quiet` is false. SIGINT, SIGTERM and SIGHUP cancel `run`. Rethrows what the job throws.
+/// Calls job() on another thread and waits. Draws a progress bar if standard error is a terminal
+/// and `quiet` is false. SIGINT, SIGTERM and SIGHUP cancel `run`. Rethrows what job() throws.
 void runWatched(RunContext& run, bool quiet, const std::function<void()>& job);
 
 /// Prints one line on standard error: "swept: Status/Code: message".
 void printError(Status status, const std::string& code, const std::string& message);
-/// Prints one line for each finding on standard error. With `quiet`, prints only findings that mean
-/// a loss of accuracy.
+/// Prints one line per finding on standard error. With `quiet`, only findings that cost accuracy.
 void printFindings(const std::vector<Finding>& findings, bool quiet);
-/// Prints one line for each stage on standard error.
+/// Prints one line per stage on standard error.
 void printSeconds(const std::vector<StageSeconds>& seconds);
 
-/// Stores in a report how its run ended. Works for the reports of all commands.
+/// Stores in the report of any command how its run ended.
 template <class AnyReport>
 void takeError(AnyReport& report, Status status, const std::string& code, const std::string& text) {
   report.status = status;
   report.code = code;
   report.message = text;
 }
-/// With --strict, a finding that means a loss of accuracy makes a successful run fail.
+/// With --strict, turns a finding that costs accuracy into the failure of an otherwise good run.
 template <class AnyReport>
 void takeStrict(AnyReport& report, bool strict) {
   const Finding* finding = strict ? inaccuracyOf(report.warnings) : nullptr;

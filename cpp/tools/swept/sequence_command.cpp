@@ -75,7 +75,7 @@ void addOptions(CLI::App& app, SequenceJob& job) {
       "--release 8");
 }
 
-/// Returns false if `how` is a motion file.
+/// Reads from `how` where the part comes from. Returns false if `how` names a motion file instead.
 bool takePlace(const std::string& how, PathTask& task) {
   std::string rest;
   if (takes(how, "motion", rest)) return false;

@@ -1,5 +1,5 @@
 // swept solid MESH --output FILE: converts a closed mesh to a STEP or BREP file. With --estimate, a
-// trial estimates the effort.
+// trial estimates the number of faces, the size and the time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_SOLID
 #include <cstdio>
@@ -34,8 +34,8 @@ void printEstimate(const SolidEstimate& estimate) {
               estimate.deviation);
 }
 
-/// Calls work(mesh, run) with the mesh of the job, with progress and signals. An exception becomes
-/// the end of the run in the report. outputs: files other than the report.
+/// Reads the mesh and calls work(mesh, run) as a watched run. Errors are stored in the returned
+/// report. `outputs`: the outputs other than the report.
 template <class Work>
 Report runOnMesh(const SolidJob& job, const std::vector<RoledFile>& outputs, const Work& work) {
   const CommonOptions& common = job.common;
@@ -59,7 +59,7 @@ Report runOnMesh(const SolidJob& job, const std::vector<RoledFile>& outputs, con
   return report;
 }
 
-/// found: the keys of the JSON report besides input and warnings.
+/// Writes the report. `found`: further keys beside input and warnings.
 void writeSolidReport(const SolidJob& job, const Report& report, const Json& found) {
   Json json = reportHead("solid", report.status, report.code, report.message);
   json["input"] = job.meshPath;

@@ -1,4 +1,4 @@
-// Options and summary line of solids, shared by the commands that write solids.
+// Options and printed summary that all commands that write solids share.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// Writes what made each triangle of an envelope as a table.
+// Writes a table of the face or edge of the body that made each triangle of an envelope.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

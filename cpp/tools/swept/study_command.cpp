@@ -1,6 +1,5 @@
-// swept study FILE: computes many runs from one file. The Python package does this, because it also
-// gives access to a cluster. This command finds the package and replaces its own process by the
-// Python interpreter.
+// swept study FILE: computes many runs from one file. The Python package does this, since it also
+// reaches clusters. The command finds the package and replaces its own process by Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef SWEPT_PYTHON
 #include <unistd.h>
@@ -29,8 +28,8 @@ struct StudyJob {
   std::vector<std::pair<std::string, bool>> flags;
 };
 
-/// Returns the folder of the package beside the program, in a build or an installation. Returns ""
-/// if it is not there; then Python searches for the package.
+/// Returns the folder of the Python package, relative to the program, in a build or an
+/// installation. Returns an empty text if Python must find the package by itself.
 std::string packageFolder() {
   std::error_code failed;
   const fs::path program = fs::read_symlink("/proc/self/exe", failed);
@@ -41,8 +40,8 @@ std::string packageFolder() {
   return {};
 }
 
-/// Code for the interpreter. It sets the module path, which would otherwise begin with the current
-/// folder: a file there could replace a module of the same name.
+/// The code that the interpreter runs. It removes the current folder from the module path, since
+/// anybody may have put a file with the name of a module there.
 constexpr const char* kStart =
     "import sys; sys.path[:] = [p for p in [sys.argv[1], *sys.path] if p]; "
     "from swept_volume.__main__ import main; sys.exit(main(sys.argv[2:]))";

@@ -42,8 +42,8 @@ constexpr double kKernelTolerance = 1e-7;
 gp_Pnt pointOf(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 gp_Dir dirOf(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
 
-// The tolerance to state: what was measured and a little for rounding, never below the kernel's
-// own.
+// Returns the tolerance to store in the shape: the measured one plus 1 % for rounding, but at least
+// that of the kernel.
 double stated(double measured) { return std::max(kKernelTolerance, 1.01 * measured); }
 
 class BrepBuilder {
@@ -161,13 +161,13 @@ class BrepBuilder {
         if (!face.surface.isPlanar()) addParameterCurve(use.edge, face.surface, made);
       }
       wire.Closed(true);
-      // The orientation of a bore's face is reversed, and its loops with it.
+      // The face of a bore is reversed, so its loops are reversed as well.
       builder_.Add(made, reversed ? wire.Reversed() : wire);
     }
     return reversed ? TopoDS::Face(made.Reversed()) : made;
   }
 
-  // Adds the curve of an edge in the surface's parameters, in the period in which the face lies.
+  // Adds the curve of an edge in the parameters of the surface, shifted to the period of the face.
   void addParameterCurve(std::int32_t e, const Carrier& surface, const TopoDS_Face& face) {
     const Curve& curve = model_.edges[e].curve;
     const Handle(Geom_Surface) geometry = BRep_Tool::Surface(face);

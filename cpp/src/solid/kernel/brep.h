@@ -1,4 +1,4 @@
-// Model -> kernel shape. The caller must hold a KernelSession.
+// Converts a Model to a shape of the OpenCASCADE kernel. The caller must hold a KernelSession.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,11 +14,10 @@
 namespace swept::step {
 
 struct Brep {
-  TopoDS_Shape shape;               ///< one solid, or a compound of solids
-  std::vector<TopoDS_Shape> faces;  ///< in the order of Model::faces
-  std::vector<TopoDS_Edge> edges;   ///< in the order of Model::edges
-  std::vector<std::int32_t>
-      failed;  ///< faces for which the kernel could not even make what they need
+  TopoDS_Shape shape;                ///< one solid, or a compound of solids
+  std::vector<TopoDS_Shape> faces;   ///< in the order of Model::faces
+  std::vector<TopoDS_Edge> edges;    ///< in the order of Model::edges
+  std::vector<std::int32_t> failed;  ///< faces that the kernel could not build
 };
 
 Brep buildBrep(const Model& model, RunContext& run);

@@ -21,11 +21,11 @@ namespace {
 using Eigen::Vector3d;
 using Box = Eigen::AlignedBox3d;
 
-/// Mm: what is nearer than this may be taken for touching.
+/// Mm: the kernel may treat parts nearer than this as touching.
 constexpr double kNear = 1e-5;
 
-// Points along the borders of a face. Between them a curved face bulges, by less than its box is
-// long.
+// Returns points along the borders of a face. Between these points, a curved face may bulge, by
+// less than the length of its bounding box.
 std::vector<Vector3d> pointsOf(const Model& model, const ModelFace& face) {
   constexpr int kSteps = 8;
   std::vector<Vector3d> points;
@@ -44,8 +44,8 @@ struct Known {
   Box box;
 };
 
-// Whether a face with these points may meet a recognised one: their boxes meet, and it does not lie
-// on one side of that face's surface.
+// Returns whether a face with these points may intersect a recognised face: their boxes intersect,
+// and the points do not all lie on one side of the surface of that face.
 bool mayMeet(const std::vector<Vector3d>& points, const Box& box, const Known& known) {
   if (!box.intersects(known.box)) return false;
   const double size = box.diagonal().norm();

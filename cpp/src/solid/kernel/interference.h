@@ -1,8 +1,8 @@
-// Faces that meet where they share nothing, as the kernel's own test for Boolean operations finds
-// them.
-// In: a Model and its kernel faces. Only faces near one that is no facet are tested: facets do not
-// meet one another as the simplifier leaves them. Out: indices into Model::faces. The caller holds
-// a KernelSession. Cost: about 2 ms a tested face.
+// Finds faces that intersect others outside their common edges and vertices. Uses the kernel's own
+// test for Boolean operations.
+// In: a Model and its kernel faces. Only faces near a recognised face are tested: the simplifier
+// leaves no facets that intersect each other. Out: indices into Model::faces. The caller holds a
+// KernelSession. Cost: about 2 ms per tested face.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,8 +18,9 @@ namespace swept::step {
 
 std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, RunContext& run);
 
-/// Edges of curved faces whose tolerance, as a reader of the file sets it from points along the
-/// edge, is smaller than the largest distance from a face, with the parameter of that distance.
+/// Finds edges of curved faces whose tolerance is smaller than their largest distance from a face.
+/// A reader of the file sets this tolerance from some points along the edge. Each EdgeCut has the
+/// curve parameter of the largest distance.
 std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep);
 
 }  // namespace swept::step

@@ -59,9 +59,9 @@ class Collector : public Message_Printer {
 };
 
 #if OCC_VERSION_HEX < 0x070900
-// Leaves what this thread reads as it is in the file, and lets the kernel heal what other threads
-// read. The template accepts any further arguments that the kernel's version of the call has behind
-// the shape.
+// Returns shapes that this thread reads without healing them; the kernel still heals those of other
+// threads. process() is a template, since the arguments after the shape differ between versions of
+// the kernel.
 class AsItStands : public XSAlgo_AlgoContainer {
   using Base = XSAlgo_AlgoContainer;
   using Real = Standard_Real;
@@ -164,8 +164,8 @@ void KernelProgress::Show(const Message_ProgressScope&, Standard_Boolean) {
                     static_cast<std::uint64_t>(kScale * (from_ + (to_ - from_) * GetPosition())),
                     static_cast<std::uint64_t>(kScale));
   } catch (...) {
-    // On a cancel the kernel calls UserBreak next and stops by itself; no exception may pass
-    // through its frames.
+    // The checkpoint throws when the run is cancelled. No exception may pass through the frames of
+    // the kernel; it calls UserBreak next, and stops.
   }
 }
 

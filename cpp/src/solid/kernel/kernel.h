@@ -1,6 +1,6 @@
-// One use of the OpenCASCADE kernel at a time, because its STEP settings and messages are
-// process-wide. KernelSession holds the lock, makes the settings, collects the kernel's messages of
-// this thread (those of other threads go where they went before), and restores everything.
+// Gives one thread at a time the use of the OpenCASCADE kernel, whose STEP settings and messages
+// are process-wide. KernelSession holds the lock and changes the settings. It collects the kernel's
+// messages of this thread and forwards those of other threads. Its destructor restores everything.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,11 +21,11 @@ class KernelSession {
 
   /// Sets a text option of the STEP translators until the end of the session.
   void set(const char* name, const std::string& value);
-  /// Whether the kernel heals what this thread reads (its default), or leaves it as it is in the
-  /// file, until the end of the session. (Kernels from 7.9 on always heal.)
+  /// Sets until the end of the session whether the kernel repairs (heals) the shapes that this
+  /// thread reads, which is its default. Kernels from 7.9 on always heal.
   void setHealing(bool on);
-  /// Warnings and failures since the session began, in one line of at most a few hundred
-  /// characters.
+  /// Returns the warnings and failures since the session began, in one line of at most a few
+  /// hundred characters.
   std::string messages() const;
 
  private:
@@ -33,8 +33,8 @@ class KernelSession {
   std::unique_ptr<State> state_;
 };
 
-/// Lets long kernel calls be cancelled and reports them as the run's progress, from `from` to `to`
-/// (0 to 1 of the export).
+/// Makes long kernel calls cancellable, and reports their progress as a part of the export: from
+/// `from` to `to`, both between 0 and 1.
 class KernelProgress : public Message_ProgressIndicator {
  public:
   KernelProgress(RunContext& run, double from, double to) : run_(run), from_(from), to_(to) {}

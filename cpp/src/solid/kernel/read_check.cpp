@@ -14,8 +14,8 @@
 namespace swept::step {
 namespace {
 
-// The curved faces, each alone in a shell, so that the reader keeps their order; `from` receives
-// their indices.
+// Returns a model of the curved faces only. Each has a shell of its own, so that the reader keeps
+// their order. `from` receives their indices in `model`.
 Model curvedPart(const Model& model, std::vector<std::int32_t>& from) {
   Model part;
   std::vector<std::int32_t> vertexId(model.vertices.size(), -1), edgeId(model.edges.size(), -1);
@@ -57,7 +57,7 @@ std::vector<std::int32_t> ReadCheck::findUnreadable(const Model& model) {
   std::stringstream stream;
   writeStepText(part, stream, "curved", options_, run_);
   const std::string text = std::move(stream).str();
-  // The header contains the time of writing.
+  // Only the data section is compared, since the header contains the time of writing.
   std::string data = text.substr(std::min(text.size(), text.find("DATA;")));
   if (data != lastText_) {
     answer_ = read(text, from.size());
@@ -73,7 +73,7 @@ std::vector<std::int32_t> ReadCheck::read(const std::string& text, std::size_t c
   const TopoDS_Shape shape = readStepText(stream, kernel_, run_);
   std::vector<TopoDS_Shape> faces;
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
-  // If the reader split faces, the check of the whole file decides.
+  // If the reader has split faces, their order is lost; the later check of the whole file decides.
   if (faces.size() != count) return {};
   return findBadFaces(faces, run_, 0.3, 0.3);
 }

@@ -1,7 +1,6 @@
 // Finds curved faces that the kernel does not read back as they were written.
-// In: Model; the caller holds the KernelSession. Out: indices into Model::faces. Cost: the curved
-// faces are written as text and read again in memory; they are few and cheap compared with the
-// facets.
+// In: Model; the caller holds the KernelSession. Out: indices into Model::faces. Cost: writes the
+// curved faces as text in memory and reads them again. They are few compared with the facets.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -28,7 +27,8 @@ class ReadCheck {
   const StepOptions& options_;
   KernelSession& kernel_;
   RunContext& run_;
-  // The last query, because the same faces are checked again when only facets have changed.
+  // The last text and its result. If only facets have changed, the text of the curved faces is the
+  // same, and no second check is needed.
   std::string lastText_;
   std::vector<std::int32_t> answer_;
 };

@@ -33,8 +33,7 @@ namespace {
 
 using Corners = std::array<gp_Pnt, 3>;
 
-// Whether the curve of the edge is the straight segment between its vertices, in the direction of
-// the edge.
+// Returns whether the curve of the edge is the straight segment from its first to its last vertex.
 bool isStraight(const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoDS_Vertex& last) {
   double from = 0, to = 0;
   const Handle(Geom_Line) line = Handle(Geom_Line)::DownCast(BRep_Tool::Curve(edge, from, to));
@@ -44,8 +43,8 @@ bool isStraight(const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoD
          line->Value(to).Distance(BRep_Tool::Pnt(last)) <= slack + BRep_Tool::Tolerance(last);
 }
 
-// The corners of a sound plane triangle, counter-clockwise seen from outside; nothing if the face
-// is anything else, or not sound.
+// Returns the corners of a plane triangle, counter-clockwise seen from outside. Returns nothing if
+// the face is no plane triangle, or not valid.
 std::optional<Corners> triangleOf(const TopoDS_Face& face) {
   const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face));
   if (plane.IsNull()) return std::nullopt;
@@ -67,7 +66,7 @@ std::optional<Corners> triangleOf(const TopoDS_Face& face) {
     ++count;
   }
   if (count != 3) return std::nullopt;
-  // The file may list the edges in the other order.
+  // The file may list the edges in reverse order.
   if (!end[0].IsSame(start[1])) {
     std::swap(start[1], start[2]);
     std::swap(end[1], end[2]);
@@ -87,9 +86,9 @@ std::optional<Corners> triangleOf(const TopoDS_Face& face) {
   return corners;
 }
 
-// The same for the face of an extrusion. The kernel's quadrature does not follow the spans of a
-// spline and would miss half a percent. The contribution of a point of the profile does not depend
-// on how far it was extruded, so that an integral along the border is enough.
+// Returns the same as volumeUnder() for the face of an extrusion. The kernel's quadrature does not
+// follow the spans of a spline and is off by half a percent. The contribution of a point of the
+// profile does not depend on how far it is extruded, so an integral along the border is enough.
 std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt& base) {
   const auto surface = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(BRep_Tool::Surface(face));
   if (surface.IsNull()) return std::nullopt;
@@ -121,8 +120,8 @@ std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt
   return face.Orientation() == TopAbs_REVERSED ? -sum : sum;
 }
 
-// Volume of the cone from `base` over the face; summed over all faces of a solid this gives its
-// volume.
+// Returns the signed volume of the cone from `base` over the face. The sum over all faces of a
+// solid is its volume.
 double volumeUnder(const TopoDS_Face& face, const gp_Pnt& base) {
   if (const auto corners = triangleOf(face)) {
     const gp_Vec a(base, (*corners)[0]), b(base, (*corners)[1]), c(base, (*corners)[2]);
@@ -137,7 +136,7 @@ double volumeUnder(const TopoDS_Face& face, const gp_Pnt& base) {
   return inertia.Mass();
 }
 
-// Runs `work` over [0, count) on all cores, with checkpoints in this thread's part.
+// Calls work(i) for all i in [0, count) in parallel, with a checkpoint after each block.
 template <class Work>
 void parallelFaces(std::size_t count, RunContext& run, double from, double to, const Work& work) {
   std::atomic<std::size_t> done{0};
@@ -149,8 +148,9 @@ void parallelFaces(std::size_t count, RunContext& run, double from, double to, c
   });
 }
 
-// Closed: every edge is used twice. Oriented: once in each direction. Returns an empty text if the
-// shell is both. (The kernel's own check of a shell tests the same and takes ten times as long.)
+// Returns what is wrong with a shell, or an empty text. In a closed shell every edge is used twice;
+// in an oriented one, once in each direction. The kernel's own check of a shell tests the same and
+// takes ten times as long.
 std::string shellComplaint(const TopoDS_Shape& shell) {
   TopTools_IndexedMapOfShape edges;
   std::vector<std::array<std::int32_t, 2>> uses;
@@ -213,13 +213,14 @@ SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, d
     ++check.shells;
     const std::string complaint = shellComplaint(it.Current());
     if (!complaint.empty()) check.complaint = complaint;
-    // With its orientation in the solid, which the volume needs.
+    // Faces keep their orientation in the solid, on which the sign of the volume depends.
     for (TopExp_Explorer f(it.Current(), TopAbs_FACE); f.More(); f.Next())
       faces.push_back(f.Current());
   }
   const std::vector<std::int32_t> bad = findBadFaces(faces, run, from, (from + to) / 2);
   if (!bad.empty()) check.complaint = std::to_string(bad.size()) + " faces are not valid";
-  // Relative to a point of the shape: the volume of a shape far from the origin would lose digits.
+  // Volumes are relative to a point of the shape; relative to a distant origin they would lose
+  // digits.
   gp_Pnt base;
   if (edgeMap.Extent() > 0) base = BRep_Tool::Pnt(TopExp::FirstVertex(TopoDS::Edge(edgeMap(1))));
   std::vector<double> volumes(faces.size());

@@ -1,7 +1,7 @@
-// Checks whether a kernel shape is sound: faces, shells, volume. The caller holds a KernelSession.
-// Plane triangles with straight edges, of which a faceted solid has many, are tested here; all
-// other faces by the kernel's checker, which takes a hundred times as long per face. Parallel over
-// faces.
+// Checks whether a kernel shape is valid: faces, shells, volume. The caller holds a KernelSession.
+// Plane triangles with straight edges, of which a faceted solid has many, are tested here. The
+// kernel's checker tests the other faces; it takes a hundred times as long per face. The faces are
+// checked in parallel.
 // Units: mm. Cost: O(faces).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -17,15 +17,15 @@
 
 namespace swept::step {
 
-/// Indices of the faces that the kernel's checker refuses. Parallel. from, to: the part of the
-/// export's progress.
+/// Returns the indices of the invalid faces. `from`, `to`: the part of the export's progress that
+/// this check covers, 0 to 1.
 std::vector<std::int32_t> findBadFaces(const std::vector<TopoDS_Shape>& faces, RunContext& run,
                                        double from, double to);
 
-/// Whether the face is a sound plane triangle with straight edges.
+/// Returns whether the face is a valid plane triangle with straight edges.
 bool isPlaneTriangle(const TopoDS_Face& face);
 
-/// What is sound, and how much of it there is.
+/// Checks faces and shells; counts faces, edges, shells and solids; computes the volume.
 SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, double to);
 
 }  // namespace swept::step

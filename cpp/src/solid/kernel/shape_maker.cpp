@@ -27,8 +27,9 @@ namespace {
 // simplification before them exceed the tolerance together, vertices are added to the mesh at the
 // end.
 constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
-// Of the tolerance, for thinning open ground: bunny over 16 keys, without any patch, had 500,000
-// triangles of it, and their collapse took two thirds of the time.
+// Fraction of the tolerance for thinning open ground (triangles without a surface). Without this,
+// the bunny over 16 keys had 500,000 such triangles, and their collapse took two thirds of the
+// time.
 constexpr double kThinFraction = 0.15;
 
 Built describe(Model model, Brep brep, double deviation) {
@@ -48,9 +49,9 @@ Partition partitionOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole,
   return partition;
 }
 
-// Returns patches that the kernel refused to open ground. Their borders may have moved along their
-// surfaces; therefore the vertices that the mesh had there at first are what the new triangles must
-// stay near.
+// Turns refused patches into open ground (triangles without a surface). Vertices on their borders
+// may have moved along the surface. The new triangles must therefore stay near the vertices that
+// the mesh had there at first, which are attached to them.
 void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh& dense,
                    const Partition& first, Decimated& now) {
   now.attached.resize(now.mesh.triangles.size());
@@ -76,7 +77,7 @@ void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh&
   }
 }
 
-// Adds the recognised patches in the fan of a half-edge's first vertex.
+// Appends the recognised patches around the first vertex of a half-edge.
 void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t known,
                     std::vector<std::int32_t>& patches) {
   std::int32_t h = first;
@@ -87,8 +88,8 @@ void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t kno
   } while (h != first);
 }
 
-// Converts faces that the kernel refuses to patches: recognised ones lose their surface, plane
-// regions are split into facets. Returns true if only `small` was changed.
+// Gives up faces that the kernel refuses. Recognised patches are added to `refused`; plane regions
+// are split into facets in `small`. Returns true if a plane region was split.
 bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int32_t known,
               Decimated& small, std::vector<std::int32_t>& refused) {
   bool again = false;
@@ -109,13 +110,13 @@ bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int
   return again;
 }
 
-// How many border edges on open ground a patch may cost per facet that it saves. On a free form a
-// patch has a long jagged border, and without it there would be fewer facets.
+// Largest number of border edges towards open ground per facet that a patch saves. On a free form,
+// a patch has a long jagged border, and there are fewer facets without the patch.
 constexpr double kBorderPerSaved = 1, kBorderPerSavedByPlane = 2;
 constexpr double kSmooth = 0.85;  // cosine (32 degrees)
 
-// The patches whose border with open ground, after simplification, costs more facets than they
-// save.
+// Returns the patches that save fewer facets, after simplification, than their border with open
+// ground (triangles without a surface) needs.
 std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition& first,
                                      const Decimated& now, double tolerance) {
   const std::size_t count = first.patches.size();
@@ -123,7 +124,7 @@ std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition&
   for (std::size_t h = 0; h < now.mesh.opposite.size(); ++h) {
     const std::int32_t own = now.partition.patchOf[h / 3], beyond = now.mesh.opposite[h] / 3;
     if (own < 0 || now.partition.patchOf[beyond] >= 0) continue;
-    // A crease needs its corners in any case, so its edges do not count.
+    // Edges on a crease do not count, since its corners are needed without the patch as well.
     const Eigen::Vector3d normal = now.mesh.areaVector(beyond).normalized();
     const Eigen::Vector3d& from = now.mesh.points[now.mesh.origin(static_cast<std::int32_t>(h))];
     if (first.patches[own].surface.normal(from).dot(normal) > kSmooth) ++border[own];
@@ -142,7 +143,8 @@ std::int64_t countFaces(const Partition& partition) {
                        [](const Patch& patch) { return !patch.triangles.empty(); });
 }
 
-// Where a curve is best cut in halves: at a knot, since a profile may bend unevenly there.
+// Returns the best parameter at which to cut a curve in halves: the knot nearest to its middle,
+// since a profile may bend unevenly at a knot.
 double middleOf(const Curve& curve) {
   double middle = 0.5 * curve.last;
   if (curve.knots.size() > 2) {
@@ -213,8 +215,8 @@ class ShapeMaker {
  private:
   bool worthTrial() const { return dense_.triangles.size() > kWorthTrial; }
 
-  // A rough simplification shows the patches that are not worth their border and those that the
-  // kernel refuses; without them the real simplification starts from more open ground.
+  // Simplifies roughly, and turns two kinds of patches into open ground: those that cost more than
+  // they save, and those that the kernel refuses. The real simplification starts from the result.
   Decimated trial(const Partition& first, Decimated start, double tolerance) {
     Decimated left = decimate(std::move(start), tolerance, original_, run_, Effort::Rough);
     std::vector<std::int32_t> bad = findCostly(dense_, first, left, tolerance);
@@ -236,9 +238,10 @@ class ShapeMaker {
     return left;
   }
 
-  // A reader looks at some points of each edge to find its tolerance, and passes through some
-  // points on the surface between them. Edges where that is not enough are cut: where the distance
-  // is largest if it is a gap, else in the middle. `left`: the edges for which no cut was enough.
+  // Builds the shape, and cuts edges until their tolerance holds everywhere. A reader of the file
+  // finds the tolerance of an edge from some points along it, and passes a curve on the surface
+  // through them. If an edge deviates more between these points, it is cut: at the largest gap if
+  // it has one, otherwise in the middle. `left` receives the edges for which no cut was enough.
   Brep buildHeld(Model& model, std::vector<EdgeCut>& left) {
     constexpr int kCuts = 6;
     for (int round = 0;; ++round) {
@@ -255,7 +258,8 @@ class ShapeMaker {
     }
   }
 
-  // Faces that are loose or that the kernel refuses. Those that are sound are made into `brep`.
+  // Returns faces that are loose (model/gaps.h) or that the kernel refuses. `brep` receives the
+  // shape unless there are loose faces.
   std::vector<std::int32_t> findUnsound(Model& model, Brep& brep) {
     if (options_.tolerance > 0) {
       std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
@@ -264,15 +268,16 @@ class ShapeMaker {
     std::vector<EdgeCut> unheld;
     brep = buildHeld(model, unheld);
     if (!brep.failed.empty()) return brep.failed;
-    // Among facets some more do no harm; a solid of surfaces alone would become hundreds of facets.
+    // If the solid has facets anyway, a few more do no harm. A solid of surfaces only would turn
+    // into hundreds of facets, so it keeps these edges.
     if (!unheld.empty() && hasFacets(model)) return curvedFacesOf(unheld, model);
     std::vector<std::int32_t> bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
     return bad.empty() ? reader_.findUnreadable(model) : bad;
   }
 
-  // Splits patches into facets if the kernel does not accept their faces, does not read them back,
-  // or finds that they meet others. Returns false if a patch has to lose its surface, so that
-  // everything starts again.
+  // Splits plane regions into facets if the kernel does not accept their faces, does not read them
+  // back, or finds that they intersect others. Returns false if a recognised patch must lose its
+  // surface, so that everything starts again.
   bool acceptFaces(Decimated& small, double tolerance, Model& model, Brep& brep) {
     constexpr int kTrials = 4;
     for (int trial = 0; trial < kTrials; ++trial) {
@@ -290,11 +295,12 @@ class ShapeMaker {
     return false;
   }
 
-  // Adds corners where the mesh lies too far away, then tests the faces with the kernel.
+  // Builds the model from a simplified mesh. Adds corners where the original mesh lies too far
+  // away, then tests the faces with the kernel.
   std::optional<Built> tryMesh(Decimated base, std::int64_t& faces) {
     const double tolerance = std::max(options_.planarTolerance, options_.tolerance);
     const bool exact = options_.tolerance <= 0;
-    std::vector<Eigen::Vector3d> about;  // near what the last repair may have changed
+    std::vector<Eigen::Vector3d> about;  // points of the original near the last added corners
     for (int mended = 0;; ++mended) {
       Decimated small{base.mesh, base.partition, {}, {}, base.deviation};
       if (options_.mergeCoplanar)
@@ -320,7 +326,7 @@ class ShapeMaker {
   }
 
   static constexpr int kMendings = 16;
-  /// Triangles; below that a trial costs more than it saves.
+  /// Number of triangles below which a trial costs more than it saves.
   static constexpr std::size_t kWorthTrial = 20000;
   const HalfEdgeMesh& whole_;
   const HalfEdgeMesh& dense_;

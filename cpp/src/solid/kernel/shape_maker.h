@@ -1,9 +1,9 @@
-// From a mesh to the kernel's shape: recognise surfaces, simplify, build the model, and repeat
-// without what the kernel refuses.
-// In: `dense`, the mesh to work on; `whole`, the mesh that the deviation is measured from; the
-// options' tolerance. Out: a shape whose faces the kernel accepts, or nothing if it would have more
-// faces than fit. Units: mm. Cost: a few simplifications of the mesh. Throws Error(ExportFailed,
-// "InvalidFaces"), Error(Cancelled).
+// Makes a kernel shape from a mesh: recognises surfaces, simplifies, and builds the model. If the
+// kernel refuses faces, their surfaces are given up and the steps are repeated.
+// In: `dense`, the mesh to work on; `whole`, the mesh from which the deviation is measured; the
+// tolerance of the options. Out: a shape whose faces the kernel accepts, or nothing if fits()
+// refuses the number of faces. Units: mm. Cost: a few simplifications of the mesh. Throws
+// Error(ExportFailed, "InvalidFaces"), Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,10 +24,10 @@ struct Built {
   Model model;
   Brep brep;
   std::map<std::string, std::int64_t> facesByKind;
-  double deviation = 0;  // mm, of the mesh's vertices from their faces
+  double deviation = 0;  // mm, largest distance of a mesh vertex from its face
 };
 
-/// faces: receives their number, also if there are too many.
+/// `faces` receives the number of faces, even if fits() refuses it.
 std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
                                const StepOptions& options,
                                const std::function<bool(std::int64_t)>& fits, KernelSession& kernel,

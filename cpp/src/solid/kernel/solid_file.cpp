@@ -51,8 +51,7 @@ Handle(TCollection_HAsciiString) text(const std::string& utf8) {
   return new TCollection_HAsciiString(utf8.c_str());
 }
 
-// Ends the input when the run is cancelled. (The kernel's own way of cancelling prints to the
-// console.)
+// Ends the input when the run is cancelled. The kernel's own cancelling would print to the console.
 class CancellableInput : public std::filebuf {
  public:
   explicit CancellableInput(RunContext& run) : run_(run) {}
@@ -75,7 +74,7 @@ void fillHeader(STEPControl_Writer& writer, const std::string& targetName,
   header.SetOriginatingSystem(text("Swept Volume for FreeCAD"));
   header.SetAuthorisation(text(""));
   header.SetDescriptionValue(1, text("Envelope of a moving body: " + options.productName));
-  // The kernel appends a number to product names; use our name unchanged.
+  // The kernel appends a number to product names; this restores the given name.
   const Handle(StepData_StepModel) model = writer.Model();
   for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
     const Handle(StepBasic_Product) product = Handle(StepBasic_Product)::DownCast(model->Value(i));
@@ -97,7 +96,7 @@ TopoDS_Shape shapeOf(STEPControl_Reader& reader, const KernelSession& kernel, Ru
 
 ProductNames productNames(const STEPControl_Reader& reader) {
   ProductNames names;
-  std::unordered_map<const TopoDS_TShape*, int> sizes;  // solids of the product of that name
+  std::unordered_map<const TopoDS_TShape*, int> sizes;  // number of solids in the named product
   const Handle(StepData_StepModel) model = reader.StepModel();
   const Handle(Transfer_TransientProcess) transfers =
       reader.WS()->TransferReader()->TransientProcess();
@@ -133,7 +132,7 @@ void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
   kernel.set("write.surfacecurve.mode", "1");
   kernel.set("write.precision.mode", "0");
   STEPControl_Writer writer;
-  // A new model, because the schema is read when the model is made.
+  // Makes a new model, because a model takes its schema when it is made.
   writer.Model(Standard_True);
   const Handle(KernelProgress) progress = new KernelProgress(run, 0.3, 0.45);
   const IFSelect_ReturnStatus transferred =
@@ -205,7 +204,7 @@ void writeBrep(const TopoDS_Shape& shape, std::ostream& out, RunContext& run) {
     BRepTools::Write(shape, out, Standard_False, Standard_False, TopTools_FormatVersion_VERSION_1,
                      progress->Start());
   } catch (const std::bad_cast&) {
-    // The kernel reports this when the library's file buffer throws because the disk is full.
+    // The kernel throws this if the stream fails because the disk is full.
     out.setstate(std::ios::badbit);
   }
   throwIfCancelled(run);

@@ -1,4 +1,4 @@
-// Kernel shape <-> STEP or BREP file. The caller holds the KernelSession.
+// Writes kernel shapes to STEP and BREP files, and reads them. The caller holds the KernelSession.
 // Throws Error(ExportFailed, "WriteFailed" | "RereadFailed" | "KernelFailure"), Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -15,25 +15,25 @@
 namespace swept::step {
 
 /// Writes with the kernel's own translator, which adds the parameter curves of curved faces.
-/// (text/step_text.h writes solids of plane faces only.)
+/// text/step_text.h is faster, but omits these curves.
 void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
                    const std::string& targetName, const StepOptions& options, KernelSession& kernel,
                    RunContext& run);
-/// Name of the product that a solid belongs to (the innermost one in an assembly). The key is the
-/// shape without its location, which all instances of the solid have in common.
+/// Maps a solid to the name of its product (the innermost one in an assembly). The key is the shape
+/// without its location, which all instances of the solid share.
 using ProductNames = std::unordered_map<const TopoDS_TShape*, std::string>;
-/// The shape as the kernel reads it by default: it computes parameter curves and tolerances by
-/// itself. `names`: of the solids, where asked for.
+/// Reads the shape as the kernel does by default: the kernel computes parameter curves and
+/// tolerances. `names`, unless null, receives the names of the solids.
 TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run,
                           ProductNames* names = nullptr);
-/// The same from memory.
+/// Does the same with a text in memory.
 TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext& run);
-/// The shape of a file of plane faces, unchanged, with the tolerance (mm) that the file states;
-/// takes a fifth of the time.
+/// Reads a file of plane faces without healing them, in a fifth of the time. `tolerance`: mm, as
+/// stated in the file; tolerances of the shape are limited to it.
 TopoDS_Shape readFlatStepFile(const std::string& path, double tolerance, KernelSession& kernel,
                               RunContext& run);
-/// The same for a file that also has some other faces: the kernel heals only these; plane triangles
-/// stay unchanged.
+/// Reads a file that has some other faces besides plane triangles. The kernel heals only these
+/// others.
 TopoDS_Shape readMostlyFlatStepFile(const std::string& path, KernelSession& kernel,
                                     RunContext& run);
 void writeBrep(const TopoDS_Shape& shape, std::ostream& out, RunContext& run);
