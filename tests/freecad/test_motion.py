@@ -179,7 +179,7 @@ class MotionFile(Case):
         self.assertEqual((here.Base.x, here.Base.y), (10, 20))
         obj.Interpolation = "Spline"
         self.doc.recompute()
-        with self.assertRaisesRegex(InputProblem, "poses 2 and 3 have the same time"):
+        with self.assertRaisesRegex(InputProblem, "Poses 2 and 3 have the same time"):
             envelope.compute(hull)
         obj.Interpolation = "Linear"
         rest = motion.motion_from_poses(self.doc, [0, 2], [shift(), shift()])
