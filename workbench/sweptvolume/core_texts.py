@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the core says, in the user's language: by the code of a finding. The numbers stand in the core's
-own sentence, which follows in brackets; where there is no translation it stands alone."""
+"""Texts of the core's findings in the user's language, by the code of the finding. The core's own
+sentence, with the numbers, follows in brackets. Without a translation it stands alone."""
 from .texts import mark, translate
 
-#: Code -> what happened and what to do.
+#: Maps a code to a text that says what happened and what to do.
 _TEXTS = {
     # failures
     "EmptyMesh": mark("Core", "The part has no surface: choose a solid or a mesh with triangles."),
@@ -206,7 +206,7 @@ _TEXTS = {
 
 
 def said(code, text):
-    """A message of the core: code of the finding, its own sentence."""
+    """Returns the message for the code of a finding and the core's own sentence."""
     known = _TEXTS.get(code, "")
     ours = translate("Core", known) if known else ""
     return text if ours == known else "{} ({})".format(ours, text) if text else ours

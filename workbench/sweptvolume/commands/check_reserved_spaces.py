@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Check reserved spaces: parts and envelopes that stand still against each other."""
+"""Check reserved spaces: compares parts and envelopes that stand still."""
 from ..texts import mark
 from .base import BaseCommand
 

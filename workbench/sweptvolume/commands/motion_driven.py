@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion from driven value: a property, cell or constraint runs through a range, a part is watched."""
+"""Motion from driven value: changes a property, cell or constraint over a range and records how
+parts move."""
 from ..convert import InputProblem
 from ..texts import mark, translate
 from .base import BaseCommand
