@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a clearance check: type, name, help, default; of results type, name, help, mode."""
+"""The properties of a clearance check. Inputs: type, name, help, default. Results: type, name,
+help, mode."""
 from ..texts import mark
 from . import missing, neighbour_rules
 from .base import HIDDEN, READ_ONLY

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of an envelope, as Feature.properties() takes them: type, name, group, help, default, mode;
-of results type, name, help."""
+"""The properties of an envelope for Feature.properties(). Inputs: type, name, group, help, default,
+mode. Results: type, name, help."""
 from ..texts import mark
 from .base import HIDDEN
 
-#: Name in the property -> name the core knows.
+#: Name in the property -> name in the core.
 COMPONENTS = {
     "Consistent": "consistent",
     "DualContouring": "dc",
@@ -177,7 +177,7 @@ ACCURACY = [
         0,
     ),
 ]
-#: Where the result was put, to notice when it is moved.
+#: Placement of the result when it was stored. It shows whether the result was moved since.
 PLACED = (
     "App::PropertyPlacement",
     "Placed",

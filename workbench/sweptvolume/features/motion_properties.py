@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a motion, as Feature.properties() takes them: type, name, group, help, default, mode."""
+"""The properties of a motion for Feature.properties(): type, name, group, help, default, mode."""
 from ..texts import mark
 from ..trajectory import sources
 from ..trajectory.cam import CONVENTIONS
@@ -197,7 +197,7 @@ PROPERTIES = [
     ),
 ]
 
-#: Setting of a source (trajectory/sources.py) -> type, name, help, default of the property that keeps it.
+#: Setting of a source (trajectory/sources.py) -> type, name, help and default of its property.
 _SETTINGS = {
     "count": (
         "App::PropertyInteger",
@@ -279,7 +279,7 @@ _SETTINGS = {
         None,
     ),
 }
-#: Hidden but for those that the kind of source asks for (motion_source.show_settings).
+#: Hidden, except for the settings that the kind of source uses (motion_source.show_settings()).
 SETTINGS = [
     (kind, name, "Source", text, default, HIDDEN)
     for kind, name, text, default in _SETTINGS.values()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a sequence: type, name, help, default; what it has as a mechanism check has it, is that
-one's."""
+"""The properties of a sequence: type, name, help, default. Those that it shares with the mechanism
+check are the same."""
 from ..texts import mark
 from . import mechanism_properties, path_plan
 

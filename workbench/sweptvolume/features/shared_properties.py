@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a shared volume, as Feature.properties() takes them: type, name, group, help, default,
+"""The properties of a shared volume for Feature.properties(): type, name, group, help, default,
 mode."""
 from ..texts import mark
 from . import missing

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a solid, as Feature.properties() takes them: type, name, group, help, default, mode."""
+"""The properties of a solid for Feature.properties(): type, name, group, help, default, mode."""
 from ..texts import mark
 from . import missing
 from .base import HIDDEN, NOT_COMPUTED, READ_ONLY
 from .envelope_properties import PLACED
 
-#: Budget of faces of a new solid.
+#: Limit of faces of a new solid.
 MAX_FACES = 20000
 PROPERTIES = [
     (
