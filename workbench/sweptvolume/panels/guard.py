@@ -15,7 +15,7 @@ from .widgets import QtCore, QtWidgets
 
 #: Exceptions caused by the input or the machine. All others are faults of the workbench.
 EXPECTED = (InputProblem, core.CoreError, core.CoreMissing, OSError)
-#: A typed length is taken as understood if the field's own value agrees with it up to rounding.
+#: A typed length counts as understood if it agrees with the field's own value up to rounding.
 AGREES = 1e-6
 
 
