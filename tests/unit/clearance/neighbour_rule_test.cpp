@@ -42,7 +42,7 @@ TEST(NeighbourRule, WhatIsWrongIsNamed) {
   for (const char* text :
        {"", "touch", "contact:", "contact:x", "3 mm", "1e10", "nan", "-1", "contact:-0.1", "inf"})
     EXPECT_NE(refusal([&] { parseRule(text); }).find(std::string(text)), std::string::npos);
-  EXPECT_NE(refusal([] { parseRule("-1"); }).find("-1 mm is not possible"), std::string::npos);
+  EXPECT_NE(refusal([] { parseRule("-1"); }).find("-1 mm is not allowed"), std::string::npos);
   for (const char* text : {"", "bolt", "=3", "  =3"}) refusal([&] { parseNamedRule(text); });
   EXPECT_NE(refusal([] {
               checkRule({1.0, 0.0}, "the rule of neighbour 'a'");
