@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // A vertex is three odd integers in units of 2^-17 cell; lattice lines lie at multiples of 2^17.
-// A lattice line along axis W = 0, 1, 2 is identified by its other two coordinates U and V, in
-// ascending order of the axes; ordered(p, W) is (p.U, p.V, p.W).
+// A lattice line along axis W = 0, 1, 2 is identified by its coordinates along the other two axes,
+// U and V, in ascending order of the axes; ordered(p, W) is (p.U, p.V, p.W).
 
 const int kSubBits = 17;
 const int kSubUnits = 1 << kSubBits;
 
-layout(location = 0) uniform ivec3 brickLow;   // first lattice point
-layout(location = 1) uniform ivec3 brickSize;  // lattice points
+layout(location = 0) uniform ivec3 brickLow;   // first lattice point of the brick
+layout(location = 1) uniform ivec3 brickSize;  // number of lattice points along each axis
 
 ivec3 ordered(ivec3 p, int axis) {
   return axis == 0 ? p.yzx : axis == 1 ? p.xzy : p.xyz;
@@ -37,7 +37,7 @@ uvec2 plus(uvec2 x, uvec2 y) {
 int signOf(uvec2 x) {
   return int(x.y) < 0 ? -1 : (x.x | x.y) == 0u ? 0 : 1;
 }
-// x * y' - x' * y
+// Returns a.x * b.y - a.y * b.x.
 uvec2 crossOf(ivec2 a, ivec2 b) {
   return minus(product(a.x, b.y), product(a.y, b.x));
 }

@@ -1,10 +1,11 @@
 // Snaps a corner of a swept element to the fine lattice, exactly as grid/snap.h does.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Each element has four corners. A face: its three vertices at its placement (the fourth is not
-// used). The side patch of edge (a, b): a, b at the start of its step, then b, a at the end.
-// Listed elements come from a buffer. Otherwise each instance is a placement and draws all faces
-// and then, for a continuous motion, all edges.
+// Each element has four corners. Those of a face are its three vertices at its placement (the
+// fourth is not used). Those of the side patch of an edge (a, b) are a and b at the start of its
+// step, then b and a at the end of the step.
+// If `listed` is set, the elements come from a buffer. Otherwise ("instanced"), each instance is a
+// placement and draws all faces and then, for a continuous motion, all edges.
 
 layout(std430, binding = 0) readonly buffer Vertices { double vertices[]; };     // x, y, z each
 layout(std430, binding = 1) readonly buffer Faces { int faces[]; };              // 3 per face
@@ -13,14 +14,17 @@ layout(std430, binding = 3) readonly buffer Placements { double placements[]; };
 layout(std430, binding = 4) readonly buffer Elements { uvec2 elements[]; };      // code, placement
 
 layout(location = 2) uniform uint listed;
-layout(location = 3) uniform uint firstElement;    // of this draw: in the buffer or a placement
+// Index of the first element of this draw: in the buffer if listed, else among the elements of a
+// placement.
+layout(location = 3) uniform uint firstElement;
 layout(location = 4) uniform uint firstPlacement;  // first placement of this draw (instanced)
 layout(location = 5) uniform uint placementBase;   // first placement in the buffer
-layout(location = 6) uniform uint placementCount;  // of the whole motion
+layout(location = 6) uniform uint placementCount;  // number of placements of the whole motion
 layout(location = 7) uniform uint faceCount;
-layout(location = 8) uniform uint elementCount;    // faces, or faces and edges (instanced)
-layout(location = 9) uniform uint idBase;          // listed: number of the first in the buffer;
-                                                   // else: first placement of the epoch
+layout(location = 8) uniform uint elementCount;    // elements of one placement (instanced)
+// Listed: number of the first element in the buffer. Instanced: the placement whose first element
+// has number 0.
+layout(location = 9) uniform uint idBase;
 
 const uint kPatchBit = 0x80000000u;
 

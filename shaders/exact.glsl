@@ -1,7 +1,7 @@
-// Decides whether this fragment's lattice line intersects the triangle, and where. It makes the
-// same exact decision as grid/rasterise.h, in 32-bit integers (products in 64 and 96 bits). Ties
-// are decided by the same simulation of simplicity. So GPU and CPU find the same lattice edge for
-// every triangle and line.
+// Decides whether this fragment's lattice line intersects the triangle, and where. The decision is
+// the same exact one as in grid/rasterise.h, in 32-bit integers (products in 64 and 96 bits), with
+// the same simulation of simplicity for ties. So GPU and CPU find the same lattice edge for every
+// triangle and line.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 flat in ivec3 a;
@@ -14,8 +14,8 @@ struct Crossing {
   uint fraction;  // in units of 1 / (2^23 - 1)
 };
 
-// Decides a tie, in which the line lies exactly on an edge: returns whether the edge function is
-// positive at the shifted line.
+// Breaks the tie for a line exactly on an edge with the direction d: returns whether the edge
+// function is positive at the shifted line.
 bool tieIsInside(ivec2 d) {
   return d.y < 0 || (d.y == 0 && d.x > 0);
 }
@@ -45,14 +45,15 @@ int normalSign(ivec3 p, ivec3 q, int axis) {
   return signOf(crossOf(ivec2(p[i], p[j]), ivec2(q[i], q[j])));
 }
 
-// Returns whether the crossing lies above lattice point k of the line.
+// Returns whether the crossing lies above the shifted lattice point k of the line.
 bool isAbove(uvec2 e0, uvec2 e1, uvec2 e2, uvec2 area2, int k, int axis) {
   uvec3 numerator = sum(sum(times(e0, uint(a.z)), times(e1, uint(b.z))), times(e2, uint(c.z)));
   uvec3 point = times(area2, uint(k) << kSubBits);
   for (int i = 2; i >= 0; --i) {
     if (numerator[i] != point[i]) return numerator[i] > point[i];
   }
-  // The lattice point is on the plane. The first axis along which a move leaves the plane decides.
+  // The lattice point lies on the plane. The first axis along which a shift leaves the plane
+  // decides.
   ivec3 p = unordered(b - a, axis), q = unordered(c - a, axis);
   int along = normalSign(p, q, axis);
   for (int i = 0; i < 3; ++i) {

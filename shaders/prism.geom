@@ -4,7 +4,7 @@
 // One invocation per axis draws into the viewport of its axis. Pixel centres are lattice lines. The
 // rasteriser gets a polygon slightly larger than the triangle: its Minkowski sum with a square of
 // half side kGrow. So every lattice line through the triangle becomes a fragment, however the
-// rasteriser rounds corners (1/256 pixel), and the fragment stage decides exactly (conservative
+// rasteriser rounds corners (to 1/256 pixel), and the fragment stage decides exactly (conservative
 // rasterisation, Hasselgren, Akenine-Moeller and Ohlsson 2005).
 
 layout(lines_adjacency, invocations = 3) in;
@@ -22,7 +22,7 @@ flat out ivec3 c;
 flat out uvec2 idAndAxis;
 
 const float kGrow = 1.0 / 16.0;
-const int kFewLines = 6;
+const int kFewLines = 6;  // a triangle whose box has at most this many lines is drawn as the box
 
 ivec3 low, size;  // of the brick, ordered for this axis
 
@@ -36,7 +36,8 @@ void put(vec2 pixel, ivec3 p, ivec3 q, ivec3 r) {
   EmitVertex();
 }
 
-// Quadrants are half open. Between two successive outward normals lie 0, 1 or 2 of their borders.
+// Returns the quadrant of a direction. Quadrants are half open. Between the outward normals of two
+// successive sides lie 0, 1 or 2 borders of quadrants.
 int quadrantOf(ivec2 n) {
   return n.x > 0 && n.y >= 0 ? 0 : n.x <= 0 && n.y > 0 ? 1 : n.x < 0 ? 2 : 3;
 }

@@ -1,8 +1,9 @@
 // Pass 2: finds for every contributing edge the first and last crossing, and their elements.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Round 0 finds the extreme fractions, round 1 the lowest element number with each of them. The
-// edges come as a sorted list of codes: the index of the edge's bit in the image of pass 1.
+// Round 0 finds the lowest and the highest fraction; round 1 finds, for each of the two, the lowest
+// number of an element that crosses the edge there. The edges come as a sorted list of codes. A
+// code is the index of the edge's bit in the image of pass 1.
 
 layout(std430, binding = 5) readonly buffer Codes { uint codes[]; };
 layout(std430, binding = 6) coherent buffer Extremes { uint extremes[]; };  // low, high

@@ -6,7 +6,7 @@
 
 namespace swept {
 
-/// mm, for lengths and for coordinates. A larger input probably has the wrong unit.
+/// Largest length and largest coordinate, in mm. A larger input probably has the wrong unit.
 constexpr double kLargestLength = 1e9;
 /// Largest number of vertices or of triangles: their indices have 32 bits.
 constexpr std::uint64_t kMaxElements = 2147483647;

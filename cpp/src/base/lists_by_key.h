@@ -25,7 +25,8 @@ class ListsByKey {
     forAll([&](std::size_t key, const Value&) {
       std::atomic_ref<std::uint32_t>(start_[key]).fetch_add(1, std::memory_order_relaxed);
     });
-    // Inclusive prefix sums. The second pass counts each entry down to the start of its list.
+    // After this sum, start_[key] is the end of the list of `key`. The second pass fills each list
+    // from its end and so counts start_[key] down to the start of the list.
     std::uint32_t sum = 0;
     for (std::uint32_t& end : start_) end = sum += end;
     values_ = RawArray<Value>(sum);

@@ -36,7 +36,7 @@ std::uint64_t lineOf(const char* path, const std::string& name) {
 
 std::uint64_t residentMemoryBytes() {
 #ifdef __linux__
-  // Allocates nothing: callers run it when memory may be exhausted, and in a thread of its own.
+  // This function allocates nothing, because it also runs when the memory may be exhausted.
   const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
   if (file < 0) return 0;
   std::array<char, 128> text{};

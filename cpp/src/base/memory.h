@@ -18,15 +18,15 @@ std::uint64_t residentMemoryBytes();
 
 /// Measures the largest resident size of the process during the life of this object, whatever part
 /// of the process uses the memory. Several objects may live at once, since none changes the
-/// process. If the system's own peak rises, the object uses that peak. If the process has been
-/// larger before, a thread reads the size every kMemoryMilliseconds.
+/// process. If the process grows beyond its earlier peak, the result is the new peak that the
+/// system reports. Else it is the largest size that a thread read, every kMemoryMilliseconds.
 class MemoryWatch {
  public:
   MemoryWatch();
   ~MemoryWatch();
   MemoryWatch(const MemoryWatch&) = delete;
   MemoryWatch& operator=(const MemoryWatch&) = delete;
-  /// Bytes; 0 if the system does not report it.
+  /// Returns the largest size so far, in bytes; 0 if the system does not report it.
   std::uint64_t peakBytes() const;
 
  private:
@@ -39,7 +39,8 @@ class MemoryWatch {
   bool ended_ = false;
   std::thread thread_;
 };
-/// Time between two readings. A reading takes about 10 microseconds: 0.2 % of a thread.
+/// Time between two readings. A reading takes about 10 microseconds, so a watch uses 0.2 % of a
+/// core.
 constexpr int kMemoryMilliseconds = 5;
 
 /// Returns the memory that the process can take without swapping, in bytes; 0 if not known.

@@ -15,7 +15,7 @@ std::string numberText(double value, int digits = 6);
 /// Formats a number with `decimals` digits after the point, as %.nf does in the locale "C".
 std::string fixedText(double value, int decimals);
 
-/// Joins texts and numbers. Floating-point numbers are formatted by numberText().
+/// Joins texts and numbers. Floating-point numbers are formatted by numberText(number, digits).
 template <class... Parts>
 std::string textOf(int digits, const Parts&... parts) {
   std::string text;

@@ -1,6 +1,6 @@
 // Loops over all cores. The result is the same for any number of threads: the items of work do not
-// depend on the thread count, and each item writes to its own places. A failure is the same, too:
-// the loop throws the exception of the first item, in the order of the loop, that fails.
+// depend on the thread count, and each item writes only its own part of the output. A failure is
+// the same, too: the loop throws the exception of the failing item with the lowest index.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -45,7 +45,7 @@ void parallelFor(std::size_t n, const Body& body) {
   if (what) std::rethrow_exception(what);
 }
 
-/// Calls body(begin, end) for blocks of fixed size. Use it for cheap items.
+/// Calls body(begin, end) for successive ranges of `block` items. Use it for cheap items.
 template <class Body>
 void parallelBlocks(std::size_t n, std::size_t block, const Body& body) {
   const std::size_t blocks = (n + block - 1) / block;
@@ -55,7 +55,8 @@ void parallelBlocks(std::size_t n, std::size_t block, const Body& body) {
   });
 }
 
-/// Calls use(n, part) for n in [0, count) and concatenates all parts in the order of n.
+/// Calls use(n, list) for each n in [0, count); `use` appends values to `list`. Returns all values
+/// in the order of n. Each list serves `block` successive calls.
 template <class T, class Use>
 std::vector<T> gather(std::size_t count, std::size_t block, const Use& use) {
   std::vector<std::vector<T>> parts(count / block + 1);

@@ -13,7 +13,8 @@ namespace swept {
 
 using Json = nlohmann::ordered_json;
 
-/// Rises when a key changes its meaning or disappears. New keys do not change it.
+/// Version of the report format. It rises when a key changes its meaning or disappears, but not
+/// when a key is added.
 constexpr int kReportVersion = 1;
 
 /// Returns the beginning of every report: version, command, status, code and message.

@@ -71,8 +71,8 @@ unsigned createPrivate([[maybe_unused]] const fs::path& file) {
 #endif
 }
 
-// Flushes the file to the disk: a full disk may only show here. A system that cannot flush (EINVAL)
-// is no error.
+// Flushes the file to the disk. Some systems report a full disk only at this point. A file system
+// that cannot flush (EINVAL) is no error.
 void syncToDisk([[maybe_unused]] const fs::path& file, [[maybe_unused]] const std::string& name) {
 #ifndef _WIN32
   const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);

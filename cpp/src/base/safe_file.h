@@ -21,11 +21,13 @@ std::string utf8FromPath(const std::filesystem::path& path);
 /// Returns the suffix in lower case without the dot ("ply"); empty if there is none.
 std::string suffixOf(const std::string& path);
 
-/// Throws if a file cannot be written there now: the folder must exist and be writable, and the
-/// target must not be a folder, a device or write-protected. Call it before a long computation.
+/// Throws if the file `path` cannot be written now: its folder must exist and be writable, and
+/// `path` must not name a folder, a device or a write-protected file. Call it before a long
+/// computation.
 void checkTarget(const std::string& path);
 
-/// Name of a file. The destructor removes the file, even if it was created but could not be opened.
+/// Name of a temporary file. The destructor removes the file, even if the file was created but
+/// could not be opened.
 struct TemporaryName {
   std::filesystem::path path;  ///< empty: no file to remove
   ~TemporaryName();
@@ -47,7 +49,7 @@ class SafeFile {
   std::string target() const { return utf8FromPath(target_); }
   /// Closes the stream and checks that all bytes were written. commit() calls it as well.
   void close();
-  /// Renames the temporary file to the target. Returns its size in bytes.
+  /// Renames the temporary file to the target. Returns the size of the file in bytes.
   std::uint64_t commit();
 
  private:
@@ -55,7 +57,7 @@ class SafeFile {
   std::filesystem::path target_;
   TemporaryName temporary_;  // removed after the stream is closed
   std::ofstream stream_;
-  unsigned mode_ = 0;  // of the finished file, if no old file gives its own mode
+  unsigned mode_ = 0;  // access mode of the finished file if it replaces no old file
 };
 
 }  // namespace swept

@@ -12,7 +12,7 @@
 
 namespace swept {
 
-/// Returns one set per member.
+/// Returns sets of one member each.
 template <class Number>
 std::vector<Number> singleSets(std::size_t members) {
   std::vector<Number> parent(members);

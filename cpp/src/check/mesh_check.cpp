@@ -37,8 +37,8 @@ struct Sums {
   std::int64_t degenerate = 0;
 };
 
-/// Sums over blocks of fixed size, then adds the blocks in order: any number of threads gives the
-/// same digits.
+/// Sums over blocks of fixed size, then adds the sums of the blocks in order, so the result does
+/// not depend on the number of threads, not even by rounding.
 Sums measure(const TriMesh& mesh, const Eigen::Vector3d& origin, RunContext& run) {
   std::vector<Sums> parts((mesh.triangles.size() + kBlock - 1) / kBlock);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
@@ -54,7 +54,8 @@ Sums measure(const TriMesh& mesh, const Eigen::Vector3d& origin, RunContext& run
       sums.volume += a.dot(n) / 6;
       const double twice = n.norm();
       sums.area += twice / 2;
-      // An area far above rounding is not zero; for a smaller area, the exact test decides.
+      // An area far above the rounding error cannot be zero. For a smaller one, the exact test
+      // decides.
       if (!(twice > 1e-14 * (u.squaredNorm() + v.squaredNorm()))) {
         sums.degenerate +=
             collinear(mesh.vertices[tri[0]], mesh.vertices[tri[1]], mesh.vertices[tri[2]]);
@@ -105,8 +106,8 @@ std::vector<std::int32_t> nestedShells(const std::vector<ShellExtent>& shells, R
   return nested;
 }
 
-/// Marks the cavities: shells inside an odd number of other shells. The rest bound material from
-/// outside.
+/// Marks the cavities: shells inside an odd number of other shells. All other shells bound material
+/// from outside.
 std::vector<std::uint8_t> findCavities(const TriMesh& mesh, const Shells& shells,
                                        const std::vector<ShellExtent>& extents, RunContext& run) {
   const std::vector<std::int32_t> nested = nestedShells(extents, run);

@@ -7,8 +7,8 @@
 // A mesh is oriented if two things hold. Its triangles run along every edge as often in one
 // direction as in the other, and the normals of every shell point away from its material. A shell
 // inside an even number of other shells bounds material from outside; any other shell bounds a
-// cavity. A non-manifold vertex has more than one fan of triangles. A fan ends at edges that do not
-// have exactly two triangles.
+// cavity. A fan is a group of triangles round a vertex, connected over edges that have exactly two
+// triangles. A non-manifold vertex has more than one fan.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,16 +23,17 @@
 
 namespace swept {
 
-/// Does the same as checkMesh() of swept/compute.h. Without `withSelfIntersections`, it reports -1
-/// self-intersections. Throws Error(InvalidInput, "BadIndex") if a triangle refers to a missing
-/// vertex, and Error(Cancelled).
+/// Does the same as checkMesh() of swept/compute.h. Without `withSelfIntersections`, the number of
+/// self-intersections in the result is -1. Throws Error(InvalidInput, "BadIndex") if a triangle
+/// refers to a missing vertex, and Error(Cancelled).
 MeshCheck checkMesh(const TriMesh& mesh, bool withSelfIntersections, RunContext& run);
 
 /// Does the same as checkMesh(mesh, true, run); `found` also receives all pairs of intersecting
 /// triangles, not only the first ones.
 MeshCheck checkMesh(const TriMesh& mesh, SelfIntersections& found, RunContext& run);
 
-/// Checks everything but self-intersections (-1), and returns the connectivity in `topology`.
+/// Checks everything but self-intersections, whose number in the result is -1. Writes the
+/// connectivity to `topology`.
 MeshCheck checkMesh(const TriMesh& mesh, MeshTopology& topology, RunContext& run);
 
 struct InsideOutShell {

@@ -23,8 +23,8 @@ struct Fan {
   bool consistent = false;  ///< every step led to a triangle of the same orientation
 };
 
-/// Walks round a vertex from `start`, over edges with two triangles. `forward` starts
-/// counter-clockwise.
+/// Walks round a vertex from the corner `start`, over edges with two triangles, and appends the
+/// corners to `fan`. The walk starts counter-clockwise if `forward` is set, else clockwise.
 void walk(const TriMesh& mesh, const RawArray<std::uint32_t>& across, std::uint32_t start,
           bool forward, Fan& fan) {
   const std::int32_t v = mesh.triangles[start / 3][start % 3];
@@ -64,7 +64,7 @@ bool isDisc(const TriMesh& mesh, const Fan& fan) {
     n += out.cross(in);
     out = in;
   }
-  // A direction in the plane across n: exactly perpendicular to n, and not short.
+  // (wa, wb), along the axes a and b, is a vector exactly perpendicular to n and not short.
   int a = 0;
   n.cwiseAbs().maxCoeff(&a);
   const int b = (a + 1) % 3;
@@ -86,7 +86,8 @@ bool isDisc(const TriMesh& mesh, const Fan& fan) {
   return turns == 1;
 }
 
-/// Returns any one corner of every vertex; the choice does not change the counts.
+/// Returns any one corner of every vertex; kNoNeighbour for a vertex without triangles. The choice
+/// does not change the result of the check.
 std::vector<std::uint32_t> someCorner(const TriMesh& mesh) {
   std::vector<std::uint32_t> corner(mesh.vertices.size(), kNoNeighbour);
   tbb::parallel_for(Range(0, mesh.triangles.size(), kGrain), [&](const Range& range) {

@@ -2,8 +2,9 @@
 //
 // Edge number a * 4 + ob + 2 * oc runs along axis a. ob and oc (0 or 1) say on which side of the
 // cell the edge lies along the axes b = a + 1 and c = a + 2 (mod 3).
-// Slot number edge * 2 + side holds the crossing that is seen from the low (0) or high (1) end of
-// the edge.
+// Slot number edge * 2 + side holds the crossing that is "seen" from the low (0) or high (1) end of
+// the edge: the first crossing on the way from this end. The slot is empty unless the end lies
+// outside.
 // Face number a * 2 + s is perpendicular to axis a and lies at the low (s = 0) or high (s = 1) side
 // of the cell.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -20,8 +21,8 @@ namespace swept {
 constexpr int kEdges = 12, kSlots = 24, kFaces = 6;
 
 /// Vertices stay this far from the walls of their cell (fraction of the cell), so that the vertices
-/// of two neighbouring cells never coincide. It is a thousand times the rounding of the 32-bit
-/// local positions, but invisible.
+/// of two neighbouring cells never coincide. The margin is a thousand times the rounding of the
+/// 32-bit local positions, but too small to be visible.
 constexpr double kCellMargin = 1e-4;
 
 constexpr int edgeOf(int axis, int ob, int oc) { return axis * 4 + ob + 2 * oc; }
@@ -29,7 +30,7 @@ constexpr int edgeOf(int axis, int ob, int oc) { return axis * 4 + ob + 2 * oc; 
 struct Cell {
   std::uint32_t mask = 0;  ///< one bit per slot, set if the slot holds a crossing
   std::uint16_t k = 0;
-  /// Per edge: index of the crossing in its lowest filled slot.
+  /// Per edge: index of the crossing in the lowest filled slot of the edge.
   std::array<std::uint32_t, kEdges> first;
 
   bool has(int slot) const { return (mask >> slot & 1u) != 0; }
@@ -65,7 +66,7 @@ constexpr std::array<std::array<FaceStep, 4>, kFaces> makeFaceWalks() {
 }
 inline constexpr auto kFaceWalks = makeFaceWalks();
 
-/// Position of a crossing in the coordinates of its cell, [0, 1]^3.
+/// Returns the position of a crossing in the coordinates of its cell, [0, 1]^3.
 inline Eigen::Vector3d localPosition(int edge, float fraction) {
   const int a = edge >> 2;
   Eigen::Vector3d p;
@@ -75,7 +76,7 @@ inline Eigen::Vector3d localPosition(int edge, float fraction) {
   return p;
 }
 
-/// Number (x + 2 y + 4 z) of the corner at the low (0) or high (1) end of an edge.
+/// Returns the number (x + 2 y + 4 z) of the corner at the low (0) or high (1) end of an edge.
 constexpr int cornerOf(int edge, int end) {
   const int a = edge >> 2, b = (a + 1) % 3, c = (a + 2) % 3;
   return end << a | (edge & 1) << b | (edge >> 1 & 1) << c;

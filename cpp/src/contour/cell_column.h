@@ -31,8 +31,9 @@ class CellColumn {
   }
 
  private:
-  /// `here` is the number of the edge in the cell at the edge's own k. `below` is its number in the
-  /// cell at k - 1, or -1 if that cell does not contain the edge.
+  /// Adds the crossed edges (axis, i, j, k), for all k, to the cells of the column. `here` is the
+  /// number of such an edge in the cell with the same k. `below` is its number in the cell with
+  /// k - 1, or -1 if that cell does not contain the edge.
   void addEdges(int axis, std::int32_t i, std::int32_t j, int here, int below) {
     const HermiteLayer& layer = grid_.layers[i];
     const auto& start = layer.columnStart[axis];

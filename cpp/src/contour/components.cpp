@@ -18,10 +18,10 @@ constexpr std::array<std::uint32_t, kFaces> makeFaceMasks() {
 }
 constexpr auto kFaceMasks = makeFaceMasks();
 
-/// A crossing on the face, in the order of the walk.
+/// A crossing on a face. The walk round the face passes the stops in their order.
 struct Stop {
   int slot;
-  bool enters;  ///< the walk passes from outside to inside here
+  bool enters;  ///< at this crossing, the walk passes from outside to inside
   float x, y;   // position on the face
   const Crossing* crossing;
 };
@@ -34,7 +34,8 @@ int collectStops(const Cell& cell, int face, const Crossing* crossings,
     for (int side = 0; side < 2; ++side) {
       const int slot = 2 * step.edge + (step.backward ? 1 - side : side);
       if (!cell.has(slot)) continue;
-      // The walk enters the inside at the crossing that is seen from the end where the walk starts.
+      // The walk enters the inside if the crossing is seen from the end of the edge at which the
+      // walk begins.
       const bool fromLow = (slot & 1) == 0;
       Stop& stop = stops[n++];
       stop.slot = slot;

@@ -43,8 +43,8 @@ struct FacePairs {
 /// grid, to which the cell's indices refer.
 FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings);
 
-/// For every slot, its partners on the two faces that contain its crossing. The links form closed
-/// rings.
+/// Links every slot to its partners on the two faces that contain its crossing. The links form
+/// closed rings.
 class SlotLinks {
  public:
   void join(int p, int q) {
@@ -68,9 +68,10 @@ class SlotLinks {
 /// Links the pairs of all faces of a cell by the consistent rule.
 SlotLinks linkSlots(const Cell& cell, const Crossing* crossings);
 
-/// Number of crossings on a face, from the cell's mask alone.
+/// Returns the number of crossings on a face of a cell with this mask.
 int faceCrossings(std::uint32_t mask, int face);
-/// Whether the face has more than two crossings, so that they can be paired in several ways.
+/// Returns whether the face has more than two crossings, so that they can be paired in several
+/// ways.
 bool hasChoice(std::uint32_t mask, int face);
 
 class ComponentFinder {

@@ -19,9 +19,9 @@ namespace swept {
 namespace {
 
 /// A vertex stays in its cell if the root mean square distance of its planes from the best point in
-/// the cell is below this (in cells). Most creases that seem to lead out of the cell only pass it
-/// beside the mass point. A vertex that follows such a crease intersects the surface of its
-/// neighbours: following all creases gave 1,484 intersecting pairs on fandisk_keys16 at 256 cells,
+/// the cell is at most this (in cells). The planes then nearly meet inside the cell: the crease
+/// passes through the cell, although its point next to the mass point lies outside. Moving these
+/// vertices out of their cells, too, gave 1,484 intersecting pairs on fandisk_keys16 at 256 cells;
 /// this limit gives 62.
 constexpr double kMinEscapeMiss = 0.03;
 
@@ -31,19 +31,20 @@ struct VertexFit {
     out = std::max((-free).maxCoeff(), (free.array() - 1).maxCoeff());
     meanSquaredMiss = qef.error(best) / qef.count();
   }
-  /// Whether the planes meet outside the cell, less than a cell away, and miss every point in the
-  /// cell.
+  /// Returns whether the planes meet outside the cell, less than a cell away, and have no common
+  /// point in the cell.
   bool mayEscape() const {
     return out > kCellMargin && out < 1 - kCellMargin &&
            meanSquaredMiss > kMinEscapeMiss * kMinEscapeMiss;
   }
-  /// Whether the planes clearly have no common point in the cell: a side may be hidden
-  /// (hidden_side.h).
+  /// Returns whether the planes clearly have no common point in the cell. The surface then may have
+  /// a side in the cell that no grid edge meets (hidden_side.h).
   bool missesCell() const {
     constexpr double kMinMiss = 0.1;  // cells; docs/contouring.md, "Known sides"
     return meanSquaredMiss > kMinMiss * kMinMiss;
   }
-  /// Whether clearly different planes meet outside the cell and miss it by a little.
+  /// Returns whether clearly different planes meet outside the cell and keep at least a small mean
+  /// distance from every point in the cell.
   bool mayHideSide() const {
     // Cells; 679 of the fandisk's 146,000 cells are probed with these limits (docs/contouring.md).
     constexpr double kMinOutside = 0.02, kMinMiss = 0.008;
@@ -51,16 +52,16 @@ struct VertexFit {
            qef.sharpness() > kMinSharpness;
   }
 
-  /// Planes that differ by a few degrees only have no reliable point in common. If they do not
-  /// coincide either, the crossings are inexact by about the distance between the planes. A vertex
-  /// at the point where the planes seem to meet would slide along the surface and through the other
-  /// side of a thin wall. The minimiser is therefore damped towards the mass point, by the mean
-  /// squared distance to the planes (docs/contouring.md, "Sides of thin walls": 32,585 intersecting
-  /// pairs without damping, 25,177 with it).
+  /// Damps the minimiser towards the mass point if the planes differ by only a few degrees, because
+  /// such planes have no reliable common point. If they do not coincide either, the crossings are
+  /// inexact by about the distance between the planes. A vertex at the point where the planes seem
+  /// to meet would slide along the surface and through the other side of a thin wall. The damping
+  /// grows with the mean squared distance to the planes (docs/contouring.md, "Sides of thin walls":
+  /// 32,585 intersecting pairs without damping, 25,177 with it).
   void keepNear() {
     constexpr double kMaxSharpness = 0.002;  // sharpness of two planes that differ by 5 degrees
-    // Distance of the planes from the best point (cells) at which the damping weighs as much as all
-    // planes.
+    // If the planes are this far from the best point (cells), the damping weighs as much as all
+    // planes together.
     constexpr double kFullDamping = 0.3;
     const double damping = meanSquaredMiss / (kFullDamping * kFullDamping);
     if (damping < 2 * Qef::kDamping || qef.sharpness() > kMaxSharpness) return;
@@ -74,7 +75,7 @@ struct VertexFit {
   double meanSquaredMiss;  // mean squared distance of the planes from `best`
 };
 
-/// Results of one layer of cells, besides its vertices, for the later steps.
+/// What later steps need to know of one layer of cells besides its vertices.
 struct LayerNotes {
   std::vector<FaceSegment> ambiguous;
   std::vector<Escape> escapes;
@@ -155,7 +156,8 @@ class LayerBuilder {
     vertices.insert(vertices.end(), twins_.begin(), twins_.end());
   }
 
-  /// `at` is the index that the vertex will have in its layer.
+  /// Sets the position of a vertex. Notes an escape if the planes meet outside the cell. `at` is
+  /// the index that the vertex will have in its layer.
   void setPosition(const VertexFit& fit, DualVertex& vertex, std::size_t at) {
     vertex.local = fit.best.cast<float>();
     if (!fit.mayEscape()) return;
@@ -239,7 +241,7 @@ class LayerBuilder {
   Components components_;
   LayerNotes* notes_ = nullptr;
   std::array<Qef, kSlots / 2> qefs_;  // of the current cell
-  std::vector<DualVertex> twins_;     // its second vertices of split components
+  std::vector<DualVertex> twins_;     // of the current cell: second vertices of split components
   bool segments_;
   const SurfaceProbe* probe_;
 };

@@ -58,9 +58,11 @@ struct DualSurface {
   std::vector<FaceSegment> ambiguous;  ///< the segments on ambiguous faces, by layer
   std::vector<RimSegment> rims;        ///< each segment once, ordered by its first crossing
 
-  /// Global index of the vertex at a quad's corner; i is the layer of the quad's lattice edge.
+  /// Returns the global index of the vertex at a quad's corner; i is the layer of the quad's
+  /// lattice edge.
   std::uint32_t vertex(int axis, std::int32_t i, std::uint32_t crossing, int corner) const {
-    // Corners 0 and 3 lie at -b, corners 0 and 1 at -c. The x axis is b of axis 2 and c of axis 1.
+    // A corner at -x lies in the layer i - 1. Corners 0 and 3 lie at -b, corners 0 and 1 at -c; x
+    // is b for axis 2 and c for axis 1.
     const bool lower =
         (axis == 2 && (corner == 0 || corner == 3)) || (axis == 1 && (corner == 0 || corner == 1));
     return firstVertex[lower ? i - 1 : i] + quads[crossing][corner];
@@ -79,13 +81,14 @@ struct DualSurface {
   }
 };
 
-/// `probe` finds the ends of thin walls and hidden sides. With nullptr, a wall ends at its last
-/// crossing.
+/// Builds the dual surface. `probe` finds the ends of thin walls and hidden sides. With nullptr, a
+/// wall ends at its last crossing.
 DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
                              const SurfaceProbe* probe, RunContext& run);
 
-/// Contours one cell to find out what its probe lines cost (pipeline/probe_trial.cpp), and drops
-/// the result. The cell lies at the origin; its indices refer to `crossings`.
+/// Contours one cell and drops the result. pipeline/probe_trial.cpp measures the time of such calls
+/// to estimate the cost of probe lines. The cell lies at the origin; its indices refer to
+/// `crossings`.
 void probeCell(const Cell& cell, const std::vector<Crossing>& crossings, ComponentMethod method,
                const SurfaceProbe& probe);
 

@@ -12,11 +12,11 @@
 namespace swept {
 namespace {
 
-/// Up to this unevenness, two arcs count as two planes.
+/// Two arcs count as flat if the sum of their unevenness() is at most this.
 constexpr double kMaxFlatUnevenness = 2e-3;
-/// Lines start this far outside the surface and end as far inside (cells).
+/// Probe lines start this far outside the surface and end as far inside (cells).
 constexpr double kLineOvershoot = 0.02;
-/// A hit shows a known side if its normal and that of a crossing have a |cosine| above this (20
+/// A hit lies on a known side if its normal and that of a crossing have a |cosine| above this (20
 /// degrees).
 constexpr double kMinKnownCosine = 0.94;
 /// Half the length (cells) of the line that checks whether a vertex lies on the surface.
@@ -55,7 +55,8 @@ Qef planesOf(const Points& points) {
   return planes;
 }
 
-/// Whether the ring has both sides of a thin wall. Such a ring shows no ledge; see wall_end.h.
+/// Returns whether the ring has crossings on both sides of a thin wall. This search does not apply
+/// to such rings; see wall_end.h.
 bool hasOpposed(const Points& ring) {
   for (const Point& p : ring) {
     for (const Point& q : ring) {
@@ -65,7 +66,7 @@ bool hasOpposed(const Points& ring) {
   return false;
 }
 
-/// Mean of `count` crossings of the ring, starting with number `begin`.
+/// Returns the mean of `count` crossings of the ring, starting with number `begin`.
 Point mean(const Points& ring, std::size_t begin, std::size_t count) {
   Point m{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (std::size_t n = begin; n < begin + count; ++n) {
@@ -77,7 +78,8 @@ Point mean(const Points& ring, std::size_t begin, std::size_t count) {
 }
 Point mean(const Points& points) { return mean(points, 0, points.size()); }
 
-/// How far these crossings are from one plane: squared differences of normals and heights, summed.
+/// Returns how far `count` crossings of the ring, starting with number `begin`, are from lying in
+/// one plane: the sum of the squared differences of their normals and heights from the mean.
 double unevenness(const Points& ring, std::size_t begin, std::size_t count) {
   const Point m = mean(ring, begin, count);
   double sum = 0;
@@ -98,7 +100,7 @@ std::array<Points, 2> arcsOf(const Points& ring, std::size_t begin, std::size_t 
   return arcs;
 }
 
-/// Returns the two arcs of the ring that are flattest; `least` receives their unevenness.
+/// Cuts the ring into two arcs with the least sum of unevenness; `least` receives this sum.
 std::array<Points, 2> flattestArcs(const Points& ring, double& least) {
   std::size_t bestBegin = 0, bestCount = 1;
   least = std::numeric_limits<double>::max();
@@ -115,7 +117,8 @@ std::array<Points, 2> flattestArcs(const Points& ring, double& least) {
   return arcsOf(ring, bestBegin, bestCount);
 }
 
-/// Whether the crossing before number `at` lies on another plane.
+/// Returns whether crossing `at` of the ring and the crossing before it lie in different planes, so
+/// that an arc may begin at `at`.
 bool beginsArc(const Points& ring, std::size_t at) {
   constexpr double kMinAlikeCosine = 0.98, kMaxLevelOffset = 0.05;  // cosine; cells
   const Point &p = ring[(at + ring.size() - 1) % ring.size()], &q = ring[at % ring.size()];
@@ -125,10 +128,10 @@ bool beginsArc(const Points& ring, std::size_t at) {
          std::abs(q.normal.dot(direction)) > kMaxLevelOffset;
 }
 
-/// Cuts the ring into two arcs and picks one more crossing at an end of an arc: it shows the side
-/// between the arcs. The planes of each arc must meet the plane of this crossing in an edge or
-/// corner within the cell. Returns the best such crossing, with its `arcs`; nothing if no two
-/// features explain all planes.
+/// Looks for a known side: a side between two arcs of the ring, with a crossing of its own. Cuts
+/// the ring into two arcs in all ways, and tries the crossings at the ends of the arcs. The planes
+/// of each arc must meet the plane of such a crossing in an edge or corner within the cell. Returns
+/// the best crossing, and the arcs in `arcs`; nothing if there is no such crossing.
 std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
   std::optional<Point> found;
   double least = kMaxPlaneMiss * kMaxPlaneMiss;
@@ -159,7 +162,7 @@ std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& ar
   return found;
 }
 
-/// Returns the largest group of similar hits on a side that no crossing shows.
+/// Returns the largest group of hits with similar normals on a side without crossings of the ring.
 std::vector<ProbeLine> hitsOfNewSide(const Points& ring, const std::vector<ProbeLine>& lines) {
   std::vector<ProbeLine> fresh, best;
   for (const ProbeLine& line : lines) {
@@ -198,8 +201,8 @@ class Search {
       lines.push_back(
           line(q.position + kLineOvershoot * q.normal, p.position - kLineOvershoot * p.normal));
     };
-    // The mean of a bent arc lies beside the surface, perhaps inside the solid. A line from there
-    // proves nothing, so only the means of flat arcs are joined.
+    // The mean of a bent arc lies beside the surface, perhaps inside the solid. A line from such a
+    // point proves nothing, so only the means of flat arcs are joined.
     constexpr double kMaxBent = 0.02;
     if (unevenness(arcs[0], 0, arcs[0].size()) < kMaxBent &&
         unevenness(arcs[1], 0, arcs[1].size()) < kMaxBent) {
@@ -211,8 +214,8 @@ class Search {
     return lines;
   }
 
-  /// Whether the planes of the points and of the hits meet in one point on the surface. The point
-  /// must lie in the cell, or at most `outside` cells away from it.
+  /// Returns whether the planes of the points and of the hits meet in one point on the surface. The
+  /// point must lie in the cell, or at most `outside` cells away from the cell.
   bool meets(const Points& points, const std::vector<ProbeLine>& hits, double outside = 0) const {
     Qef planes = planesOf(points);
     Eigen::Vector3d direction = mean(points).normal, free;

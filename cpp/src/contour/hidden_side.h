@@ -5,12 +5,12 @@
 // lie in the cell. Units: grid coordinates (cells). Cost: a few lines per cell that is probed.
 // Source: own method; figures in docs/contouring.md, "Hidden sides" and "Known sides".
 //
-// The crossings of a cell may show two sides of the surface, with a third side between them that no
-// grid edge meets: the riser of a ledge lower than a cell, or the floor of a groove that ends. The
-// search cuts the component's ring of crossings into its two flattest arcs. Lines from just outside
-// one arc to just inside the other hit the side between them.
-// Or the side is already known: the grid edges meet all three sides of a step, and their planes
-// meet in two edges instead of one corner.
+// The crossings of a cell may lie on two sides of the surface, with a third side between them that
+// no grid edge meets: the riser of a ledge lower than a cell, or the floor of a groove that ends.
+// The search cuts the component's ring of crossings into its two flattest arcs. Lines from just
+// outside one arc to just inside the other hit the side between them. In another case, the side
+// between is known: grid edges meet all three sides of a step, and the planes of the sides meet in
+// two edges instead of one corner.
 //
 // The side between two others begins and ends at an edge. If both edges lie in the cell, the vertex
 // is split into one for each edge. If only one edge lies in the cell, the vertex moves to it.
@@ -21,9 +21,9 @@
 
 namespace swept {
 
-/// Looks for a side of the component between two others. Returns false if there is none, or if none
-/// of its edges lies in the cell. With `betweenPlanes`, the search runs only if both arcs are flat:
-/// planes of a curved surface may miss each other without a hidden side.
+/// Looks for a side of the component between two other sides. Returns false if there is none, or if
+/// no edge of this side lies in the cell. With `betweenPlanes`, looks for hidden sides only, and
+/// only between two flat arcs: planes of a curved surface may miss each other without such a side.
 bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                     int component, const Crossing* crossings, const SurfaceProbe& probe,
                     bool betweenPlanes, VertexSplit& out);

@@ -10,9 +10,9 @@ using Vec2 = Eigen::Vector2d;
 
 double cross2(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// How good a diagonal of a quad is. `valid`: seen along the lattice edge, it lies between the
-/// other two corners. `miss`: distance from the crossing to the point where its triangle meets the
-/// lattice edge. `length2`: its squared length.
+/// How good a diagonal of a quad is. `valid`: seen along the lattice edge, the diagonal lies
+/// between the other two corners. `miss`: distance from the crossing to the point where one of the
+/// two triangles meets the lattice edge. `length2`: squared length of the diagonal.
 struct Diagonal {
   bool valid = false;
   double miss = 0, length2 = 0;
@@ -36,9 +36,9 @@ Diagonal rate(const std::array<Eigen::Vector3d, 4>& v, int from) {
   return out;
 }
 
-/// Misses that differ by less (cells) count as equal.
+/// Two values of `miss` count as equal if they differ by less than this (cells).
 constexpr double kEquallyGood = 2e-3;
-/// If even the best diagonal misses by more (cells), the quad becomes a fan.
+/// If the `miss` of the chosen diagonal exceeds this (cells), the quad becomes a fan.
 constexpr double kFanMiss = 0.05;
 
 }  // namespace

@@ -2,7 +2,8 @@
 //
 // In: dual surface. Out: the cut of each quad. Units: cells. Cost: O(1) per crossing.
 // Source: Ju and Udeshi 2006: a diagonal is valid only if both triangles stay in the cells round
-// the edge. It must pass between the other two corners, as seen along the edge.
+// the edge. Seen along the edge, the diagonal must pass between the other two corners. A fan is a
+// ring of triangles about a new vertex at the crossing.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

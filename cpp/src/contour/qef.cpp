@@ -64,8 +64,8 @@ Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d&
     }
     return true;
   };
-  // Usually the coordinates that leave the box in `unbounded` are those that end on its walls. No
-  // other point is better if the error grows from each of these walls into the box.
+  // First try: fix those coordinates at a wall of the box whose value in `unbounded` lies beyond
+  // this wall. This point is the best one if the error grows from each of these walls into the box.
   Eigen::Vector3d y;
   std::array<int, 3> out;
   for (int axis = 0; axis < 3; ++axis)

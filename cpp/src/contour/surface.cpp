@@ -132,8 +132,8 @@ class LayerEmitter {
       const auto point = facePoints_.at.find(sideKey(crossing, corner));
       if (point != facePoints_.at.end()) ring[n++] = firstFacePoint_ + point->second;
     }
-    // A counter-clockwise ring about +axis faces the high end. The polygon must face the end from
-    // which the crossing is seen.
+    // The ring runs counter-clockwise about +axis, so its triangles face the high end. The polygon
+    // must face the end from which the crossing is seen.
     const auto triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
       if (seenFromLow) std::swap(b, c);
       out.triangles.push_back({a, b, c});
@@ -173,7 +173,8 @@ void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& d
   for (int n = 0; n < 2; ++n) {
     const CrossingEdge edge = edgeOfCrossing(grid, rim.crossing[n]);
     for (int end = 0; end < 2; ++end) {
-      // Seen from the high end, the quad's side runs from its first corner to its second.
+      // If the crossing is seen from the high end, the quad's side runs from its first corner to
+      // its second; else the other way.
       const int corner = (rim.side[n] + end) & 3;
       Corner& to = ring[2 * n + ((end == 0) == rim.seenFromLow[n] ? 0 : 1)];
       to.vertex = dual.vertex(edge.axis, edge.i, rim.crossing[n], corner);
@@ -262,7 +263,7 @@ class SurfaceAssembler {
     }
   }
 
-  /// The operating system clears fresh memory page by page, so all cores share this work.
+  /// Allocates the lists in parallel, because the operating system clears new memory page by page.
   void allocate(std::size_t triangles) {
     parallelActions(
         [&] {
@@ -280,7 +281,7 @@ class SurfaceAssembler {
   }
 
   void fillDualVertices(std::size_t i) {
-    constexpr float kInsideMargin = 1e-5f;  // a tenth of kCellMargin, to tell escaped vertices
+    constexpr float kInsideMargin = 1e-5f;  // a tenth of kCellMargin; only moved tips are nearer
     const auto& layer = dual_.vertices[i];
     const auto sameCell = [&](std::size_t v, std::size_t w) {
       return layer[v].k == layer[w].k && layer[v].j == layer[w].j;

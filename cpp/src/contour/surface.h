@@ -3,7 +3,7 @@
 //
 // In: Hermite grid. Out: mesh in mm, and the time of contact per vertex. Cost: O(crossings).
 // Promise (consistent components): closed, edge- and vertex-manifold, oriented outward. The
-// polygons of the dual surface are closed by construction. Two things could still make its
+// polygons of the dual surface are closed by construction. Two things could still make the
 // triangles non-manifold, and each is resolved where it occurs. If two segments of one face join
 // the same two components, the second segment gets a vertex on the face. If the two quads of one
 // lattice edge have the same diagonal, both become fans about their crossings.
@@ -34,9 +34,9 @@ struct Surface {
   std::vector<std::uint8_t> cellFlags;
   /// The vertex lies inside its own cell.
   static constexpr std::uint8_t kInsideCell = 1;
-  /// The vertex before it belongs to the same cell.
+  /// The previous vertex belongs to the same cell.
   static constexpr std::uint8_t kSharedWithPrevious = 2;
-  /// The vertex after it belongs to the same cell.
+  /// The next vertex belongs to the same cell.
   static constexpr std::uint8_t kSharedWithNext = 4;
   static constexpr std::uint8_t kShared = kSharedWithPrevious | kSharedWithNext;
   /// Returns the bits of any vertex; 0 for a vertex that does not belong to a component.

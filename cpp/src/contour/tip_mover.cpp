@@ -12,7 +12,8 @@
 namespace swept {
 namespace {
 
-/// Collects any cell of the grid by binary search in the edge lists.
+/// Returns any cell of the grid, found by binary search in the edge lists. A cell without crossings
+/// or outside the grid has the mask 0.
 Cell gatherCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
   Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
@@ -60,8 +61,8 @@ class TipMover {
       if (x.corner != y.corner) return x.corner;
       return x.error < y.error;
     });
-    // First come the vertices whose own planes meet outside their cell, then those that take over a
-    // neighbour's point.
+    // Moves first the vertices whose own planes meet outside their cell, then the vertices that
+    // take over a neighbour's point.
     std::unordered_set<std::uint64_t> moved;
     for (const bool own : {true, false}) {
       std::size_t group = 0;  // index of the first claim on the same cell
@@ -78,8 +79,8 @@ class TipMover {
     double error;
     std::uint32_t layer, vertex;
     Eigen::Vector3d point;  // grid coordinates
-    bool own;     // the vertex's own planes meet there; otherwise it takes over a neighbour's point
-    bool corner;  // three planes meet there; corners are granted before creases
+    bool own;     // true: the vertex's own planes meet at `point`; false: a neighbour's planes do
+    bool corner;  // three planes meet at `point`; corners are granted before creases
     bool granted = false;
   };
   void grant(std::vector<Claim>& claims, std::size_t group, std::size_t n,
@@ -129,8 +130,8 @@ class TipMover {
       }
       return;
     }
-    // Sample the way to the point. A sample that misses a short cut through the corner of a cell
-    // does no harm.
+    // Sample the way to the point. It does no harm if the samples miss a cell that the way only
+    // cuts at a corner.
     constexpr int kSamples = 16;
     for (int s = 1; s < kSamples; ++s) {
       const Eigen::Vector3d x = escape.from + direction * (static_cast<double>(s) / kSamples);
@@ -145,14 +146,14 @@ class TipMover {
     out.push_back({target, direction.norm(), layer, escape.vertex, point, true, corner});
   }
 
-  /// Finds the first component of a leaf cell whose planes agree with the point; `vertex` is kNone
-  /// if there is none. The planes agree if all of them pass through the point. They also agree if
-  /// at least two of them pass through it and form a crease, and the point lies behind the others:
-  /// then the crease ends in a corner inside this cell.
   struct Agreement {
     std::uint32_t vertex = DualSurface::kNone;
     bool wholly = false;  // all planes of the component pass through the point
   };
+  /// Finds the first component of a leaf cell whose planes agree with the point; `vertex` is kNone
+  /// if no component agrees. The planes agree if all of them pass through the point. They also
+  /// agree if at least two of them pass through the point and form a crease, and the point lies
+  /// behind the other planes: then the crease ends in a corner inside this cell.
   Agreement agreeing(const Cell& cell, const Eigen::Vector3i& at, const Eigen::Vector3d& point,
                      ComponentFinder& finder) const {
     Components components;
@@ -186,7 +187,7 @@ class TipMover {
   static constexpr double kMinTipSharpness = 0.05;  // two planes that differ by 26 degrees
   /// Determinant of the mean normal tensor; 0.037 for the corner of a cube.
   static constexpr double kMinCornerDeterminant = 1e-3;
-  /// Cells^2: limit of the mean squared distance of planes from a point, 0.01 of a cell.
+  /// Largest mean squared distance of planes from a point, in cells^2: that of 0.01 cells.
   static constexpr double kMaxPlaneError = 1e-4;
 
   const HermiteGrid& grid_;

@@ -2,16 +2,15 @@
 //
 // In: the escapes of each layer (vertices whose planes meet outside their cell). Out: moved
 // vertices of the dual surface. Units: cells. Cost: a few cell look-ups per escape.
-// Promise: the result does not depend on the order of the escapes. Each cell grants one point, or
-// several on one crease if they are at least kMinDistance apart. Mending removes the intersections
-// that remain.
-// Source: own method; docs/contouring.md, "Tips".
+// Promise: the result does not depend on the order of the escapes. Vertices that move into the same
+// cell stay at least kMinDistance apart; those nearer to an earlier one do not move. Mending
+// removes the intersections that remain. Source: own method; docs/contouring.md, "Tips".
 //
 // The tip of a corner or wedge can reach into a neighbouring cell without meeting any of its edges.
 // If the way to the point leads through empty cells, the vertex moves to the point. If the point
-// lies in a neighbouring leaf cell, a component of that cell may take it over, provided that its
-// own planes agree with the point. The corner then lies in that cell, whose crossings show only
-// some of the planes.
+// lies in a neighbouring leaf cell, the vertex of a component of that cell may take over the point,
+// provided that the planes of this component agree with it. The corner then lies in that cell,
+// although its crossings lie on some of the planes only.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

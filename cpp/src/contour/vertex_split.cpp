@@ -32,8 +32,8 @@ void VertexSplit::findFolds(const Cell& cell, const Components& components, int 
 }
 
 Eigen::Vector3d VertexSplit::alongCrease(const Qef& planes, const Eigen::Vector3d& best) const {
-  /// Limits for eigenvalues of the mean normal tensor: the largest along a crease, the smallest
-  /// across it.
+  /// On a crease, the smallest eigenvalue of the mean normal tensor (for the direction along the
+  /// crease) is at most kMaxAlong, and the other two are at least kMinAcross.
   constexpr double kMaxAlong = 0.01, kMinAcross = 0.03;
   constexpr double kMaxExtraMiss = 0.02;  // cells: how much more the planes may miss the new point
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(planes.matrix() / planes.count());

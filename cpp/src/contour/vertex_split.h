@@ -1,8 +1,8 @@
-// Splits the vertex of a component with two features in one cell: each part of its crossings gets a
-// vertex.
+// Splits the vertex of a component that has two features, such as edges, in one cell. The crossings
+// are divided into two parts, and each part gets a vertex.
 //
-// Each vertex is fitted to the planes of its part and of the side between the parts, which the
-// crossings do not show (wall_end.h, hidden_side.h). Strips of polygons join the two vertices.
+// Each vertex is fitted to the planes of its part and of the side between the parts, which has
+// hardly any crossings (wall_end.h, hidden_side.h). Strips of polygons join the two vertices.
 // Units: the coordinates of the cell. Source: own method; docs/contouring.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -35,23 +35,24 @@ struct VertexSplit {
   /// Per slot of the component: part 0, part 1, or -1 for neither.
   std::array<std::int8_t, kSlots> part;
   std::vector<ProbeLine> between;  ///< hits on the side between the parts, in grid coordinates
-  /// A point, in the coordinates of the cell, near one end of both features. Set only if the
-  /// crossings of the ring show this end better than the other.
+  /// A point, in the coordinates of the cell, near one end of both features: the crossing on the
+  /// side between the parts. Empty if this side has no crossing.
   std::optional<Eigen::Vector3d> seen;
   /// Folds: places on the faces of the cell where the polygons of the two parts meet, each a pair
   /// of slots. There are two folds, or none if the vertex cannot be split.
   std::vector<std::array<std::int8_t, 2>> folds;
   std::vector<std::int8_t> foldFaces;
 
-  /// Finds the folds. Every slot must have a part, and each part must be one arc of the ring of
-  /// polygons. The arcs must meet on faces with a single way to pair their crossings.
+  /// Finds the folds. There are none unless every slot of the component has a part, each part is
+  /// one arc of the ring of polygons, and the arcs meet on faces with a single way to pair
+  /// crossings.
   void findFolds(const Cell& cell, const Components& components, int component,
                  const Crossing* crossings);
 
-  /// Returns the place of a part's vertex along the crease of its planes, starting from the
-  /// minimiser `best`. The few crossings of the part do not show how long the crease is, and the
-  /// next cell may not show it at all. The vertex is therefore placed half way between the walls of
-  /// the cell, or three quarters of the way from the end that is `seen`.
+  /// Returns the position of a part's vertex along the crease of its planes; `best` is the
+  /// minimiser. The few crossings of the part do not tell how long the crease is, and no crossing
+  /// of the next cell may lie beside the crease. The vertex is therefore placed half way between
+  /// the walls of the cell, or three quarters of the way from the end next to `seen`.
   Eigen::Vector3d alongCrease(const Qef& planes, const Eigen::Vector3d& best) const;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 /// A crossing lies on a side if its normal and the wall's have at least this |cosine| (45 degrees).
 constexpr double kMinSideCosine = 0.7;
-/// A side is flat if its height varies by less than this (cells).
+/// A side is flat if the heights of its crossings differ by at most this (cells).
 constexpr double kMaxUnevenness = 0.2;
 /// Largest thickness of walls and gaps (cells); grid edges meet the rims of thicker ones.
 constexpr double kMaxWallThickness = 1.0;
@@ -80,7 +80,8 @@ std::optional<Wall> sort(const std::vector<CrossingPoint>& points, const Eigen::
   return Wall{normal, (top + bottom) / 2};
 }
 
-/// Which corners of the cell (bit per axis) lie outside. Edges without a crossing pass the sign on.
+/// Returns for each corner of the cell (number x + 2 y + 4 z) whether it lies outside. Both ends of
+/// an edge without a crossing lie on the same side of the surface.
 std::array<bool, 8> outsideCorners(const Cell& cell) {
   std::array<std::int8_t, 8> sign;  // 1 outside, 0 inside, -1 not known yet
   sign.fill(-1);

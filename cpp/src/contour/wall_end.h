@@ -5,7 +5,7 @@
 // probe lines per wall end.
 // Source: own method; figures in docs/contouring.md, "Rims".
 //
-// No grid edge meets the rim of such a wall, so the crossings of the cell show only its two sides.
+// No grid edge meets the rim of such a wall, so all crossings of the cell lie on its two sides.
 // The plane half way between the sides cuts the edges of the cell in some points. Lines from the
 // points outside the swept volume towards those inside hit the rim.
 // SPDX-License-Identifier: LGPL-2.1-or-later

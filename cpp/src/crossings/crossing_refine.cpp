@@ -80,7 +80,8 @@ struct LineSearch {
     return std::max(std::abs(at.x[u] - line[u]), std::abs(at.x[v] - line[v]));
   }
 
-  /// Newton's method, starting at (r, s); it may end beside the line.
+  /// Improves (r, s) by Newton's method. If the method does not converge, the result lies beside
+  /// the line.
   void newton(double& r, double& s) const {
     for (int iteration = 0; iteration < 4; ++iteration) {
       const CurvedPatch::At at = patch.at(r, s);
@@ -98,8 +99,8 @@ struct LineSearch {
   }
 
   /// Finds the point of the patch nearest to the line. Starts at the best of a few places and damps
-  /// its steps until they help (Levenberg 1944, Marquardt 1963). This is for edges that slide along
-  /// themselves: they sweep hardly any area, and Newton's steps leave their patch.
+  /// the steps until they help (Levenberg 1944, Marquardt 1963). This is for edges that move along
+  /// themselves: such edges sweep hardly any area, and the steps of newton() leave the patch.
   void nearest(double& r, double& s) const {
     const auto square = [&](double x, double y) {
       const CurvedPatch::At at = patch.at(x, y);
@@ -176,8 +177,8 @@ double CrossingRefiner::nearestTime(const SweptElement& element,
     const double along = std::clamp((point - at.x).dot(way) / way.squaredNorm(), 0.0, 1.0);
     return (point - at.x - along * way).squaredNorm();
   };
-  // The step is short: some samples find the valley, then a search with halved widths finds its
-  // bottom.
+  // A few samples find the neighbourhood of the minimum, since the step is short. Then a search
+  // with halved widths finds the minimum.
   constexpr int kLooks = 16, kHalvings = 30;
   int nearest = 0;
   for (int look = 1; look <= kLooks; ++look) {

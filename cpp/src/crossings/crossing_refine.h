@@ -5,13 +5,13 @@
 // Crossing. Units: cells, seconds. Cost: O(1), a few Newton steps for side patches.
 // Source: own method; docs/pipeline.md, "Crossings".
 //
-// On a face: intersection of the lattice line with the face's plane at its placement.
-// On a side patch: Newton's method on the motion of the step, which is the chord plus a quadratic
-// through the exact midpoint:
+// A crossing on a face is the intersection of the lattice line with the plane of the face at its
+// placement. A crossing on a side patch is found by Newton's method. The motion in the step is
+// approximated by the chord plus a quadratic term through the exact midpoint:
 //   x(s) = (1-s) p + s q + 4 s (1-s) m,  m = x_mid - (p + q) / 2.
-// Its error is of third order in the turn of the step. If Newton's method ends beside the line,
-// damped steps search for the nearest point of the patch (Levenberg 1944, Marquardt 1963). The
-// normal is edge x velocity.
+// The error of x(s) is of third order in the turn of the step. If Newton's method ends beside the
+// line, damped steps search for the nearest point of the patch (Levenberg 1944, Marquardt 1963).
+// The normal is edge x velocity.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,9 +24,9 @@ namespace swept {
 class CrossingRefiner {
  public:
   CrossingRefiner(const SamplerInput& input, const MarkedEdges& marked);
-  /// Refines the crossing of the lattice edge (axis, i, j, k). `fraction` is its place as sampled;
-  /// `low` says that it is seen from the low end. `exactSeconds`, if given, receives the time in
-  /// double.
+  /// Refines a crossing of the lattice edge (axis, i, j, k). `fraction` is the position that the
+  /// sampler found. `low` is true if the crossing is seen from the low end. `exactSeconds`, if
+  /// given, receives the time in double.
   Crossing refine(int axis, std::int32_t i, std::int32_t j, std::int32_t k, float fraction,
                   std::uint32_t element, bool low, double* exactSeconds = nullptr) const;
 
@@ -45,8 +45,8 @@ class CrossingRefiner {
 
   const SamplerInput& input_;
   const MarkedEdges& marked_;
-  std::vector<Placement> placements_;  // applied to the body, they give cells
-  std::vector<Placement> bulges_;      // m as an affine map, in cells
+  std::vector<Placement> placements_;  // from body coordinates (mm) to grid coordinates (cells)
+  std::vector<Placement> bulges_;      // per step: m (see above) as an affine map, in cells
 };
 
 }  // namespace swept

@@ -12,7 +12,8 @@
 namespace swept {
 namespace {
 
-/// The faces beside an edge of the body's triangles, and the kind of source that the edge is.
+/// The faces beside an edge of the body, and the kind of source of the patches that the edge
+/// sweeps.
 struct EdgeSource {
   std::array<std::int32_t, 2> faces{-1, -1};
   SourceKind kind = SourceKind::Edge;
@@ -86,7 +87,8 @@ class EdgeSources {
   std::vector<EdgeSource> sources_;
 };
 
-/// A patch counts as lying in the plane of a face if the cosine exceeds this (2e-3 rad).
+/// A patch counts as lying in the plane of a face if the cosine between their normals exceeds this
+/// (2e-3 rad).
 constexpr double kInPlane = 1 - 2e-6;
 
 /// An edge of the body has swept a patch with this normal. Returns the face beside the edge that

@@ -2,13 +2,13 @@
 //
 // In: the elements that made the crossings, and the crossings with exact times. Out: a row per
 // crossing (swept/sources.h). Units: mm, seconds. Cost: O(crossings), some nanoseconds each; 48
-// bytes a crossing. Every crossing knows its element from sampling on, so no search is needed and
-// the mesh stays the same.
+// bytes a crossing. Sampling stores the element of every crossing, so no search is needed, and the
+// mesh is the same with and without sources.
 //
 // An edge of the body is sharp or smooth as a whole. Where two faces meet along a chain of edges,
-// the median of their angles decides, so that coarse triangles do not tear the chain to pieces. If
-// an edge sweeps in the plane of a face beside it, this face slides along itself; the row names
-// this face.
+// the median of their angles decides, so that coarse triangles do not make some edges of the chain
+// sharp and others smooth. If an edge sweeps in the plane of a face beside it, this face slides
+// along itself; the row names this face.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -11,12 +11,13 @@
 namespace swept {
 namespace {
 
-/// A cell with more pieces than this no longer shows a single wall, and is not worth the time.
+/// In a cell with more pieces (see the header) than this, the probe finds no hits: the cell holds
+/// more than a single wall, and the search would take too long.
 constexpr std::size_t kMaxPieces = 20000;
-/// In a cell with this many pieces, further pieces that others cover on both sides are left out. A
-/// gripper along 16 keys, cells of 30 mm, with limits of 100, 300, 1,000 and none: the mean
-/// deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cell. Contouring takes 0.3, 0.5 and 1.2 s with
-/// the first three.
+/// After this many pieces in a cell, the search leaves out pieces that isPassed() shows to be
+/// covered. Measured on a gripper along 16 keys with cells of 30 mm, and with limits of 100, 300,
+/// 1,000 and none: the mean deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cells. Contouring takes
+/// 0.3, 0.5 and 1.2 s with the first three limits.
 constexpr std::size_t kManyPieces = 300;
 /// Pieces within this distance (cells) of the cell count as touching it, so that the search can go
 /// round the corners of the cell.
@@ -46,8 +47,8 @@ bool intersects(const ProbeLine& line, const Eigen::Vector3d& a, const Eigen::Ve
   return out.along >= 0 && out.along <= 1;
 }
 
-/// Whether a triangle intersects the box about the origin with half sizes `half`, by separating
-/// axes (Akenine-Moeller 2001).
+/// Returns whether a triangle intersects the box about the origin with half sizes `half`, by
+/// separating axes (Akenine-Moeller 2001).
 bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                    const Eigen::Vector3d& half) {
   const auto beyond = [](double x, double y, double z, double reach) {
@@ -72,7 +73,7 @@ bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
   return true;
 }
 
-/// Whether a segment intersects the same box.
+/// Returns whether a segment intersects the box about the origin with half sizes `half`.
 bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
                    const Eigen::Vector3d& half) {
   const Eigen::Vector3d middle = (p + q) / 2, way = (q - p) / 2;
@@ -234,9 +235,10 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
   }
 }
 
-/// Whether the pieces before and after this one in the motion cover it. This holds for a face that
-/// moves the same way before and after its placement, and for a side patch between two faces that
-/// move the same way.
+/// Returns whether the pieces before and after this one in the motion cover it, so that it does not
+/// lie on the envelope. This holds for a face that moves in the same direction (along its normal or
+/// against it) before and after its placement. It also holds for a side patch between two faces
+/// that move in the same direction.
 bool ElementProbe::isPassed(const SweptElement& element, MotionSteps& motionSteps) const {
   const std::size_t k = element.placement;
   const auto directionIn = [&](std::size_t step, std::int32_t face) {

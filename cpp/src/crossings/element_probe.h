@@ -3,12 +3,13 @@
 // In: the elements that made the crossings. Out: first hit, normal and time per line. Units: grid
 // coordinates, seconds. Cost: proportional to the elements that pass through the cell.
 //
-// The search starts at these elements and continues to their neighbours: across shared edges and
-// paths of vertices, and to the steps before and after. It follows a shared part only if this
-// passes through the cell. In a cell with many pieces, the search leaves out further pieces that
-// others cover on both sides. Nearly all pieces of such a cell are covered, and the rest is
-// connected without them. The search looks nowhere else, so it does not matter which sampler found
-// the crossings.
+// A piece is a swept element in grid coordinates: a face at one placement, or the side patch that
+// an edge sweeps in one step. The search starts at the given elements and continues to their
+// neighbours: across shared edges and paths of vertices, and to the steps before and after. It
+// crosses an edge or a path only if this edge or path passes through the cell. In a cell with many
+// pieces, the search leaves out further pieces that the steps before and after cover. Nearly all
+// pieces of such a cell are covered, and the others are connected without them. The search looks
+// nowhere else, so it does not matter which sampler found the crossings.
 // Source: own method; docs/contouring.md, "Rims".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -57,8 +58,8 @@ class ElementProbe : public SurfaceProbe {
   const SamplerInput& input_;
   const std::vector<SweptElement>& elements_;
   const std::vector<std::uint32_t>& winner_;
-  std::vector<Placement> placements_;  // applied to the body, they give cells
-  // Edges of each face; -1 for an edge of more than two faces that lists another of them.
+  std::vector<Placement> placements_;  // from body coordinates (mm) to grid coordinates (cells)
+  // Edges of each face; -1 for an edge with more than two faces whose BodyEdge names another face.
   std::vector<std::array<std::int32_t, 3>> faceEdges_;
 };
 

@@ -12,7 +12,7 @@ namespace swept {
 
 struct BodyEdge {
   std::int32_t a = 0, b = 0;           ///< vertices, a < b
-  std::int32_t left = -1, right = -1;  ///< faces; right == -1: rim or more than two faces
+  std::int32_t left = -1, right = -1;  ///< faces; right is -1 unless the edge has two faces
   bool opposed = false;                ///< the two faces disagree in orientation
 };
 

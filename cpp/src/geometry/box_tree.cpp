@@ -11,8 +11,8 @@ constexpr std::size_t kGrain = 1 << 13;
 constexpr std::uint32_t kHilbertBits = 10;  // per axis
 using Keys = RawArray<std::uint64_t>;       // key in the upper half, item in the lower half
 
-/// Returns the position along a Hilbert curve through a cube of 2^10 cells per side. Skilling 2004:
-/// undo the rotations bit by bit, then apply the Gray code.
+/// Returns the position along a Hilbert curve through a cube of 2^10 cells per side. Method
+/// (Skilling 2004): undo the rotations bit by bit, then apply the Gray code.
 std::uint32_t hilbertKey(std::array<std::uint32_t, 3> x) {
   for (std::uint32_t q = 1u << (kHilbertBits - 1); q > 1; q >>= 1) {
     const std::uint32_t p = q - 1;
@@ -39,9 +39,10 @@ std::uint32_t hilbertKey(std::array<std::uint32_t, 3> x) {
   return key;
 }
 
-/// Sorts stably by the upper 32 bits: three passes of 11 bits over blocks of fixed size.
+/// Sorts stably by the upper 32 bits: a radix sort with three passes of 11 bits. The size of the
+/// parallel blocks depends only on the number of keys.
 void sortByKey(Keys& keys) {
-  constexpr std::size_t kFew = 1 << 12;  // for fewer items, the tables of the passes would dominate
+  constexpr std::size_t kFew = 1 << 12;  // for fewer items, a simple sort is faster
   if (keys.size() < kFew) {
     std::sort(keys.data(), keys.data() + keys.size());
     return;
@@ -76,8 +77,8 @@ void sortByKey(Keys& keys) {
   }
 }
 
-/// Rounds down by a few units in the last place, so that the rounding of the difference and of the
-/// conversion cannot move the box inward.
+/// Converts to float and subtracts a few units in the last place. So neither this conversion nor
+/// the rounding of the difference that a caller passes can make a box smaller.
 float roundedDown(double value) {
   const auto f = static_cast<float>(value);
   return f - std::abs(f) * 3e-7f - std::numeric_limits<float>::min();
@@ -131,7 +132,7 @@ Keys makeKeys(const Boxes& boxes, double extent) {
 template <class Boxes>
 void sortByMedians(const Boxes& boxes, std::int32_t* first, std::int32_t* last,
                    std::size_t capacity) {
-  constexpr std::size_t kAlone = 4096;  // fewer items do not pay for a task
+  constexpr std::size_t kAlone = 4096;  // fewer items are sorted without a task of their own
   if (static_cast<std::size_t>(last - first) <= capacity) {
     if (capacity > 1) sortByMedians(boxes, first, last, capacity / 2);
     return;
@@ -196,7 +197,7 @@ void BoxTree::build(const RawArray<FloatBox>& boxes, Order order) {
       items_[i] = static_cast<std::int32_t>(keys[i] & 0xffffffffu);
     }
   } else {
-    std::size_t half = 1;  // half of the root's capacity
+    std::size_t half = 1;  // half the number of items that a tree of this height can hold
     while (2 * half < boxes.size()) half *= 2;
     std::iota(items_.data(), items_.data() + boxes.size(), 0);
     sortByMedians(boxes, items_.data(), items_.data() + boxes.size(), half);

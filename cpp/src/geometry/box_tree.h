@@ -1,7 +1,8 @@
 // Bounding volume hierarchy: a tree of boxes with four children per node, in flat arrays.
 //
-// In: the box of each item, finite. The tree puts the items on places 0 .. size() - 1, near items
-// side by side. Searches report places; item() tells which item lies on a place.
+// In: the box of each item, finite. The tree reorders the items, so that near items lie side by
+// side. A place (0 .. size() - 1) is an index into this order. Searches report places; item() tells
+// which item lies at a place.
 // Out: items near a point or a box, nearest first; boxes of nodes for searches over pairs.
 // Units: any one unit of length.
 // Cost: O(n) to build along a curve, O(n log n) by medians, in parallel; 36 bytes an item. O(log n)
@@ -49,7 +50,8 @@ class BoxTree {
   struct FloatBox {
     float low[3], high[3];
   };
-  /// Boxes of four siblings, relative to middle(). The box of an empty lane intersects nothing.
+  /// Boxes of four siblings (lanes), relative to middle(). In a group with fewer siblings, the
+  /// boxes of the unused lanes intersect nothing.
   struct alignas(32) Group {
     float low[3][kWidth], high[3][kWidth];
 
@@ -190,7 +192,8 @@ void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& loo
   const float at[3] = {static_cast<float>(local[0]), static_cast<float>(local[1]),
                        static_cast<float>(local[2])};
   const double room = 1.2e-7 * local.norm();  // twice the rounding of `at`
-  // Squared, with a margin for the rounding of squares and sums; beyond 1e18 nothing is skipped.
+  // Returns the squared limit, with a margin for the rounding of squares and sums. Beyond 1e18
+  // there is no limit, since the square would leave the range of float.
   const auto limitOf = [&](double r) {
     const double most = std::max(r, 0.0) + room;
     return most < 1e18 ? static_cast<float>(most * most * 1.00001) : HUGE_VALF;

@@ -6,18 +6,18 @@
 namespace swept {
 namespace {
 
-/// Sine of the smallest angle that counts; rounding stays below 1e-15.
+/// Angles with a smaller sine than this count as zero. Rounding errors stay below 1e-15.
 constexpr double kSine = 1e-9;
 
-/// Whether w and x form an acute angle, by more than rounding.
+/// Returns whether w and x form an acute angle, with a margin above rounding.
 bool leadsTo(const Eigen::Vector3d& w, const Eigen::Vector3d& x) {
   const double along = w.dot(x);
   return along > 0 && along * along > kSine * kSine * w.squaredNorm() * x.squaredNorm();
 }
 
-/// Whether a plane through v separates the triangles (v, a, b) and (v, c, d); all corners are
-/// relative to v. Tries three planes perpendicular to (v, a, b): along each of its edges at v, and
-/// across the bisector of a and b.
+/// Returns whether a plane through v separates the triangles (v, a, b) and (v, c, d); all corners
+/// are relative to v. Tries three planes perpendicular to (v, a, b): along each edge at v, and
+/// perpendicular to the bisector of a and b.
 bool partedAtVertex(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                     const Eigen::Vector3d& d) {
   const Eigen::Vector3d normal = a.cross(b);

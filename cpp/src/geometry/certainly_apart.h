@@ -1,7 +1,7 @@
 // Cheap tests whether two triangles of a mesh certainly do not intersect.
 //
 // In: triangles of one mesh. Out: true only if they certainly do not intersect: margins are far
-// above rounding. False means nothing; triangle_pairs.h then decides.
+// above rounding. False means that the question is open; triangle_pairs.h then decides.
 // Cost: some ten nanoseconds, even where the exact predicates are slow (coplanar triangles).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -64,7 +64,8 @@ class TriedTriangle {
   double size_;
 };
 
-/// Tests triangles with one, two or no common corner. Returns false for the same three corners.
+/// Returns true only if two triangles certainly share nothing but their common corners and edge.
+/// Returns false for two triangles with the same three corners.
 bool certainlyApart(const std::vector<Eigen::Vector3d>& vertices,
                     const std::array<std::int32_t, 3>& p, const std::array<std::int32_t, 3>& q);
 inline bool certainlyApart(const TriMesh& mesh, std::int32_t first, std::int32_t second) {

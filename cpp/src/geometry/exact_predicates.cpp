@@ -8,8 +8,8 @@
 namespace swept {
 namespace {
 
-/// A sum of doubles whose bits do not overlap, smallest first. The last one has the sign of the
-/// sum.
+/// A sum of doubles whose bits do not overlap, the smallest first. The last double has the sign of
+/// the sum.
 template <int kCapacity>
 struct Expansion {
   std::array<double, kCapacity> part;

@@ -18,11 +18,12 @@ namespace swept {
 int orientation3d(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                   const Eigen::Vector3d& d);
 
-/// Returns the sign of the turn a, b, c in the plane of the coordinates `u` and `v` (0, 1 or 2).
+/// Returns the sign of the turn a, b, c in the plane of the coordinates `u` and `v` (0, 1 or 2); 1
+/// is counter-clockwise.
 int orientation2d(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                   int u, int v);
 
-/// Returns exactly whether the three points lie on one line.
+/// Returns whether the three points lie exactly on one line.
 bool collinear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
 }  // namespace swept

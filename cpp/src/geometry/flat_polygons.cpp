@@ -40,7 +40,8 @@ bool contains(const Polygon& polygon, const Point& p) {
   return inside;
 }
 
-/// Whether two segments without a common end cross, or one passes through an end of the other.
+/// Returns whether two segments without a common end cross, or one passes through an end of the
+/// other.
 bool blocks(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (a == c || a == d || b == c || b == d) return false;
   const double c1 = turn(a, b, c), d1 = turn(a, b, d), a1 = turn(c, d, a), b1 = turn(c, d, b);
@@ -48,7 +49,8 @@ bool blocks(const Point& a, const Point& b, const Point& c, const Point& d) {
          ((a1 >= 0) != (b1 > 0) || (a1 > 0) != (b1 >= 0));
 }
 
-/// Joins a hole to its polygon along the shortest line that crosses neither of them.
+/// Joins a hole to its polygon along the shortest line that crosses neither the hole nor the
+/// polygon.
 void joinHole(Polygon& polygon, const Polygon& hole) {
   struct Bridge {
     double length;
@@ -70,7 +72,7 @@ void joinHole(Polygon& polygon, const Polygon& hole) {
     for (const Polygon* round : {static_cast<const Polygon*>(&polygon), &hole})
       for (std::size_t i = 0; i < round->size(); ++i)
         if (blocks(a, b, (*round)[i].at, (*round)[(i + 1) % round->size()].at)) return false;
-    // The line must leave its corner towards the inside.
+    // The line must start from the polygon's corner towards the inside of the polygon.
     const std::size_t n = polygon.size();
     const Point &before = polygon[(bridge.outer + n - 1) % n].at,
                 &after = polygon[(bridge.outer + 1) % n].at;
@@ -110,7 +112,7 @@ class EarClipper {
       emit(at, triangles);
       next_[before_[at]] = next_[at];
       before_[next_[at]] = before_[at];
-      at = next_[next_[at]];  // cutting ears in a row would make a fan of slivers
+      at = next_[next_[at]];  // skips a corner: ears cut in a row would form a fan of slivers
       --left;
       tried = 0;
     }
@@ -181,8 +183,8 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
     (areaOf(polygon) < 0 ? holes : outer).push_back(std::move(polygon));
   }
   constexpr double kFlat = 1e-14;
-  if (outer.empty()) outer.swap(holes);  // only slivers that rounding has turned over
-  // From right to left, so that a hole can be joined to a hole farther right.
+  if (outer.empty()) outer.swap(holes);  // the loops are slivers that rounding has turned over
+  // Joins the holes from right to left, so that a hole can be joined to a hole farther right.
   const auto right = [](const Polygon& polygon) {
     double most = -std::numeric_limits<double>::infinity();
     for (const Corner& corner : polygon) most = std::max(most, corner.at.x());

@@ -79,7 +79,8 @@ struct EdgeFaults {
   std::int64_t open = 0;         ///< edges with one triangle
   std::int64_t nonManifold = 0;  ///< edges with more than two triangles
   std::int64_t odd = 0;          ///< edges with an odd number of triangles
-  std::int64_t misoriented = 0;  ///< with two or more triangles, unequally many in each direction
+  /// Edges with two or more triangles, but not equally many in each direction.
+  std::int64_t misoriented = 0;
 };
 
 struct Adjacency {

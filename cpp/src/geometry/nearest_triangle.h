@@ -21,7 +21,7 @@ namespace swept {
 class NearestTriangle {
  public:
   using Triangles = std::vector<std::array<std::int32_t, 3>>;
-  /// Whether isNear() walks over the mesh; this takes 12 more bytes a triangle.
+  /// Whether isNear() may walk from triangle to triangle, which takes 12 more bytes a triangle.
   enum class Walks { No, Yes };
   /// Keeps references to `vertices` and `triangles`; they must outlive the tree.
   NearestTriangle(const std::vector<Eigen::Vector3d>& vertices, const Triangles& triangles,
@@ -33,19 +33,20 @@ class NearestTriangle {
     std::int32_t hint = -1;
     return query(p, limit, enough, hint);
   }
-  /// Does the same for a series of nearby points. `hint` is the triangle found last (-1: none); it
-  /// is tested first, and if it is near enough no other triangle is. `hint` receives the triangle
-  /// found.
+  /// Does the same for a series of nearby points. `hint` is the triangle found last (-1: none). The
+  /// query tests this triangle first, and no other if it lies within `enough`. `hint` receives the
+  /// triangle found.
   double query(const Eigen::Vector3d& p, double limit, double enough, std::int32_t& hint) const;
 
   /// Returns whether a triangle lies within the squared distance `limit` of p, as query(p,
-  /// HUGE_VAL, 0) <= limit does. Before it searches the tree, it walks from `hint` (-1: none) over
-  /// neighbours that are nearer. For a series of nearby points this takes a fraction of the time.
-  /// `hint` receives a triangle near p, within the limit if there is one.
+  /// HUGE_VAL, 0) <= limit does. Walks from the triangle `hint` (-1: none) to ever nearer
+  /// neighbours before searching the tree. For a series of nearby points this takes a fraction of
+  /// the time. `hint` receives a triangle near p: one within the limit if there is any.
   bool isNear(const Eigen::Vector3d& p, double limit, std::int32_t& hint) const;
 
  private:
-  /// Tests the triangles `depth` steps from `at`. `best` and `hint` receive the nearest one.
+  /// Tests the triangles that are `depth` edges away from the triangle `at`. `best` and `hint`
+  /// receive the squared distance and the index of a nearer one.
   void lookAround(const Eigen::Vector3d& p, std::int32_t at, int depth, double limit, double& best,
                   std::int32_t& hint) const;
   double squaredDistanceTo(const Eigen::Vector3d& p, std::int32_t t) const {

@@ -56,8 +56,8 @@ struct Quadric {
   /// Returns the mean squared distance of x from the planes.
   double mean(const Eigen::Vector3d& x) const { return weight > 0 ? error(x) / weight : 0; }
   /// Returns the minimiser, pulled towards `about` by a millionth of the planes' weight. In
-  /// directions that the planes leave open, it stays at `about`. Some ten times faster than
-  /// minimise().
+  /// directions that the planes do not determine, the result stays at `about`. Some ten times
+  /// faster than minimise().
   Eigen::Vector3d dampedMinimiser(const Eigen::Vector3d& about) const {
     constexpr double kDamping = 1e-6;  // as strong as a turn of a tenth of a degree
     Eigen::Matrix3d m = matrix();
@@ -66,7 +66,7 @@ struct Quadric {
     return about + m.ldlt().solve(g);
   }
   /// Returns the minimiser nearest to `about`. Eigenvalues below `cut` times the largest are
-  /// ignored; `rank` receives the number of the others (3 corner, 2 edge, 1 plane).
+  /// ignored; `rank` receives the number of the others (3 for a corner, 2 an edge, 1 a plane).
   Eigen::Vector3d minimise(const Eigen::Vector3d& about, double cut, int& rank) const {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     const Eigen::Matrix3d m = matrix();

@@ -36,7 +36,7 @@ constexpr double kRoom = 1e-12;  ///< margin as a fraction of the largest coordi
 
 using Corners = std::array<const Eigen::Vector3d*, 3>;
 
-/// Returns the smallest and the largest coordinate.
+/// Returns the smallest and the largest coordinate of the corners along an axis.
 std::pair<double, double> extent(const Corners& corners, int axis) {
   return std::minmax({(*corners[0])[axis], (*corners[1])[axis], (*corners[2])[axis]});
 }
@@ -140,7 +140,7 @@ std::int32_t RayColumns::column(double value, int axis) const {
 /// Calls visit(x, triangle, direction) for the crossings of a line, in any order.
 template <class Visit>
 void RayColumns::forCrossings(double y, double z, const Visit& visit) const {
-  // The order within a column varies; the sorted crossings of a line do not.
+  // The order of the triangles in a column may vary from run to run; crossings() sorts its result.
   for (const std::int32_t t : triangles_.asTheyStand(cellAt(column(y, 1), column(z, 2)))) {
     const auto& tri = mesh_.triangles[t];
     const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]],

@@ -29,10 +29,10 @@ class RayColumns {
   };
 
   explicit RayColumns(const TriMesh& mesh);
-  /// Covers only the box: queries need (y, z) inside it.
+  /// Prepares only for queries whose (y, z) lie in the box from `low` to `high`.
   RayColumns(const TriMesh& mesh, const Eigen::Vector3d& low, const Eigen::Vector3d& high);
-  /// Returns how often the surface goes round x, counter-clockwise seen from its normals' side: 1
-  /// inside a solid, 0 outside and in cavities, -1 inside a solid turned inside out.
+  /// Returns the winding number of the surface about x: 1 inside a solid, 0 outside and in
+  /// cavities, -1 inside a solid whose normals point inward.
   int winding(const Eigen::Vector3d& x) const;
   /// Returns the crossings of the line (any x, y, z), sorted by x, then by triangle.
   void crossings(double y, double z, std::vector<Crossing>& out) const;

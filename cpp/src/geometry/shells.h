@@ -33,7 +33,7 @@ std::vector<std::int32_t> smallestJoinedVertices(const TriMesh& mesh);
 
 struct ShellExtent {
   Eigen::AlignedBox3d box;
-  double volume = 0;                   ///< mm^3, signed: negative if the normals look inward
+  double volume = 0;                   ///< mm^3; negative if the normals point inward
   std::int32_t first = -1, last = -1;  ///< first and last triangle
 };
 

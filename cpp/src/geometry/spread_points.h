@@ -9,7 +9,7 @@
 
 namespace swept {
 
-/// Calls stop(point) for points at most about `spacing` apart, each next to the one before.
+/// Calls stop(point) for points at most about `spacing` apart; each lies next to the previous one.
 /// Triangles larger than 32 times the spacing get 32 steps, so their points lie farther apart.
 /// Returns true as soon as stop() returns true.
 template <class Stop>

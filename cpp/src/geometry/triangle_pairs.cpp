@@ -12,7 +12,7 @@ struct Plane2d {
   int turn = 0;  ///< orientation of the triangle in this plane
 };
 
-/// Returns a coordinate plane in which the triangle keeps its area.
+/// Returns a coordinate plane on which the projection of the triangle has area.
 Plane2d projection(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const Eigen::Vector3d n = (b - a).cross(c - a).cwiseAbs();
   int first = 0;
@@ -26,7 +26,8 @@ Plane2d projection(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
   return {};
 }
 
-/// Whether r lies in the closed wedge at v between a and b. r must lie in the plane of (v, a, b).
+/// Returns whether r lies in the closed wedge at v between a and b. r must lie in the plane of
+/// (v, a, b).
 bool wedgeContains(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                    const Eigen::Vector3d& r) {
   const Plane2d plane = projection(v, a, b);
@@ -34,7 +35,7 @@ bool wedgeContains(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const Eig
          plane.turn * orientation2d(v, r, b, plane.u, plane.v) >= 0;
 }
 
-/// Whether r lies in the closed triangle. r must lie in the plane of the triangle.
+/// Returns whether r lies in the closed triangle. r must lie in the plane of the triangle.
 bool triangleContains(const Corners& p, const Plane2d& plane, const Eigen::Vector3d& r) {
   for (int i = 0; i < 3; ++i) {
     if (plane.turn * orientation2d(*p[i], *p[(i + 1) % 3], r, plane.u, plane.v) < 0) return false;
@@ -42,7 +43,7 @@ bool triangleContains(const Corners& p, const Plane2d& plane, const Eigen::Vecto
   return true;
 }
 
-/// Whether two closed segments in one plane intersect.
+/// Returns whether two closed segments in one plane intersect.
 bool segmentsMeet(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                   const Eigen::Vector3d& d, const Plane2d& plane) {
   const int u = plane.u, v = plane.v;
@@ -69,8 +70,8 @@ bool segmentMeetsTriangleInPlane(const Eigen::Vector3d& a, const Eigen::Vector3d
   return false;
 }
 
-/// Whether the segment a-b intersects a triangle. Its ends lie on the sides sa and sb of the
-/// triangle's plane (-1, 0 or 1).
+/// Returns whether the segment a-b intersects a triangle. The ends a and b lie on the sides sa and
+/// sb of the triangle's plane (-1, 0 or 1).
 bool segmentMeetsTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int sa, int sb,
                           const Corners& p) {
   if (sa * sb > 0) return false;
@@ -131,7 +132,7 @@ bool meetBeyondVertex(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const 
   if (sd == 0) return wedgeContains(v, a, b, d);
   if (sa == 0) return wedgeContains(v, c, d, a);
   if (sb == 0) return wedgeContains(v, c, d, b);
-  return sc == sb && sd == sa;  // else the arcs' planes meet at opposite points of the sphere
+  return sc == sb && sd == sa;  // else the arcs cross the other's plane at opposite points
 }
 
 bool meetBeyondEdge(const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& p,

@@ -10,8 +10,8 @@
 namespace swept {
 namespace {
 
-/// Collects the crossings of one column, and keeps the two next to the ends of each lattice edge. A
-/// bit set marks the crossed edges, so no sorting is needed.
+/// Collects the crossings of one column. Keeps, for each lattice edge, the crossing nearest to
+/// either end. A bit set marks the crossed edges, so no sorting is needed.
 class ColumnEnds {
  public:
   explicit ColumnEnds(std::size_t points) : ends_(points), crossed_(points / 64 + 1, 0) {}
@@ -25,14 +25,15 @@ class ColumnEnds {
       ends = {r, r};
       return;
     }
-    // Of crossings at the same place, both ends take the one with the smallest element.
+    // Of several crossings at the same place, both ends keep the one with the smallest element.
     const auto firstOf = [&](const CrossingRecord& other) {
       return r.key == other.key && r.element < other.element;
     };
     if (r.key < ends.low.key || firstOf(ends.low)) ends.low = r;
     if (r.key > ends.high.key || firstOf(ends.high)) ends.high = r;
   }
-  /// Calls use(k, low, high) for the crossed edges in rising order, and clears them.
+  /// Calls use(k, low, high) for the crossed edges in rising order of k, and removes them from this
+  /// object.
   template <class Use>
   void take(const Use& use) {
     for (std::size_t w = 0; w < crossed_.size(); ++w) {
@@ -42,7 +43,7 @@ class ColumnEnds {
       }
     }
   }
-  /// Appends the crossed edges to `edges`, and clears them here.
+  /// Appends the crossed edges to `edges`, and removes them from this object.
   void moveTo(std::vector<MarkedEdge>& edges) {
     take([&](std::size_t k, const CrossingRecord& low, const CrossingRecord& high) {
       MarkedEdge edge;
@@ -63,8 +64,8 @@ class ColumnEnds {
   std::vector<std::uint64_t> crossed_;
 };
 
-/// Sorts records stably by bucket into `out`, which grows to their number. forAll(use) must call
-/// use(record) for every record. Returns the start of every bucket, and the end.
+/// Sorts records stably by bucket into `out`, which grows if it is too small. forAll(use) must call
+/// use(record) for every record. Returns the start of every bucket and the end of the last one.
 template <class ForAll, class BucketOf>
 std::vector<std::uint32_t> sortByBucket(std::size_t buckets, const ForAll& forAll,
                                         const BucketOf& bucketOf,

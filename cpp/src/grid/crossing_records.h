@@ -1,8 +1,8 @@
 // Sorts the raw crossings of any sampler into marked edges, layer by layer.
 //
 // In: chunks of records, in any order. Out: marked edges that depend only on the contents of the
-// chunks. Cost: O(crossings); 12 bytes per crossing, and the same again for the records of one work
-// item.
+// chunks. Cost: O(crossings); 12 bytes per crossing, and once more 12 bytes per crossing of one
+// work item.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,5 +1,5 @@
-// Two-sided Hermite data of the envelope: for every lattice edge, the first crossing seen from each
-// of its outside ends.
+// Two-sided Hermite data of the envelope: for every lattice edge, the first crossing on the way
+// from each end of the edge that lies outside (the crossing "seen" from this end).
 //
 // Memory: 8 bytes per edge, 24 bytes per crossing.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -22,11 +22,11 @@ struct Crossing {
 
 struct HermiteEdge {
   static constexpr std::uint8_t kLow = 1, kHigh = 2;
-  /// Index of the low crossing, or of the high one if there is no low one. The high one follows the
-  /// low one.
+  /// Index of the crossing seen from the low end or, if there is none, of the one seen from the
+  /// high end. If the edge has both, their indices are successive.
   std::uint32_t first = 0;
   std::uint16_t k = 0;
-  /// Bits kLow, kHigh: this end of the edge lies outside, and has the crossing seen from there.
+  /// Bits kLow and kHigh: set if this end lies outside, so that there is a crossing seen from it.
   std::uint8_t sides = 0;
 };
 
@@ -34,7 +34,7 @@ struct HermiteEdge {
 struct HermiteLayer {
   std::array<std::vector<HermiteEdge>, 3> edges;
   std::array<std::vector<std::uint32_t>, 3> columnStart;
-  std::uint32_t firstCrossing = 0;  ///< the crossings of a layer are consecutive
+  std::uint32_t firstCrossing = 0;  ///< index of the first crossing; the others of the layer follow
 };
 
 struct HermiteGrid {

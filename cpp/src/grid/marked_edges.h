@@ -1,7 +1,7 @@
 // The output of every sampler: for each lattice edge that the swept surface crosses, the first
-// crossing seen from each end.
+// crossing on the way from each of its two ends (the crossing "seen" from this end).
 //
-// Memory: 20 bytes per edge, so it grows with the surface.
+// Memory: 20 bytes per edge, so the size grows with the area of the surface.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -12,9 +12,9 @@ namespace swept {
 namespace {
 
 /// Returns the vertices that can be the farthest along a world axis at any placement. Seen from the
-/// body, the axis is a direction d; all d lie within `turn` of the first one. A turn changes the
-/// lead of one vertex over another by at most 2 * radius * turn. A vertex that lies farther behind
-/// at the first placement can never become the farthest.
+/// body, the axis has a direction d at each placement, which differs from the first d by at most
+/// `turn`. So the lead of one vertex over another changes by at most 2 * radius * turn. A vertex
+/// that lies farther behind than this at the first placement can never become the farthest.
 std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& centre,
                                    const Motion& motion, int axis, double side) {
   const Eigen::RowVector3d d = side * motion.placements.front().rotation.row(axis);
@@ -70,9 +70,10 @@ Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunConte
   for (const auto& v : body.vertices) bodyBox.extend(v);
   const Eigen::Vector3d centre = bodyBox.center(), half = bodyBox.sizes() / 2;
   Eigen::AlignedBox3d box;
-  // Placements sorted by their extremes would skip more; a strided order is good enough.
+  // A placement is skipped if its box lies in the box found so far. Visiting the placements in
+  // strides finds a large box early.
   const std::size_t n = motion.placements.size();
-  // From this many placements on, the search for the foremost vertices pays off.
+  // From this many placements on, the search for the foremost vertices saves time.
   constexpr std::size_t kMany = 1024;
   if (n >= kMany) {
     box = boxOfSimilarPlacements(body, centre, motion);

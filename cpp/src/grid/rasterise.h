@@ -24,12 +24,12 @@ namespace swept {
 
 namespace detail {
 
-/// Breaks the tie for a line exactly on the edge s -> t: whether the shifted line lies on its inner
-/// side.
+/// Breaks the tie for a line exactly on an edge with the direction (du, dv): returns whether the
+/// shifted line lies on the inner side of the edge.
 inline bool tieIsInside(std::int64_t du, std::int64_t dv) { return dv < 0 || (dv == 0 && du > 0); }
 
-/// Decides exactly whether a crossing within rounding of lattice point k of its line lies above the
-/// shifted lattice point.
+/// Decides exactly whether a crossing lies above the shifted lattice point k of its line, for
+/// crossings so near to this point that a rounded position cannot tell.
 template <int W>
 bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std::int64_t, 3>& w,
                      std::int64_t area2, std::int64_t k, const SnappedPoint& a,
@@ -104,7 +104,7 @@ inline void rasteriseTriangle(const SnappedPoint& a, const SnappedPoint& b0, con
 
   for (std::int32_t v = v0; v <= v1; ++v) {
     std::int32_t first = u0, last = u1;
-    if (wide) {  // narrow the row by each edge, with one line to spare; the exact test decides
+    if (wide) {  // each edge limits the row, with a margin of one line; the exact test decides
       for (int i = 0; i < 3; ++i) {
         if (dv[i] == 0) continue;
         const double at = static_cast<double>(row[i]) * perRow[i];

@@ -23,7 +23,7 @@ inline std::int32_t snapCoordinate(double g) {
   return 2 * static_cast<std::int32_t>(g * (kSubUnits / 2)) + 1;
 }
 
-/// Snaps the point p(x). `p` gives cells (GridPlan::toGrid()).
+/// Snaps the point p(x). `p` is a placement in grid coordinates (GridPlan::toGrid()).
 inline SnappedPoint snap(const Placement& p, const Eigen::Vector3d& x) {
   SnappedPoint out;
   for (int axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,5 @@
-// Interface through which contouring casts lines at the swept surface, to learn more than the
-// crossings with the grid show. Implemented by crossings/element_probe, and in tests by surfaces of
+// Interface through which contouring casts lines at the swept surface, to find parts of the surface
+// that no grid edge meets. Implemented by crossings/element_probe, and in tests by surfaces of
 // known shape.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -35,8 +35,8 @@ void refuseBadFaces(const TriMesh& body) {
                         "; face numbers begin at 0");
 }
 
-/// Keeps the given faces of the triangles if `wanted`. Without given faces, each triangle becomes
-/// its own face.
+/// If faces are wanted, keeps the given faces of the triangles; if none are given, each triangle
+/// becomes its own face. If faces are not wanted, removes them.
 void takeFaces(CheckedBody& result, bool wanted) {
   std::vector<std::int32_t>& faceOf = result.mesh.faceOf;
   result.namedFaces = wanted && !faceOf.empty();

@@ -25,10 +25,10 @@ struct CheckedBody {
   std::vector<Finding> findings;
 };
 
-/// Throws Error(InvalidInput) with the code EmptyMesh, BadFaces, BadIndex, NonFiniteVertex,
-/// NoVolume or OutOfRange, and Error(ResourceLimit, "TooManyVertices").
-/// Accepts an open body (row 6 of docs/bad_input.md): only the sampling shows whether the sweep
-/// closes it.
+/// Checks, welds, cleans and orients the body. Throws Error(InvalidInput) with the code EmptyMesh,
+/// BadFaces, BadIndex, NonFiniteVertex, NoVolume or OutOfRange, and Error(ResourceLimit,
+/// "TooManyVertices"). Accepts an open body (row 6 of docs/bad_input.md), because only the sampling
+/// tells whether its sweep is closed.
 CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& run);
 
 }  // namespace swept

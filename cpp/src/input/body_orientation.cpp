@@ -20,7 +20,7 @@ namespace {
 struct Patches {
   std::vector<std::int32_t> ofTriangle;
   std::vector<std::uint8_t> flip;               ///< per triangle: 1 if it must be reversed
-  std::vector<std::uint8_t> mixed, consistent;  ///< per patch; mixed: has reversed triangles
+  std::vector<std::uint8_t> mixed, consistent;  ///< per patch; mixed: some triangles are reversed
   std::int64_t turned = 0;
   std::int32_t count() const { return static_cast<std::int32_t>(mixed.size()); }
 };
@@ -79,8 +79,8 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
   return patches;
 }
 
-/// Joins patches at edges where the directions of one patch alone do not cancel. Returns the shell
-/// of each patch.
+/// Joins patches that meet at an edge, if the triangles of each patch alone do not run along this
+/// edge equally often in both directions. Returns the shell of each patch.
 std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& patches,
                                       std::vector<Shell>& shells) {
   auto parent = singleSets<std::int32_t>(patches.count());
@@ -195,7 +195,8 @@ void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
     bool cavity = false;
     if (around > 0) {
       const bool opposite = (shell.extent.volume < 0) != (shells[outermost].extent.volume < 0);
-      // If the triangles of a shell disagreed, its direction means nothing; then nesting decides.
+      // If some triangles of a shell had to be reversed, its direction in the file tells nothing;
+      // then the nesting decides.
       cavity = shell.mixed || shells[outermost].mixed ? around == 1 : opposite;
       cavity ? ++result.cavities : ++result.nested;
     }

@@ -26,12 +26,13 @@ struct OrientationResult {
   std::int64_t mixed = 0;         ///< triangles reversed to agree with the rest of their shell
   std::int64_t inverted = 0;      ///< shells reversed as a whole
   std::int64_t cavities = 0;      ///< closed shells that bound a hollow space inside the body
-  std::int64_t nested = 0;        ///< closed shells wholly inside another one that point outward
+  std::int64_t nested = 0;        ///< closed shells that point outward, wholly inside another shell
   std::int64_t inconsistent = 0;  ///< shells that have no consistent orientation
   bool insideOut = false;         ///< a shell that crosses itself has parts that are inside out
   bool orientable = false;        ///< see CheckedBody
 };
-/// `edges`: those of `mesh`. `closed`: true if every edge has an even number of triangles.
+/// Reverses triangles of `mesh` where necessary. `edges` are the edges of `mesh`. `closed` tells
+/// that every edge has an even number of triangles.
 OrientationResult orientShells(TriMesh& mesh, const EdgeTable& edges, bool closed, RunContext& run);
 
 }  // namespace swept

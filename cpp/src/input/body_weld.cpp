@@ -9,7 +9,8 @@
 namespace swept {
 namespace {
 
-// A cross product below this fraction of the product of two edge lengths is only rounding.
+// A cross product below this fraction of the product of two edge lengths may be rounding error
+// only.
 constexpr double kNoArea = 1e-15;
 
 std::uint64_t mix(std::uint64_t x) {
@@ -46,7 +47,7 @@ std::array<std::int32_t, 3> sorted(std::array<std::int32_t, 3> t) {
   return t;
 }
 
-/// True if the corners are an even permutation of the sorted corners.
+/// Returns true if the corners are an even permutation of the sorted corners.
 bool isEven(const std::array<std::int32_t, 3>& t) {
   return (t[0] < t[1]) == ((t[1] < t[2]) == (t[0] < t[2]));
 }
@@ -133,7 +134,8 @@ std::vector<std::int32_t> toleranceWeld(const std::vector<Eigen::Vector3d>& vert
     map[v] = static_cast<std::int32_t>(v);
     count += candidates[v];
   }
-  // Boxes of two tolerances: all points within one tolerance lie in this box or an adjacent one.
+  // Sorts the points into boxes with a side of two tolerances. All points within one tolerance of a
+  // point lie in its box or an adjacent one.
   const double box = 2 * tolerance;
   auto cellOf = [&](const Eigen::Vector3d& p, int axis, int step) {
     return std::floor(p[axis] / box) + step;
@@ -187,8 +189,9 @@ EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets) {
   }
   if (any) dropTriangles(mesh, dead);
 
-  // Triangles with the same corners share all edges. So look only at edges at which several
-  // triangles have the same third corner, and only at the edge between the two lowest corners.
+  // Find duplicates, that is, triangles with the same three corners. They share all three edges, so
+  // it is enough to compare triangles at the edge between their two lowest corners: duplicates have
+  // the same third corner there.
   dropUnused(mesh);
   EdgeTable edges(mesh);
   dead.assign(mesh.triangles.size(), 0);

@@ -18,7 +18,8 @@ namespace swept {
 std::vector<std::int32_t> exactWeld(const std::vector<Eigen::Vector3d>& vertices);
 
 /// Does the same within `tolerance`, for the vertices marked in `candidates`. Visits them in the
-/// order of their indices; each joins the nearest earlier representative. So clusters do not chain.
+/// order of their indices; each vertex joins the nearest earlier representative. So a long row of
+/// near vertices does not collapse into one vertex.
 std::vector<std::int32_t> toleranceWeld(const std::vector<Eigen::Vector3d>& vertices,
                                         const std::vector<std::uint8_t>& candidates,
                                         double tolerance);
@@ -33,10 +34,10 @@ struct CleanCounts {
   std::vector<std::int64_t> firstDegenerate, firstDuplicate;  ///< indices, at most 8 each
 };
 
-/// Removes triangles that repeat a vertex or have no area. Of duplicates with the same orientation
-/// it keeps one; of duplicates with opposite orientations none, unless `keepSheets`. Then removes
-/// unused vertices; the others keep their order. Face numbers stay with their triangles. Returns
-/// the edges of the remaining triangles.
+/// Removes triangles that repeat a vertex or have no area. Keeps one of several duplicates with the
+/// same orientation. Removes pairs of duplicates with opposite orientations, unless `keepSheets`.
+/// Then removes unused vertices; the others keep their order. Face numbers stay with their
+/// triangles. Returns the edges of the remaining triangles.
 EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets = false);
 
 }  // namespace swept

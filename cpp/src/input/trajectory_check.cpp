@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kRigidLimit = 1e-4;  // larger deviations of |q| from 1 are no rounding errors
-constexpr double kMendNote = 1e-9;    // smaller deviations get no note
+constexpr double kMendNote = 1e-9;    // smaller deviations are mended without a finding
 constexpr double kAmbiguousDegrees = 1.0;
 
 // Users count poses from 1, like the rows of a table.

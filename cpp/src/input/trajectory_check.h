@@ -13,8 +13,9 @@
 
 namespace swept {
 
-/// What to do with a pose that repeats the placement before it at a later time. It does not change
-/// the shape of a sweep (Drop). If other parts move meanwhile, it means that the body waits (Keep).
+/// What to do with a pose that repeats the placement of the pose before it at a later time. Drop is
+/// for a sweep, whose shape such a pose does not change. Keep is for a body that waits while other
+/// parts move.
 enum class RepeatedPoses { Drop, Keep };
 
 struct CheckedTrajectory {
@@ -23,13 +24,14 @@ struct CheckedTrajectory {
   std::vector<Finding> findings;
 };
 
-/// Throws Error(InvalidInput) with the code EmptyTrajectory, BadPose, NotRigid or AmbiguousTurn.
-/// The last one only occurs if poses are interpolated: a turn within 1 degree of 180 between two
-/// poses has no unique shortest way.
+/// Checks and mends the poses. Throws Error(InvalidInput) with the code EmptyTrajectory, BadPose,
+/// NotRigid or AmbiguousTurn. AmbiguousTurn occurs only if poses are interpolated: a turn within 1
+/// degree of 180 between two poses has no unique shortest way.
 CheckedTrajectory checkTrajectory(const Trajectory& trajectory,
                                   RepeatedPoses repeated = RepeatedPoses::Drop);
 
-/// Throws Error(InvalidInput, "BadOption") with the name, value and allowed range (row 16).
+/// Checks the options. Throws Error(InvalidInput, "BadOption") with the name, the value and the
+/// allowed range (row 16 of docs/bad_input.md).
 void checkOptions(const Options& options);
 
 }  // namespace swept

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Limit for a pipe, which is held in memory: room for a mesh of 40 million triangles. It also stops
-// the reading of an endless device.
+// Limit for the bytes of a pipe, which are held in memory: enough for a mesh of 40 million
+// triangles. The limit also ends the reading of an endless device.
 constexpr std::uint64_t kMaxPipeBytes = 2ULL << 30;
 
 [[noreturn]] void badFile(const std::string& text) {

@@ -28,9 +28,10 @@ std::unique_ptr<ByteSource> openByteSource(const std::string& path);
 class LineSource {
  public:
   explicit LineSource(const std::string& path);
-  /// Returns false at the end of the file.
+  /// Reads the next line. Returns false at the end of the file.
   bool next(std::string& line);
-  std::int64_t number() const { return number_; }  ///< of the line last returned, counted from 1
+  /// Returns the number of the line that next() read last, counted from 1.
+  std::int64_t number() const { return number_; }
 
  private:
   bool fill();

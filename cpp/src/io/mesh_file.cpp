@@ -145,7 +145,7 @@ PolygonList readStl(InputFile& file, const std::string& path) {
   }
   file.stream->clear();
   file.stream->seekg(0);
-  const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // at least a byte per element
+  const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // an element has a byte or more
   ListImporter found(limit, 4 * limit);
   OpenMeshCall call;
   if (!OpenMesh::IO::IOManager().read(*file.stream, "stl", found, options)) {

@@ -47,7 +47,8 @@ PlyProperty parseProperty(std::istringstream& words, const std::string& path, in
   return property;
 }
 
-// Reads one line of the header. Refuses every error, since the meaning of the data depends on it.
+// Reads one line of the header. Refuses a line with any error, since the header gives the meaning
+// of the data.
 void parseLine(const std::string& text, const std::string& path, PlyHeader& header) {
   std::istringstream words(text);
   std::string key;
@@ -85,7 +86,7 @@ void parseLine(const std::string& text, const std::string& path, PlyHeader& head
 void checkSize(const PlyHeader& header, std::uint64_t fileBytes, const std::string& path) {
   std::uint64_t left = fileBytes - header.dataStart;
   for (const PlyElement& element : header.elements) {
-    // At least a digit and a separator per value in text files, else the exact size.
+    // In a text file, every value takes at least a digit and a separator.
     const std::uint64_t least = header.format == PlyHeader::Format::Ascii
                                     ? 2 * element.properties.size()
                                     : element.leastBytes();

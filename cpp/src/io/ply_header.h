@@ -16,7 +16,7 @@ namespace swept {
 struct PlyProperty {
   std::string name;
   int bytes = 0;       ///< size of the value, or of one list entry
-  int countBytes = 0;  ///< lists: size of the number of entries; 0 for a plain value
+  int countBytes = 0;  ///< size of the count before the entries of a list; 0 for a plain value
   bool isFloat = false;
   bool isSigned = false;  ///< an integer that may be negative
 };
@@ -25,7 +25,7 @@ struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
-  /// Smallest size of one element in a binary file, in bytes: all lists are empty.
+  /// Returns the size in bytes that one element has in a binary file if all its lists are empty.
   std::uint64_t leastBytes() const;
 };
 

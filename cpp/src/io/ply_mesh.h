@@ -1,4 +1,4 @@
-// Reads PLY files, text and binary, in double precision. They may have any additional properties.
+// Reads PLY files, text and binary, in double precision. The files may have additional properties.
 // OpenMesh's reader is not used: it rounds to single precision, never stops on a header that it
 // does not understand, and its version 11 crashes on unknown properties.
 // In:   stream, its header and size.

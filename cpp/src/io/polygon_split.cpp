@@ -38,7 +38,8 @@ std::vector<Point> flatten(const std::vector<Eigen::Vector3d>& vertices,
 }
 
 bool contains(const Point& a, const Point& b, const Point& c, const Point& p) {
-  // A polygon may touch itself (a slit to a hole). A corner at the same place blocks no ear.
+  // A polygon may touch itself (at a slit to a hole). So a point that coincides with a corner of
+  // the ear does not count as inside.
   if (p == a || p == b || p == c) return false;
   return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }

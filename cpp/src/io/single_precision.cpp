@@ -109,7 +109,8 @@ class Rounding {
                      points_[c].cast<double>());
   }
 
-  /// Moves a place to the nearest free point for which suits() is true. Leaves it if there is none.
+  /// Moves a place to the nearest free point for which suits() is true. Leaves the place unchanged
+  /// if there is no such point.
   template <class Suits>
   void move(std::size_t place, const Suits& suits) {
     constexpr int kReach = 2;

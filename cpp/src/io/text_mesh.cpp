@@ -29,7 +29,7 @@ void checkCount(std::size_t count, const char* what, const TextScanner& scan) {
            ")");
 }
 
-// Completes a face from the corners after the last face.
+// Completes a face, which consists of all corners that were added since the last face.
 void endFace(PolygonList& list, const TextScanner& scan) {
   const std::size_t corners = list.corners.size() - list.faceStart.back();
   if (corners < 3) scan.bad("a face needs 3 corners, but this face has " + std::to_string(corners));

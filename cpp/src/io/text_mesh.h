@@ -19,18 +19,19 @@
 
 namespace swept {
 
-/// Skip normals, colours and texture; check that every index exists.
+/// Read vertices and faces, skip normals, colours and texture, and check that every index exists.
 PolygonList readObj(std::istream& stream, const std::string& path);
 PolygonList readOff(std::istream& stream, const std::string& path);
-/// Throw if a value is not a finite number.
+/// Check that all values are finite numbers; throw if not.
 void checkTextStl(std::istream& stream, const std::string& path);
 void checkBinaryStl(std::istream& stream, const std::string& path);
 
 std::string readAll(std::istream& stream);
-/// Convert a word to a number. Throw like TextScanner::expected() if it is not one.
+/// Convert a word to a number. Throw like TextScanner::expected() if the word is not a number.
 double toNumber(TextScanner& scan, std::string_view word);
 std::int64_t toInteger(TextScanner& scan, std::string_view word);
-/// Parse a text that must be one number as a whole, in any locale. They accept a leading +.
+/// Parse a text that must consist of one number, which may have a leading +. The locale does not
+/// matter. Return false if the text is anything else.
 bool parseNumber(std::string_view text, double& value);
 bool parseInteger(std::string_view text, std::int64_t& value);
 

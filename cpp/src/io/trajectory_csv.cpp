@@ -1,4 +1,5 @@
-// Reads a table of poses row by row, up to a limit of rows. Any error refuses the whole table.
+// Reads a table of poses row by row, up to a limit of rows. A single error makes the reader refuse
+// the whole table.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <array>
@@ -106,7 +107,7 @@ class CsvReader {
                         [](std::string_view field) { return startsLikeNumber(field); });
   }
 
-  // True for a row with separators only: some spreadsheets write empty lines so.
+  // Returns true for a row with separators only: some spreadsheets write empty lines in this way.
   bool isBlank() const {
     return std::all_of(fields_.begin(), fields_.end(),
                        [](std::string_view field) { return field.empty(); });
@@ -137,7 +138,7 @@ class CsvReader {
     fromComment_ = false;
     TrajectoryHeader header = readTrajectoryHeader(fields_);
     if (header.missing && isMatrix(fields_.size())) {
-      setWidth(fields_.size());  // names of matrix entries vary, but not their order
+      setWidth(fields_.size());  // the names of matrix entries vary, but their order does not
       return;
     }
     if (header.unknown && (header.missing || fields_.size() <= kPoseColumns.size())) {
@@ -208,7 +209,8 @@ class CsvReader {
     return parseNumber(pointed, value);
   }
 
-  // A decimal comma, such as 0,5, splits a number in two: the row then has too many columns.
+  // Returns a hint about decimal commas. If the comma is the separator, it splits a number such as
+  // 0,5 in two, so the row has too many columns.
   std::string hint() const {
     const bool doubled = separator_ == ',' && fields_.size() > 8;
     return doubled ? "; if the numbers have decimal commas, write them with points" : "";
@@ -264,7 +266,7 @@ class CsvReader {
   bool rowsBegun_ = false;
   bool fromComment_ = false;
   std::string headerLine_;
-  TrajectoryHeader columns_;  // target empty: order of kPoseColumns, or a matrix
+  TrajectoryHeader columns_;  // without targets: columns as in kPoseColumns, or those of a matrix
   std::vector<std::string_view> fields_;
   std::vector<double> values_;
   std::vector<Pose> poses_;

@@ -24,8 +24,8 @@ struct Motion {
   /// True: the body moves continuously from placements[i] to placements[i + 1]. False: the
   /// placements are separate copies of the body.
   bool continuous = false;
-  /// Placement in the middle of each step (only if continuous). It shows how far the true path
-  /// leaves the chord.
+  /// Exact placement in the middle of each step (only if continuous). The distance of a point there
+  /// from its chord tells how far the true path deviates.
   std::vector<Placement> midpoints;
   std::vector<std::uint32_t> poses;  ///< per pose of the trajectory: index of its placement
   double chordError = 0;             ///< mm, bound on the distance of any body point from its chord

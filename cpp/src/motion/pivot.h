@@ -16,10 +16,11 @@ Eigen::Vector3d pivotOf(const Trajectory& trajectory);
 /// Returns the body in coordinates whose origin is the pivot.
 TriMesh seenFromPivot(TriMesh body, const Eigen::Vector3d& pivot);
 
-/// Returns the poses of these coordinates. Rotations must be unit quaternions.
+/// Returns the poses that move the body of seenFromPivot() as `trajectory` moves the given body.
+/// Rotations must be unit quaternions.
 Trajectory carriedByPivot(Trajectory trajectory, const Eigen::Vector3d& pivot);
 
-/// Returns the pose of the body for a pose of the coordinates about the pivot.
+/// Converts a pose as returned by carriedByPivot() back to a pose of the given body.
 Pose backFromPivot(Pose pose, const Eigen::Vector3d& pivot);
 
 }  // namespace swept

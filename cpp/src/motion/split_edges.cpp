@@ -13,8 +13,8 @@ namespace swept {
 namespace {
 
 // Time of the sampling in ns: per copy of a face with its share of side patches, per cell of the
-// length of a face that is not culled, and per crossing. Only the ratios matter. They are fitted to
-// the times of 40 runs of eight random inputs with edges of 1 to 75 cells.
+// length of a face that is not culled, and per crossing. Only the ratios matter. The constants are
+// fitted to the times of 40 runs of eight random inputs with edges of 1 to 75 cells.
 constexpr double kFaceCost = 70, kLengthCost = 28, kCrossingCost = 7;
 /// Largest number of triangles after a split: the body must not need more memory than the envelope.
 constexpr double kMaxTriangles = 2e6;
@@ -74,7 +74,8 @@ class SamplingCost {
     return triangles(longest) * placements(longest, chord);
   }
 
-  /// Returns the time in ns.
+  /// Returns the estimated time of the sampling in ns; infinite if there would be too many
+  /// triangles.
   double of(double longest, double chord) const {
     const double count = triangles(longest);
     if (count > std::max(kMaxTriangles, static_cast<double>(extents_.size()))) {
@@ -97,8 +98,8 @@ class SamplingCost {
   }
 
  private:
-  /// Number of pieces of a triangle. Halving leaves triangles with an area of about a quarter of
-  /// longest^2.
+  /// Returns the number of pieces into which splitEdges() cuts a triangle. The pieces have an area
+  /// of about a quarter of longest^2.
   static double pieces(const Extent& e, double longest) {
     return e.side <= longest ? 1 : 2 * e.side / longest * std::max(1.0, e.height / longest);
   }

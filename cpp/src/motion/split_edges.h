@@ -1,7 +1,7 @@
-// Splits the long edges of a turning body, so that fewer placements approximate its motion.
+// Splits the long edges of a turning body, so that fewer placements suffice for its motion.
 // During a turn by the angle a, an edge of length L sweeps a warped patch. The two triangles that
-// replace the patch leave the true ruled surface by up to L a / 4 (warpOf() in step_path.h). To
-// stay within `chord`, the turn needs L a / (4 chord) placements, each with a copy of every face.
+// replace the patch deviate from it by up to L a / 4 (warpOf() in step_path.h). To stay within
+// `chord`, the turn needs L a / (4 chord) placements, each with a copy of every face.
 // Shorter edges need fewer placements but more faces per copy. The number of crossings with grid
 // lines depends only on the total area of the copies.
 // In:    body, trajectory.
@@ -17,13 +17,13 @@ namespace swept {
 
 /// How to approximate a motion.
 struct Following {
-  double longestEdge;  ///< mm, split edges longer than this; infinite if it gains little
+  double longestEdge;  ///< mm, split edges longer than this; infinite if splitting gains little
   double chord;        ///< mm, larger than requested only if there would be too many copies
 };
 
-/// Returns the edge length with the least work, and the chord to use. `mostCopies`: largest number
-/// of triangle copies; the limit is never below twice the number for a chord of one cell.
-/// `maySplit`: false if the body must stay unsplit.
+/// Returns the edge length with the least work, and the chord to use. The chord is doubled until
+/// there are at most `mostCopies` copies of triangles, or twice as many as a chord of one cell
+/// needs, if this is more. `maySplit` is false if the body must stay unsplit.
 Following planFollowing(const TriMesh& body, const Trajectory& trajectory, double chord,
                         double cell, double mostCopies, bool maySplit, RunContext& run);
 

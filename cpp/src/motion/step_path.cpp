@@ -7,9 +7,9 @@
 namespace swept {
 namespace {
 
-// A turn below this angle counts as none. A screw of length d and angle a turns about a point up to
-// d / a away, so rounding displaces its points by eps d / a. A straight line instead is off by
-// d a / 8. Both errors are equal, about 5e-9 d, at a = sqrt(8 eps).
+// A step with a smaller turn than this counts as straight. A screw of length d and angle a turns
+// about a point up to d / a away, so rounding displaces its points by eps d / a. A straight line in
+// place of the screw deviates by d a / 8. Both errors are equal, about 5e-9 d, at a = sqrt(8 eps).
 constexpr double kMinScrewAngle = 4e-8;
 
 }  // namespace

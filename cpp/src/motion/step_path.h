@@ -1,5 +1,5 @@
 // The motion of a body from one pose to the next, and the number of pieces that approximate it. All
-// parts that move a body between poses use this class, so that all use the same path.
+// code that moves a body between poses uses this class, so that the path is the same everywhere.
 // Units: mm, rad, s. Cost: O(1) per query; the sphere and the longest edge take O(n).
 // Sources: slerp, Shoemake 1985; the screw axis of a rigid motion, Chasles 1830.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -39,7 +39,7 @@ class StepPath {
   /// True if all points turn about one fixed axis and slide along it. Else the origin of the body
   /// moves along a straight line and the body turns about its origin.
   bool isScrew() const { return screw_; }
-  /// mm, displacement along the axis of a screw.
+  /// Displacement along the axis of a screw, in mm.
   double pitch() const { return pitch_; }
   /// Axis of rotation, in world coordinates.
   Eigen::Vector3d axis() const { return from_.rotation * axis_; }
@@ -52,7 +52,7 @@ class StepPath {
   /// Returns the velocities per unit of s at the moment at which the body is at `pose`. `pose` must
   /// be a result of poseAt().
   Twist twistAt(const Pose& pose) const;
-  /// mm per unit of s: the speed along the axis of a screw, else the speed of the body's origin.
+  /// Speed along the axis of a screw, else speed of the body's origin, in mm per unit of s.
   double drift() const { return screw_ ? std::abs(pitch_) : shift().norm(); }
   /// Upper bound, in mm per unit of s, of the speed of all points within `radius` of the axis.
   double fastest(double radius) const {
@@ -73,13 +73,15 @@ class StepPath {
 
 double longestEdge(const TriMesh& body);
 
-/// The patch that an edge sweeps over a turn (rad) is warped. Its two triangles leave the ruled
-/// surface by up to this distance, which a bound on the chords of points does not include.
+/// Returns by how much the two triangles that replace the warped patch swept by an edge deviate
+/// from the patch at most. `turn` is in rad; `edge` is the length of the edge. Bounds on the chords
+/// of points do not cover this deviation.
 inline double warpOf(double turn, double edge) { return edge * turn / 4; }
 
-/// Number of pieces per step, not rounded, so that the chords of points and the side patches
-/// together leave the true motion by at most `chord`. With n pieces the arc is off by
-/// r a^2 / (8 n^2) (the exact sagitta is slightly smaller) and the patch by warpOf(a, longest) / n.
+/// Returns the number of pieces per step, not rounded, with which the chords of points and the side
+/// patches together deviate from the true motion by at most `chord`. With n pieces, the chords
+/// deviate by r a^2 / (8 n^2) (the exact sagitta is slightly smaller) and the patches by
+/// warpOf(a, longest) / n.
 double piecesOf(double radius, double angle, double longest, double chord);
 
 }  // namespace swept

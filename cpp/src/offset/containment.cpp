@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 using Corners = std::array<Vector3d, 3>;
 
 constexpr double kSmallest = 0.01;  // cells: no triangle with a smaller radius is split further
-constexpr double kTight = 0.1;      // cells: required tightness of the upper bound
+constexpr double kTight = 0.1;      // cells: the upper bound may exceed the true value by this
 
 class Prover {
  public:

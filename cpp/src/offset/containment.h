@@ -27,7 +27,8 @@ struct Containment {
   std::int64_t outside = 0;  ///< points of Cover::inside that are not inside the mesh
 };
 
-/// least: the smallest reach that is allowed for a point of the mesh.
+/// Tries to prove that the mesh contains the swept volume. `least` is the smallest reach that is
+/// allowed for a point of the mesh.
 Containment proveContainment(const Cover& cover, const CoverSearch& tree, const TriMesh& mesh,
                              const GridPlan& grid, double least, RunContext& run);
 

@@ -13,12 +13,12 @@
 namespace swept::offset {
 namespace {
 
-constexpr double kTwist = 0.005;  // cells: largest warp of a piece; patches are cut to meet it
+constexpr double kTwist = 0.005;  // cells: patches are cut into pieces whose warp is at most this
 constexpr int kMaxParts = 256;
 
-/// The data of one motion step that the triangles at both of its ends need.
+/// What the cover triangles at the start and at the end of a motion step need to know of this step.
 struct Step {
-  Placement from, to;  // body to cells
+  Placement from, to;  // from body coordinates (mm) to grid coordinates (cells)
   double turn = 0;     // rad, an upper bound
   double slack(double displacement) const { return turn * displacement / 4; }
 };
@@ -116,7 +116,7 @@ class MotionCover {
   Step stepBefore_, stepAfter_;
 };
 
-/// Returns how far the true motion leaves the chords, in cells. Up to terms of the fourth order, a
+/// Returns how far the true motion deviates from the chords, in cells. Up to fourth-order terms, a
 /// point moves on an arc of constant curvature during a step, so its deviation is largest in the
 /// middle of the step.
 double chordOf(const SamplerInput& input) {
@@ -143,8 +143,8 @@ void coverCopies(const SamplerInput& input, std::size_t k, CoverTriangle* out) {
   }
 }
 
-/// Cuts long triangles. The bounding box of a long oblique triangle is nearly empty, and searches
-/// would look into it in vain.
+/// Cuts long triangles. The bounding box of a long oblique triangle is nearly empty, so searches
+/// would often test the triangle in vain.
 void cutLong(std::vector<CoverTriangle>& triangles) {
   constexpr double kLong = 6;       // cells
   constexpr double kMaxPieces = 3;  // limit: this many times the triangles, plus a million

@@ -1,5 +1,6 @@
 // Finds the nearest triangle of a cover (cover.h).
-// The reach of a point: the smallest value of distance to a triangle minus slack of that triangle.
+// The reach of a point is the smallest value, over all triangles, of the distance to the triangle
+// minus the slack of the triangle.
 // In:    cover triangles. Out: the triangle that gives the reach, and the reach.
 // Units: cells. Cost: O(n) to build, O(log n) per query; 36 bytes per triangle.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -28,8 +29,9 @@ class CoverSearch {
     double reach = 0;            ///< distance minus slack; `below` if no triangle is nearer
     std::int32_t triangle = -1;  ///< -1: no triangle is nearer than `below`
   };
-  /// Finds the triangle with the smallest reach below `below`. hint: a triangle to start with, -1
-  /// for none. The search ends early at a reach of `enough` or less.
+  /// Finds the triangle that gives the reach of x, if the reach is smaller than `below`. `hint` is
+  /// a triangle to start with (-1: none). The search ends early when it finds a triangle with a
+  /// distance minus slack of `enough` or less.
   Nearest nearest(const Eigen::Vector3d& x, double below, std::int32_t hint = -1,
                   double enough = 0) const;
 

@@ -12,8 +12,8 @@ namespace {
 const double kHalfDiagonal = std::sqrt(3.0) / 2;
 
 /// Returns the reach at which a search about the centre of a node may stop. If `distance` is larger
-/// than the radius of the node, the node is then known to be near as a whole. A smaller distance
-/// rules that out, so the search stops as soon as the node is known to be mixed.
+/// than the radius of the node, this reach proves that the whole node is near (inside the offset
+/// surface). Otherwise no such proof is possible, and with this reach the node counts as mixed.
 double enoughFor(double distance, double radius) {
   return distance > radius ? distance - radius : distance + radius;
 }
@@ -22,7 +22,7 @@ Eigen::Vector3d middleOf(const std::array<std::int32_t, 3>& low, std::int32_t si
   return Eigen::Vector3d(low[0], low[1], low[2]) + Eigen::Vector3d::Constant((size - 1) / 2.0);
 }
 
-/// Calls use(low) for the eight halves of a node. `half`: size of a half.
+/// Calls use(low) for the eight children of a node, which have half its size. `half`: their size.
 template <class Use>
 void forHalves(const std::array<std::int32_t, 3>& low, std::int32_t half, const Use& use) {
   for (int c = 0; c < 8; ++c) {
@@ -53,12 +53,13 @@ OffsetField::OffsetField(const CoverSearch& tree, double distance, const GridPla
   });
 }
 
-/// Classifies nodes of this size. Returns the mixed nodes, split into halves; at the size of a
-/// block they are the blocks at the surface.
+/// Classifies nodes of this size as outside, near or mixed. Returns the mixed nodes: split into
+/// their children, or unsplit if they have the size of a block.
 std::vector<OffsetField::Node> OffsetField::refineTo(std::int32_t size,
                                                      const std::vector<Node>& nodes,
                                                      RunContext& run) {
-  // One cell more: then the edges from a uniform node to its neighbours are not crossed, either.
+  // With one cell more, the surface does not cross the edges from a uniform node to its neighbours,
+  // either.
   const double radius = kHalfDiagonal * (size - 1) + 1;
   std::vector<std::int8_t> kinds(nodes.size(), 0);
   std::vector<std::int32_t> hints(nodes.size(), -1);

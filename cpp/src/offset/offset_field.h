@@ -29,8 +29,8 @@ class OffsetField {
   OffsetField(const CoverSearch& tree, double distance, const GridPlan& grid, RunContext& run);
 
   double distance() const { return distance_; }
-  /// True for blocks that the surface may touch, including their edges to the next blocks. All
-  /// points of another block lie on the same side.
+  /// Returns true for a block whose edges, including those to the next blocks, the surface may
+  /// cross. All points of any other block lie on the same side.
   bool isMixed(std::int32_t bi, std::int32_t bj, std::int32_t bk) const {
     return block(bi, bj, bk) >= 0;
   }

@@ -16,8 +16,8 @@ constexpr double kMaxShort = 0.002, kMaxLong = 0.08;
 constexpr double kMaxMove = 1.5;
 constexpr int kRounds = 40;
 
-/// Returns the settled position of a vertex. `hint`: a triangle to start the search with, such as
-/// that of the vertex before; receives the nearest one.
+/// Returns the settled position of a vertex. `hint` is a triangle to start the search with, such as
+/// the one found for the previous vertex; `hint` receives the nearest triangle.
 Vector3d settled(const Vector3d& start, const CoverSearch& tree, double distance,
                  std::int32_t& hint) {
   Vector3d x = start;

@@ -23,8 +23,8 @@
 
 namespace swept::offset {
 
-/// Returns the moves, in the order of `vertices` (the vertices to inspect). Returns none if the
-/// distance is below half a cell: there a vertex may lie on the wrong side of the cover.
+/// Returns the moves, in the order of `vertices` (the vertices to inspect). Returns no moves if the
+/// distance is below half a cell, because a vertex may then lie on the wrong side of the cover.
 std::vector<VertexMove> settlingMoves(const TriMesh& mesh,
                                       const std::vector<std::int32_t>& vertices,
                                       const CoverSearch& tree, double distance,

@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::size_t kBlock = 1 << 10;
 
-/// From one point to another, both by their numbers in the result.
+/// A directed edge in the border of a piece of a triangle. `from` and `to` are indices of points in
+/// the result.
 struct Link {
   std::int32_t triangle;
   std::int32_t from, to;
@@ -33,7 +34,8 @@ struct Link {
                   "). This is a fault of the program; please report it with the parts");
 }
 
-/// Small faults of a mesh do no harm: what lies in itself counts as often as it is there.
+/// Throws if more than a small part of the solid `name` overlaps itself. A smaller overlap only
+/// adds its own small volume more than once.
 void requireOnce(const Windings& windings, const std::string& name) {
   constexpr double kMost = 0.01;
   if (windings.more <= kMost * (windings.once + windings.more)) return;
@@ -80,15 +82,17 @@ class Builder {
     return firstNode_[int(side)] + static_cast<std::int32_t>(node);
   }
 
-  /// How many copies of a vertex are kept: 0 or 1, and else where the other solid lies in itself.
+  /// Returns how many copies of a vertex are kept: 0 or 1, or another number where the other solid
+  /// overlaps itself.
   std::int32_t copies(Side side, std::int32_t vertex) const {
     const std::int32_t winding = windings_[int(side)].ofVertex[vertex];
     return keepsInside_ ? winding : 1 - winding;
   }
-  /// Does the part that is kept begin there, on the way along the edge?
+  /// Returns whether, on the way along the edge, the part that is kept begins at this node.
   bool begins(const Node& node) const { return node.enters == keepsInside_; }
 
-  /// The vertices of both meshes, then their nodes; what is not used goes at the end.
+  /// Puts the vertices of both meshes and then their nodes into the result. withoutFlatShells()
+  /// removes those that no triangle uses.
   void numberPoints() {
     std::size_t count = 0;
     for (const Side side : {Side::Shrunk, Side::Fixed})
@@ -109,12 +113,12 @@ class Builder {
     }
   }
 
-  /// Each two triangles of both meshes that meet share two nodes: where the border of the piece
-  /// of the first one begins to run along the second, and where it ends.
+  /// Finds the segments. Two intersecting triangles, one of each mesh, share two nodes. Between
+  /// these nodes, the border of the piece of either triangle runs along the other triangle.
   void findSegments() {
     struct End {
       std::int32_t shrunk, fixed;
-      bool last;  ///< of the segment as the shrunk mesh's triangle has it
+      bool last;  ///< whether the segment of the shrunk mesh's triangle ends here (or begins)
       std::int32_t point;
       auto operator<=>(const End&) const = default;
     };
@@ -146,13 +150,14 @@ class Builder {
     for (std::vector<Link>& list : segments_) std::sort(list.begin(), list.end());
   }
 
-  /// The pieces of an edge that are kept, from Edge::from to Edge::to: visit(from, to).
+  /// Calls visit(from, to) for the kept pieces of an edge; `from` is nearer to Edge::from. `starts`
+  /// is a buffer for reuse.
   template <class Visit>
   void forPieces(Side side, std::int32_t e, const std::vector<std::size_t>& firstOfEdge,
                  std::vector<std::int32_t>& starts, const Visit& visit) const {
     const Edge& edge = of(side).edges[e];
     const std::vector<Node>& nodes = nodes_[int(side)];
-    // A vertex that counts less than 0 times ends what it would begin.
+    // A negative number of copies of a vertex swaps the beginnings and ends of pieces there.
     const std::int32_t first = copies(side, edge.from), last = copies(side, edge.to);
     starts.assign(std::max(first, 0), vertexNumber(side, edge.from));
     for (std::size_t n = firstOfEdge[e]; n < firstOfEdge[e + 1]; ++n)
@@ -184,7 +189,7 @@ class Builder {
     out_.triangles.insert(out_.triangles.end(), found.begin(), found.end());
   }
 
-  /// What is kept of a triangle.
+  /// Appends the triangles of the kept piece of a triangle.
   void addTriangle(Side side, std::int32_t t, const std::vector<std::size_t>& firstOfEdge,
                    std::vector<std::array<std::int32_t, 3>>& triangles) const {
     const ClosedMesh& mesh = of(side);
@@ -245,7 +250,8 @@ class Builder {
   TriMesh out_;
 };
 
-/// Leaves out shells that are thinner than rounding: where faces lie on each other.
+/// Copies the mesh without shells of a mean thickness up to `flat` (mm), which arise where faces of
+/// the two solids coincide. Computes volume and area.
 Combined withoutFlatShells(const TriMesh& mesh, double flat) {
   const Adjacency adjacency = findAdjacency(mesh);
   if (adjacency.faults.open > 0 || adjacency.faults.misoriented > 0)
@@ -278,9 +284,10 @@ Combined withoutFlatShells(const TriMesh& mesh, double flat) {
 
 Combined combine(Keep keep, const TriMesh& first, const std::string& firstName,
                  const TriMesh& second, const std::string& secondName, RunContext& run) {
-  constexpr double kFlat = 1e-9;  // of the boxes' diagonal
+  constexpr double kFlat = 1e-9;  // fraction of the diagonal of the common box
   const Eigen::AlignedBox3d a = boxOf(first), b = boxOf(second);
-  // Shrinking takes the inner one away from the walls round it, and leaves nothing flat there.
+  // The smaller solid is shrunk. If it lies inside the other one, shrinking moves it away from the
+  // walls that it touches, so no flat shells arise there.
   const bool swapped = b.diagonal().norm() < a.diagonal().norm();
   Builder builder(keep, swapped ? second : first, swapped ? secondName : firstName,
                   swapped ? first : second, swapped ? firstName : secondName, run);

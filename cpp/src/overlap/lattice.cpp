@@ -26,7 +26,8 @@ Wide dot(const Cross& a, const Whole& b) { return a[0] * b[0] + a[1] * b[1] + a[
 
 int signOf(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// Sign of the first term that is not 0: of the scale, then of the three shifts.
+/// Returns the sign of the first term that is not 0: the effect of the shrinking, then the effects
+/// of the three shifts.
 int firstSign(Wide scale, const Cross& shift) {
   for (const Wide term : {scale, shift[0], shift[1], shift[2]})
     if (term != 0) return signOf(term);
@@ -39,7 +40,7 @@ Lattice::Lattice(const TriMesh& shrunk, const TriMesh& fixed) {
   const Eigen::AlignedBox3d box = boxOf(shrunk);
   const Eigen::AlignedBox3d all = box.merged(boxOf(fixed));
   const Eigen::Vector3d middle = all.center();
-  // A power of two, so that coordinates keep their bits.
+  // A power of two, so that the division by it does not round coordinates.
   step_ = std::exp2(std::ceil(std::log2(std::max(all.sizes().maxCoeff(), 1e-30))) - kBits);
   const auto whole = [&](const Eigen::Vector3d& p) {
     Whole out;
@@ -69,7 +70,7 @@ int Lattice::sideOf(Side side, std::int32_t vertex, const Corners& triangle) con
   const Whole &p = at(side, vertex), &a = at(there, triangle[0]);
   const Cross normal = cross(minus(at(there, triangle[1]), a), minus(at(there, triangle[2]), a));
   if (const int sign = signOf(dot(normal, minus(p, a))); sign != 0) return sign;
-  // A vertex of the fixed mesh moves the other way as seen from the shrunk one.
+  // Seen from the shrunk mesh, a vertex of the fixed mesh moves in the opposite direction.
   const int sign = firstSign(-dot(normal, fromCentre(p)), normal);
   return side == Side::Shrunk ? sign : -sign;
 }
@@ -105,7 +106,7 @@ int Lattice::rayThrough(Side side, std::int32_t vertex, const Corners& triangle)
   const Whole &p = at(side, vertex), &a = at(there, triangle[0]), &b = at(there, triangle[1]),
               &c = at(there, triangle[2]);
   const Wide up = cross(minus(b, a), minus(c, a))[2];
-  if (up == 0) return 0;  // upright: no line in general position meets it
+  if (up == 0) return 0;  // upright: no vertical ray in general position meets the triangle
   const int ccw = signOf(up);
   if (turnInPlane(side, p, a, b) != ccw || turnInPlane(side, p, b, c) != ccw ||
       turnInPlane(side, p, c, a) != ccw)

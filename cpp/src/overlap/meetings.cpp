@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kBlock = 1 << 10;
 
-/// Does an edge go through a triangle, whose plane it passes from `before` to its other side?
+/// Returns whether an edge, which crosses the plane of a triangle, passes through the triangle.
+/// `before` is the side of the plane on which the edge begins (1 or -1).
 bool passesInside(const Lattice& lattice, Side side, const Edge& edge,
                   const Lattice::Corners& triangle, int before) {
   for (int k = 0; k < 3; ++k) {
@@ -24,8 +25,8 @@ bool passesInside(const Lattice& lattice, Side side, const Edge& edge,
   return true;
 }
 
-/// Numbers of vertices in pieces that edges join, with what each differs from the first of its
-/// piece in how often the other solid goes round it.
+/// Union-find over vertices that edges join. Stores for each vertex by how much its winding number
+/// differs from that of the root of its set.
 class Pieces {
  public:
   explicit Pieces(std::size_t count) : parent_(count), offset_(count, 0) {
@@ -43,7 +44,7 @@ class Pieces {
     }
     return root;
   }
-  /// winding(b) = winding(a) + step.
+  /// Unites the sets of a and b, given that winding(b) = winding(a) + step.
   void join(std::int32_t a, std::int32_t b, std::int32_t step) {
     const std::int32_t ra = find(a), rb = find(b);
     if (ra == rb) return;
@@ -57,7 +58,7 @@ class Pieces {
   std::vector<std::int32_t> parent_, offset_;
 };
 
-/// Adds a piece of an edge to what the other solid goes round once, or any other number of times.
+/// Adds the length of a piece of an edge with this winding number to `once` or `more`.
 void measure(Windings& windings, std::int32_t winding, double length) {
   if (winding == 1)
     windings.once += length;

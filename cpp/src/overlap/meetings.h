@@ -1,9 +1,10 @@
-// Where the edges of one mesh go through the triangles of another.
-// In:    two closed meshes on one lattice. Out: for each edge the triangles that it goes through,
-//        where that is, and whether the edge enters the other solid there or leaves it.
-// Cost:  O(n log n), all cores.
-// Promise: exact: an edge that goes through the surface between two triangles goes through one of
-//        them, and any two triangles with area share no nodes or two of them, a segment.
+// Finds where the edges of one mesh pass through the triangles of another mesh, and how often the
+// other mesh winds round each vertex.
+// In:    two closed meshes on one lattice. Out: nodes. A node is a point at which an edge of one
+//        mesh passes through a triangle of the other mesh and so enters or leaves the other solid.
+// Cost:  O(n log n), on all cores.
+// Promise: exact. An edge that passes through the border of two triangles has a node with exactly
+//        one of them. Any two triangles with area share no nodes or two, the ends of a segment.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,48 +19,50 @@
 
 namespace swept::overlap {
 
-/// An edge with the two half-edges along it; half-edge h = 3 * triangle + corner. Where more than
-/// two triangles share an edge, each two of them have one of their own.
+/// An edge with the two half-edges along it; half-edge h = 3 * triangle + corner. If more than two
+/// triangles share an edge, they are paired, and each pair has an Edge of its own.
 struct Edge {
   std::int32_t from = 0, to = 0;
   std::int64_t forward = 0, backward = 0;  ///< half-edges from -> to and to -> from
 };
 
-/// Closed and turned one way throughout: what Part::closed() says.
+/// A mesh in which as many triangles run along every edge in one direction as in the other.
 struct ClosedMesh {
   const TriMesh* mesh = nullptr;
   std::vector<Edge> edges;
   std::vector<std::int32_t> edgeOf;  ///< by half-edge
 };
 
-/// Throws Error(InvalidInput, "OpenMesh") if an edge has not as many triangles one way as the
-/// other.
+/// Finds the edges of a mesh and keeps a pointer to the mesh. Throws Error(InvalidInput,
+/// "OpenMesh") if not equally many triangles run along an edge in both directions.
 ClosedMesh closedMesh(const TriMesh& mesh, const std::string& name);
 
 struct Node {
-  std::int32_t edge = 0;      ///< of its mesh
-  std::int32_t triangle = 0;  ///< of the other mesh
-  bool enters = false;        ///< the other solid, on the way from Edge::from to Edge::to
-  double share = 0;           ///< of that way
+  std::int32_t edge = 0;      ///< index of the edge in its mesh
+  std::int32_t triangle = 0;  ///< index of the triangle in the other mesh
+  /// Whether the way from Edge::from to Edge::to enters the other solid at the node, or leaves it.
+  bool enters = false;
+  double share = 0;  ///< position of the node on this way, from 0 to 1
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm
 };
 
-/// The boxes of one mesh's triangles, in steps of the lattice.
+/// Returns a tree over the boxes of a mesh's triangles, in steps of the lattice.
 BoxTree treeOf(const Lattice& lattice, Side side, const TriMesh& mesh);
 
-/// Nodes of the edges of one mesh, sorted by edge, and along each edge as far as rounding can tell.
-/// there, tree: the other mesh and its treeOf().
+/// Returns the nodes of the edges of `mesh`, sorted by edge and then by `share`, which is rounded.
+/// `there` is the other mesh, and `tree` is its treeOf().
 std::vector<Node> findNodes(const Lattice& lattice, Side side, const ClosedMesh& mesh,
                             const TriMesh& there, const BoxTree& tree, RunContext& run);
 
 struct Windings {
-  std::vector<std::int32_t> ofVertex;  ///< how often the other solid goes round it: 0 outside, 1 in
-  /// mm of this mesh's edges that the other solid goes round once, and any other number of times
-  /// but 0.
+  /// Per vertex: winding number of the other mesh about it; 0 outside the other solid, 1 inside.
+  std::vector<std::int32_t> ofVertex;
+  /// Total length (mm) of the parts of this mesh's edges on which the winding number of the other
+  /// mesh is 1, and of the parts on which it is neither 0 nor 1.
   double once = 0, more = 0;
 };
 
-/// As findNodes(); nodes: of this mesh's edges.
+/// Computes the winding numbers. The arguments are those of findNodes(); `nodes` is its result.
 Windings findWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,
                       const TriMesh& there, const BoxTree& tree, const std::vector<Node>& nodes,
                       RunContext& run);

@@ -44,7 +44,7 @@ class OverlapCheck {
     options_.required = options.required;
     options_.tolerance = options.tolerance;
     options_.curveSamples = 0;
-    options_.penetration = false;  // a shorter search: the shared volume tells more
+    options_.penetration = false;  // saves time, and the shared volume tells more
   }
 
   void operator()() {
@@ -103,7 +103,7 @@ class OverlapCheck {
     });
   }
 
-  /// Where the surfaces meet, or one part holds the other.
+  /// Returns whether the surfaces of the two parts meet, or one part contains the other.
   static bool meets(const PairOverlap& pair) {
     return pair.clearance.distance <= 0 || pair.clearance.inside;
   }
@@ -150,15 +150,17 @@ class OverlapCheck {
                                     report_.pairs[p].clearance.name + ": " + why[p]});
   }
 
-  /// Where surfaces lie on each other, no point of one lies inside the other, as deep as the solids
-  /// may be in each other: what they share tells.
+  /// Changes the verdict Contact to Clash if the shared volume is thick enough. Two solids can
+  /// penetrate each other deeply without a point of one surface inside the other solid, if faces of
+  /// the two coincide. The distance search then only finds a contact.
   void judge(PairOverlap& pair, const overlap::Combined& found) const {
     const double touch = options_.tolerance + pair.clearance.chordError;
     if (pair.clearance.verdict == ClearanceVerdict::Contact && found.volume > touch * found.area)
       pair.clearance.verdict = ClearanceVerdict::Clash;
   }
 
-  /// What is wrong with one part must not hide what is known of the others.
+  /// Runs work(). If the input is invalid, stores the message in `why` instead of throwing, so that
+  /// one invalid part does not hide the results of the others.
   template <class Work>
   static void unlessInvalid(std::string& why, const Work& work) {
     try {

@@ -16,7 +16,7 @@ Json pairJson(const OverlapReport& report, const PairOverlap& pair) {
 
 std::string toJson(const OverlapReport& report) {
   Json json = reportHead("overlap", report.status, report.code, report.message);
-  if (!report.summary.empty()) {  // also where only an output failed
+  if (!report.summary.empty()) {  // a summary exists even if only the writing of an output failed
     json["summary"] = report.summary;
     json["parts"] = report.names;
     json["required"] = report.required;

@@ -13,7 +13,7 @@
 namespace swept::overlap {
 namespace {
 
-/// The union of solids [begin, end), two halves at a time.
+/// Returns the union of the solids [begin, end): unites each half, then the two results.
 TriMesh unionOf(const std::vector<TriMesh>& solids, std::size_t begin, std::size_t end,
                 const std::string& name, RunContext& run) {
   if (end - begin == 1) return solids[begin];
@@ -23,8 +23,8 @@ TriMesh unionOf(const std::vector<TriMesh>& solids, std::size_t begin, std::size
   return combine(Keep::Outside, first, name, second, name, run).mesh;
 }
 
-/// Which shells are one solid: each that bounds material, with the cavities in it. Number of
-/// solids.
+/// Gives each shell the number of its solid: a solid is a shell that bounds material, together with
+/// the cavities in it. A cavity outside all solids gets -1. Returns the number of solids.
 std::size_t numberSolids(const TriMesh& mesh, const Shells& shells,
                          const std::vector<ShellExtent>& extents,
                          std::vector<std::int32_t>& solidOfShell) {
@@ -36,7 +36,7 @@ std::size_t numberSolids(const TriMesh& mesh, const Shells& shells,
   const ShellNesting nesting(mesh, shells, columns);
   for (std::int32_t s = 0; s < shells.count; ++s) {
     if (extents[s].volume > 0) continue;
-    std::int32_t home = -1;  // the smallest one round it
+    std::int32_t home = -1;  // the smallest shell that bounds material and contains this cavity
     for (const std::int32_t round : nesting.shellsAround(extents[s].first))
       if (extents[round].volume > 0 && (home < 0 || extents[round].volume < extents[home].volume))
         home = round;
@@ -45,7 +45,8 @@ std::size_t numberSolids(const TriMesh& mesh, const Shells& shells,
   return count;
 }
 
-/// Solids, each with vertices of its own; a shell of none is left out.
+/// Splits a mesh into its solids, each with vertices of its own. Leaves out shells with the number
+/// -1.
 std::vector<TriMesh> split(const TriMesh& mesh, const Shells& shells,
                            const std::vector<std::int32_t>& solidOfShell, std::size_t count) {
   std::vector<TriMesh> solids(count);
@@ -62,7 +63,7 @@ std::vector<TriMesh> split(const TriMesh& mesh, const Shells& shells,
   return solids;
 }
 
-/// Do the boxes of two shells overlap that bound material?
+/// Returns whether the boxes of any two shells that bound material overlap.
 bool mayOverlap(const std::vector<ShellExtent>& shells) {
   for (std::size_t i = 0; i < shells.size(); ++i)
     for (std::size_t j = i + 1; j < shells.size(); ++j)

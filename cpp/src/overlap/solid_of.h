@@ -1,6 +1,7 @@
-// A part as a solid that can be combined with others.
-// In:    any mesh. Out: welded, turned outward, closed; of shells that overlap their union.
-// Units: mm. Cost: O(n log n), with overlapping shells O(n log n log shells).
+// Converts the mesh of a part into a solid that can be combined with others.
+// In:    any mesh. Out: a welded, closed mesh with normals that point outward. If shells overlap,
+//        the mesh is their union.
+// Units: mm. Cost: O(n log n); O(n log n log s) for s overlapping shells.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,8 +12,8 @@
 
 namespace swept::overlap {
 
-/// Throws what checkBody() throws, with the name before it; Error(InvalidInput, "OpenMesh"),
-/// Error(Cancelled).
+/// Returns the solid. Throws the errors of checkBody(), with `name` before the message,
+/// Error(InvalidInput, "OpenMesh") and Error(Cancelled).
 TriMesh solidOf(const TriMesh& mesh, const std::string& name, RunContext& run);
 
 }  // namespace swept::overlap

@@ -10,6 +10,7 @@
 #include "path/ladder.h"
 #include "path/outside.h"
 #include "path/task_check.h"
+#include "path/widen.h"
 #include "swept/path.h"
 
 namespace swept {
@@ -17,7 +18,7 @@ namespace {
 
 using namespace path;
 
-constexpr int kTrials = 400;  // shortcuts that are tried
+constexpr int kTrials = 400;  // number of shortcuts tried
 
 class PathFinder {
  public:
@@ -59,7 +60,7 @@ class PathFinder {
   double seconds() const { return timer_.seconds(); }
 
  private:
-  // Ends of the legs: start (or places outside), via, goal.
+  // The ends of the legs: the start (or several places outside), the via poses, the goal.
   void prepare() {
     const State goal = scene_.inside(checkedPose(task_.goal, "goal"));
     space_.upright = goal.pose.rotation;
@@ -164,7 +165,8 @@ class PathFinder {
     return found;
   }
 
-  // The way out of contact that ends where the search began, or none.
+  // Returns the exit from contact that leads to the state, from the end outwards. If there is none,
+  // returns the state alone.
   static std::vector<State> exitTo(const End& end, const State& state) {
     for (const auto& exit : end.exits)
       if (exit.back().pose.translation == state.pose.translation &&
@@ -178,6 +180,8 @@ class PathFinder {
     const MoveAllowed allowed = turnLimit(scene_, space_);
     const State first = keys.front(), last = keys.back();
     shorten(scene_, demand_.apart, allowed, kTrials, random, keys, run_);
+    widen(scene_, demand_.apart, {allowed, space_.turns(), [this] { return limits_.over(); }},
+          random, keys, run_);
     const std::vector<State> in = exitTo(ends_[leg + 1], last), out = exitTo(ends_[leg], first);
     released_.push_back({out.size() - 1, in.size() - 1});
     std::vector<State> all(out.begin(), out.end() - 1);
@@ -240,7 +244,7 @@ class PathFinder {
     report_.summary = figuresText(report_) + " (" + report_.method + ")";
   }
 
-  // To the last bit as the caller gave it.
+  // Restores the pose exactly as the caller gave it, without rounding.
   static void takeEnd(Pose& pose, const Pose& given) {
     pose.translation = given.translation;
     pose.rotation = given.rotation.normalized();

@@ -1,5 +1,5 @@
-// A motion that exists already, made better. Pieces of it that keep the clearance are made shorter,
-// pieces that do not are searched anew between the places where they begin and end.
+// Improves an existing motion. Pieces that keep the clearance are shortened. For the other pieces,
+// a new path is searched between their two ends.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "path/guarded_path.h"
 #include "path/ladder.h"
 #include "path/task_check.h"
+#include "path/widen.h"
 #include "swept/path.h"
 
 namespace swept {
@@ -17,20 +18,21 @@ namespace {
 
 using namespace path;
 
-constexpr int kTrials = 400;          // shortcuts that are tried
-constexpr double kLeastRaise = 1.05;  // where raising ends
-constexpr double kRaise = 1.5;        // from one clearance that is tried to the next
-constexpr double kRoom = 0.98;        // of what is free: searches begin with some room
-constexpr double kLeast = 1e-4;       // radii: shorter bits of a move are not worth a key
-constexpr double kShare = 0.25;       // of the budget for one piece that is searched anew
+constexpr int kTrials = 400;          // number of shortcuts tried
+constexpr double kLeastRaise = 1.05;  // raising ends at this factor
+constexpr double kRaise = 1.5;        // factor from one clearance to the next
+constexpr double kRoom = 0.98;        // a search begins after this fraction of the free part
+constexpr double kLeast = 1e-4;       // radii; shorter pieces of a move get no key
+constexpr double kShare = 0.25;       // fraction of the budget for one search
 
-// Keys and the moves between them; `free`: the moves keep the clearance.
+// Consecutive keys. If `free`, all moves between them keep the clearance; if not, none is proven
+// to.
 struct Piece {
   std::vector<State> keys;
   bool free = false;
 };
 
-// Pieces from one locked key to the next.
+// The pieces between two consecutive locked keys.
 using Stretch = std::vector<Piece>;
 
 class Improver {
@@ -54,7 +56,11 @@ class Improver {
     std::vector<Stretch> best = mended(now, demand_.apart);
     Demand demand = demand_;
     auto [rows, clearance] = certify(best, demand);
-    if (task_.moreClearance && !rows.empty() && onlyReleased(best)) raise(best, demand, clearance);
+    if (task_.moreClearance && !rows.empty() && onlyReleased(best)) {
+      widenAll(best);
+      clearance = certify(best, demand).second;
+      raise(best, demand, clearance);
+    }
     report_.seconds.push_back({"search", timer_.lap()});
     take(best, demand);
     report_.seconds.push_back({"certify", timer_.lap()});
@@ -97,7 +103,7 @@ class Improver {
     report_.warnings = clearance::openFindings(demand_.names, closed, scene_.part().closed());
   }
 
-  // The motion in pieces that keep a rule and pieces that do not.
+  // Splits the motion into pieces that keep the rule and pieces that do not.
   std::vector<Stretch> split(const Rule& rule) {
     std::vector<Stretch> stretches;
     for (std::size_t i = 0; i + 1 < keys_.size(); ++i) {
@@ -123,7 +129,7 @@ class Improver {
     const double least = kLeast * scene_.radius() / std::max(scene_.distance(a, b), 1e-300);
     const double first = kRoom * ahead > least ? kRoom * ahead : 0;
     const double last = kRoom * back > least ? 1 - kRoom * back : 1;
-    if (first >= last) {  // free but for the resolution
+    if (first >= last) {  // the parts free from both ends overlap, but no proof covers the whole
       append(stretch, a, b, false);
       return;
     }
@@ -134,7 +140,8 @@ class Improver {
     if (last < 1) append(stretch, to, b, true);
   }
 
-  // What may stay nearer than a rule asks for: what lies in the release zone of an end.
+  // Returns true if the piece lies inside the release zone of an end, where it may be closer to a
+  // neighbour than the rule demands.
   bool released(const Piece& piece) const {
     for (const State& end : {keys_.front(), keys_.back()})
       if (std::all_of(piece.keys.begin(), piece.keys.end(), [&](const State& state) {
@@ -151,8 +158,8 @@ class Improver {
     return true;
   }
 
-  // Pieces that do not keep the rule led another way where one is found; the others shorter.
-  // inTime: nothing once the time is over.
+  // Searches a new path for each piece that breaks the rule, then shortens the free pieces. With
+  // `inTime`, returns no stretches if the budget ends meanwhile.
   std::vector<Stretch> mended(const std::vector<Stretch>& before, const Rule& rule,
                               bool inTime = false) {
     std::vector<Stretch> after;
@@ -192,7 +199,19 @@ class Improver {
     piece = {found.keys, true};
   }
 
-  // Larger and larger clearances from the motion as it was, as long as all of it keeps them.
+  void widenAll(std::vector<Stretch>& stretches) {
+    const WidenLimits limits{turnLimit(scene_, space_), space_.turns(),
+                             [this] { return timer_.seconds() > o_.budgetSeconds; }};
+    for (Stretch& stretch : stretches)
+      for (Piece& piece : stretch) {
+        if (!piece.free) continue;
+        RandomNumbers random(o_.seed + ++shortened_);
+        widen(scene_, demand_.apart, limits, random, piece.keys, run_);
+      }
+  }
+
+  // Raises the clearance step by step. Each step begins with the given motion, and counts only if
+  // the whole result keeps the raised clearance.
   void raise(std::vector<Stretch>& best, Demand& demand, double clearance) {
     double reached = std::max(clearance, demand_.tolerance), step = kRaise;
     while (step > kLeastRaise && timer_.seconds() < o_.budgetSeconds) {
@@ -239,8 +258,8 @@ class Improver {
     return certificateOf(scene_, demand, motion, Rule(scene_.count(), 0), run_);
   }
 
-  // The clearance engine has the last word: of each neighbour the nearest row of all pieces that
-  // are called free, and the smallest clearance. No rows: there is no such piece.
+  // Checks all free pieces with the clearance engine. Returns for each neighbour the row with the
+  // smallest distance, and the smallest clearance of all. Without free pieces there are no rows.
   std::pair<std::vector<NeighbourClearance>, double> certify(const std::vector<Stretch>& stretches,
                                                              const Demand& demand) {
     std::vector<NeighbourClearance> nearest;
@@ -261,7 +280,7 @@ class Improver {
     return {nearest, certainClearance(nearest, demand)};
   }
 
-  // Of the motion as it was: what is nearer than asked for, outside the release zones, counts.
+  // Returns the smallest clearance of the given motion outside the release zones.
   double clearanceBefore(const std::vector<Stretch>& stretches) {
     const auto [rows, free] = certify(stretches, demand_);
     double smallest = free;
@@ -276,7 +295,7 @@ class Improver {
     return smallest;
   }
 
-  // Locked keys keep their times; the others come when their share of the way is done.
+  // Locked keys keep their times. The times of other keys are in proportion to the path length.
   void take(const std::vector<Stretch>& stretches, const Demand& demand) {
     auto [rows, clearance] = certify(stretches, demand);
     report_.certificate = std::move(rows);

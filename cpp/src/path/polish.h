@@ -1,7 +1,9 @@
-// A path made shorter, with fewer keys.
-// In:    keys whose moves are free under a rule. Out: such keys. Units: mm.
-// Cost:  a question about a move for each trial; trials are counted, not timed.
-// Promise: what comes out is free under the rule that went in; depends on the seed alone.
+// Shortens a path and removes keys from it.
+// In:    keys whose moves are free under a rule.
+// Out:   keys whose moves are free under the same rule.
+// Units: mm.
+// Cost:  each trial tests one move or a few. The number of trials is limited, not the time.
+// Promise: the result depends on the input and the seed alone.
 // Source: shortcuts, R. Geraerts, M. Overmars, Creating high-quality paths for motion planning
 // (2007).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -15,12 +17,15 @@
 
 namespace swept::path {
 
-/// Whether a move is allowed for other reasons than neighbours (the largest turn).
+/// Returns false for moves that are forbidden for a reason other than neighbours, such as a turn
+/// beyond the limit.
 using MoveAllowed = std::function<bool(const State&, const State&)>;
 
+/// Returns the sum of the distances between consecutive keys, in mm.
 double lengthOf(const Scene& scene, const std::vector<State>& keys);
 
-/// Shortcuts between random places of the path, then keys left out, until neither helps.
+/// Takes shortcuts between random places of the path and removes keys, until neither helps. At most
+/// `trials` shortcuts in each of three passes.
 void shorten(const Scene& scene, const Rule& rule, const MoveAllowed& allowed, int trials,
              RandomNumbers& random, std::vector<State>& keys, RunContext& run);
 

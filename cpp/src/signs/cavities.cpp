@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMaxPoints = 8;  // tested per component
+constexpr std::size_t kMaxPoints = 8;  // lattice points tested per component
 /// A point nearer to the body than this (cells) counts as inside.
 constexpr double kGrazing = 0.05;
 
@@ -40,7 +40,7 @@ class MovingSolid {
   bool everContains(const Vector3d& world) const {
     const std::size_t n = motion_.placements.size();
     if (!motion_.continuous) {
-      // In strides: a point inside one copy mostly lies inside many of them.
+      // Visits the copies in strides, because a point mostly lies inside many successive copies.
       const std::size_t stride = n > 64 ? n / 64 | 1 : 1;
       for (std::size_t start = 0; start < stride; ++start) {
         for (std::size_t k = start; k < n; k += stride) {
@@ -88,7 +88,7 @@ class MovingSolid {
 
 /// A lattice point of a component to test.
 struct Queried {
-  std::int32_t length = 0;  ///< of the run whose middle it is
+  std::int32_t length = 0;  ///< of the run; the point is the middle of this run
   std::array<std::int32_t, 3> point{0, 0, 0};
 };
 

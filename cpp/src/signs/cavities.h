@@ -1,14 +1,13 @@
-// Finds the enclosed spaces of a sweep that are hollow. They are kept as inner shells if the user
-// asks for it.
+// Finds the enclosed spaces of a sweep that are hollow, which the envelope keeps as inner shells if
+// the user requests them.
 //
 // In: signs with their components, marked edges, body and motion. Out: the runs of hollow
 // components are set to outside, so that their walls contribute like the outer surface.
 // Method: no piece of the sweep's boundary passes through a component, so one lattice point stands
-// for all. The search follows the point in the body's frame. If the point is farther from the
-// body's surface than it can move during a step, it stays inside or outside; otherwise the step is
-// halved. Up to eight points of a component are tested, in the middle of its longest runs. The
-// component is hollow if the body never contains any of them and its surface never comes close to
-// them.
+// for all of its points. The search follows the point in the body's frame. If the point is farther
+// from the body's surface than it can move during a step, it stays inside or outside; otherwise the
+// step is halved. Up to eight points of a component are tested, in the middle of its longest runs.
+// The component is hollow if none of these points ever lies in the body or close to its surface.
 // Precondition: a closed body. Cost: O(components x steps) searches of bounded reach.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -24,8 +23,9 @@ namespace swept {
 
 using SolidPoint = std::function<bool(std::int32_t i, std::int32_t j, std::int32_t k)>;
 
-/// Opens the hollow components and returns their number. isSolid(i, j, k), if given, tells which
-/// lattice points are solid in any case: for an offset, the points within the distance.
+/// Sets the hollow components to outside and returns their number. isSolid(i, j, k), if given,
+/// tells which lattice points are solid in any case: for an offset, those within the offset
+/// distance.
 std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& component,
                           const MarkedEdges& marked, const GridPlan& grid, const TriMesh& body,
                           const Motion& motion, const SolidPoint& isSolid, RunContext& run);

@@ -1,6 +1,6 @@
-// Counts the crossings that contribute to the envelope of sampled pieces.
+// Counts the crossings of marked edges that contribute to the envelope.
 //
-// In: marked edges. Out: counts. Cost: that of the signs.
+// In: marked edges. Out: counts. Cost: that of findOutside() (signs.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

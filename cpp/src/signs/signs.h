@@ -1,5 +1,5 @@
-// Finds the lattice points that the outside reaches, by runs and union-find instead of a flood fill
-// over voxels.
+// Finds the lattice points that are connected with the outside, by runs and union-find instead of a
+// flood fill over voxels.
 //
 // In: marked edges. Out: whether each run lies outside. Cost: time linear in runs and marked edges;
 // 4 bytes per line and 5 bytes per run.
@@ -7,8 +7,8 @@
 // Source: own method; docs/pipeline.md, "Signs".
 //
 // Along a lattice line in z, the points between two marked edges form a run. Two runs of
-// neighbouring lines are joined if a lattice edge between them is not marked. Every run that is
-// joined to the corner of the grid is outside.
+// neighbouring lines are joined if a lattice edge between them is not marked. A run is outside if
+// it is joined, directly or through other runs, to the run at the corner of the grid.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -33,7 +33,8 @@ struct SignRuns {
   }
 };
 
-/// Finds the outside runs. `component`, if given, receives a number per run; joined runs share one.
+/// Finds the outside runs. `component`, if given, receives a number per run; all runs that are
+/// joined have the same number.
 SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext& run,
                      std::vector<std::uint32_t>* component = nullptr);
 

@@ -67,6 +67,26 @@ TEST(FindPath, MadeUpProblemsHaveTheRightAnswersAndEveryPathIsClear) {
   EXPECT_GE(found, 15);
 }
 
+// The shortest path grazes the edge of the wall at the required distance. There is room for more.
+TEST(FindPath, PathsKeepAwayFromWhatTheyPass) {
+  PathCase c;
+  c.part = makeBox({-1, -1, -1}, {1, 1, 1});
+  c.neighbours = {makeBox({-20, -0.5, -20}, {20, 0.5, 10})};
+  c.start = at(0, -5, 7);
+  c.goal = at(0, 5, 7);
+  c.clearance = 0.1;
+  for (const bool turns : {true, false}) {
+    PathOptions options = patient(c);
+    options.translationOnly = !turns;
+    const PathReport report = solve(c, options);
+    EXPECT_EQ(wrongWith(c, report), "");
+    EXPECT_GT(report.clearance, 0.5) << turns;
+    EXPECT_LT(report.length, 1.25 * 17) << turns;
+    EXPECT_LE(report.path.poses.size(), 7u) << turns;
+    EXPECT_TRUE(turns || report.turn == 0);
+  }
+}
+
 TEST(FindPath, PartsThatHaveToTurnFindTheirWay) {
   for (const PathCase& c : {slotCase(3), elbowCase(5)}) {
     const PathReport report = solve(c, patient(c));

@@ -13,7 +13,8 @@ namespace {
 
 using Triangle = std::array<std::int32_t, 3>;
 
-/// Sizes of the innermost and the outermost copy of the cell at which rings end (fractions of it).
+/// Sizes of the innermost and the outermost copy of the cell at which rings end (fractions of the
+/// cell).
 constexpr double kInnerCopy = 0.05, kOuterCopy = 0.1;
 /// Distance that the common point of all rings keeps from the walls (cells).
 constexpr double kCentreMargin = 0.2;
@@ -31,7 +32,7 @@ class Patcher {
   }
 
   /// Fills each ring by a fan about the n-th wanted place of its vertex. Returns false if fans
-  /// intersect.
+  /// intersect, or if a ring has no n-th place.
   bool fans(std::size_t n) {
     patch_ = {};
     for (std::size_t r = 0; r < rings_.size(); ++r) {
@@ -71,7 +72,8 @@ class Patcher {
   void forSides(std::size_t r, const Use& use) const {
     const auto n = static_cast<std::int32_t>(points_[r].points.size());
     for (std::int32_t k = 0; k < n; ++k) {
-      // Even k: from a crossing to the chord's point. Odd k: from that point to the next crossing.
+      // Even k: the side from a crossing to the point on its chord. Odd k: the side from this point
+      // to the next crossing.
       const std::size_t slot = static_cast<std::size_t>((k + 1) / 2) % rings_[r].slots.size();
       use(first_[r] + k, first_[r] + (k + 1) % n, rings_[r].slots[slot]);
     }
@@ -93,8 +95,8 @@ class Patcher {
     return points_[r].points[number - first_[r]];
   }
 
-  /// Whether no triangles of two rings touch. They share no corner, so any contact is an
-  /// intersection.
+  /// Returns whether the triangles of different rings are apart. Two rings share no corner, so any
+  /// contact is an intersection.
   bool areApart() const {
     std::vector<Corners> corners;
     std::vector<std::int32_t> ringOf;

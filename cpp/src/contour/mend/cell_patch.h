@@ -6,11 +6,11 @@
 // Promise: triangles of one cell share nothing but corners and edges of their own ring, and stay in
 // the cell.
 // Method: each ring is filled by a fan about one vertex if an exact test finds no two fans that
-// intersect. Otherwise all rings are shrunk towards one common point of the cell. Seen from there,
-// each point of the cell's walls lies in a direction of its own, so the shrinking rings sweep
+// intersect. Otherwise all rings are shrunk towards one common point of the cell. Seen from this
+// point, no two points of the cell's walls lie in the same direction, so the shrinking rings sweep
 // surfaces that do not intersect. Each ring ends as a small copy of itself, on the walls of a small
-// copy of the cell. There it is filled by the part of these walls on one side of it. If rings are
-// nested, an outer ring ends at a smaller copy than the rings inside it.
+// copy of the cell. The part of these small walls on one side of the ring fills its copy. If rings
+// are nested, an outer ring ends at a smaller copy of the cell than the rings inside it.
 // Source: own method.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -26,7 +26,7 @@ namespace swept {
 
 /// One ring and its vertex, in mm.
 struct PatchRing {
-  /// A crossing, then the point on the chord after it, and so on.
+  /// The crossings of the ring, each followed by the point on the chord to the next crossing.
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3d> vertices;  ///< wanted places of the vertex, the best first
 };

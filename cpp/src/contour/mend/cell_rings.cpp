@@ -6,8 +6,8 @@
 namespace swept {
 namespace {
 
-/// Distance (cells) of crossings from each other and from the ends of their edge; far above
-/// rounding, but invisible.
+/// Least distance (cells) of crossings from each other and from the ends of their edge. It is far
+/// above rounding, but too small to be visible.
 constexpr double kApart = 1e-4;
 
 /// Returns the face along which a ring leaves a slot. The triangles of the slot's polygon run round

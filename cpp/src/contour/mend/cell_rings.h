@@ -26,9 +26,9 @@ struct CellRing {
 
 std::vector<CellRing> ringsOf(const Cell& cell, const Crossing* crossings);
 
-/// Returns the fraction of the slot's edge at which a ring passes. It keeps a little away from the
-/// ends of the edge and from the other crossing there. It is the same for all four cells of the
-/// edge.
+/// Returns the fraction of the slot's edge at which a ring passes. The ring keeps a small distance
+/// from the ends of the edge and from the other crossing of the edge. The fraction is the same for
+/// all four cells of the edge.
 double apartFraction(const Cell& cell, int slot, const Crossing* crossings);
 Eigen::Vector3d apartPosition(const Cell& cell, int slot, const Crossing* crossings);
 

@@ -20,7 +20,7 @@ bool isNew(const Triangle* triangles, std::uint32_t t, std::int32_t v) {
   return t == 0 || std::find(triangles[0].begin(), triangles[0].end(), v) == triangles[0].end();
 }
 
-/// Returns the crossings of the marked polygons round each vertex that shares its cell.
+/// Returns the crossings of the marked polygons round each vertex that shares its cell with others.
 ListsByKey<> polygonsAround(const Surface& surface, const Polygons& polygons,
                             const std::vector<std::uint8_t>& marks) {
   return {surface.cellFlags.size(), [&](const auto& use) {
@@ -144,7 +144,7 @@ bool shareVertex(const Surface& surface, const Polygon& p, const Polygon& q) {
   return false;
 }
 
-/// Adds the two polygons of each lattice edge that share a vertex.
+/// Adds the two marked polygons of each lattice edge that has two, if they share a vertex.
 void addFolded(const Surface& surface, const HermiteGrid& grid, const Polygons& polygons,
                const std::vector<std::uint8_t>& marks, std::vector<CrossingPairs>& parts) {
   const std::size_t first = parts.size();

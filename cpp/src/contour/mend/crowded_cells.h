@@ -1,7 +1,7 @@
 // Finds polygons that may intersect in cells with several vertices.
 //
-// In: a surface, its grid, and a mark per crossing (1: its polygon lies in the tetrahedra that its
-// own lattice edge spans with the vertices of its cells). Out: every pair of marked polygons that
+// In: a surface, its grid, and a mark per crossing (1: its polygon lies in the tetrahedra of its
+// own lattice edge, see surface_intersections.h). Out: every pair of marked polygons that
 // may intersect: two polygons of different vertices of one cell that no plane was found to
 // separate, or two polygons of one lattice edge that share a vertex. Cost: some dot products per
 // cell with several vertices.

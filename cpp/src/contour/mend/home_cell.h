@@ -9,8 +9,8 @@
 
 namespace swept {
 
-/// Returns the low corner of the cell of a vertex at `now`. The vertex may have left its cell; the
-/// mass point `mass` of its crossings always lies in it.
+/// Returns the low corner of the cell to which the vertex at `now` belongs. The vertex may have
+/// left the cell, but the mass point `mass` of its crossings always lies in the cell.
 inline Eigen::Vector3d homeCell(const Eigen::Vector3d& now, const Eigen::Vector3d& mass) {
   const Eigen::Vector3d cell = now.array().floor();
   const bool escaped =

@@ -23,13 +23,14 @@ namespace {
 /// A triangle spans two cells, so it can only intersect triangles within four cells.
 constexpr int kReachCells = 4;
 constexpr std::size_t kPerTask = 1 << 15;
-// Limits the time; without pairs, mending ends earlier.
+// Largest number of rounds, to limit the time. Mending ends earlier if no pairs are left.
 constexpr int kRounds = 8;
-/// The first round already aligns the sides of walls up to this thickness (cells).
+/// The first round aligns only the sides of walls up to this thickness (cells).
 constexpr double kMaxFirstThickness = 0.1;
-/// Distances (cells) that a corner steps aside, in turn, from just above rounding.
+/// Distances (cells) by which a corner steps aside, tried in turn. The first is just above
+/// rounding.
 constexpr double kStepsAside[] = {1e-9, 1e-7, 1e-5, 1e-3};
-/// Parts of the way back to its first position that a vertex goes, in turn.
+/// Fractions of the way back to its first position that a vertex goes, tried in turn.
 constexpr double kReturnFractions[] = {1e-3, 1e-2, 0.1, 1};
 
 using Triangle = std::array<std::int32_t, 3>;
@@ -118,7 +119,8 @@ class Mender {
     const TrianglesAround around = trianglesAround(vertices, near);
     for (const std::int32_t v : vertices) before_.try_emplace(v, mesh_.vertices[v]);
     relax(vertices, around, round == 0 ? 0.5 : 1.0);
-    // Every other round: where relaxing does not help, aligning the sides of a wall often does.
+    // Where relaxing does not help, aligning the sides of a wall often does. Done every other
+    // round.
     if (round % 2 == 0) {
       alignWallSides(surface_, grid_, facing, around, round == 0 ? kMaxFirstThickness : HUGE_VAL);
     }
@@ -136,8 +138,8 @@ class Mender {
     return blocks_.near(mesh_, members, kReachCells, among);
   }
 
-  /// Calls use(v, t, part) for each corner v of a triangle t of `near` that is one of the vertices.
-  /// Returns all that the calls append to `part`.
+  /// Calls use(v, t, part) for each triangle t of `near` and each corner v of t that is in
+  /// `vertices`. Returns all values that the calls append to `part`.
   template <class T, class Use>
   std::vector<T> forTouching(const std::vector<std::int32_t>& vertices,
                              const std::vector<std::int32_t>& near, const Use& use) {
@@ -187,8 +189,8 @@ class Mender {
     mesh_.vertices[v] = toWorld(now + weight * (mass - now));
   }
 
-  /// Whether fans alone are enough for this vertex: no other vertex shares its cell, and it lies
-  /// inside.
+  /// Returns whether fans round this vertex are enough, so that it need not move: no other vertex
+  /// shares its cell, and the vertex lies inside the cell.
   bool settled(std::int32_t v) const {
     return static_cast<std::size_t>(v) >= surface_.dualVertices ||
            surface_.cellFlags[v] == Surface::kInsideCell;

@@ -4,8 +4,8 @@
 // manifold, and the pairs that are left. Units: mm, distances as fractions of the cell. Cost: one
 // pass over the triangles to find the region round the pairs; after that, each round looks only at
 // triangles near the remaining pairs.
-// Promise: only polygons near a pair change. The number of rounds is fixed, so the result does not
-// depend on time or threads.
+// Promise: only polygons near a pair change. The number of rounds has a fixed limit, so the result
+// does not depend on time or threads.
 // Source: fans about the crossing after Ju and Udeshi 2006; docs/contouring.md, "Pairs of triangles
 // that meet".
 //
@@ -13,9 +13,9 @@
 // in the cells round its lattice edge. It also moves the vertices of components that share a cell
 // towards their mass points, which lie in the hull of their crossings: half way in the first round,
 // all the way later. Every other round also aligns the two sides of thin walls (wall_sides.h).
-// Later rounds fan the polygons round the pairs' vertices as well. A triangle spans at most the
-// cells round one lattice edge, so it can only intersect triangles a few cells away. The region
-// that is tested again is wider than the change by this distance.
+// Later rounds also replace the other polygons round the pairs' vertices by fans. A triangle spans
+// at most the cells round one lattice edge, so it can only intersect triangles a few cells away.
+// The region that is tested again is wider than the change by this distance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

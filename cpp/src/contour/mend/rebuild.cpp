@@ -21,7 +21,8 @@ using Triangle = std::array<std::int32_t, 3>;
 using CellIndex = std::array<int, 3>;
 
 constexpr std::size_t kPerTask = 1 << 15;
-/// Limits the time. Each round adds the cells of the triangles that still intersect.
+/// Largest number of rounds, to limit the time. Each round adds the cells of the triangles that
+/// still intersect.
 constexpr int kRounds = 24;
 /// A triangle can only intersect triangles within this many cells (mend.cpp).
 constexpr int kReachCells = 4;
@@ -60,7 +61,7 @@ class Rebuilder {
         vertexCount_(mesh_.vertices.size()),
         triangleCount_(mesh_.triangles.size()) {}
 
-  /// Adds the cells of the intersecting triangles. Returns false if it had all of them already.
+  /// Adds the cells of the intersecting triangles. Returns false if all of them were added before.
   bool addCells(const SelfIntersections& pairs) {
     const std::size_t before = cells_.size();
     for (const auto& [a, b] : pairs.pairs) {
@@ -299,8 +300,8 @@ class Rebuilder {
     return time;
   }
 
-  /// Returns the place where the vertex of a ring was, if it had one vertex and this lies in the
-  /// cell.
+  /// Returns the position that the vertex of a ring had in the original surface; nothing if the
+  /// ring had several vertices, or if its vertex does not lie inside the cell.
   std::optional<Eigen::Vector3d> vertexOf(const CellIndex& index, const RebuiltCell& cell,
                                           const CellRing& ring) const {
     std::int32_t vertex = -1;
@@ -316,8 +317,8 @@ class Rebuilder {
     return mesh_.vertices[vertex];
   }
 
-  /// If the next cell has a vertex for each side of the chord, a strip joined these two to the
-  /// vertices of this cell. The strip now ends at the chord.
+  /// Adds the end of a strip. If the next cell has a vertex for each side of the chord, a strip
+  /// joined these two vertices to the vertices of this cell. The strip now ends at the chord.
   void addStrip(const CellIndex& index, const RebuiltCell& cell, const CellRing& ring,
                 std::size_t n, std::int32_t chord) {
     const int face = ring.faces[n];

@@ -14,10 +14,11 @@
 
 namespace swept {
 
-/// Chooses one side of every ring. Of two chosen sides, one contains the other or they are apart.
+/// A choice of one side for every ring. Any two chosen sides are nested or disjoint.
 struct Nesting {
   std::vector<bool> left;  ///< true: the left side, seen from outside the cell; false: the right
-  /// 1 for a side that contains no other chosen side, otherwise one more than the highest of those.
+  /// 1 for a side that contains no other chosen side; otherwise one more than the greatest height
+  /// among the sides that it contains.
   std::vector<int> height;
 };
 
@@ -35,7 +36,7 @@ class RingSides {
     int face;
     Loop corners;  ///< counter-clockwise seen from outside the cell; numbers of wallPoints()
   };
-  /// Returns one side of a ring.
+  /// Returns one side of a ring, cut into pieces of the six faces.
   std::vector<Piece> pieces(std::size_t ring, bool left) const;
 
  private:
@@ -47,7 +48,7 @@ class RingSides {
   };
   Cut cut(const CellRing& ring) const;
   void cutFace(const CellRing& ring, int face, Cut& out) const;
-  /// Whether the ring `other` lies on the left side of the ring `of`.
+  /// Returns whether the ring `other` lies on the left side of the ring `of`.
   bool isLeft(std::size_t of, std::size_t other) const;
 
   const Cell& cell_;

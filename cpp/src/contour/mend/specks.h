@@ -3,9 +3,9 @@
 // In: a surface and its intersecting pairs. Out: the surface without specks, and their number.
 // Units: cells, cubic cells. Cost: O(triangles).
 // Source: own argument. The sweep of a connected body is connected. Where the body is thinner than
-// the grid resolves, single crossings beyond the thin part become shells of their own. They are
-// dropped, and the report says so, so that a solid made from the envelope is one solid. Two
-// triangles belong to the same shell if they share a vertex.
+// the grid resolves, single crossings beyond the thin part become shells of their own. These shells
+// are dropped, so that a solid made from the envelope is one solid, and the report gives their
+// number. Two triangles belong to the same shell if they share a vertex.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -29,8 +29,8 @@ struct Specks {
 /// kFlatVolume has no inside at all, because mending has flattened it.
 constexpr double kSpeckVolume = 0.01, kFlatVolume = 1e-9;
 
-/// Drops shells that are smaller than `maxVolume` cubic cells and less than 2 cells across, unless
-/// all shells are. Renumbers `pairs`.
+/// Drops shells that are smaller than `maxVolume` cubic cells and less than 2 cells across. Drops
+/// nothing if all shells are that small. Renumbers `pairs`.
 Specks dropSpecks(Surface& surface, double cell, double maxVolume, SelfIntersections& pairs,
                   RunContext& run);
 

@@ -176,7 +176,8 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
           part.push_back(static_cast<std::int32_t>(t));
       });
   if (unsure != nullptr) *unsure = static_cast<std::int64_t>(members.size());
-  // A polygon in the tetrahedra of its own edge spans two cells, so it reaches at most this far.
+  // A polygon that lies in the tetrahedra of its own edge spans two cells, so no point of a
+  // triangle is farther than this from its first corner.
   constexpr int kReachCells = 2;
   const TriangleBlocks blocks(surface.mesh, grid.plan);
   SelfIntersections found =

@@ -4,13 +4,14 @@
 // intersect, the same as findSelfIntersections() finds. Cost: one pass over the polygons, and exact
 // tests for the few that fail the quick ones.
 // Promise: complete. Assume first that every cell has one vertex, inside it. A lattice edge e and a
-// face F beside it define a tetrahedron: e and the two vertices on either side of F. It lies in the
-// two cells of F, and all such tetrahedra fill space without overlap. A fan about a crossing on e
-// lies in the tetrahedra of e. So does a quad whose diagonal passes through the triangle of e and
-// one of the other two corners. Such polygons therefore meet at common vertices and edges only.
-// Each polygon is tested for this with a margin far above rounding. In a cell with several
-// vertices, a plane must separate their polygons as well (crowded_cells.h). A polygon that fails a
-// test, or whose vertex has left its cell, is compared exactly with everything near it.
+// face F beside e define a tetrahedron: e and the two vertices on either side of F. The tetrahedron
+// lies in the two cells of F, and all such tetrahedra fill space without overlap. A fan about a
+// crossing on e lies in the tetrahedra of e. So does a quad whose diagonal passes through the
+// triangle of e and one of the other two corners. Polygons that lie in the tetrahedra of their own
+// edges therefore meet at common vertices and edges only.
+// The test of each polygon has a margin far above rounding. In a cell with several vertices, a
+// plane must separate the polygons of different vertices as well (crowded_cells.h). A polygon that
+// fails a test, or whose vertex has left its cell, is compared exactly with everything near it.
 // Source: Ju and Udeshi 2006, "Intersection-free contouring on an octree grid".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

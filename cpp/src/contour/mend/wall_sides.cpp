@@ -34,9 +34,9 @@ TrianglesAround::const_iterator firstAt(const TrianglesAround& around, std::int3
   return std::lower_bound(around.begin(), around.end(), std::pair(v, std::int32_t{-1}));
 }
 
-/// Returns the direction whose smallest product with the normals is largest. It points to the
-/// centre of the smallest ball that contains the end points of the normals (Badoiu and Clarkson
-/// 2003).
+/// Returns the direction whose smallest scalar product with the normals is largest. This direction
+/// points to the centre of the smallest ball that contains the end points of the normals (Badoiu
+/// and Clarkson 2003).
 Vec3 directionAmong(const std::vector<Vec3>& normals) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& n : normals) middle += n;
@@ -99,7 +99,8 @@ class Layer {
     return intoCell(now, homeCell(now, mass));
   }
 
-  /// Returns half the vector from a to b, in cells. Call this when both lie on their common point.
+  /// Returns half the vector, in cells, that shall lead from a to b. Call this when both vertices
+  /// lie at their common point.
   Vec3 half(const WallSides& sides, const std::vector<Through>& edges) const {
     std::vector<Vec3> normals;  // pointing into the wall from the side of a
     addNormals(sides.a, -1, normals);
@@ -113,7 +114,7 @@ class Layer {
   }
 
  private:
-  /// Half the distance from the common point of the two sides to the walls of its cell.
+  /// Returns half the distance from the common point of the two sides to the walls of its cell.
   double roomAt(const WallSides& sides) const {
     const Vec3 at = (surface_.mesh.vertices[sides.a] - grid_.plan.origin) / grid_.plan.cell;
     const Vec3 local = at.array() - at.array().floor();

@@ -6,9 +6,9 @@
 //
 // If a wall is thinner than the error of the vertices on its two sides, the sides cross. Two
 // vertices of one cell whose polygons intersect are first moved onto one common point. Then they
-// are moved apart, along a direction that is outward for all triangles round them. Their distance
-// is the thickness that the lattice edges through the wall show. The polygons round such a lattice
-// edge are then the two faces of one sheet, which cannot cross.
+// are moved apart, along a direction that is outward for all triangles round them. Their new
+// distance is the thickness of the wall, measured on the lattice edges that pass through it. The
+// polygons round such a lattice edge are then the two faces of one sheet, which cannot cross.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

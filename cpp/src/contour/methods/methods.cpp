@@ -37,8 +37,8 @@ WalkTable::Entry walk(std::uint32_t crossed) {
 
 constexpr int kMaxComponents = kSlots / 2;  ///< the caller has room for this many components
 
-/// Returns the crossings at which a walk stops. On an edge with two crossings, the walk stops at
-/// the first in its direction.
+/// Returns the slots at which a walk stops; `stops` has one bit per edge and direction (WalkTable).
+/// On an edge with two crossings, the walk stops at the first crossing in its direction.
 std::uint32_t slotsOf(std::uint32_t stops, std::uint32_t mask) {
   std::uint32_t slots = 0;
   for (int edge = 0; edge < kEdges; ++edge) {
@@ -67,8 +67,8 @@ float agreement(const Cell& cell, std::uint32_t slots, const Crossing* crossings
 void findDualMarchingCubes(const Cell& cell, Components& out) {
   SlotLinks links;
   for (int face = 0; face < kFaces; ++face) {
-    // On the way round the face, join each crossing that enters the inside to the next, which
-    // leaves it.
+    // On the way round the face, join each crossing that enters the inside to the next crossing,
+    // which leaves the inside.
     std::int8_t stops[4];
     bool enters[4];
     int n = 0;

@@ -30,8 +30,8 @@ void findGreedy(const Cell& cell, const Crossing* crossings, Components& out);
 
 /// Table of all walks over uncrossed edges, one entry for each configuration of crossed edges. An
 /// entry has one set of stops for each group of corners that uncrossed edges join. Bit 2 * edge +
-/// direction is set if a walk stops on that edge; direction 0 walks from its low end to its high
-/// end.
+/// direction is set if a walk from the group stops on that edge. Direction 0 is the way from the
+/// low end of the edge to its high end.
 struct WalkTable {
   struct Entry {
     int count = 0;

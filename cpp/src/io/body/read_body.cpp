@@ -23,8 +23,8 @@ bool isOneOf(const std::string& suffix, const std::array<const char*, N>& known)
   return std::find(known.begin(), known.end(), suffix) != known.end();
 }
 
-/// True if the file begins like a STEP file (with the number of the standard) or a BREP file (with
-/// the name of the kernel or of its shape).
+/// Returns true if the file begins like a STEP file (with the number of the standard) or a BREP
+/// file (with the name of the kernel or of its shape).
 bool beginsLikeSolid(const std::string& path) {
   std::ifstream file(pathFromUtf8(path), std::ios::binary);
   std::string head(256, '\0');
@@ -47,9 +47,9 @@ double longestSide(const std::vector<ImportedSolid>& solids) {
   return box.sizes().maxCoeff();
 }
 
-/// Returns the tessellation tolerance if the cell is not known yet. Derives it from the size of the
-/// body, measured on coarse triangles. However the body is turned, the bounding box of its sweep
-/// has a side of at least the body's longest side divided by the square root of 3.
+/// Returns the tessellation tolerance for a run whose cell is not known yet. Derives it from the
+/// size of the body, measured on coarse triangles. However the body is turned, the longest side of
+/// the box of its sweep is at least the longest side of the body divided by the square root of 3.
 double toleranceFromSize(const std::string& path, const BodyFileOptions& options, RunContext& run) {
   constexpr double kCoarse = 1;  // mm; or half a radian, whichever gives the finer mesh
   const double side = longestSide(readSolids(path, kCoarse, 0.5, run));
