@@ -136,7 +136,7 @@ class Pages(Slide):
             text = self.written()
         self.assertIn("unter Sollabstand", text)
         self.assertIn("Eine Notiz &lt;x&gt;", text)
-        self.assertNotIn("sind englisch", text)
+        self.assertNotIn("nur auf Englisch", text)
         self.assertEqual(texts.language(), "en")
 
     def test_the_template_for_pdf_is_another_one_and_is_checked_as_well(self):
