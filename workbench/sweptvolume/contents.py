@@ -60,13 +60,12 @@ def short(lines):
 
 
 def unread(found):
-    """Returns how many faces must be read before the texts of words() are known."""
+    """Returns the apart.Apart objects that must be read before the texts of words() are known."""
     return [word for word in found if isinstance(word, apart.Apart) and word.cost()]
 
 
 def is_much(found):
-    """Returns whether reading this number of faces (from unread()) would block the window
-    noticeably."""
+    """Returns whether reading these parts (from unread()) would block the window noticeably."""
     return sum(part.cost() for part in found) > MOST_AT_ONCE
 
 

@@ -130,8 +130,9 @@ def of(rules, root, path):
 
 def merged(rules, shown, given):
     """Returns the rules after the user changed some. shown: all neighbours whose rules the user
-    saw. given: {pair: Rule} of those that now have a rule. Rules of neighbours that were not
-    shown stay. The rule of a group stays while all its shown members follow it."""
+    saw. given: {pair: Rule} of those that now have a rule. If no shown neighbour has another rule
+    than before, nothing changes, and rules of groups stay. Otherwise the given rules replace all
+    rules that apply to a shown neighbour."""
     if all(of(rules, *pair) == given.get(pair, Rule()) for pair in shown):
         return dict(rules)
     kept = {
