@@ -110,6 +110,6 @@ def _look_later(obj, parts):
 
 
 def watch():
-    """From now on, objects with large parts are checked for changes only after reading beside the
-    window."""
+    """From now on, objects with large parts are checked for changes only after reading in the
+    background."""
     status.read_beside = _look_later

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs long work beside the GUI. A thread computes, a timer watches it, and the GUI thread applies
+"""Runs long work in the background. A thread computes, a timer watches it, and the GUI thread applies
 the result.
 
 A task has `document`, `watched` (objects that it needs until the end), `title`, `work(control)`

@@ -22,7 +22,7 @@ from .base import (
 VERSION = "2:"
 #: Takes the place of a hash if there is no stored result to compare with.
 NOT_READ = "not read"
-#: A function(obj, parts) that reads parts (apart.Apart) beside the window and then lets an object
+#: A function(obj, parts) that reads parts (apart.Apart) in the background and then lets an object
 #: compare its inputs again. None: there is no window, and parts are read at once.
 read_beside = None
 

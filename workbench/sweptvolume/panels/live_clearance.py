@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measures the distance from the nearest neighbour while a part is dragged, in a thread beside the
-window."""
+"""Measures the distance from the nearest neighbour while a part is dragged, in a background
+thread."""
 import threading
 
 from PySide import QtCore

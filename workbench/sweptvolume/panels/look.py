@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Estimates for a panel, beside the window and before a run starts."""
+"""Estimates for a panel, in the background and before a run starts."""
 from .. import runner
 from .widgets import alive
 
@@ -30,7 +30,7 @@ class Look:
         self.run, self._next, self._later = None, (), ()
 
     def want(self, *finds):
-        """Starts the functions find(control), one after the other, in a thread beside the window.
+        """Starts the functions find(control), one after the other, in a background thread.
         They may use only plain values. Each result is shown when it is ready; give the quickest
         function first."""
         self._next = finds

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work beside the window for requests that come faster than they can be handled. Only the newest
+"""Work in the background for requests that come faster than they can be handled. Only the newest
 request counts."""
 import threading
 

@@ -68,7 +68,7 @@ class ClearancePlaces(_Places):
 
 
 class _Reading(threading.Thread):
-    """Work of a task in a thread beside the window."""
+    """Work of a task in a background thread."""
 
     def __init__(self, task, control):
         super().__init__(daemon=True)

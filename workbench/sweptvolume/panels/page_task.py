@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Writes reports of checks beside the window: HTML through the core, PDF through Qt."""
+"""Writes reports of checks in the background: HTML through the core, PDF through Qt."""
 import re
 
 import FreeCAD as App

@@ -185,7 +185,7 @@ class PlayedPanel(check_result.ResultPanel):
             self.cut = SectionPlane(self.document)
         self.cut.show(self.ends)
 
-    # --- the parts, read beside the window
+    # --- the parts, read in the background
 
     def ready(self):
         """Returns whether the parts can be drawn. If not, they are read, and shown() follows."""

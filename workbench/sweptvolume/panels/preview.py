@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The envelope that follows a panel: coarse during changes, then fine. Computed beside the GUI and
+"""The envelope that follows a panel: coarse during changes, then fine. Computed in the background and
 only drawn in the view."""
 import numpy as np
 from PySide import QtCore

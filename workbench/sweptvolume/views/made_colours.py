@@ -111,7 +111,7 @@ def nodes_of(coloured, transparency):
 
 
 class Colouring(runner.Task):
-    """Makes the coloured surface of an envelope beside the window, and then calls show(nodes)."""
+    """Makes the coloured surface of an envelope in the background, and then calls show(nodes)."""
 
     writes = False
 

@@ -256,7 +256,7 @@ class LightParts:
 
 
 class _Thinning(runner.Task):
-    """Makes the simplified copy of a mesh beside the window."""
+    """Makes the simplified copy of a mesh in the background."""
 
     writes = False
 
