@@ -123,8 +123,7 @@ def tell_if_missing():
 
 
 class CoreError(RuntimeError):
-    """A run without a result. `status`: InvalidInput, ResourceLimit, Cancelled...; `code`: code of
-    the finding."""
+    """A run without a result. `status`: InvalidInput, Cancelled...; `code`: that of the finding."""
 
     def __init__(self, status, code, message):
         super().__init__(message or code or status)
@@ -222,8 +221,7 @@ def arguments(request):
 
 
 def outcome_of(found, request=None):
-    """Converts the module's result to an Outcome. request: if given with a tolerance, the surface
-    can be simplified again."""
+    """Converts a result to an Outcome. With a request, it may be possible to simplify it again."""
     options = request.options if request is not None else {}
     again = options.get("tolerance", 0) > 0 and not options.get("conservative")
     if again:  # an open surface is not simplified
@@ -242,8 +240,7 @@ def _with_sources(outcome, found, parts):
 
 
 def compute(request, control):
-    """Runs the core. The calling thread waits; other threads continue. Returns an Outcome or raises
-    CoreError."""
+    """Runs the core in the calling thread. Returns an Outcome or raises CoreError."""
     with errors():
         faces = request.body.faces if request.options.get("sources") else None
         found = module().compute(
@@ -253,8 +250,7 @@ def compute(request, control):
 
 
 def recut(result, tolerance, control):
-    """Simplifies the `result` of an Outcome to another tolerance without sampling again. Returns an
-    Outcome."""
+    """Simplifies the `result` of an Outcome to another tolerance. Returns an Outcome."""
     surface, parts = result
     with errors():
         found = surface.recut(tolerance, run=control.context)
@@ -280,8 +276,7 @@ def estimate(request, control=None):
 
 
 def drawable(vertices, triangles, most, crease):
-    """Returns points, normals and indices (arrays) of a mesh for the 3D view, simplified to about
-    `most` triangles."""
+    """Returns points, normals, indices of a mesh for the 3D view, with about `most` triangles."""
     return module().drawable(vertices, triangles, most, crease)
 
 
@@ -297,8 +292,7 @@ def mesh_file(vertices, triangles):
 
 
 def read_motion(path, unit):
-    """Reads a motion file. Returns times (s), translations (mm) and quaternions (x, y, z, w).
-    Raises CoreError."""
+    """Returns times (s), translations (mm), quaternions (x, y, z, w). Raises CoreError."""
     with errors():
         times, rotations, translations = module().read_trajectory_csv(path, unit)
     return times, translations, rotations
@@ -388,8 +382,7 @@ def has_page_view():
 
 
 def report_page(report, control, **options):
-    """Returns the text of one HTML file for a report (dict). Options are those of the module's
-    report_page(). Raises CoreError."""
+    """Returns an HTML page of a report (dict); options as in the module. Raises CoreError."""
     with errors():
         return module().report_page(
             json.dumps(report), version=__version__, run=control.context, **options

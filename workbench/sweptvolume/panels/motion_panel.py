@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel: the motion editor, with table of keys, capture, drag and play. OK changes the
-document in one step. Cancel moves the part back."""
+"""Task panel: the motion editor. OK changes the document in one step; Cancel undoes all."""
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -215,8 +214,7 @@ class MotionPanel(KeysInView):
         self.fill(row)
 
     def refuse_edit(self):
-        """Handles FreeCAD's Transform, which was called meanwhile. The end of Transform would close
-        this panel. So it is closed first, and this panel is opened again with its keys."""
+        """Ends FreeCAD's Transform, whose end would close this panel, and opens the panel again."""
         self._close()
         Gui.getDocument(self.document.Name).resetEdit()
         panel = show(self.document, self.obj, self.pair)
@@ -256,8 +254,7 @@ class MotionPanel(KeysInView):
         widgets.show_message(self.message, text)
 
     def _refused(self):
-        """Returns whether a change of the keys is refused. At the first change of a motion with a
-        source, asks the user."""
+        """Returns whether a change of the keys is refused. Asks the user if the motion has a source."""
         kept = self.history.now[0]
         if self.cut or content(self.keys)[:2] == content(kept)[:2]:
             return False
