@@ -271,7 +271,7 @@ class PathFinder {
     if (report_.possibleClearance >= 0)
       report_.summary += "; a path with a clearance of " +
                          numberText(report_.possibleClearance, 4) + " mm was found";
-    report_.summary += "; the part was blocked at most " + numberText(report_.escape.distance, 4) +
+    report_.summary += "; the part got at most " + numberText(report_.escape.distance, 4) +
                        " mm away from its goal";
     if (!order.empty())
       report_.summary += "; most frequent obstacle: '" + demand_.names[order[0]] + "'";
