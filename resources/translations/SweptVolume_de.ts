@@ -235,8 +235,8 @@
    <translation>Bewegung aus gesteuertem Wert...</translation>
   </message>
   <message>
-   <source>Changes a value (a spreadsheet cell, a sketch dimension or a variable of an assembly) and records how a part moves with it. Select the object with the value, then the part. Without a part, every part that moves gets a motion</source>
-   <translation>Ändert einen Wert (eine Tabellenzelle, ein Skizzenmaß oder eine Variable einer Baugruppe) und zeichnet auf, wie sich ein Teil damit bewegt. Wählen Sie das Objekt mit dem Wert, dann das Teil. Ohne Teil erhält jedes Teil, das sich bewegt, eine Bewegung</translation>
+   <source>Changes a value (a spreadsheet cell, a sketch dimension or a variable of an assembly) and records how a part moves with it. Select the object with the value, then the part. If no part is selected, every part that moves gets a motion</source>
+   <translation>Ändert einen Wert (eine Tabellenzelle, ein Skizzenmaß oder eine Variable einer Baugruppe) und zeichnet auf, wie sich ein Teil damit bewegt. Wählen Sie das Objekt mit dem Wert, dann das Teil. Ist kein Teil gewählt, erhält jedes Teil, das sich bewegt, eine Bewegung</translation>
   </message>
   <message>
    <source>Motion from file...</source>

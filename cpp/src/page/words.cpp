@@ -61,7 +61,7 @@ constexpr std::array kTexts{
          "The whole motion was checked, not only the poses: at no time are the parts closer than "
          "the guaranteed distance.",
          "Die ganze Bewegung wurde geprüft, nicht nur die Lagen: Zu keinem Zeitpunkt sind die "
-         "Teile näher als der gesicherte Abstand."},
+         "Teile näher als der garantierte Abstand."},
     Word{"promise_copies", "Only the given poses were checked, not the motion between them.",
          "Nur die angegebenen Lagen wurden geprüft, nicht die Bewegung dazwischen."},
     // --- headings

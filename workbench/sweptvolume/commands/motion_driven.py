@@ -11,9 +11,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Motion from driven value...")
     TIP = mark(
         "Commands",
-        "Changes a value (a spreadsheet cell, a sketch dimension or a variable of an "
-        "assembly) and records how a part moves with it. Select the object with the "
-        "value, then the part. Without a part, every part that moves gets a motion",
+        "Changes a value (a spreadsheet cell, a sketch dimension or a variable of an assembly) "
+        "and records how a part moves with it. Select the object with the value, then the part. "
+        "If no part is selected, every part that moves gets a motion",
     )
 
     def missing(self, document):
