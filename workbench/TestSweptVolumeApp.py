@@ -10,7 +10,7 @@ _FOLDER = os.path.join(sweptvolume.ROOT, "tests", "freecad")
 
 
 def load_tests(loader, standard_tests, pattern):
-    """The tests of tests/freecad; none where the module was installed without them."""
+    """Returns the tests of tests/freecad, or none if the module was installed without them."""
     suite = unittest.TestSuite()
     if not os.path.isdir(_FOLDER):
         print("SweptVolume: {} is not installed, no tests to run".format(_FOLDER))

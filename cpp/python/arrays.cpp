@@ -15,7 +15,7 @@ std::string shapeText(const py::array& array) {
   return py::str(py::object(array.attr("shape"))).cast<std::string>();
 }
 
-// `expected` has -1 where any length will do.
+// -1 in `expected` stands for any length.
 void checkShape(const py::array& array, const char* name, const std::vector<py::ssize_t>& expected,
                 const char* wanted) {
   bool fits = static_cast<std::size_t>(array.ndim()) == expected.size();
@@ -27,7 +27,7 @@ void checkShape(const py::array& array, const char* name, const std::vector<py::
                         wanted);
 }
 
-/// Its numbers would be taken and its mask forgotten.
+/// Refuses masked arrays, because the conversion would ignore their mask.
 void refuseMasked(const py::object& object, const char* name) {
   if (!py::isinstance(object, py::module_::import("numpy").attr("ma").attr("MaskedArray"))) return;
   throw py::type_error(std::string(name) +
@@ -67,7 +67,7 @@ std::vector<Pose> posesFromMatrices(const py::object& object, const double* time
   return poses;
 }
 
-/// Fills the triangles of a mesh whose vertices are there.
+/// Fills in the triangles of a mesh that already has its vertices.
 template <class Index>
 void takeTriangles(const Index* indices, TriMesh& mesh) {
   const auto vertices = static_cast<std::int64_t>(mesh.vertices.size());
@@ -92,13 +92,13 @@ TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles) 
   refuseMasked(triangles, "triangles");
   const py::array any = py::array::ensure(triangles);
   const char kind = any ? any.dtype().kind() : 'O';
-  // An empty list arrives as float; everything else must be whole numbers by type.
+  // numpy converts an empty list to floats. All other input must have an integer type.
   if (kind != 'i' && kind != 'u' && !(any && any.size() == 0)) {
     PyErr_Clear();
     throw py::type_error("triangles must be an array of integers");
   }
   checkShape(any, "triangles", {-1, 3}, "(M, 3)");
-  // What the core gave is read where it lies.
+  // Arrays that came from the core are read in place, without a copy.
   const bool plain = py::isinstance<py::array_t<std::int32_t, py::array::c_style>>(any);
   const Integers wide = plain ? Integers() : Integers::ensure(any);
   if (!wide) throw py::error_already_set();
@@ -146,8 +146,8 @@ Trajectory trajectoryFromObject(const py::object& motion, const std::string& int
   const auto parts = isSequence ? py::len(motion) : 0;
   if (isSequence && (parts < 2 || parts > 4)) {
     throw py::value_error(
-        "motion must be (times, quaternions, translations), the same and a pivot, (times, "
-        "matrices) or an array (K, 4, 4)");
+        "motion must be (times, quaternions, translations), (times, quaternions, translations, "
+        "pivot), (times, matrices) or an array (K, 4, 4)");
   }
   if (!isSequence) {
     trajectory.poses = posesFromMatrices(motion, nullptr);
@@ -160,7 +160,7 @@ Trajectory trajectoryFromObject(const py::object& motion, const std::string& int
   if (parts == 2) {
     const py::array matrices = py::array::ensure(sequence[1]);
     if (!matrices) throw py::error_already_set();
-    checkShape(matrices, "matrices", {count, 4, 4}, "(K, 4, 4) with as many as there are times");
+    checkShape(matrices, "matrices", {count, 4, 4}, "(K, 4, 4), with one matrix for each time");
     trajectory.poses = posesFromMatrices(matrices, times.data());
     return trajectory;
   }

@@ -1,8 +1,8 @@
-// numpy in, plain structs out, and the other way round.
-// In:   arrays of any layout and dtype that converts without loss; shapes are checked.
-// Out:  copies for the core (it runs without the interpreter's lock), read-only views for Python
-// that keep the memory of the result alive. Throws py::value_error, py::type_error for shapes and
-// types, Error(InvalidInput) for content.
+// Converts numpy arrays to plain structs, and back.
+// In:   arrays of any layout and type that can be converted without loss; shapes are checked.
+// Out:  copies for the core, which runs without the interpreter lock; for Python, read-only views
+//        that keep the memory of the result alive. Throws py::value_error for wrong shapes,
+//        py::type_error for wrong types, and Error(InvalidInput) for bad content.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,20 +20,21 @@ namespace swept::python {
 namespace py = pybind11;
 
 TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles);
-/// TriMesh::faceOf from whole numbers (M,).
+/// Returns TriMesh::faceOf for an integer array (M,).
 std::vector<std::int32_t> facesFromArray(const py::object& faces);
 
-/// (times, quaternions, translations), (times, matrices) or matrices (K, 4, 4).
+/// `motion`: (times, quaternions, translations), the same and a pivot, (times, matrices), or
+/// matrices (K, 4, 4).
 Trajectory trajectoryFromObject(const py::object& motion, const std::string& interpolation);
 py::tuple trajectoryToArrays(const Trajectory& trajectory);
 
-/// str, bytes or os.PathLike -> UTF-8.
+/// Converts str, bytes or os.PathLike to UTF-8.
 std::string pathFromObject(const py::object& path);
 
-/// JSON text -> dict.
+/// Parses JSON text to a dict.
 py::object parseJson(const std::string& text);
 
-/// Read-only array over memory that `owner` keeps alive.
+/// Returns a read-only array over memory that `owner` keeps alive.
 template <class T>
 py::array readOnlyView(const T* data, std::vector<py::ssize_t> shape,
                        const std::shared_ptr<const void>& owner) {

@@ -1,4 +1,4 @@
-// Clearance for Python: reports as dicts, distances as arrays.
+// Clearance checks for Python. Reports are dicts; distances are arrays.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "clearance_bindings.h"
 
@@ -32,7 +32,8 @@ ClearanceNeighbour neighbourFrom(const py::handle& item) {
   const py::tuple parts = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
   if (parts.size() < 3 || parts.size() > 5)
     throw py::value_error(
-        "a neighbour is (name, vertices, triangles), and its chord error, and its rule");
+        "a neighbour must be (name, vertices, triangles), (name, vertices, triangles, chord_error) "
+        "or (name, vertices, triangles, chord_error, rule)");
   ClearanceNeighbour neighbour{parts[0].cast<std::string>(), meshFromArrays(parts[1], parts[2])};
   if (parts.size() > 3) neighbour.chordError = parts[3].cast<double>();
   if (parts.size() > 4) neighbour.rule = ruleFrom(parts[4]);
@@ -44,47 +45,52 @@ constexpr const char* kClearanceDoc =
           tolerance=0.01, body_chord=0.0, interval_tolerance=0.0, curve=200, penetration=True,
           run=None, rules=()) -> dict
 
-Smallest distance of a moving body to each neighbour over the whole motion; nothing between two poses is
-missed. neighbours: list of (name, vertices, triangles), or with its chord error, or with that and its rule:
-a required distance, 'contact', 'contact:MM', 'ignore' or None. rules: texts 'NAME=RULE' for those that have
-none of their own, NAME with * and ?. Lengths in mm; motion as in compute(). Returns the report: summary,
-neighbours (verdict clear | below | contact | clash, rule, meets_rule, distance, guaranteed, time_seconds, pose,
-points, penetration, below and contact as time intervals, curve), as docs/clearance.md says. Raises InvalidInput, Cancelled.)";
+Measures the smallest distance of a moving body to each neighbour over the whole motion. No approach between
+two poses is missed. Lengths are in mm; motion is as in compute().
+neighbours: list of (name, vertices, triangles), (name, vertices, triangles, chord_error) or
+(name, vertices, triangles, chord_error, rule). A rule is a required distance, 'contact', 'contact:MM',
+'ignore' or None. rules: texts 'NAME=RULE' for the neighbours without a rule of their own; NAME may contain
+* and ?. Returns the report (docs/clearance.md): summary, and neighbours, each with verdict (clear, below,
+contact or clash), rule, meets_rule, distance, guaranteed, time_seconds, pose, points, penetration, the time
+intervals below and contact, and curve. Raises InvalidInput, Cancelled.)";
 
 constexpr const char* kFirstContactsDoc =
     R"(first_contacts(vertices, triangles, motion, neighbours, interpolation='linear', tolerance=0.01,
                body_chord=0.0, run=None) -> list of str
 
-For each neighbour the rule that would allow what the body touches at the first pose of its motion: 'contact',
-'contact:MM' where it lies so deep inside, '' where there is nothing to allow. Arguments and errors as those of
-clearance().)";
+Returns, for each neighbour, the rule that would allow its contact with the body at the first pose of the
+motion: 'contact' if they touch, 'contact:MM' if they overlap by MM mm, or '' if they do not touch.
+Arguments and errors are those of clearance().)";
 
 constexpr const char* kMechanismDoc =
     R"(mechanism(parts, required=0.0, tolerance=0.01, range=0.0, interval_tolerance=0.0, curve=200,
           penetration=True, rules=(), run=None) -> dict
 
-Smallest distances between parts that move at the same time; nothing between two poses is missed. parts:
-list of (name, vertices, triangles, motion, interpolation, chord error); motion as in compute(), None for a
-part that stands still where its mesh has it. rules: (name, name, rule) of pairs, a rule as clearance() has
-them. Lengths in mm, times in s. Returns the report: summary, pairs (first, second and what clearance() says of a neighbour; the body is the first
-part), far_pairs, joined, as docs/clearance.md says. Raises InvalidInput, Cancelled.)";
+Measures the smallest distances between parts that move at the same time. No approach between two poses is
+missed. Lengths are in mm, times in s.
+parts: list of (name, vertices, triangles, motion, interpolation, chord_error). motion is as in compute(), or
+None for a part that stands still in the place of its mesh. rules: list of (name, name, rule) for pairs of
+parts, with rules as in clearance(). Returns the report (docs/clearance.md): summary, far_pairs, joined, and
+pairs, each with first, second and what clearance() returns for a neighbour; first takes the place of the
+body. Raises InvalidInput, Cancelled.)";
 
 constexpr const char* kOverlapDoc =
     R"(overlap(parts, required=0.0, tolerance=0.01, shared=True, run=None) -> (dict, list)
 
-Compares every two of some parts that stand still: their smallest distance, or how deep they lie in each other,
-and the solid that they share. parts: list of (name, vertices, triangles), or with its chord error. Lengths in mm. Returns the
-report: summary, pairs (first, second, volume in mm^3 where it is known, and what clearance() says of a
-neighbour; the body is the first part), as docs/overlap.md says; and for each pair its shared solid as
-(vertices float64 (N, 3), triangles int32 (M, 3)), N = M = 0 where there is none. Raises InvalidInput
-(NoParts, PartTwice), Cancelled.)";
+Compares all pairs of parts that stand still: measures their smallest distance, or the depth of their overlap
+and the solid that they share. Lengths are in mm.
+parts: list of (name, vertices, triangles) or (name, vertices, triangles, chord_error).
+Returns the report (docs/overlap.md): summary, and pairs, each with first, second, volume in mm^3 (if known)
+and what clearance() returns for a neighbour; first takes the place of the body. Also returns, for each pair,
+the shared solid as (vertices float64 (N, 3), triangles int32 (M, 3)); N = M = 0 if there is none. Raises
+InvalidInput (code NoParts or PartTwice), Cancelled.)";
 
 constexpr const char* kDistanceDoc =
     R"(distance_to_mesh(points, vertices, triangles, run=None) -> float64 (N,)
 
-Distance of each point (N, 3) to a mesh, mm; negative inside if the mesh is closed.)";
+Returns the distance (mm) of each point (N, 3) from a mesh, negative for points inside a closed mesh.)";
 
-/// A report as a dict; raises where its run failed.
+/// Returns a report as a dict. Raises if its run failed.
 template <class Report>
 py::object foundOf(const Report& report) {
   py::object found = parseJson(toJson(report));
@@ -147,7 +153,7 @@ MechanismPart mechanismPartFrom(const py::handle& item) {
   const py::tuple part = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
   if (part.size() != 6)
     throw py::value_error(
-        "a part is (name, vertices, triangles, motion, interpolation, chord error)");
+        "a part must be (name, vertices, triangles, motion, interpolation, chord_error)");
   const py::object motion = part[3];
   return {part[0].cast<std::string>(), meshFromArrays(part[1], part[2]),
           motion.is_none() ? Trajectory{{Pose{}}}
@@ -173,7 +179,8 @@ py::object pyMechanism(const py::iterable& list, double required, double toleran
 OverlapPart overlapPartFrom(const py::handle& item) {
   const py::tuple part = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
   if (part.size() != 3 && part.size() != 4)
-    throw py::value_error("a part is (name, vertices, triangles), and its chord error");
+    throw py::value_error(
+        "a part must be (name, vertices, triangles) or (name, vertices, triangles, chord_error)");
   return {part[0].cast<std::string>(), meshFromArrays(part[1], part[2]),
           part.size() > 3 ? part[3].cast<double>() : 0.0};
 }
@@ -237,13 +244,11 @@ void bindClearance(py::module_& module) {
              py::arg("interval_tolerance") = 0.0, py::arg("curve") = 200,
              py::arg("penetration") = true, py::arg("run") = py::none(),
              py::arg("rules") = py::tuple());
-  module.def(
-      "rules_for", &pyRulesFor,
-      "rules_for(rules, names=None) -> list of str\n\nThe rule of each neighbour of these names, "
-      "from texts 'NAME=RULE'; '' where the common distance holds. names None: not known, the "
-      "rules "
-      "are only read. Raises InvalidInput (BadRule).",
-      py::arg("rules"), py::arg("names") = py::none());
+  module.def("rules_for", &pyRulesFor,
+             "rules_for(rules, names=None) -> list of str\n\nReturns the rule that the texts "
+             "'NAME=RULE' give to each neighbour in names, or '' if no text applies to it. With "
+             "names=None, the texts are only checked. Raises InvalidInput (code BadRule).",
+             py::arg("rules"), py::arg("names") = py::none());
   module.def("first_contacts", &pyFirstContacts, kFirstContactsDoc, py::arg("vertices"),
              py::arg("triangles"), py::arg("motion"), py::arg("neighbours"),
              py::arg("interpolation") = "linear", py::arg("tolerance") = 0.01,

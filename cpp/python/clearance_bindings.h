@@ -1,4 +1,4 @@
-// Clearance for Python; only where the clearance part is built.
+// Clearance checks for Python. Built only together with the clearance part of the core.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace swept::python {
 
-/// From (name, vertices, triangles), the chord error in mm, the rule: a number (mm), a text or
-/// None. `rules`: "NAME=RULE" for those without a rule of their own. Throws Error(InvalidInput,
-/// "BadRule").
+/// Each item is (name, vertices, triangles), optionally followed by the chord error (mm) and then
+/// by the rule: a number (mm), a text or None. `rules`: texts "NAME=RULE" for items without a rule
+/// of their own. Throws Error(InvalidInput, "BadRule").
 std::vector<ClearanceNeighbour> neighboursFrom(const pybind11::iterable& items,
                                                const std::vector<std::string>& rules);
 

@@ -13,14 +13,15 @@ namespace {
 constexpr const char* kDrawableDoc =
     R"(drawable(vertices, triangles, most=100000, crease=0.6) -> (points, normals, indices)
 
-A mesh as a 3D view takes it: float32 (N, 3) points and unit normals, split along edges that turn by
-more than crease (rad), and int32 (4 M,): three points and -1 for each triangle. More than about
-`most` triangles are thinned for the eye.)";
+Converts a mesh for display in a 3D view. Returns points and unit normals, float32 (N, 3), and indices,
+int32 (4 M,): three points and -1 for each triangle. Points are duplicated along edges where the surface
+turns by more than crease (rad). A mesh of more than about `most` triangles is simplified for display.)";
 
 constexpr const char* kMeshFileDoc =
     R"(freecad_mesh(vertices, triangles) -> bytes
 
-The content of a FreeCAD mesh file (.bms), single precision, with the neighbours of each triangle.)";
+Returns the content of a FreeCAD mesh file (.bms), with coordinates in single precision and the neighbours of
+each triangle.)";
 
 py::tuple pyDrawable(const py::object& vertices, const py::object& triangles, std::size_t most,
                      double crease) {

@@ -1,4 +1,4 @@
-// Meshes for 3D views and for FreeCAD's mesh files, for Python.
+// Python functions for meshes in 3D views and in FreeCAD's mesh files.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -11,7 +11,7 @@ namespace py = pybind11;
 
 constexpr int kStatusCount = static_cast<int>(Status::InternalError) + 1;
 
-// Owned for the life of the process: exceptions may be raised until the interpreter is gone.
+// Owned until the process ends, because exceptions may be raised until the interpreter ends.
 std::array<PyObject*, kStatusCount>& classes() {
   static std::array<PyObject*, kStatusCount> table{};
   return table;
@@ -45,11 +45,12 @@ void raise(Status status, const std::string& code, const std::string& message,
 }
 
 void bindErrors(py::module_& module) {
-  const py::handle base = newClass(module, "Error",
-                                   "A run that gave no result. status: InvalidInput, "
-                                   "ResourceLimit, ...; code: the finding, such "
-                                   "as NonFiniteVertex; report: dict of compute(), else None.",
-                                   py::make_tuple(py::handle(PyExc_RuntimeError)));
+  const py::handle base =
+      newClass(module, "Error",
+               "Raised if a run gives no result. status: InvalidInput, ResourceLimit, ...; code: "
+               "what was found, such as NonFiniteVertex; report: the report of the run as a dict, "
+               "or None if it has no report.",
+               py::make_tuple(py::handle(PyExc_RuntimeError)));
   classes()[0] = base.ptr();
   for (int i = 1; i < kStatusCount; ++i) {
     const auto status = static_cast<Status>(i);

@@ -1,4 +1,4 @@
-// Python exceptions of the module: Error and one class a status below it.
+// Python exceptions of the module: Error, and one subclass for each status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace swept::python {
 
-/// Creates the classes and makes the module turn swept::Error and std::bad_alloc into them.
+/// Creates the classes and translates swept::Error and std::bad_alloc to them.
 void bindErrors(pybind11::module_& module);
 
 /// Raises the class of `status` with .status, .code and .report (dict or None).

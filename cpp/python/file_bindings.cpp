@@ -53,7 +53,7 @@ Mesh pyReadBody(const py::object& path, const std::string& unit,
           findingsToList(body.findings)};
 }
 
-/// (name, mesh) of each part.
+/// Returns (name, mesh) for each part.
 py::list pyReadParts(const py::object& path, const std::string& unit, double chordError,
                      double deflection, const py::object& run) {
   const RunPointer context = runFromObject(run);
@@ -89,7 +89,7 @@ py::tuple pyReadTrajectory(const py::object& path, const std::string& unit) {
   return trajectoryToArrays(trajectory);
 }
 
-/// Rigid matrices as the quaternions and translations nearest to them.
+/// Returns the quaternions and translations nearest to the given rigid matrices.
 py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrices) {
   return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
 }
@@ -175,12 +175,13 @@ void bindFiles(py::module_& module) {
       .def_property_readonly("vertices", &Mesh::vertices, "float64 (N, 3), mm, read-only")
       .def_property_readonly("triangles", &Mesh::triangles, "int32 (M, 3), read-only")
       .def_property_readonly("faces", &facesOf,
-                             "int32 (M,), read-only: number of the face of a solid that each "
-                             "triangle belongs to, in the file's order; None: a mesh file")
-      .def_readonly("chord_error", &Mesh::chordError,
-                    "mm: how far triangles of a solid may leave its surface; 0: a mesh file")
+                             "int32 (M,), read-only: for each triangle, the index of its face of "
+                             "the solid, in the order of the file. None for a mesh file.")
+      .def_readonly(
+          "chord_error", &Mesh::chordError,
+          "How far (mm) the triangles of a solid may deviate from its surface. 0 for a mesh file.")
       .def_readonly("findings", &Mesh::findings,
-                    "How a solid was read, as in a report's warnings.");
+                    "Findings from reading a solid, in the form of the warnings of a report.");
   module.def("read_mesh", &pyReadMesh, kReadMeshDoc, py::arg("path"), py::arg("unit") = "mm");
   module.def("read_body", &pyReadBody, kReadBodyDoc, py::arg("path"), py::arg("unit") = "mm",
              py::arg("tolerance") = py::none(), py::arg("cell") = py::none(),

@@ -1,4 +1,4 @@
-// Files for Python: meshes, motions and solids, read and written.
+// Python functions that read and write meshes, motions and solids.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

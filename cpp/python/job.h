@@ -1,6 +1,6 @@
-// Long calls: the core runs on a thread of its own without the interpreter's lock, while this
-// thread lets Python handle its signals, so that Ctrl-C cancels the run instead of waiting for its
-// end. The threads of runs may be told to stand back behind the others of the process.
+// Runs long calls. The core computes on a thread of its own, without the interpreter lock. The
+// calling thread lets Python handle its signals meanwhile, so Ctrl-C cancels the run at once.
+// Threads of runs may get a lower priority than the other threads of the process (priority.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -38,7 +38,7 @@ auto runWithoutLock(RunContext& run, Job job) -> decltype(job()) {
   try {
     done.get();
   } catch (const std::exception&) {
-    // The run was cancelled by the signal: the signal is what the caller has to see.
+    // The signal cancelled the run, so the caller gets the exception of the signal.
   }
   throw *interrupt;
 }

@@ -1,4 +1,4 @@
-// The compiled module `_swept`: the core for Python, numpy in and out.
+// The compiled module `_swept`: the core for Python, with numpy arrays as input and output.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -39,7 +39,7 @@ struct ComputeResult {
   }
   py::object sources() const {
     if (!data->sources.rows) return py::none();
-    // Neither holds the other: a result may go while its sources stay.
+    // The sources own their data, so they remain valid after the result is gone.
     return py::cast(std::make_shared<Sources>(data->sources));
   }
   py::array featureEdges() const {
@@ -56,8 +56,8 @@ std::uint64_t bytesFromMegabytes(double megabytes) {
   return static_cast<std::uint64_t>(megabytes * 1048576.0);
 }
 
-// One option of compute() and estimate(); what is no number, name or flag is a TypeError, a whole
-// number that no option could hold a BadOption.
+// Converts one option of compute() or estimate(). Raises TypeError if the value is not a number,
+// name or flag as expected, and BadOption for a whole number too large for any option.
 template <class T>
 T castOption(const std::string& name, const py::handle& value) {
   try {
@@ -206,12 +206,14 @@ void bindClasses(py::module_& module) {
              return run;
            }),
            py::arg("threads") = 0, py::arg("memory_limit_mb") = 0.0)
-      .def("cancel", &RunContext::cancel, "Asks the run to stop; returns at once.")
+      .def("cancel", &RunContext::cancel,
+           "Asks the run to stop and returns without waiting for it.")
       .def_property_readonly("cancelled", &RunContext::isCancelled)
-      .def_property_readonly("progress", &RunContext::progress, "Whole run, 0 to 1; never falls.")
+      .def_property_readonly("progress", &RunContext::progress,
+                             "Progress of the whole run, 0 to 1. Never decreases.")
       .def_property_readonly(
           "phase", [](const RunContext& run) { return phaseName(run.phase()); },
-          "Name of the stage under way.")
+          "Name of the current stage.")
       .def_readwrite("threads", &RunContext::threads)
       // For tests.
       .def_property_readonly("_checkpoints", &RunContext::checkpoints)
@@ -225,13 +227,16 @@ void bindClasses(py::module_& module) {
       .def_property_readonly(
           "triangles", [](const ComputeResult& result) { return result.mesh().triangles(); },
           "int32 (M, 3), read-only")
-      .def_readonly("report", &ComputeResult::report, "dict, keys as in docs/report.md")
-      .def_property_readonly("contact_time", &ComputeResult::contactTime,
-                             "float64 (N,): s at which the vertex is touched; may be empty")
-      .def_property_readonly("feature_edges", &ComputeResult::featureEdges,
-                             "int32 (E, 2): vertex pairs along creases; may be empty")
+      .def_readonly("report", &ComputeResult::report,
+                    "The report as a dict; docs/report.md describes its keys.")
+      .def_property_readonly(
+          "contact_time", &ComputeResult::contactTime,
+          "float64 (N,): time (s) at which the body touches the vertex. May be empty.")
+      .def_property_readonly(
+          "feature_edges", &ComputeResult::featureEdges,
+          "int32 (E, 2): edges of the mesh along creases, as pairs of vertices. May be empty.")
       .def_property_readonly("sources", &ComputeResult::sources,
-                             "Sources, or None where the option sources was not set")
+                             "Sources, or None if the option sources was not set.")
       .def("recut", &pyRecut, kRecutDoc, py::arg("tolerance"), py::arg("run") = py::none());
 }
 
@@ -248,23 +253,22 @@ void bindFunctions(py::module_& module) {
   py::class_<WarmMemory>(module, "WarmMemory", kWarmMemoryDoc)
       .def(py::init<std::size_t>(), py::arg("bytes"))
       .def("touch", &WarmMemory::touch, py::call_guard<py::gil_scoped_release>(),
-           "Fetches the pages; any thread.")
-      .def("release", &WarmMemory::release, "Leaves them to the heap; the thread that made it.")
-      .def_property_readonly("bytes", &WarmMemory::bytes, "Bytes that are held.");
-  module.def(
-      "stand_back", &standBack,
-      "From now on runs leave the processor to other threads of this process first. Ask before "
-      "the first run.");
+           "Fetches the pages of the memory. May run in any thread.")
+      .def("release", &WarmMemory::release,
+           "Gives the memory back to the heap. Call it in the thread that created the object.")
+      .def_property_readonly("bytes", &WarmMemory::bytes, "Number of reserved bytes.");
+  module.def("stand_back", &standBack,
+             "Gives later runs a lower priority than the other threads of this process. Call it "
+             "before the first run.");
   module.def("compute", &pyCompute, kComputeDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("motion"), py::arg("interpolation") = "linear", py::arg("run") = py::none(),
              py::arg("faces") = py::none());
   module.def("estimate", &pyEstimate, kEstimateDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("motion"), py::arg("interpolation") = "linear", py::arg("trial") = false,
              py::arg("run") = py::none());
-  module.def(
-      "costs_accuracy", &costsAccuracy, py::arg("code"),
-      "costs_accuracy(code: str) -> bool\n\nWhether a finding of this code says that a result "
-      "is less accurate than it was asked for.");
+  module.def("costs_accuracy", &costsAccuracy, py::arg("code"),
+             "costs_accuracy(code: str) -> bool\n\nReturns True if a finding with this code means "
+             "that a result is less accurate than requested.");
   module.def("check_mesh", &pyCheckMesh, kCheckMeshDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("run") = py::none());
 }

@@ -15,10 +15,10 @@ constexpr const char* kPageDoc =
     R"(report_page(report, title='', language='en', version='', date='', template='', inputs=(), parts=(),
             pictures=(), view_triangles=50000, run=None) -> str
 
-One self-contained HTML file that tells what a report (JSON text of clearance() or mechanism()) says.
-inputs: (role, name, detail, sha256); parts, for the 3D view: (name, vertices, triangles, motion,
-interpolation, moves, translucent), motion as in compute() or None; pictures: (caption, media type, bytes).
-Lengths in mm. Raises InvalidInput (BadReport, BadTemplate, BadOption), Cancelled.)";
+Returns one self-contained HTML file that presents a report (the JSON text from clearance() or mechanism()).
+inputs: list of (role, name, detail, sha256). parts, for the 3D view: list of (name, vertices, triangles, motion,
+interpolation, moves, translucent), with motion as in compute() or None. pictures: list of (caption, media
+type, bytes). Lengths are in mm. Raises InvalidInput (code BadReport, BadTemplate or BadOption), Cancelled.)";
 
 py::tuple tupleOf(const py::handle& item, std::size_t size, const char* what) {
   const auto found = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
@@ -27,15 +27,15 @@ py::tuple tupleOf(const py::handle& item, std::size_t size, const char* what) {
 }
 
 PageInput inputFrom(const py::handle& item) {
-  const py::tuple found = tupleOf(item, 4, "an input is (role, name, detail, sha256)");
+  const py::tuple found = tupleOf(item, 4, "an input must be (role, name, detail, sha256)");
   return {found[0].cast<std::string>(), found[1].cast<std::string>(), found[2].cast<std::string>(),
           found[3].cast<std::string>()};
 }
 
 PagePart partFrom(const py::handle& item) {
-  const py::tuple found = tupleOf(item, 7,
-                                  "a part is (name, vertices, triangles, motion, interpolation, "
-                                  "moves, translucent)");
+  const py::tuple found = tupleOf(
+      item, 7,
+      "a part must be (name, vertices, triangles, motion, interpolation, moves, translucent)");
   const py::object motion = found[3];
   return {
       found[0].cast<std::string>(), meshFromArrays(found[1], found[2]),
@@ -44,7 +44,7 @@ PagePart partFrom(const py::handle& item) {
 }
 
 PagePicture pictureFrom(const py::handle& item) {
-  const py::tuple found = tupleOf(item, 3, "a picture is (caption, media type, bytes)");
+  const py::tuple found = tupleOf(item, 3, "a picture must be (caption, media type, bytes)");
   return {found[0].cast<std::string>(), found[1].cast<std::string>(),
           std::string(found[2].cast<py::bytes>())};
 }
@@ -78,15 +78,16 @@ void bindPage(py::module_& module) {
              py::arg("parts") = py::tuple(), py::arg("pictures") = py::tuple(),
              py::arg("view_triangles") = 50000, py::arg("run") = py::none());
   module.def("page_template", &pageTemplate,
-             "page_template(name='page') -> str\n\nA template of the program: 'page' or 'print'.",
+             "page_template(name='page') -> str\n\nReturns a built-in template: 'page' (HTML) or "
+             "'print' (PDF).",
              py::arg("name") = "page");
   module.def("check_page_template", &checkPageTemplate,
-             "check_page_template(template)\n\nRaises InvalidInput (BadTemplate) where "
-             "report_page() would.",
+             "check_page_template(template)\n\nRaises InvalidInput (code BadTemplate) if "
+             "report_page() would refuse the template.",
              py::arg("template"));
   module.def("page_has_view", &pageHasView,
-             "page_has_view() -> bool\n\nFalse where the module was built without three.js: pages "
-             "have no 3D view then.");
+             "page_has_view() -> bool\n\nReturns False if the module was built without three.js; "
+             "then pages have no 3D view.");
 }
 
 }  // namespace swept::python

@@ -1,4 +1,4 @@
-// Installation paths for Python: reports as dicts, motions as arrays.
+// Installation paths for Python. Reports are dicts; motions are arrays.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "path_bindings.h"
 
@@ -24,63 +24,70 @@ constexpr const char* kFindPathDoc =
           release=0.0, translation_only=False, max_angle=None, interpolation='linear', tolerance=0.01,
           body_chord=0.0, budget=60.0, seed=1, run=None, watch=None, rules=()) -> (dict, motion or None)
 
-A motion that brings the part to its goal and keeps the clearance from every neighbour, between its keys
-as well. goal, start, via: arrays (4, 4). extract, instead of a start: a radius in mm, or a direction
-(x, y, z). neighbours and rules: as for clearance(), but no contact at any time. Lengths in mm, max_angle in rad, budget in s. watch: a PathWatch. Returns the
-report (docs/paths.md) and (times, quaternions, translations), or None where none was found. Raises
-InvalidInput (GoalBlocked, StartBlocked, ...), Cancelled.)";
+Searches for a motion that brings a part to its goal and keeps the clearance from every neighbour, also between
+keys. Lengths are in mm, max_angle in rad, budget in s.
+goal, start, via: arrays (4, 4). extract, in place of start: a radius, or a direction (x, y, z).
+neighbours and rules: as for clearance(), but rules that allow contact are refused. watch: a PathWatch.
+Returns the report (docs/paths.md), and the motion as (times, quaternions, translations), or None if no path
+was found. Raises InvalidInput (code GoalBlocked, StartBlocked, ...), Cancelled.)";
 
 constexpr const char* kImproveDoc =
     R"(improve_path(vertices, triangles, motion, neighbours, interpolation='linear', locked=(),
              more_clearance=False, clearance=0.0, release=0.0, translation_only=False, max_angle=None,
              tolerance=0.01, body_chord=0.0, budget=60.0, seed=1, run=None, rules=()) -> (dict, motion or None)
 
-A motion made better: what is nearer to a neighbour than the clearance is led another way where one is found,
-what is not is made shorter, with fewer keys; with more_clearance as far from the neighbours as can be had.
-Keys whose indices are in `locked`, and the ends, stay. What cannot be mended, or lies within `release` of the
-ends, stays as it was ("kept_moves"). The rest as for find_path(); "before" has the figures of the motion.)";
+Improves a motion. Sections that come closer to a neighbour than the clearance are led another way, if the
+search finds one. All other sections become shorter and get fewer keys; with more_clearance=True they stay as
+far from the neighbours as possible instead. The ends, and the keys whose indices are in `locked`, do not
+change. Sections that cannot be improved, or that lie within `release` of the ends, are left unchanged
+("kept_moves" counts them). Other arguments, result and errors are those of find_path(). The key "before" of
+the report describes the given motion.)";
 
 constexpr const char* kSequenceDoc =
     R"(find_sequence(parts, still=(), order='given', clearance=0.0, release=0.0, translation_only=False,
               max_angle=None, interpolation='linear', tolerance=0.01, budget=60.0, most_moves=0, seed=1,
               rules=(), run=None, watch=None) -> (dict, list or None)
 
-Motions of parts that are installed one after the other, each clear of what is there by then. parts: list of
-(name, vertices, triangles, chord error, goal, start, extract, via, motion, interpolation): goal, start, via as for
-find_path(); with a motion, that is checked and the rest not read; None where not given. still: (name, vertices,
-triangles), or with its chord error. order: 'given', or 'find' one by taking apart. rules: (name, name, rule) of
-pairs, a distance in mm or 'ignore'. The budget (s) is that of all. watch: a SequenceWatch. Returns the report
-(docs/paths.md) and for each part, as given, its motion on the common timeline; None unless all are found. Raises
-InvalidInput (NoParts, PartTwice, PartsIntersect, PartsTooNear, ...), Cancelled.)";
+Searches for motions of parts that are installed one after the other. Each part keeps the clearance from the
+parts already installed. parts: list of (name, vertices, triangles, chord_error, goal, start, extract, via,
+motion, interpolation). goal, start, extract and via are as for find_path(), or None. If motion is given, it is
+checked, and goal, start, extract and via are ignored. still: list of (name, vertices, triangles) or
+(name, vertices, triangles, chord_error), parts that do not move. order: 'given', or 'find' to search for an
+order by taking the parts out. rules: list of (name, name, rule), with a distance in mm or 'ignore' as rule.
+budget (s) is the time limit for the whole sequence. watch: a SequenceWatch. Returns the report (docs/paths.md),
+and a list with the motion of each part on the common timeline, in the order of `parts`, or None if a path is
+missing. Raises InvalidInput (code NoParts, PartTwice, PartsIntersect, PartsTooNear, ...), Cancelled.)";
 
 constexpr const char* kSequenceWatchDoc =
     R"(SequenceWatch()
 
-What others may see of a search that find_sequence() is given this for, from any thread.)";
+Shows the progress of a search while it runs. Pass the object to find_sequence(); any thread may read it.)";
 
 constexpr const char* kPathWatchDoc =
     R"(PathWatch()
 
-What others may see of a search that find_path() is given this for, from any thread.)";
+Shows the progress of a search while it runs. Pass the object to find_path(); any thread may read it.)";
 
 constexpr const char* kLiveDoc =
     R"(LiveClearance(vertices, triangles, neighbours, run=None)
 
-The distance of a part to its neighbours, one placement after another, each at once. Prepared once;
-neighbours as for clearance(), their chord errors do not count. One question at a time, from any thread.
-Raises InvalidInput, Cancelled.)";
+Measures the distance of a part from its neighbours for one placement after another, quickly enough for
+dragging. The constructor prepares the data once. neighbours: as for clearance(), but their chord errors are
+ignored. Any thread may call it, but only one call may run at a time. Raises InvalidInput, Cancelled.)";
 
 constexpr const char* kLiveAtDoc =
     R"(at(pose) -> (index, distance, inside, point_on_part, point_on_neighbour)
 
-The nearest neighbour at a placement (4, 4): its index, mm between the triangles (0 where they meet, or where
-one part lies inside the other: then `inside`), and the two points (x, y, z) in the world.)";
+Finds the nearest neighbour for one placement (4, 4) of the part. Returns its index, the distance (mm) between
+the triangles, whether one part lies inside the other, and the two nearest points (x, y, z) in world
+coordinates. The distance is 0 if the triangles meet or one part lies inside the other.)";
 
 constexpr const char* kLiveReachedDoc =
     R"(reached(from_pose, to_pose, apart) -> float64 (4, 4)
 
-The last placement on the straight way between two up to which the part stays at least `apart` mm from all
-neighbours. From a place that is nearer: to_pose if it keeps the distance, else from_pose.)";
+Moves the part in a straight line from one placement towards another and returns the last placement up to which
+it stays at least `apart` mm from all neighbours. If it is closer than that at from_pose, returns to_pose if
+the distance is kept there, otherwise from_pose.)";
 
 Pose poseFrom(const py::handle& value, const char* name) {
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
@@ -96,7 +103,7 @@ Extraction extractionFrom(const py::object& value) {
     return extraction;
   }
   const auto d = value.cast<std::vector<double>>();
-  if (d.size() != 3) throw py::value_error("extract is a radius or a direction (x, y, z)");
+  if (d.size() != 3) throw py::value_error("extract must be a radius or a direction (x, y, z)");
   extraction.direction = Eigen::Vector3d(d[0], d[1], d[2]);
   return extraction;
 }
@@ -215,8 +222,8 @@ SequencePart sequencePartFrom(const py::handle& item) {
   const py::tuple given = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
   if (given.size() != 10)
     throw py::value_error(
-        "a part is (name, vertices, triangles, chord error, goal, start, extract, via, motion, "
-        "interpolation)");
+        "a part must be (name, vertices, triangles, chord_error, goal, start, extract, via, "
+        "motion, interpolation)");
   SequencePart part{given[0].cast<std::string>(),
                     meshFromArrays(given[1], given[2]),
                     given[3].cast<double>(),
@@ -274,7 +281,8 @@ void bindPath(py::module_& module) {
   py::class_<PathWatch, std::shared_ptr<PathWatch>>(module, "PathWatch", kPathWatchDoc)
       .def(py::init<>())
       .def("farthest", &pyFarthest,
-           "The placement that came farthest out so far, float64 (4, 4); None before the first.");
+           "The placement farthest from the goal that the search has reached so far, float64 (4, "
+           "4), or None.");
   module.def("find_path", &pyFindPath, kFindPathDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("goal"), py::arg("neighbours"), py::arg("start") = py::none(),
              py::arg("extract") = py::none(), py::arg("via") = py::tuple(),
@@ -295,8 +303,8 @@ void bindPath(py::module_& module) {
                                                             kSequenceWatchDoc)
       .def(py::init<>())
       .def("seen", &pySeen,
-           "(index of the part that is looked at or -1, parts that have a path, its farthest "
-           "placement (4, 4) or None)");
+           "Returns (index of the part for which the search looks for a path, or -1; number of "
+           "parts that have a path; the farthest placement of that part, (4, 4), or None).");
   module.def("find_sequence", &pyFindSequence, kSequenceDoc, py::arg("parts"),
              py::arg("still") = py::tuple(), py::arg("order") = "given", py::arg("clearance") = 0.0,
              py::arg("release") = 0.0, py::arg("translation_only") = false,

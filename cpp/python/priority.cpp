@@ -12,7 +12,7 @@ namespace swept::python {
 namespace {
 
 std::atomic<bool> asked{false};
-/// Of the scheduler of Linux, 0 to 19: a thread at 0 gets nine times the time of one at 10.
+/// Nice value in Linux, 0 to 19. A thread at 0 gets nine times the time of a thread at 10.
 constexpr int kNice = 10;
 
 }  // namespace
@@ -22,7 +22,7 @@ void standBack() { asked = true; }
 void standBackIfAsked() {
   if (!asked) return;
 #ifdef __linux__
-  // A priority that cannot be changed is no reason to fail: the run is only less polite.
+  // Failure to change the priority is not an error: the run then only competes with the window.
   static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNice));
 #endif
 }

@@ -1,18 +1,17 @@
-// Threads of runs that leave the processor to a window's own, which then answers while both
-// compute.
-//
-// The workers of the scheduler inherit the priority of the thread that starts them: asked for
-// before the first run, all of them stand back, for the life of the process. Where nobody else
-// wants the processor nothing is lost. Linux only; elsewhere nothing happens.
+// Gives threads of runs a lower priority than the window's thread, so that the window responds
+// while both compute.
+// The workers of the scheduler inherit the priority of the thread that starts them. If standBack()
+// is called before the first run, all workers have the lower priority until the process ends. A run
+// loses no time if no other thread needs the processor. Linux only; no effect elsewhere.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 namespace swept::python {
 
-/// From now on.
+/// Lowers the priority of all later runs.
 void standBack();
 
-/// Called by a thread that begins a run.
+/// Lowers the priority of the calling thread if standBack() was called. Each run calls this first.
 void standBackIfAsked();
 
 }  // namespace swept::python

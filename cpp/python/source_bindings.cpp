@@ -16,8 +16,8 @@ namespace {
 
 namespace py = pybind11;
 
-/// An array of `width` numbers for each triangle; take(row, to) writes those of a triangle whose
-/// source is known, the others get `none`.
+/// Returns an array with `width` numbers for each triangle. take(row, to) writes the numbers of a
+/// triangle whose source is known; for the others all numbers are `none`.
 template <class T, class Take>
 py::array_t<T> byTriangle(const Sources& sources, py::ssize_t width, T none, const Take& take) {
   std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(sources.of.size())};
@@ -46,7 +46,7 @@ void bindSources(py::module_& module) {
             return py::make_tuple(sourceKindName(SourceKind::Cap), sourceKindName(SourceKind::Edge),
                                   sourceKindName(SourceKind::Graze));
           },
-          "Names of the kinds by their numbers.")
+          "Names of the kinds: KINDS[k] is the name of kind k.")
       .def("__len__", [](const Sources& sources) { return sources.of.size(); })
       .def_property_readonly(
           "kind",
@@ -56,7 +56,7 @@ void bindSources(py::module_& module) {
                                              *to = static_cast<std::int8_t>(row.kind);
                                            });
           },
-          "int8 (M,): 0 cap, 1 edge, 2 graze; -1 not known")
+          "int8 (M,): kind of the source: 0 cap, 1 edge, 2 graze, -1 unknown.")
       .def_property_readonly(
           "faces",
           [](const Sources& sources) {
@@ -65,16 +65,17 @@ void bindSources(py::module_& module) {
                                               std::copy_n(row.faces.data(), 2, to);
                                             });
           },
-          "int32 (M, 2): the face of a cap or graze and -1; the faces beside an edge, the smaller "
-          "first")
+          "int32 (M, 2): for a cap, (face, -1). For an edge, the indices of its two faces, the "
+          "lower one first (or (face, -1) at an open edge). For a graze, (face, -1), or the two "
+          "faces that meet smoothly.")
       .def_property_readonly(
           "step",
           [](const Sources& sources) {
             return byTriangle<std::int32_t>(
                 sources, 1, -1, [](const SurfaceSource& row, std::int32_t* to) { *to = row.step; });
           },
-          "int32 (M,): pose of a cap; pose at which the step of an edge or graze begins; -1 not "
-          "known")
+          "int32 (M,): index (from 0) of the pose of a cap, or of the pose at which the motion "
+          "step of an edge or graze begins. -1: unknown.")
       .def_property_readonly(
           "time",
           [](const Sources& sources) {
@@ -82,7 +83,7 @@ void bindSources(py::module_& module) {
               *to = row.timeSeconds;
             });
           },
-          "float64 (M,): s; nan where not known")
+          "float64 (M,): time (s) at which the face or edge was at `point`. nan: unknown.")
       .def_property_readonly(
           "point",
           [](const Sources& sources) {
@@ -90,8 +91,8 @@ void bindSources(py::module_& module) {
               std::copy_n(row.point.data(), 3, to);
             });
           },
-          "float64 (M, 3): mm, a point of the exact surface beside the triangle that face or edge "
-          "pass through at that time; nan where not known");
+          "float64 (M, 3): a point (mm) of the exact surface near the triangle. The face or edge "
+          "is at this point at `time`. nan: unknown.");
 }
 
 }  // namespace swept::python

@@ -1,4 +1,4 @@
-// What several parts of the module hand to Python: meshes without a copy, runs.
+// Values that several parts of the module return to Python: meshes without a copy, runs.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,11 +16,11 @@ namespace py = pybind11;
 
 using RunPointer = std::shared_ptr<RunContext>;
 
-/// A mesh whose arrays Python looks at without copying.
+/// A mesh whose arrays Python can read without a copy.
 struct Mesh {
   std::shared_ptr<const TriMesh> data;
-  double chordError = 0;           ///< mm, of a tessellated solid
-  py::list findings = py::list();  ///< of how it was read
+  double chordError = 0;  ///< mm, for a solid: how far the triangles deviate from its surface
+  py::list findings = py::list();  ///< findings from reading the file
 
   py::array vertices() const {
     return readOnlyView(reinterpret_cast<const double*>(data->vertices.data()),
@@ -32,7 +32,7 @@ struct Mesh {
   }
 };
 
-/// numpy (M,) or None.
+/// Returns an int32 array (M,), or None if the faces are not known.
 inline py::object facesOf(const Mesh& mesh) {
   if (mesh.data->faceOf.empty()) return py::none();
   return readOnlyView(mesh.data->faceOf.data(),

@@ -10,12 +10,14 @@ namespace swept::python {
 namespace {
 
 #ifdef __GLIBC__
-/// What the C library lets the end of its heap grow to by itself at most; its largest own blocks.
+/// Defaults of the GNU C library, restored after use: kUsualTrim is the largest free space it keeps
+/// at the end of its heap before it returns memory to the system, kUsualMaps its largest number of
+/// blocks outside the heap.
 constexpr int kUsualTrim = 64 << 20, kUsualMaps = 65536;
-/// So much free memory may lie at the end of the heap while warm memory waits to be used.
+/// Free space that may remain at the end of the heap while the reserved memory waits to be used.
 constexpr int kNoTrim = 1 << 30;
 #endif
-/// Less than this is not worth it.
+/// Smaller reservations save too little time.
 constexpr std::size_t kMin = std::size_t{8} << 20, kPage = 4096;
 
 }  // namespace
@@ -23,8 +25,8 @@ constexpr std::size_t kMin = std::size_t{8} << 20, kPage = 4096;
 WarmMemory::WarmMemory([[maybe_unused]] std::size_t bytes) {
 #ifdef __GLIBC__
   if (bytes < kMin) return;
-  // A block of its own would go back to the system when it is freed, and so would the end of the
-  // heap.
+  // Without these settings, malloc would map a separate block, which free() returns to the system,
+  // or free() would return the end of the heap to the system.
   mallopt(M_TRIM_THRESHOLD, kNoTrim);
   mallopt(M_MMAP_MAX, 0);
   memory_ = std::malloc(bytes);
@@ -36,7 +38,8 @@ WarmMemory::WarmMemory([[maybe_unused]] std::size_t bytes) {
 WarmMemory::~WarmMemory() {
   release();
 #ifdef __GLIBC__
-  // What nobody took goes back with the next block that is freed at the end of the heap.
+  // With the usual setting, memory that nobody used returns to the system with the next block that
+  // is freed at the end of the heap.
   if (bytes_ > 0) mallopt(M_TRIM_THRESHOLD, kUsualTrim);
 #endif
 }

@@ -1,11 +1,10 @@
-// Memory that is at hand before somebody asks for it.
-//
-// Who allocates a hundred megabytes and fills them spends two thirds of the time in the kernel,
-// which hands out fresh pages one by one. A window that is about to copy a large mesh can have the
-// pages fetched beforehand: reserve() in the window's thread, whose heap it is, touch() in any
-// other, release() in the window's just before the copy, which then gets this memory. Until the
-// object goes the heap keeps what is free at its end. Units: bytes. GNU C library only; elsewhere
-// nothing happens.
+// Reserves memory and fetches its pages before a large copy needs them.
+// A program that allocates and fills a hundred megabytes spends two thirds of the time in the
+// kernel, which provides fresh pages one by one. Before a window copies a large mesh, another
+// thread can fetch the pages. Order of calls: the constructor in the window's thread, whose heap
+// provides the memory; touch() in any other thread; release() in the window's thread directly
+// before the copy, which then gets this memory. Until the object is destroyed, the heap keeps free
+// memory at its end. Units: bytes. GNU C library only; no effect elsewhere.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,17 +14,19 @@ namespace swept::python {
 
 class WarmMemory {
  public:
-  /// Of the heap of the calling thread; small or unavailable: nothing.
+  /// Reserves memory in the heap of the calling thread. Does nothing for small sizes, or if the
+  /// memory is not available.
   explicit WarmMemory(std::size_t bytes);
   ~WarmMemory();
   WarmMemory(const WarmMemory&) = delete;
   WarmMemory& operator=(const WarmMemory&) = delete;
 
-  /// Fetches the pages. Any thread, not while release() runs.
+  /// Fetches the pages. May run in any thread, but not at the same time as release().
   void touch();
-  /// Leaves the memory to the heap, pages and all. The thread of the constructor.
+  /// Gives the memory back to the heap, together with its pages. Must run in the thread of the
+  /// constructor.
   void release();
-  /// Bytes that are held.
+  /// Returns the number of reserved bytes.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:

@@ -131,16 +131,16 @@
    <translation>Mechanismus prüfen</translation>
   </message>
   <message>
-   <source>Measures the smallest distance of every pair of parts that move at the same time, over the whole motion. Select their motions, or an existing check. Without a selection, the check takes all motions that list their parts</source>
-   <translation>Misst den kleinsten Abstand jedes Paars von Teilen, die sich gleichzeitig bewegen, über die ganze Bewegung. Wählen Sie ihre Bewegungen oder eine vorhandene Prüfung. Ohne Auswahl nimmt die Prüfung alle Bewegungen, die ihre Teile nennen</translation>
+   <source>Measures the smallest distance of every pair of parts that move at the same time, over the whole motion. Select their motions, or an existing check. Without a selection, all motions that have parts assigned are checked</source>
+   <translation>Misst den kleinsten Abstand jedes Paars von Teilen, die sich gleichzeitig bewegen, über die ganze Bewegung. Wählen Sie ihre Bewegungen oder eine vorhandene Prüfung. Ohne Auswahl werden alle Bewegungen geprüft, denen Teile zugeordnet sind</translation>
   </message>
   <message>
    <source>Check reserved spaces</source>
    <translation>Reservierte Räume prüfen</translation>
   </message>
   <message>
-   <source>Measures distances between envelopes, their solids or parts as they stand, and the volume that two of them share. Select two or more objects, or a shared volume to recompute it</source>
-   <translation>Misst Abstände zwischen Hüllen, ihren Festkörpern oder Teilen, so wie sie stehen, und das Volumen, das zwei davon gemeinsam haben. Zwei oder mehr Objekte auswählen, oder ein gemeinsames Volumen, um es neu zu berechnen</translation>
+   <source>Measures the distances between envelopes, solids of envelopes, and parts that do not move. If two of them overlap, also measures the volume they share. Select two or more objects, or a shared volume to recompute it</source>
+   <translation>Misst die Abstände zwischen Hüllen, Festkörpern von Hüllen und Teilen, die sich nicht bewegen. Überschneiden sich zwei davon, wird auch ihr gemeinsames Volumen gemessen. Wählen Sie zwei oder mehr Objekte aus, oder ein gemeinsames Volumen, um es neu zu berechnen</translation>
   </message>
   <message>
    <source>Create envelope...</source>
@@ -235,8 +235,8 @@
    <translation>Bewegung aus gesteuertem Wert...</translation>
   </message>
   <message>
-   <source>Changes a value (a spreadsheet cell, a sketch dimension or a variable of an assembly) and records how a part moves with it. Select the object with the value, then the part. Without a part, every part that moves gets a motion</source>
-   <translation>Ändert einen Wert (eine Tabellenzelle, ein Skizzenmaß oder eine Variable einer Baugruppe) und zeichnet auf, wie sich ein Teil damit bewegt. Wählen Sie das Objekt mit dem Wert, dann das Teil. Ohne Teil erhält jedes Teil, das sich bewegt, eine Bewegung</translation>
+   <source>Changes a value (a spreadsheet cell, a sketch dimension or a variable of an assembly) and records how a part moves with it. Select the object with the value, then the part. If no part is selected, every part that moves gets a motion</source>
+   <translation>Ändert einen Wert (eine Tabellenzelle, ein Skizzenmaß oder eine Variable einer Baugruppe) und zeichnet auf, wie sich ein Teil damit bewegt. Wählen Sie das Objekt mit dem Wert, dann das Teil. Ist kein Teil gewählt, erhält jedes Teil, das sich bewegt, eine Bewegung</translation>
   </message>
   <message>
    <source>Motion from file...</source>
@@ -418,16 +418,16 @@
    <translation>Die Datei kann nicht gelesen werden: Der Text in Klammern sagt, wo und warum.</translation>
   </message>
   <message>
-   <source>The file extension is not supported: use an extension that the text in brackets names.</source>
-   <translation>Die Dateiendung wird nicht unterstützt: Verwenden Sie eine Endung, die der Text in Klammern nennt.</translation>
+   <source>The file extension is not supported: use one of those listed in brackets.</source>
+   <translation>Die Dateiendung wird nicht unterstützt: Verwenden Sie eine der Endungen in Klammern.</translation>
   </message>
   <message>
    <source>The file is larger than the limit for input files: split it, or reduce it.</source>
    <translation>Die Datei ist größer als die Grenze für Eingabedateien: Teilen oder verkleinern Sie sie.</translation>
   </message>
   <message>
-   <source>The computation exceeds a limit, mostly that of memory: choose a larger cell, or raise the memory limit in the preferences.</source>
-   <translation>Die Berechnung überschreitet eine Grenze, meist die des Speichers: Wählen Sie eine größere Zelle, oder erhöhen Sie die Speichergrenze in den Einstellungen.</translation>
+   <source>The computation exceeds a limit, usually the memory limit: choose a larger cell, or raise the limit in the preferences.</source>
+   <translation>Die Berechnung überschreitet eine Grenze, meist die Speichergrenze: Wählen Sie eine größere Zelle, oder erhöhen Sie die Grenze in den Einstellungen.</translation>
   </message>
   <message>
    <source>The result would have too many triangles: choose a larger cell or a lower resolution.</source>
@@ -518,8 +518,8 @@
    <translation>Paare von Dreiecken mit denselben Ecken, aber entgegengesetzter Richtung wurden entfernt.</translation>
   </message>
   <message>
-   <source>The depth of an allowed contact was measured, but a deeper point cannot be excluded.</source>
-   <translation>Die Tiefe eines erlaubten Kontakts wurde gemessen, aber ein tieferer Punkt ist nicht ausgeschlossen.</translation>
+   <source>The depth of an allowed contact was measured, but the parts may overlap more deeply at another point.</source>
+   <translation>Die Tiefe eines erlaubten Kontakts wurde gemessen, aber die Teile könnten sich an einer anderen Stelle tiefer überschneiden.</translation>
   </message>
   <message>
    <source>Some poses have the same time as the pose before. Their order was kept.</source>
@@ -638,7 +638,7 @@
   </message>
   <message>
    <source>No envelope is stale. Select one to compute it again.</source>
-   <translation>Keine Hülle ist veraltet. Eine auswählen, um sie neu zu berechnen.</translation>
+   <translation>Keine Hülle ist veraltet. Wählen Sie eine aus, um sie neu zu berechnen.</translation>
   </message>
   <message>
    <source>No moving part is chosen: select a solid or a mesh, then press Add selected.</source>
@@ -654,7 +654,7 @@
   </message>
   <message>
    <source>The moving part has no faces: choose a part with a shape or a mesh.</source>
-   <translation>Das bewegte Teil ist leer: Wählen Sie ein Teil mit einer Form oder einem Netz.</translation>
+   <translation>Das bewegte Teil hat keine Flächen: Wählen Sie ein Teil mit einer Form oder einem Netz.</translation>
   </message>
   <message>
    <source>The shape could not be turned into triangles: check it with Part &gt; Check geometry.</source>
@@ -793,12 +793,12 @@ Versucht:
    <translation>Kontakt</translation>
   </message>
   <message>
-   <source>smallest {0} at t = {1} s ({2})</source>
+   <source>smallest distance {0} at t = {1} s ({2})</source>
    <translation>kleinster Abstand {0} bei t = {1} s ({2})</translation>
   </message>
   <message>
-   <source>smallest {0}, at least {1}, at t = {2} s ({3})</source>
-   <translation>kleinster Abstand {0}, mindestens {1}, bei t = {2} s ({3})</translation>
+   <source>smallest distance {0} (guaranteed: {1}) at t = {2} s ({3})</source>
+   <translation>kleinster Abstand {0} (garantiert: {1}) bei t = {2} s ({3})</translation>
   </message>
   <message>
    <source>contact, {0} deep</source>
@@ -825,7 +825,7 @@ Versucht:
    <translation>{0} übergangen</translation>
   </message>
   <message>
-   <source>deepest {0} at t = {1} s ({2})</source>
+   <source>deepest clash {0} at t = {1} s ({2})</source>
    <translation>tiefste Kollision {0} bei t = {1} s ({2})</translation>
   </message>
   <message>
@@ -861,8 +861,8 @@ Versucht:
    <translation>FreeCAD konnte aus dieser Hülle keinen gültigen Festkörper machen: Bauen Sie den Rechenkern mit OpenCASCADE, oder exportieren Sie eine Netzdatei.</translation>
   </message>
   <message>
-   <source>the core was built without OpenCASCADE, and {0} triangles would become as many faces (limit {1}): simplify the envelope, or export STL, PLY or OBJ.</source>
-   <translation>der Rechenkern wurde ohne OpenCASCADE gebaut, und aus {0} Dreiecken würden ebenso viele Flächen (Grenze {1}): die Hülle vereinfachen oder als STL, PLY oder OBJ exportieren.</translation>
+   <source>the core was built without OpenCASCADE, so each of the {0} triangles would become a face, but the limit is {1} faces: simplify the envelope, or export STL, PLY or OBJ.</source>
+   <translation>der Rechenkern wurde ohne OpenCASCADE gebaut, daher würde jedes der {0} Dreiecke eine Fläche, aber die Grenze ist {1} Flächen: Vereinfachen Sie die Hülle, oder exportieren Sie sie als STL, PLY oder OBJ.</translation>
   </message>
   <message>
    <source>{0}, improved</source>
@@ -878,7 +878,7 @@ Versucht:
   </message>
   <message>
    <source>"{0}" moves no visible part: show the parts, or choose another source.</source>
-   <translation>„{0}“ bewegt kein sichtbares Teil: die Teile zeigen oder eine andere Quelle wählen.</translation>
+   <translation>„{0}“ bewegt kein sichtbares Teil: Blenden Sie die Teile ein, oder wählen Sie eine andere Quelle.</translation>
   </message>
   <message>
    <source>"{0}" is left out, because it is visible only through a link: add its parts to the assembly itself.</source>
@@ -1061,8 +1061,8 @@ Versucht:
    <translation>„{0}“ hat die Interpolation „Keine“: Wählen Sie eine andere Interpolation, oder lassen Sie eine Bahn finden.</translation>
   </message>
   <message>
-   <source>They share no volume; the smallest distance is {0}.</source>
-   <translation>Sie haben kein Volumen gemeinsam; der kleinste Abstand ist {0}.</translation>
+   <source>The two sides share no volume. Their smallest distance is {0}.</source>
+   <translation>Die beiden Seiten haben kein Volumen gemeinsam. Ihr kleinster Abstand ist {0}.</translation>
   </message>
   <message>
    <source>Shared volume</source>
@@ -1085,8 +1085,8 @@ Versucht:
    <translation>Die Hülle hat noch kein Netz: Berechnen Sie sie zuerst.</translation>
   </message>
   <message>
-   <source>at one edge the faces of the solid have a gap of {0}, more than its deviation of {1} from the mesh. A smaller Tolerance gives more faces and smaller gaps.</source>
-   <translation>An einer Kante haben die Flächen des Festkörpers einen Spalt von {0}, mehr als seine Abweichung von {1} vom Netz. Eine kleinere Toleranz gibt mehr Flächen und kleinere Spalte.</translation>
+   <source>at one edge, the gap between two faces of the solid is {0}, which is more than the tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and smaller gaps.</source>
+   <translation>An einer Kante ist der Spalt zwischen zwei Flächen des Festkörpers {0}, mehr als die Toleranz oder Abweichung des Festkörpers ({1}). Eine kleinere Toleranz gibt mehr Flächen und kleinere Spalte.</translation>
   </message>
   <message>
    <source>the envelope is conservative, but a solid with a tolerance could cut into the swept volume: set the Tolerance of the solid to 0.</source>
@@ -1273,7 +1273,7 @@ Versucht:
    <translation>„Transformieren“ ist nicht möglich, solange der Bewegungseditor offen ist: Ziehen Sie die gewählte Stützstelle, oder geben Sie Zahlen ein.</translation>
   </message>
   <message>
-   <source>The keys have no change to undo or redo.</source>
+   <source>There is no change of the keys to undo or redo.</source>
    <translation>Es gibt keine Änderung der Stützstellen, die rückgängig gemacht oder wiederholt werden kann.</translation>
   </message>
   <message>
@@ -1311,8 +1311,8 @@ Versucht:
 </translation>
   </message>
   <message>
-   <source>The part came {0} away from its goal before it was blocked. The 3D view shows it there.</source>
-   <translation>Das Teil kam {0} von seinem Ziel weg, bevor es blockiert war. Die 3D-Ansicht zeigt es dort.</translation>
+   <source>The search moved the part at most {0} away from its goal before the part was blocked. The 3D view shows the part at that place.</source>
+   <translation>Die Suche bewegte das Teil höchstens {0} von seinem Ziel weg, bevor es blockiert war. Die 3D-Ansicht zeigt das Teil an dieser Stelle.</translation>
   </message>
   <message>
    <source>Most frequent obstacle: {0}.</source>
@@ -1400,11 +1400,11 @@ Versucht:
   </message>
   <message>
    <source>Select an envelope first.</source>
-   <translation>Zuerst eine Hülle auswählen.</translation>
+   <translation>Wählen Sie zuerst eine Hülle aus.</translation>
   </message>
   <message>
    <source>Select a motion first.</source>
-   <translation>Zuerst eine Bewegung auswählen.</translation>
+   <translation>Wählen Sie zuerst eine Bewegung aus.</translation>
   </message>
   <message>
    <source>No program is installed that opens {0}.</source>
@@ -1575,8 +1575,8 @@ Versucht:
    <translation>Zu dieser Zeit gibt es schon eine Stützstelle: Wählen Sie eine andere Zeit.</translation>
   </message>
   <message>
-   <source>"{0}" is not a number, nor a quantity that can be converted to {1}, or it is too large: correct the entry.</source>
-   <translation>„{0}“ ist keine Zahl und keine Größe, die in {1} umgerechnet werden kann, oder zu groß: Berichtigen Sie die Eingabe.</translation>
+   <source>"{0}" is too large, or is neither a number nor a quantity that can be converted to {1}: correct the entry.</source>
+   <translation>„{0}“ ist zu groß, oder weder eine Zahl noch eine Größe, die in {1} umgerechnet werden kann: Berichtigen Sie die Eingabe.</translation>
   </message>
   <message>
    <source>The time of key {0} must lie between the times of the keys before and after it.</source>
@@ -1596,7 +1596,7 @@ Versucht:
   </message>
   <message>
    <source>Choose at least one object with a placement.</source>
-   <translation>Mindestens ein Objekt mit einer Platzierung wählen.</translation>
+   <translation>Wählen Sie mindestens ein Objekt mit einer Platzierung.</translation>
   </message>
   <message>
    <source>"{0}" has no placement, so it cannot be a pose: choose another object.</source>
@@ -1612,7 +1612,7 @@ Versucht:
   </message>
   <message>
    <source>The motion has no poses: add at least one.</source>
-   <translation>Die Bewegung hat keine Lagen: mindestens eine hinzufügen.</translation>
+   <translation>Die Bewegung hat keine Lagen: Fügen Sie mindestens eine hinzu.</translation>
   </message>
   <message>
    <source>The pose type "{0}" is unknown: use one of these: {1}.</source>
@@ -1623,8 +1623,8 @@ Versucht:
    <translation>Die Bewegung hat {0} Zeiten, aber {1} Platzierungen: Ihre Anzahl muss gleich sein.</translation>
   </message>
   <message>
-   <source>Poses {0} and {1} have the same time ({2:g} s): give them different times. A spline and a motion with a reference part need this.</source>
-   <translation>Lagen {0} und {1} haben dieselbe Zeit ({2:g} s): Geben Sie ihnen verschiedene Zeiten. Ein Spline und eine Bewegung mit Bezugsteil brauchen das.</translation>
+   <source>Poses {0} and {1} have the same time ({2:g} s): give them different times, because the motion is a spline or has a reference part.</source>
+   <translation>Lagen {0} und {1} haben dieselbe Zeit ({2:g} s): Geben Sie ihnen verschiedene Zeiten, denn die Bewegung ist ein Spline oder hat ein Bezugsteil.</translation>
   </message>
   <message>
    <source>Select one Robot trajectory.</source>
@@ -1647,12 +1647,12 @@ Versucht:
    <translation>Die Anzahl der Lagen ist {0}: Geben Sie eine Zahl von {1} bis {2} ein.</translation>
   </message>
   <message>
-   <source>The spline from pose {0} to pose {1} exceeds the range of numbers: check their times, placements and given velocities.</source>
-   <translation>Der Spline von Lage {0} bis Lage {1} überschreitet den Zahlenbereich: Prüfen Sie ihre Zeiten, Platzierungen und vorgegebenen Geschwindigkeiten.</translation>
+   <source>The spline from pose {0} to pose {1} gives numbers that are too large: check the times, placements and given velocities of these poses.</source>
+   <translation>Der Spline von Lage {0} bis Lage {1} ergibt zu große Zahlen: Prüfen Sie Zeiten, Platzierungen und vorgegebene Geschwindigkeiten dieser Lagen.</translation>
   </message>
   <message>
    <source>The document "{0}" has no open 3D view: open one with the menu Window.</source>
-   <translation>„{0}“ hat keine 3D-Ansicht: im Menü Fenster eine öffnen.</translation>
+   <translation>„{0}“ hat keine offene 3D-Ansicht: Öffnen Sie eine im Menü Fenster.</translation>
   </message>
  </context>
  <context>
@@ -1662,8 +1662,8 @@ Versucht:
    <translation>{0} tief</translation>
   </message>
   <message>
-   <source>Made by the face itself, standing at a pose</source>
-   <translation>Erzeugt von der Fläche selbst, an einer Lage stehend</translation>
+   <source>Made by the face itself, in its place at one pose</source>
+   <translation>Erzeugt von der Fläche selbst, an ihrem Platz bei einer Lage</translation>
   </message>
   <message>
    <source>Swept by an edge that passed here</source>
@@ -1734,16 +1734,16 @@ Versucht:
    <translation>Vori&amp;ge Stelle</translation>
   </message>
   <message>
-   <source>Goes back to the next worse place</source>
-   <translation>Geht zur nächstschlechteren Stelle zurück</translation>
+   <source>Goes to the previous place, which is worse than this one</source>
+   <translation>Geht zur vorigen Stelle, die schlechter ist als diese</translation>
   </message>
   <message>
    <source>&amp;Next worst place</source>
    <translation>&amp;Nächstschlimmste Stelle</translation>
   </message>
   <message>
-   <source>Goes to the next place, from the worst to the best: first clashes by depth, then all others by distance</source>
-   <translation>Geht zur nächsten Stelle, von der schlechtesten zur besten: zuerst Kollisionen nach Tiefe, dann alle anderen nach Abstand</translation>
+   <source>Goes to the next place. Clashes come first, beginning with the deepest, then all other places, beginning with the closest</source>
+   <translation>Geht zur nächsten Stelle. Zuerst kommen die Kollisionen, beginnend mit der tiefsten, dann alle anderen Stellen, beginnend mit der engsten</translation>
   </message>
   <message>
    <source>Rule: {0}</source>
@@ -1838,8 +1838,8 @@ Versucht:
    <translation>Nachbar</translation>
   </message>
   <message>
-   <source>Makes an object of the volume that the envelope and the part of the chosen row share</source>
-   <translation>Macht ein Objekt aus dem Volumen, das die Hülle und das Teil der gewählten Zeile gemeinsam haben</translation>
+   <source>Creates an object from the volume that the envelope shares with the part of the chosen row</source>
+   <translation>Erzeugt ein Objekt aus dem Volumen, das die Hülle mit dem Teil der gewählten Zeile gemeinsam hat</translation>
   </message>
   <message>
    <source>Colour the envelope by distance</source>
@@ -1974,8 +1974,8 @@ Versucht:
    <translation>Die Teile werden gelesen ...</translation>
   </message>
   <message>
-   <source>Most poses are nearly equal: set a position filter of {0} to skip them, and the run is much faster.</source>
-   <translation>Die meisten Lagen sind fast gleich: Setzen Sie einen Positionsfilter von {0}, um sie zu überspringen, dann ist der Lauf viel schneller.</translation>
+   <source>Most poses are nearly equal: a position filter of {0} skips them and makes the run much faster.</source>
+   <translation>Die meisten Lagen sind fast gleich: Ein Positionsfilter von {0} überspringt sie und macht den Lauf viel schneller.</translation>
   </message>
   <message>
    <source>The motion has only one key, so the parts do not move: add another key.</source>
@@ -2230,8 +2230,8 @@ Versucht:
    <translation>Kontakt mit {1} ({0})</translation>
   </message>
   <message>
-   <source>The envelope is stale: the information shown is about the earlier parts and motion. Recompute the envelope to see the present ones.</source>
-   <translation>Die Hülle ist veraltet: Die gezeigten Angaben gelten für die früheren Teile und die frühere Bewegung. Berechnen Sie die Hülle neu, um die jetzigen zu sehen.</translation>
+   <source>The envelope is stale: the information shown belongs to its earlier parts and motion. Recompute the envelope to update the information.</source>
+   <translation>Die Hülle ist veraltet: Die gezeigten Angaben gehören zu ihren früheren Teilen und ihrer früheren Bewegung. Berechnen Sie die Hülle neu, um die Angaben zu aktualisieren.</translation>
   </message>
   <message>
    <source>What made this?</source>
@@ -2258,8 +2258,8 @@ Versucht:
    <translation>Klicken Sie in der 3D-Ansicht auf eine Stelle der Hülle.</translation>
   </message>
   <message>
-   <source>For this envelope there is no record of what made it. Either it was not recorded, or the record ended when the document was closed: press Compute and record.</source>
-   <translation>Für diese Hülle gibt es keine Aufzeichnung darüber, was sie erzeugt hat. Entweder wurde es nicht aufgezeichnet, oder die Aufzeichnung endete mit dem Schließen des Dokuments: Drücken Sie „Berechnen und aufzeichnen“.</translation>
+   <source>This envelope has no record of what made it. Either nothing was recorded, or the record was lost when the document was closed: press Compute and record.</source>
+   <translation>Diese Hülle hat keine Aufzeichnung darüber, was sie erzeugt hat. Entweder wurde nichts aufgezeichnet, oder die Aufzeichnung ging beim Schließen des Dokuments verloren: Drücken Sie „Berechnen und aufzeichnen“.</translation>
   </message>
   <message>
    <source>It is not known what made this place: click a point beside it.</source>
@@ -2390,8 +2390,8 @@ Versucht:
    <translation>Ausge&amp;wählte nehmen</translation>
   </message>
   <message>
-   <source>Adds the volume that both share as an object, which shows when it is out of date</source>
-   <translation>Fügt das gemeinsame Volumen als Objekt hinzu, das zeigt, wenn es veraltet ist</translation>
+   <source>Adds the shared volume of the two objects to the document. The new object shows when it is stale</source>
+   <translation>Fügt das gemeinsame Volumen der beiden Objekte dem Dokument hinzu. Das neue Objekt zeigt, wenn es veraltet ist</translation>
   </message>
   <message>
    <source>Pairs checked: {0}, shared volume: {1}</source>
@@ -2514,8 +2514,8 @@ Versucht:
    <translation>Blendet alles vor der engsten Stelle aus. Der Schnitt folgt der gewählten Zeile und dem Abspieler</translation>
   </message>
   <message>
-   <source>Makes an object of the volume that the two parts of the chosen row share at the time of that row</source>
-   <translation>Macht ein Objekt aus dem Volumen, das die beiden Teile der gewählten Zeile zu deren Zeit gemeinsam haben</translation>
+   <source>Creates an object from the volume that the two parts of the chosen row share at the time of that row</source>
+   <translation>Erzeugt ein Objekt aus dem Volumen, das die beiden Teile der gewählten Zeile zu deren Zeit gemeinsam haben</translation>
   </message>
   <message>
    <source>clash</source>
@@ -2614,20 +2614,20 @@ Versucht:
    <translation>Regel</translation>
   </message>
   <message>
-   <source>The required distance for this row. Empty: the common required distance below. If contact is allowed: how deep the parts may overlap. Empty: no measurable overlap</source>
-   <translation>Der Sollabstand für diese Zeile. Leer: der gemeinsame Sollabstand unten. Bei erlaubtem Kontakt: wie tief sich die Teile überschneiden dürfen. Leer: keine messbare Überschneidung</translation>
+   <source>Required distance for this row (empty: the common required distance below). If contact is allowed: how deep the parts may overlap (empty: no measurable overlap)</source>
+   <translation>Sollabstand für diese Zeile (leer: der gemeinsame Sollabstand unten). Bei erlaubtem Kontakt: wie tief sich die Teile überschneiden dürfen (leer: keine messbare Überschneidung)</translation>
   </message>
   <message>
-   <source>The required distance for this row. Empty: the common required distance below</source>
-   <translation>Der Sollabstand für diese Zeile. Leer: der gemeinsame Sollabstand unten</translation>
+   <source>Required distance for this row (empty: the common required distance below)</source>
+   <translation>Sollabstand für diese Zeile (leer: der gemeinsame Sollabstand unten)</translation>
   </message>
   <message>
    <source>Rules</source>
    <translation>Regeln</translation>
   </message>
   <message>
-   <source>If a neighbour is closer than the required distance at the start or the goal, it may stay closer until some point of the part has moved this far from there</source>
-   <translation>Ist ein Nachbar am Start oder Ziel näher als der Sollabstand, darf er näher bleiben, bis sich ein Punkt des Teils so weit von dort wegbewegt hat</translation>
+   <source>If the part is closer to a neighbour than the required distance at its start or goal, it may stay that close while no point of the part is farther than this from its position at that end</source>
+   <translation>Ist das Teil an seinem Start oder Ziel näher an einem Nachbarn als der Sollabstand, darf es so nah bleiben, solange kein Punkt des Teils weiter als dies von seiner Position an diesem Ende entfernt ist</translation>
   </message>
   <message>
    <source>Release distance</source>
@@ -2734,16 +2734,16 @@ Versucht:
    <translation>Koplanare vereinigen</translation>
   </message>
   <message>
-   <source>Merges coplanar triangles into single flat faces</source>
-   <translation>Vereinigt koplanare Dreiecke zu einzelnen ebenen Flächen</translation>
+   <source>Merges adjacent coplanar triangles into one flat face</source>
+   <translation>Vereinigt benachbarte koplanare Dreiecke zu einer ebenen Fläche</translation>
   </message>
   <message>
-   <source>How far the solid may deviate from the mesh; 0: exact, unless Max faces forces a tolerance</source>
-   <translation>Wie weit der Festkörper vom Netz abweichen darf; 0: genau, sofern „Max. Flächen“ keine Toleranz erzwingt</translation>
+   <source>How far the solid may deviate from the mesh. 0: exact, unless Max faces requires a tolerance</source>
+   <translation>Wie weit der Festkörper vom Netz abweichen darf. 0: genau, sofern „Max. Flächen“ keine Toleranz erfordert</translation>
   </message>
   <message>
-   <source>If the tolerance is 0, the smallest tolerance that stays within this limit is chosen</source>
-   <translation>Ist die Toleranz 0, wird die kleinste gewählt, die diese Grenze einhält</translation>
+   <source>If the tolerance is 0, the smallest tolerance that meets this limit is chosen</source>
+   <translation>Ist die Toleranz 0, wird die kleinste Toleranz gewählt, die diese Grenze einhält</translation>
   </message>
   <message>
    <source>no limit</source>
@@ -2754,8 +2754,8 @@ Versucht:
    <translation>Tesselliert (AP242)</translation>
   </message>
   <message>
-   <source>Writes the triangles themselves instead of faces: exact, fast and of any size. Only programs that read tessellated STEP can open it; FreeCAD 0.20 cannot</source>
-   <translation>Schreibt die Dreiecke selbst statt Flächen: genau, schnell und beliebig groß. Nur Programme, die tesselliertes STEP lesen, können die Datei öffnen; FreeCAD 0.20 nicht</translation>
+   <source>Writes the triangles themselves instead of faces. This is exact and fast, and there is no limit on the number of triangles. Only programs that read tessellated STEP can open the file; FreeCAD 0.20 cannot</source>
+   <translation>Schreibt die Dreiecke selbst statt Flächen. Das ist genau und schnell, und die Anzahl der Dreiecke ist nicht begrenzt. Nur Programme, die tesselliertes STEP lesen, können die Datei öffnen; FreeCAD 0.20 nicht</translation>
   </message>
   <message>
    <source>Max faces</source>
@@ -3133,8 +3133,8 @@ bis etwa {2}, {3}</translation>
    <translation>Größter erlaubter Fehler des kleinsten Abstands</translation>
   </message>
   <message>
-   <source>How far the triangles of a solid may deviate from it. This deviation is subtracted from guaranteed distances</source>
-   <translation>Wie weit die Dreiecke eines Festkörpers von ihm abweichen dürfen. Diese Abweichung wird von garantierten Abständen abgezogen</translation>
+   <source>How far the triangle mesh of a solid may deviate from the solid. This deviation is subtracted from guaranteed distances</source>
+   <translation>Wie weit das Dreiecksnetz eines Festkörpers vom Festkörper abweichen darf. Diese Abweichung wird von garantierten Abständen abgezogen</translation>
   </message>
   <message>
    <source>Neighbours, or groups of neighbours, that have their own rule</source>
@@ -3193,16 +3193,16 @@ bis etwa {2}, {3}</translation>
    <translation>Eingaben, die gelöscht wurden (JSON)</translation>
   </message>
   <message>
-   <source>Parts that were visible in the last run with AllVisible. If they change, the result is stale</source>
-   <translation>Teile, die im letzten Lauf mit AllVisible sichtbar waren. Ändern sie sich, ist das Ergebnis veraltet</translation>
+   <source>Parts that were visible in the last run, recorded if AllVisible was true. If one of them changes, the result is stale</source>
+   <translation>Teile, die im letzten Lauf sichtbar waren, festgehalten, wenn AllVisible True war. Ändert sich eines davon, ist das Ergebnis veraltet</translation>
   </message>
   <message>
-   <source>Which face or edge made each triangle (packed)</source>
-   <translation>Welche Fläche oder Kante jedes Dreieck erzeugt hat (gepackt)</translation>
+   <source>Record of which face or edge made each triangle (compressed)</source>
+   <translation>Aufzeichnung, welche Fläche oder Kante jedes Dreieck erzeugt hat (komprimiert)</translation>
   </message>
   <message>
-   <source>Placement of the result when it was stored. If it changes, the result was moved</source>
-   <translation>Platzierung des Ergebnisses, als es gespeichert wurde. Ändert sie sich, wurde das Ergebnis verschoben</translation>
+   <source>Placement of the result when the result was stored. If the present placement differs, the result was moved</source>
+   <translation>Platzierung des Ergebnisses, als es gespeichert wurde. Weicht die jetzige Platzierung davon ab, wurde das Ergebnis verschoben</translation>
   </message>
   <message>
    <source>Solids and meshes that move together. A group or link stands for all the parts in it</source>
@@ -3233,8 +3233,8 @@ bis etwa {2}, {3}</translation>
    <translation>Kantenlänge einer Zelle des Abtastgitters. 0: aus Resolution berechnet</translation>
   </message>
   <message>
-   <source>How far the triangles of a solid may deviate from it, as a fraction of the cell size</source>
-   <translation>Wie weit die Dreiecke eines Festkörpers von ihm abweichen dürfen, als Bruchteil der Zellgröße</translation>
+   <source>How far the triangle mesh of a solid may deviate from the solid, as a fraction of the cell size</source>
+   <translation>Wie weit das Dreiecksnetz eines Festkörpers vom Festkörper abweichen darf, als Bruchteil der Zellgröße</translation>
   </message>
   <message>
    <source>How far simplification may move the surface. 0: no simplification</source>
@@ -3333,12 +3333,12 @@ bis etwa {2}, {3}</translation>
    <translation>Zeit jeder Lage (s), aufsteigend</translation>
   </message>
   <message>
-   <source>Placement for each time. PoseType says what it means for the part</source>
-   <translation>Platzierung für jede Zeit. PoseType sagt, was sie für das Teil bedeutet</translation>
+   <source>Placement of each pose. PoseType says whether it replaces the placement of the part or is a displacement from it</source>
+   <translation>Platzierung jeder Lage. PoseType sagt, ob sie die Platzierung des Teils ersetzt oder eine Verschiebung davon ist</translation>
   </message>
   <message>
-   <source>How the part moves between two poses. Linear: along a straight line, turning at a constant rate. Screw: one screw movement. Spline: along a smooth curve through all poses. None: the part stands only at the poses</source>
-   <translation>Wie sich das Teil zwischen zwei Lagen bewegt. Linear: auf einer Geraden, mit gleichmäßiger Drehung. Screw: eine Schraubbewegung. Spline: auf einer glatten Kurve durch alle Lagen. None: Das Teil steht nur an den Lagen</translation>
+   <source>How the part moves between two poses. Linear: along a straight line, turning at a constant rate. Screw: one screw movement. Spline: along a smooth curve through all poses. None: only the poses themselves count, there is no motion between them</source>
+   <translation>Wie sich das Teil zwischen zwei Lagen bewegt. Linear: auf einer Geraden, mit gleichmäßiger Drehung. Screw: eine Schraubbewegung. Spline: auf einer glatten Kurve durch alle Lagen. None: Nur die Lagen selbst zählen, dazwischen gibt es keine Bewegung</translation>
   </message>
   <message>
    <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. In coordinates of the part if PoseType is Absolute, otherwise of the document</source>
@@ -3401,8 +3401,8 @@ bis etwa {2}, {3}</translation>
    <translation>Prüfsumme der Quelle beim Lesen. Ändert sie sich, ist die Bewegung veraltet</translation>
   </message>
   <message>
-   <source>Number of poses to read. For a curve, 0: as many as SourceAccuracy needs</source>
-   <translation>Anzahl der zu lesenden Lagen. Bei einer Kurve 0: so viele, wie SourceAccuracy braucht</translation>
+   <source>Number of poses to read. 0 (only for curves): as many poses as SourceAccuracy requires</source>
+   <translation>Anzahl der zu lesenden Lagen. 0 (nur bei Kurven): so viele Lagen, wie SourceAccuracy erfordert</translation>
   </message>
   <message>
    <source>How far the straight line between two poses may deviate from the curve</source>
@@ -3433,12 +3433,12 @@ bis etwa {2}, {3}</translation>
    <translation>Name des Werts, der geändert wird, um das Teil zu bewegen</translation>
   </message>
   <message>
-   <source>Value at the first pose, in the unit of the value (such as mm or degrees)</source>
-   <translation>Wert bei der ersten Lage, in der Einheit des Werts (etwa mm oder Grad)</translation>
+   <source>What SourceValue is set to at the first pose, in its own unit (such as mm or degrees)</source>
+   <translation>Zahl, auf die SourceValue bei der ersten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
   </message>
   <message>
-   <source>Value at the last pose, in the unit of the value (such as mm or degrees)</source>
-   <translation>Wert bei der letzten Lage, in der Einheit des Werts (etwa mm oder Grad)</translation>
+   <source>What SourceValue is set to at the last pose, in its own unit (such as mm or degrees)</source>
+   <translation>Zahl, auf die SourceValue bei der letzten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
   </message>
   <message>
    <source>Parts, in the order in which they are installed</source>
@@ -3453,36 +3453,36 @@ bis etwa {2}, {3}</translation>
    <translation>Abstand, den jedes Teil von den schon eingebauten Teilen halten muss</translation>
   </message>
   <message>
-   <source>Close to its start or end, a part may touch the parts that it touches there, until it has moved this far away</source>
-   <translation>Nahe an Start oder Ende darf ein Teil die Teile berühren, die es dort berührt, bis es sich so weit entfernt hat</translation>
+   <source>If a part touches another part at its start or end, it may keep touching that part while no point of it is farther than this from that start or end</source>
+   <translation>Berührt ein Teil an seinem Start oder Ende ein anderes Teil, darf es dieses weiter berühren, solange keiner seiner Punkte weiter als dies von diesem Start oder Ende entfernt ist</translation>
   </message>
   <message>
    <source>Number of parts that have a path</source>
    <translation>Anzahl der Teile, die eine Bahn haben</translation>
   </message>
   <message>
-   <source>First side: parts, envelopes or other reserved spaces</source>
-   <translation>Erste Seite: Teile, Hüllen oder andere reservierte Räume</translation>
+   <source>First of the two sides that are compared: parts, envelopes or other reserved spaces</source>
+   <translation>Erste der beiden Seiten, die verglichen werden: Teile, Hüllen oder andere reservierte Räume</translation>
   </message>
   <message>
-   <source>Second side: parts, envelopes or other reserved spaces</source>
-   <translation>Zweite Seite: Teile, Hüllen oder andere reservierte Räume</translation>
+   <source>Second of the two sides that are compared: parts, envelopes or other reserved spaces</source>
+   <translation>Zweite der beiden Seiten, die verglichen werden: Teile, Hüllen oder andere reservierte Räume</translation>
   </message>
   <message>
-   <source>Motion that moves the first side; none: it stands still</source>
-   <translation>Bewegung der ersten Seite; keine: sie steht still</translation>
+   <source>Motion of the first side. None: the first side stands still</source>
+   <translation>Bewegung der ersten Seite. Keine: Die erste Seite steht still</translation>
   </message>
   <message>
-   <source>Motion that moves the second side; none: it stands still</source>
-   <translation>Bewegung der zweiten Seite; keine: sie steht still</translation>
+   <source>Motion of the second side. None: the second side stands still</source>
+   <translation>Bewegung der zweiten Seite. Keine: Die zweite Seite steht still</translation>
   </message>
   <message>
    <source>Time at which both sides are compared (s)</source>
    <translation>Zeit, zu der beide Seiten verglichen werden (s)</translation>
   </message>
   <message>
-   <source>How far the triangles of solids may deviate from them</source>
-   <translation>Wie weit die Dreiecke von Festkörpern von ihnen abweichen dürfen</translation>
+   <source>How far the triangle mesh of a solid may deviate from the solid</source>
+   <translation>Wie weit das Dreiecksnetz eines Festkörpers vom Festkörper abweichen darf</translation>
   </message>
   <message>
    <source>Whether the result is current</source>
@@ -3493,16 +3493,16 @@ bis etwa {2}, {3}</translation>
    <translation>Hinweise zum Ergebnis</translation>
   </message>
   <message>
-   <source>Volume that both share</source>
-   <translation>Volumen, das beide gemeinsam haben</translation>
+   <source>Volume that both sides share</source>
+   <translation>Volumen, das beide Seiten gemeinsam haben</translation>
   </message>
   <message>
-   <source>Smallest distance, if they share no volume</source>
-   <translation>Kleinster Abstand, wenn sie kein Volumen gemeinsam haben</translation>
+   <source>Smallest distance between the sides, if they share no volume</source>
+   <translation>Kleinster Abstand der Seiten, wenn sie kein Volumen gemeinsam haben</translation>
   </message>
   <message>
-   <source>How deep one side penetrates the other</source>
-   <translation>Wie tief eine Seite in die andere eindringt</translation>
+   <source>How deep one of the two sides penetrates the other</source>
+   <translation>Wie tief eine der beiden Seiten in die andere eindringt</translation>
   </message>
   <message>
    <source>Envelope or other closed mesh that is converted to a solid</source>
@@ -3513,12 +3513,12 @@ bis etwa {2}, {3}</translation>
    <translation>Koplanare vereinigen</translation>
   </message>
   <message>
-   <source>Largest number of faces; if Tolerance is 0, the smallest tolerance that stays within it is chosen</source>
-   <translation>Größte Anzahl der Flächen; ist Tolerance 0, wird die kleinste Toleranz gewählt, die sie einhält</translation>
+   <source>Largest number of faces. If Tolerance is 0, the smallest tolerance that meets this limit is chosen</source>
+   <translation>Größte Anzahl der Flächen. Ist Tolerance 0, wird die kleinste Toleranz gewählt, die diese Grenze einhält</translation>
   </message>
   <message>
-   <source>How far the solid may deviate from the mesh. Within it, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces needs a tolerance</source>
-   <translation>Wie weit der Festkörper vom Netz abweichen darf. Innerhalb davon werden Zylinder, Kugeln und andere Flächen erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces keine Toleranz erfordert</translation>
+   <source>How far the solid may deviate from the mesh. Within this tolerance, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a tolerance</source>
+   <translation>Wie weit der Festkörper vom Netz abweichen darf. Innerhalb dieser Toleranz werden Zylinder, Kugeln und andere Flächen erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces keine Toleranz erfordert</translation>
   </message>
   <message>
    <source>Largest distance of the mesh from the solid, as measured</source>

@@ -79,7 +79,7 @@ class BadRuns(BadCase):
 
     def test_bad_input_22_bad_pose(self):
         before = len(self.doc.Objects)
-        with self.assertRaisesRegex((core.CoreError, InputProblem), "pose 2.*must not decrease"):
+        with self.assertRaisesRegex((core.CoreError, InputProblem), "Pose 2.*must not decrease"):
             self.motion_of("1,0,0,0,0,0,0,1", "0,30,0,0,0,0,0,1")
         self.assertEqual(len(self.doc.Objects), before)
 
@@ -193,7 +193,7 @@ with tempfile.TemporaryDirectory() as folder:
         try:
             export.request(obj)
         except ValueError as error:
-            print(type(error).__name__, "free some space" in str(error))
+            print(type(error).__name__, "delete files there" in str(error))
         resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY,) * 2)
     print(sorted(os.listdir(folder)))
 """

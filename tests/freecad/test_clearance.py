@@ -32,7 +32,8 @@ class Clearance(Neighbours):
         self.assertAlmostEqual(rows["Wall"]["guaranteed"], 3.5 - 0.1 - 0.01, places=6)
         self.assertTrue(
             obj.Summary.startswith(
-                "2 checked, 1 below required, smallest 3.5 mm, at least 3.39 mm, at t = 1 s (Wall)"
+                "2 checked, 1 below required, smallest distance 3.5 mm "
+                "(guaranteed: 3.39 mm) at t = 1 s (Wall)"
             ),
             obj.Summary,
         )
@@ -147,7 +148,7 @@ class Clearance(Neighbours):
             inches = clearance_table.table(clearance.report_of(obj))
             self.assertEqual(clearance_table.columns()[2], "Distance (in)")
             text = clearance_table.summary(clearance.report_of(obj))
-            self.assertIn("smallest 0.1378 in, at least 0.1335 in, at t = 1 s", text)
+            self.assertIn("smallest distance 0.1378 in (guaranteed: 0.1335 in) at t = 1 s", text)
         finally:
             App.Units.setSchema(0)
         self.assertAlmostEqual(inches[0][2] * 25.4, float(rows[1][2]))

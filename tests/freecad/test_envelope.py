@@ -173,10 +173,10 @@ class Envelope(Computed):
 
     def test_missing_inputs_are_explained(self):
         obj = self.envelope([], None)
-        with self.assertRaisesRegex(InputProblem, "no motion"):
+        with self.assertRaisesRegex(InputProblem, "No motion"):
             envelope.compute(obj)
         obj.Motion = self.line()
-        with self.assertRaisesRegex(InputProblem, "no moving part"):
+        with self.assertRaisesRegex(InputProblem, "No moving part"):
             envelope.compute(obj)
         obj.Motion = motion.make_motion(self.doc)
         obj.MovingParts = [(self.box(), "")]
@@ -298,7 +298,7 @@ class SolidAndFiles(Computed):
             export.write(export.request(obj), path)
             self.assertEqual(len(Part.read(path).Solids), 1)
             body.MaxFaces = 7
-            with self.assertRaisesRegex(InputProblem, "limit 7"):
+            with self.assertRaisesRegex(InputProblem, "the limit is 7 faces"):
                 solid.compute(body)
         self.assertEqual(os.listdir(self.folder), ["faceted.step"])
         self.assertEqual(os.stat(path).st_mode, os.stat(self.file("any", "")).st_mode)

@@ -89,11 +89,11 @@ class Pages(Slide):
         clearance.compute(self.obj)
         self.wall.Placement = shift(x=60)
         self.doc.recompute()
-        with self.assertRaisesRegex(InputProblem, "check again"):
+        with self.assertRaisesRegex(InputProblem, "run the check again"):
             self.written()
         self.obj.Motion = None
         self.doc.recompute()
-        with self.assertRaisesRegex(InputProblem, "(?s)check again first.*motion"):
+        with self.assertRaisesRegex(InputProblem, "(?s)run the check again.*motion"):
             self.written()
         self.assertEqual(os.listdir(self.folder), [])
 
@@ -118,7 +118,7 @@ class Pages(Slide):
         group.SetString("PageTemplate", path)
         self.assertTrue(self.written().startswith("<p>ACME Clearance</p>"))
         self.file("t.html", "{{logo}}")
-        with self.assertRaisesRegex(core.CoreError, "{{logo}} is no placeholder"):
+        with self.assertRaisesRegex(core.CoreError, "{{logo}} is not a placeholder"):
             self.written()
         self.file("t.html", " ")
         with self.assertRaisesRegex(InputProblem, "is empty"):
@@ -136,7 +136,7 @@ class Pages(Slide):
             text = self.written()
         self.assertIn("unter Sollabstand", text)
         self.assertIn("Eine Notiz &lt;x&gt;", text)
-        self.assertNotIn("sind englisch", text)
+        self.assertNotIn("nur auf Englisch", text)
         self.assertEqual(texts.language(), "en")
 
     def test_the_template_for_pdf_is_another_one_and_is_checked_as_well(self):
@@ -241,5 +241,5 @@ class PagesOfMechanisms(Case):
         mechanism.compute(self.obj)
         self.right.Placement = shift(x=70)
         self.doc.recompute()
-        with self.assertRaisesRegex(InputProblem, "check again"):
+        with self.assertRaisesRegex(InputProblem, "run the check again"):
             self.written()

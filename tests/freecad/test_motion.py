@@ -23,7 +23,7 @@ class Motion(Case):
         self.assertEqual((obj.PoseType, obj.SourceType, obj.Status), ("Relative", "Stored", ""))
 
     def test_times_may_not_go_back(self):
-        with self.assertRaisesRegex(InputProblem, "pose 3: .*0.5 s is earlier than the 1 s"):
+        with self.assertRaisesRegex(InputProblem, "Pose 3: .*0.5 s is earlier than the time 1 s"):
             Poses([0, 1, 0.5], [shift()] * 3)
 
     def test_bad_edit_is_told_and_marks_the_object(self):
@@ -174,17 +174,17 @@ class MotionFile(Case):
         self.assertAlmostEqual(box.XLength, 40, delta=0.5)
         self.assertAlmostEqual(box.YLength, 30, delta=0.5)
         self.assertIn("EqualTimes", [w["code"] for w in found.report["warnings"]])
-        self.assertIn("the time of the pose before", hull.Message)
+        self.assertIn("the same time as the pose before", hull.Message)
         here = at_time(motion.poses_of(obj), "Linear", 1.0)
         self.assertEqual((here.Base.x, here.Base.y), (10, 20))
         obj.Interpolation = "Spline"
         self.doc.recompute()
-        with self.assertRaisesRegex(InputProblem, "poses 2 and 3 have the same time"):
+        with self.assertRaisesRegex(InputProblem, "Poses 2 and 3 have the same time"):
             envelope.compute(hull)
         obj.Interpolation = "Linear"
         rest = motion.motion_from_poses(self.doc, [0, 2], [shift(), shift()])
         hull.Reference, hull.ReferenceMotion = (self.box("Table"), [""]), rest
-        with self.assertRaisesRegex(InputProblem, "a motion with a reference part"):
+        with self.assertRaisesRegex(InputProblem, "has a reference part"):
             envelope.compute(hull)
 
     def test_csv_with_unit(self):

@@ -42,7 +42,7 @@ class Moving(Case):
     def test_every_part_needs_its_motion(self):
         along, up = self.lines((30, 0, 0), (0, 20, 0))
         obj = self.envelope([self.box("A"), self.box("B")], along, Motions=[up])
-        words = "number of individual motions .1. is not that of the moving parts .2."
+        words = "There are 2 moving parts but 1 individual motions"
         with self.assertRaisesRegex(InputProblem, words):
             envelope.compute(obj)
 

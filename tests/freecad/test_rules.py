@@ -50,7 +50,9 @@ class Rules(Neighbours):
         self.assertEqual(obj.Verdict, "clear")
         self.assertEqual(self.verdicts(obj), {"Wall": ("clear", True), "Table": ("contact", True)})
         self.assertTrue(
-            obj.Summary.startswith("2 checked, 1 in allowed contact, 1 ignored, smallest 3.5 mm"),
+            obj.Summary.startswith(
+                "2 checked, 1 in allowed contact, 1 ignored, smallest distance 3.5 mm"
+            ),
             obj.Summary,
         )
         rows = clearance_table.table(clearance.report_of(obj))
@@ -187,9 +189,9 @@ class Rules(Neighbours):
     def test_impossible_rules_are_named(self):
         obj = self.usual()
         for name, value, text in (
-            ("RuleLengths", [0.0, -3.0, 0.0], '"Wall": a rule cannot have a length of -3 mm'),
+            ("RuleLengths", [0.0, -3.0, 0.0], 'the rule of "Wall" is -3 mm'),
             ("RuleLengths", [0.0], "3 parts, 3 kinds and 1 lengths"),
-            ("RuleKinds", [CONTACT, "Near", IGNORE], '"Wall": there is no rule "Near"'),
+            ("RuleKinds", [CONTACT, "Near", IGNORE], '"Wall" has the unknown rule "Near"'),
         ):
             before = list(getattr(obj, name))
             setattr(obj, name, value)
@@ -201,7 +203,7 @@ class Rules(Neighbours):
         obj.RuleParts = [(self.wall, ""), (self.wall, ""), (self.far, "")]
         with self.assertRaises(InputProblem) as refused:
             clearance.compute(obj)
-        self.assertIn('two rules for "Wall" contradict each other', str(refused.exception))
+        self.assertIn('Two rules for "Wall" contradict each other', str(refused.exception))
         every = {part: Rule(IGNORE) for part in (self.wall, self.table, self.far)}
         with self.assertRaises(InputProblem) as refused:
             clearance.compute(self.made(every))

@@ -70,7 +70,7 @@ class States(Table):
         self.assertEqual((obj.Status, sequence.Plan.of(obj).steps), (STALE, []))
         sequence.compute(obj)
         self.doc.Upper.Label = "Cover"
-        self.assertIn('blocked after 5.5 mm by "Cover"', sequence.told(sequence.report_of(obj)))
+        self.assertIn('blocked by "Cover" after 5.5 mm', sequence.told(sequence.report_of(obj)))
 
     def test_saved_and_opened(self):
         before = self.content(self.doc.Sequence)

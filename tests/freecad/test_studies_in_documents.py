@@ -302,5 +302,5 @@ class Studies(Slide):
     def test_no_interpreter_is_said(self):
         obj = self.of_file()
         with mock.patch.object(studies, "_interpreter", lambda: None):
-            with self.assertRaisesRegex(InputProblem, "studies need the program python3"):
+            with self.assertRaisesRegex(InputProblem, "Studies need the program python3"):
                 study.compute(obj)

@@ -139,7 +139,7 @@ class Edges(Case):
         solid.compute(body)
         largest = max(edge.Tolerance for edge in body.Shape.Edges)
         self.assertAlmostEqual(body.EdgeTolerance.Value, largest, 12)
-        self.assertEqual("have a gap of" in body.Message, largest > 0.3)
+        self.assertEqual("the gap between two faces" in body.Message, largest > 0.3)
         body.EdgeTolerance = 1.25  # as one was seen
         self.doc.recompute()
         self.assertIn("1.25 mm", body.Message)

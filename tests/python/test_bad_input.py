@@ -300,7 +300,7 @@ def test_bad_input_26_plate_that_turns_often():
     plate = bodies.box((-20, -20, -1), (20, 20, 1))
     motion = np.array([bodies.frame((1, 2, 3), a, (a / 40, 0, 0)) for a in range(0, 1440, 10)])
     run = _swept.RunContext(memory_limit_mb=100)
-    with pytest.raises(_swept.ResourceLimit, match="cross the grid .* limit of 104 MB; a cell"):
+    with pytest.raises(_swept.ResourceLimit, match="cross the grid .* limit of 104 MB; use a cell"):
         _swept.compute(*plate, motion, "none", run=run, resolution=256)
     run = _swept.RunContext(memory_limit_mb=100)
     report = _swept.compute(*plate, motion, run=run, resolution=256).report

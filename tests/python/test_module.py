@@ -300,7 +300,7 @@ def test_solid_within_a_tolerance_as_large_as_the_body(box, tmp_path):
     mesh = envelope.vertices, envelope.triangles
     report = _swept.write_solid(tmp_path / "envelope.step", *mesh, tolerance=size)
     assert report["valid"] and report["volume"] > 0 and 0 < report["tolerance"] <= size
-    halved = "would turn inside out; the solid was made within" in report["note"]
+    halved = "would turn inside out; the solid was made with a tolerance of" in report["note"]
     assert halved == (report["tolerance"] < size)
     tried = _swept.estimate_solid(*mesh, tolerance=size)
     assert tried["faces"] == report["faces"] and tried["tolerance"] == report["tolerance"]

@@ -139,7 +139,7 @@ def test_large_shapes_are_thinned_for_the_view_and_that_is_said(report):
     page = sv.report_page(report, parts=[("ring", ring, MOTION), *NEIGHBOURS])
     points, triangles = shown(data(page, "scene")["parts"][0])
     assert 20000 < len(triangles) < 65000 < len(ring.triangles)
-    assert "Shapes are simplified for display" in page and len(page) < 3.5e6
+    assert "The shapes shown are simplified" in page and len(page) < 3.5e6
     distance = np.hypot(np.hypot(points[:, 0], points[:, 1]) - 30, points[:, 2]) - 8
     assert np.abs(distance).max() < 0.2
     assert points[:, 2].max() == pytest.approx(8, abs=0.1)
@@ -176,7 +176,7 @@ def test_templates_of_a_company(report):
         ["moving part", "Kübel", "12 bytes", "ab" * 32],
         ["Werkzeug", "x", "", "not known"],
     ]
-    with pytest.raises(sv.InvalidInput, match="line 2 .*{{logo}} is no placeholder.*verdict") as e:
+    with pytest.raises(sv.InvalidInput, match="line 2 .*{{logo}} is not a placeholder.*verdict") as e:
         sv.report_page(report, template="\n{{logo}}")
     assert e.value.code == "BadTemplate"
     assert sv.report_page(report, template=sv.page_template()) == sv.report_page(report)
@@ -257,7 +257,7 @@ def test_the_program_names_wrong_options_of_pages(call, inputs, bench):  # noqa:
     template.write_text("<p>{{verdict}}</p>\n{{nothing}}")
     target = inputs / "p.html"
     for words, status, text in (
-        (("--page", target, "--page-template", template), 1, "{{nothing}} is no placeholder"),
+        (("--page", target, "--page-template", template), 1, "{{nothing}} is not a placeholder"),
         (("--page", target, "--page-template", inputs / "no.html"), 1, "does not exist"),
         (("--page", target, "--page-language", "fr"), 2, "allowed: en, de"),
         (("--page-title", "x"), 2, "--page-title can be used only"),

@@ -146,7 +146,7 @@ def test_same_bytes_for_any_number_of_threads(call, inputs):
         (["--motion-unit", "mile"], "mm, cm, m, in"),
         (["--frobnicate"], "unknown option '--frobnicate'"),
         (["--offset", "1", "--offset", "2"], "--offset is given twice"),
-        (["--solid-tolerance", "1", "--conservative"], "leave it out"),
+        (["--solid-tolerance", "1", "--conservative"], "leave out one of them"),
         (["--tolerance"], "needs a value"),
         (["second.ply"], "too many files: 'second.ply'"),
     ],

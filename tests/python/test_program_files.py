@@ -29,9 +29,9 @@ SOLIDS = pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCAS
         ("hard.ply", None, "is the generator"),
         ("o.ply", "slide.csv", "is the motion"),
         ("o.ply", "../{here}/slide.csv", "is the motion"),
-        ("o.ply", "o.ply", "is the file of --output too"),
-        ("o.ply", "./o.ply", "is the file of --output too"),
-        ("dangling.ply", "nowhere.ply", "is the file of --output too"),
+        ("o.ply", "o.ply", "is also the file of --output"),
+        ("o.ply", "./o.ply", "is also the file of --output"),
+        ("dangling.ply", "nowhere.ply", "is also the file of --output"),
     ],
 )
 def test_outputs_that_are_inputs_or_other_outputs(call, inputs, output, report, says):  # noqa: F811
@@ -181,7 +181,7 @@ def test_solids_and_meshes_from_pipes(program, inputs, box):  # noqa: F811
             status, said = run(line.format(generator))
             assert status == 0 and ",clear,40" in said, line + said
     for line, says in (
-        ("cat box.ply | swept check - --format step", "'-' does not begin as a STEP"),
+        ("cat box.ply | swept check - --format step", "'-' does not begin like a STEP"),
         ("cat slide.csv | swept check -", "has no file extension"),
         ("swept check <(head -c 300 box.step)", "is not a valid STEP file"),
     ):

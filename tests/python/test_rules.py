@@ -92,7 +92,7 @@ def test_contacts_at_the_first_pose_are_offered(call, inputs, scene):  # noqa: F
     [
         ("post", 2, "'post' is not a rule; write NAME=RULE"),
         ("post=-3", 2, "-3 mm is not allowed; enter 0 to 1e9 mm"),
-        ("post=contact:-1", 2, "-1 mm is not possible"),
+        ("post=contact:-1", 2, "-1 mm is not allowed"),
         (
             "post=near",
             2,

@@ -91,7 +91,7 @@ def test_language_and_template_are_those_of_the_study(run, light):  # noqa: F811
     single = (light / "results/with b rail/clearance.html").read_text(encoding="utf-8")
     assert single.startswith("<p>ACME with b rail de</p>")
     (light / "own.html").write_text("{{logo}}")
-    assert "{{logo}} is no placeholder" in run("-q").stderr
+    assert "{{logo}} is not a placeholder" in run("-q").stderr
     (light / "own.html").write_text(" \n")
     assert "is empty" in run("-q").stderr
 

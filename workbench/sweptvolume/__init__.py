@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Swept volumes in FreeCAD: motions, envelopes, solids.
 
-Order of imports, left never imports right:
+Order of imports (a module never imports one to its right):
 core_texts, quantities <- core <- core_paths, core_previews <- convert <- trajectory <- features
 <- export, runner <- views <- panels <- commands.
 Everything up to `export` works without a GUI.
@@ -10,15 +10,15 @@ import os
 
 __version__ = "0.1.0"
 
-#: The repository or the folder into which it was installed as a FreeCAD module.
+#: Root of the repository, or of the installed FreeCAD module.
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 
 
 def resource(*names):
-    """Absolute path of something below resources/."""
+    """Returns the absolute path of a file below resources/."""
     return os.path.join(ROOT, "resources", *names)
 
 
 def icon(name):
-    """Absolute path of an icon, the form that works in every FreeCAD version."""
+    """Returns the absolute path of an icon, a form that every FreeCAD version accepts."""
     return resource("icons", name + ".svg")

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One shape or mesh of a document as it is now, known by what it is made of. Units: mm. No GUI.
+"""The geometry of one shape or mesh of a document, as a text that identifies it. Units: mm. No GUI.
 
-A shape is read by points of all its edges and faces and by the poles of its free forms, a mesh by all its
-points and triangles; another geometry gives another text. What was read is kept for each object: a
-shape's as long as the object holds the very same shape (wherever it is placed), a mesh's until FreeCAD says
-that it was changed.
-Cost: about 0.1 to 0.3 ms a face when a shape is new, 0.3 s for a new mesh of 1M triangles, else some
-microseconds. FreeCAD writes the triangles that it draws into the topology of its shapes, so no other thread
-may read those. For another thread a shape is therefore written as the bytes of a binary file (0.01 ms a face
-in the window's thread; a copy by FreeCAD takes 0.05), and that thread makes its own shape of them (0.01 ms).
+The text of a shape comes from points of all its edges and faces and from the poles of its free-form
+geometry. The text of a mesh comes from all its points and triangles. Different geometry gives a
+different text. The text is kept for each object: for a shape as long as the object holds the same
+shape (at any placement), for a mesh until FreeCAD reports a change.
+Cost: 0.1 to 0.3 ms for each face of a new shape, 0.3 s for a new mesh of 1M triangles, otherwise
+some microseconds. FreeCAD writes display triangles into the topology of its shapes, so no other
+thread may read a shape. For another thread, a shape is written to the bytes of a binary file (0.01
+ms for each face in the window's thread; a copy by FreeCAD takes 0.05 ms). That thread creates its
+own shape from the bytes (0.01 ms for each face).
 """
 import collections
 import hashlib
@@ -22,13 +23,14 @@ from . import meshes
 from .body import InputProblem
 from .safe_file import no_room_text, passing
 
-#: Points nearer than this (mm) are the same: ten times what FreeCAD takes for one point.
+#: Points closer than this (mm) count as equal. Ten times the distance at which FreeCAD joins
+#: points.
 SAME = 1e-6
-#: Where edges and faces are looked at, as parts of their range: ends, and points that no symmetry of
-#: two, three or four joins.
+#: Parameters of edges and faces at which points are read, as fractions of the range: the ends, and
+#: values that no two-, three- or fourfold symmetry maps onto each other.
 _EDGE = (0.0, 0.27, 0.5, 0.81, 1.0)
 _FACE = (0.13, 0.5, 0.92)
-#: Triangles of a mesh that are read in the time of a face.
+#: Number of mesh triangles that are read in the time of one face.
 _PER_FACE = 700
 
 _known = {}  # (document, object) -> Apart
@@ -36,23 +38,24 @@ _observer = None
 
 
 class Apart:
-    """A shape or a mesh in its own coordinates. Made in the window's thread; what it tells is read by whoever
-    asks first, in any thread once detached() was called."""
+    """A shape or a mesh in its own coordinates. Created in the window's thread. After detached(),
+    any thread may read it; the first one that asks computes the values."""
 
     def __init__(self, obj):
         self.is_mesh = obj.isDerivedFrom("Mesh::Feature")
         self.shape = None if self.is_mesh else obj.Shape
         self._mesh = obj.Mesh if self.is_mesh else None
         self._taken, self._copy, self._kept, self._broken = None, None, {}, False
-        self._locks = collections.defaultdict(threading.Lock)  # one may be needed to read another
+        # a thread that holds one lock may need another.
+        self._locks = collections.defaultdict(threading.Lock)
 
     def is_of(self, obj):
-        """Whether an object still holds the same; changes of meshes are told by the observer."""
+        """Returns whether an object still holds this geometry. _Observer reports changes of meshes."""
         return self.is_mesh or self.shape.isPartner(obj.Shape)
 
     def detached(self):
-        """Lets any thread call text() and, of a shape, copy(). Called in the window's thread; returns
-        itself."""
+        """Allows any thread to call text() and, for a shape, copy(). Called in the window's thread.
+        Returns self."""
         if not self.is_detached():
             if self.is_mesh:
                 self._copy = self._local_mesh()
@@ -66,16 +69,16 @@ class Apart:
         return self._taken is not None or self._copy is not None
 
     def copy(self):
-        """The shape without triangles, which FreeCAD does not draw into; callers must not change it. Any
-        thread, once detached."""
+        """Returns the shape without triangles. FreeCAD does not draw this copy; callers must not
+        change it. Any thread may call this after detached()."""
         with self._locks["copy"]:
             if self._copy is None:
                 self._copy, self._taken = _shape_of(self._taken), None
             return self._copy
 
     def cost(self):
-        """What is to be read before text() can tell, in faces of a shape; 0: nothing, or what could not be
-        read before."""
+        """Returns how much must be read before text() is known, in faces of a shape. 0: nothing, or
+        the geometry could not be read."""
         if self.knows("text") or self._broken:
             return 0
         if self.is_mesh:
@@ -86,14 +89,14 @@ class Apart:
         return name in self._kept
 
     def once(self, name, read):
-        """What read() gives, kept under a name."""
+        """Returns the value of read(), which is called only once for each name."""
         with self._locks[name]:
             if name not in self._kept:
                 self._kept[name] = read()
             return self._kept[name]
 
     def text(self):
-        """Text of the shape or mesh."""
+        """Returns the text that identifies the shape or mesh."""
         try:
             return self.once("text", self._read)
         except Exception:
@@ -104,11 +107,11 @@ class Apart:
         if not self.is_mesh:
             return _read_shape(self.copy() if self.is_detached() else self.shape)
         vertices, triangles = meshes.arrays_from_mesh(self._copy or self._mesh)
-        self._copy = None  # may be large
+        self._copy = None  # frees the copy, which may be large
         return digest(vertices) + digest(triangles)
 
     def corners(self):
-        """Corners of the box (8,3), None: it is empty. No meshing."""
+        """Returns the corners of the bounding box (8,3), or None for empty geometry. Does not mesh."""
         return self.once("corners", self._corners)
 
     def _corners(self):
@@ -117,7 +120,8 @@ class Apart:
         if self.is_mesh:
             box = self._local_mesh().BoundBox
         else:
-            # Not of the shape itself: once it was drawn, its box is that of its triangles.
+            # A copy is needed: once a shape was drawn, its own bounding box is that of its
+            # triangles.
             box = self.detached().copy().BoundBox
         if not box.isValid():
             return None
@@ -125,14 +129,14 @@ class Apart:
         return np.array(list(itertools.product(*ranges)))
 
     def _local_mesh(self):
-        """A copy of the mesh without its placement."""
+        """Returns a copy of the mesh without its placement."""
         mesh = self._mesh.copy()
         mesh.Placement = App.Placement()
         return mesh
 
 
 def _bytes_of(shape):
-    """The bytes of FreeCAD's binary file of a shape, without its placement and triangles."""
+    """Returns a shape as the bytes of FreeCAD's binary file, without its placement and triangles."""
     local = _local(shape)
     with passing(".bin") as path:
         local.exportBinary(path)
@@ -141,7 +145,7 @@ def _bytes_of(shape):
 
 
 def _shape_of(taken):
-    """The shape that _bytes_of() has written."""
+    """Returns the shape from the bytes of _bytes_of()."""
     import Part
 
     shape = Part.Shape()
@@ -150,13 +154,14 @@ def _shape_of(taken):
             file.write(taken)
         try:
             shape.importBinary(path)
-        except Exception:  # FreeCAD writes on where a folder is full, and names no reason here
+        except Exception:  # if the disk is full, FreeCAD raises an error without a reason
             raise InputProblem(no_room_text()) from None
     return shape
 
 
 def of(obj):
-    """The Apart of a Part::Feature or Mesh::Feature as it is; window's thread."""
+    """Returns the Apart of the present geometry of a Part::Feature or Mesh::Feature. Window's
+    thread."""
     global _observer
     if _observer is None:
         _observer = _Observer()
@@ -169,9 +174,9 @@ def of(obj):
 
 
 class _Observer:
-    """Forgets meshes that were changed, and objects and documents that are gone. A mesh has no identity that
-    tells of a change, and to compare one of a million triangles takes 0.3 s; this takes 1 us for a change of
-    any property."""
+    """Forgets meshes that were changed, and deleted objects and documents. A mesh does not show
+    whether it was changed, and comparing a mesh of a million triangles takes 0.3 s. The observer
+    takes 1 us for each change of any property."""
 
     def slotChangedObject(self, obj, name):  # noqa: N802
         if name == "Mesh":
@@ -186,16 +191,17 @@ class _Observer:
 
 
 def digest(numbers):
-    """Short text of an array as it is."""
+    """Returns a short text that identifies the values of an array."""
     return hashlib.sha256(np.ascontiguousarray(numbers).tobytes()).hexdigest()[:32]
 
 
 def rounded(numbers, unit):
-    return np.rint(np.asarray(numbers, dtype=float) / unit) + 0.0  # no -0
+    return np.rint(np.asarray(numbers, dtype=float) / unit) + 0.0  # adding 0.0 turns -0.0 into 0.0
 
 
 def _poles(geometry):
-    """Of a curve or surface of free form: it may change between the points that are looked at."""
+    """Returns the poles of a free-form curve or surface, which may change between the points that
+    are read."""
     if not hasattr(geometry, "getPoles"):
         return []
     poles = geometry.getPoles()
@@ -219,7 +225,7 @@ def _face_points(face):
 
 
 def _local(shape):
-    """The same topology without its placement."""
+    """Returns the same topology without its placement."""
     import Part
 
     local = Part.Shape(shape)

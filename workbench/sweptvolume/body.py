@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Moving parts as triangles that are made when they are first asked for. Units: mm. No GUI."""
+"""Moving parts as triangles, which are created on first use. Units: mm. No GUI."""
 import threading
 
 import numpy as np
 
 
 class InputProblem(ValueError):
-    """Something selected cannot be swept; the text says what, why and what to do."""
+    """Input that cannot be used. The text says what is wrong, why, and what to do."""
 
 
 def transform(matrix, points):
@@ -15,14 +15,15 @@ def transform(matrix, points):
 
 
 class Body:
-    """Parts as they stood when they were read, as triangles in world coordinates (mm), and the placement
-    of the first one.
+    """Parts as triangles in world coordinates (mm), as placed when they were read, and the
+    placement of the first part.
 
-    The triangles are made when they are first asked for, in any thread: FreeCAD's mesher lets the window
-    go on. Raises InputProblem then if a part gives none."""
+    The triangles are created on first use, in any thread; FreeCAD's mesher does not block the
+    window. Raises InputProblem then if a part gives no triangles."""
 
     def __init__(self, parts, placement, labels):
-        self._parts = parts  # (label, 4x4 to the world, what reader() gives, label, root and sub)
+        # (label, 4x4 matrix to the world, result of reader(), label, root and sub)
+        self._parts = parts
         self.placement = placement
         self.labels = labels
         self._arrays, self._seen, self._lock = None, None, threading.Lock()
@@ -36,7 +37,7 @@ class Body:
         return self.arrays()[1]
 
     def arrays(self):
-        """Vertices (n,3) and triangles (m,3)."""
+        """Returns vertices (n,3) and triangles (m,3)."""
         with self._lock:
             if self._arrays is None:
                 self._arrays = self._made()
@@ -45,13 +46,13 @@ class Body:
 
     @property
     def faces(self):
-        """(m,): number of the face that each triangle is a piece of."""
+        """Returns, for each triangle, the index of its face (m,)."""
         self.arrays()
         return self._arrays[2]
 
     @property
     def parts(self):
-        """Whose the faces are: dicts, as features.made_by has them."""
+        """Returns to which parts the faces belong, as dicts of features.made_by."""
         self.arrays()
         return self._arrays[3]
 
@@ -66,7 +67,7 @@ class Body:
             vertices.append(transform(matrix, points))
             triangles.append(facets + count)
             count += len(points)
-            single = of is None  # each triangle for itself
+            single = of is None  # without face numbers, each triangle is its own face
             of = np.arange(len(facets), dtype=np.int32) if single else of
             parts.append(dict(own, facets=single, first=known, count=int(of.max()) + 1))
             faces.append(of + known)
@@ -75,7 +76,7 @@ class Body:
         return np.vstack(vertices), triangles, np.concatenate(faces), parts
 
     def seen(self, matrix):
-        """The vertices moved by a 4x4 matrix; those of the last call are kept."""
+        """Returns the vertices after a 4x4 matrix. Keeps those of the last call."""
         if self._seen is None or not np.array_equal(self._seen[0], matrix):
             self._seen = matrix, transform(matrix, self.vertices)
         return self._seen[1]

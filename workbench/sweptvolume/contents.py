@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What parts are made of and where they stand, as short texts: another geometry or place gives another
-text. What one shape or mesh is made of is read in apart.py.
+"""Texts that identify the geometry and the places of parts. If geometry or place differ, the text
+differs. apart.py reads single shapes and meshes.
 """
 import hashlib
 
@@ -9,32 +9,36 @@ import numpy as np
 from . import apart, convert
 from .apart import digest, rounded
 
-#: Places of matrices are rounded to so many decimals: documents keep sixteen digits.
+#: Entries of matrices are rounded to this number of decimals, because documents keep only sixteen
+#: digits.
 DECIMALS = 9
-#: Faces that may be read before a window waits: about a thirtieth of a second.
+#: Number of faces that may be read without delay to the window: about a thirtieth of a second.
 MOST_AT_ONCE = 150
 
-#: Directions in which the outermost points of a part are looked for, and the chords of the mesh that is
-#: looked at, of its size: the box of a turning ball is then right to 0.3 %.
+#: Number of directions in which the outermost points of a part are searched, and deflection of the
+#: mesh used, as a fraction of the part's size. The bounding box of a turning ball is then accurate
+#: to 0.3 %.
 DIRECTIONS, OUTLINE_CHORD = 642, 0.002
 
 
 def steady(value):
-    """A number, or a dict of such, as a document that is saved and opened brings it back: it keeps sixteen
-    digits, and a hash that tells the seventeenth would call every result stale then."""
+    """Rounds a number, or the numbers in a dict, to the digits that a saved document keeps.
+    Documents keep sixteen digits; a hash of the seventeenth would make every result stale after
+    reopening."""
     if isinstance(value, dict):
         return {name: steady(one) for name, one in value.items()}
     return float("{:.12g}".format(value)) if isinstance(value, float) else value
 
 
 def matrices(found):
-    """Text of 4x4 matrices."""
+    """Returns a text that identifies 4x4 matrices."""
     return digest(rounded(found, 10.0**-DECIMALS))
 
 
 def words(pairs):
-    """What parts given as (root, sub) are made of and where they stand: texts, and apart.Apart where the text
-    may have to be read first. Raises InputProblem where a path leads to nothing that has a form."""
+    """Returns what identifies the geometry and places of parts given as (root, sub): texts, and
+    apart.Apart objects whose text may not have been read yet. Raises InputProblem if a path
+    leads to no object with geometry."""
     found = []
     for root, sub in pairs:
         leaves = convert.leaves(root, sub)
@@ -46,44 +50,44 @@ def words(pairs):
 
 
 def texts(found):
-    """The texts of words; any thread, where those were prepared() for that."""
+    """Returns the texts for the result of words(). Any thread may call this after prepared()."""
     return [word.text() if isinstance(word, apart.Apart) else word for word in found]
 
 
 def short(lines):
-    """A text of 32 characters that stands for these lines."""
+    """Returns a text of 32 characters that identifies these lines."""
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:32]
 
 
 def unread(found):
-    """What is to be read before the texts of words are known."""
+    """Returns the apart.Apart objects that must be read before the texts of words() are known."""
     return [word for word in found if isinstance(word, apart.Apart) and word.cost()]
 
 
 def is_much(found):
-    """Whether reading so much (as unread() gives it) would hold up a window."""
+    """Returns whether reading these parts (from unread()) would block the window noticeably."""
     return sum(part.cost() for part in found) > MOST_AT_ONCE
 
 
 def prepared(found):
-    """The words, ready for another thread."""
+    """Prepares the result of words() for another thread and returns it."""
     for part in unread(found):
         part.detached()
     return found
 
 
 def signature(pairs):
-    """Text of parts given as (root, sub): what they are made of and where they stand."""
+    """Returns the text that identifies parts given as (root, sub): their geometry and places."""
     return "\n".join(texts(words(pairs)))
 
 
 def text_of(obj):
-    """Text of a shape or a mesh, without its placement."""
+    """Returns the text that identifies a shape or a mesh, without its placement."""
     return apart.of(obj).text()
 
 
 class KeptBodies:
-    """Triangles of parts as they were read last, for whoever asks for the same ones again and again."""
+    """Keeps the triangles of the parts read last, for callers that need the same parts repeatedly."""
 
     MOST = 4
 
@@ -91,7 +95,7 @@ class KeptBodies:
         self._kept = []
 
     def read(self, pairs, deflection):
-        """As convert.body_from."""
+        """As convert.body_from()."""
         key = words(pairs), deflection
         found = [body for known, body in self._kept if known == key]
         body = found[0] if found else convert.body_from(pairs, deflection)
@@ -101,8 +105,9 @@ class KeptBodies:
 
 
 def outline(pairs):
-    """A function for any thread: world points (k,3) of parts that lie outermost in many directions, for the
-    box of a sweep. Kept as the texts are. Raises InputProblem, and so does the function."""
+    """Returns a function for any thread. The function returns the outermost points of the parts in
+    many directions, in world coordinates (k,3), for the bounding box of a sweep. The points are
+    kept as the texts are. Both raise InputProblem."""
     found = []
     for root, sub in pairs:
         label = convert.label_of(root, sub)
@@ -116,7 +121,7 @@ def outline(pairs):
 
 
 def is_outlined(pairs):
-    """Whether outline() is known and need not be read."""
+    """Returns whether the points of outline() are already known."""
     parts = [linked for pair in pairs for linked, _ in convert.solid_leaves(*pair)]
     return all(apart.of(linked).knows("outermost") for linked in parts)
 
@@ -144,7 +149,7 @@ def _outline_reader(obj, label):
 
 
 def _outermost(points):
-    """Indices of the points that lie outermost in evenly spread directions."""
+    """Returns the indices of the outermost points in evenly distributed directions."""
     count = np.arange(DIRECTIONS) + 0.5
     down, round_ = np.arccos(1 - 2 * count / DIRECTIONS), np.pi * (1 + 5**0.5) * count
     ways = np.stack([np.cos(round_) * np.sin(down), np.sin(round_) * np.sin(down), np.cos(down)])
@@ -156,7 +161,7 @@ def _outermost(points):
 
 
 def signature_of_before(pairs):
-    """The same as version 1 had it, to know its results again: sizes only."""
+    """Returns the signature of version 1, to recognise its results. It contains only sizes."""
     words = []
     for root, sub in pairs:
         for linked, path in convert.leaves(root, sub):
@@ -180,7 +185,7 @@ def signature_of_before(pairs):
                 if data.Solids:
                     size += tuple(round(s.Volume, 6) for s in data.Solids)
             box = data.BoundBox
-            if box.isValid():  # an empty mesh has none
+            if box.isValid():  # an empty mesh has no valid box
                 size += (round(box.DiagonalLength, 7), tuple(box.Center))
             words.append(repr(size))
     return "\n".join(words)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD objects <-> numpy arrays. Units: mm, s. No GUI.
+"""Converts between FreeCAD objects and numpy arrays. Units: mm, s. No GUI.
 
-Coordinates of a FreeCAD mesh are single precision, so bodies are taken in their own local frame and
-moved to the world in double precision.
+FreeCAD meshes store coordinates in single precision. So bodies are read in their own local frame
+and moved to the world in double precision.
 """
 import FreeCAD as App
 import numpy as np
@@ -13,7 +13,7 @@ from .meshes import arrays_from_mesh, mesh_from_arrays  # noqa: F401 (read from 
 from .safe_file import passing
 from .texts import translate
 
-#: Angular deflection of meshed solids (rad); the linear one follows the cell.
+#: Angular deflection of meshed solids (rad). The linear deflection depends on the cell.
 ANGULAR_DEFLECTION = 0.35
 
 
@@ -21,19 +21,20 @@ ANGULAR_DEFLECTION = 0.35
 
 
 def matrix_of(placement):
-    """Placement -> 4x4 float64."""
+    """Returns a Placement as a 4x4 float64 matrix."""
     return np.array(placement.toMatrix().A, dtype=float).reshape(4, 4)
 
 
 def pose_arrays(placements):
-    """Placements -> translations (n,3) in mm, quaternions (n,4) as x,y,z,w."""
+    """Returns translations (n,3) in mm and quaternions (n,4) in the order x, y, z, w."""
     translations = np.array([tuple(p.Base) for p in placements], dtype=float).reshape(-1, 3)
     rotations = np.array([p.Rotation.Q for p in placements], dtype=float).reshape(-1, 4)
     return translations, rotations
 
 
 def matrices_from(translations, rotations):
-    """The same as 4x4 matrices (n,4,4), to the last bit as matrix_of() has them."""
+    """Returns the same poses as 4x4 matrices (n,4,4), equal to those of matrix_of() to the last
+    bit."""
     x, y, z, w = np.asarray(rotations).T
     size = np.sqrt(x * x + y * y + z * z + w * w)
     x, y, z, w = x / size, y / size, z / size, w / size
@@ -53,7 +54,7 @@ def matrices_from(translations, rotations):
 
 
 def placements_from(translations, rotations):
-    """The way back from pose_arrays."""
+    """Returns the placements for arrays from pose_arrays()."""
     return [
         App.Placement(App.Vector(*map(float, t)), App.Rotation(*map(float, q)))
         for t, q in zip(translations, rotations)
@@ -64,7 +65,8 @@ def placements_from(translations, rotations):
 
 
 def _faces_of_facets(mesh, shape):
-    """(m,): number of the shape's face that each facet is a piece of; None where they cannot be told."""
+    """Returns, for each facet, the index of its face of the shape (m,), or None if the faces are
+    not known."""
     if mesh.countSegments() != len(shape.Faces):
         return None
     faces = np.full(mesh.CountFacets, -1, dtype=np.int32)
@@ -74,8 +76,9 @@ def _faces_of_facets(mesh, shape):
 
 
 def _read_by_core(shape, deflection):
-    """The triangles of a shape made by the core, which lets the window go on meanwhile; FreeCAD's mesher
-    keeps Python's lock. None where the core cannot: built without OpenCASCADE, or faces beside the solids.
+    """Returns the triangles of a shape, created by the core, or None. The core does not block the
+    window, while FreeCAD's mesher holds Python's lock. None means that the core was built
+    without OpenCASCADE, or that the shape has faces outside its solids.
     """
     inside = sum(solid.countElement("Face") for solid in shape.Solids)
     if not (core.available() and core.has_solids()) or inside != shape.countElement("Face"):
@@ -90,7 +93,7 @@ def _read_by_core(shape, deflection):
 
 
 def _shape_reader(part, deflection):
-    """As reader()."""
+    """Returns the reader() of a shape."""
     import MeshPart
 
     shape = part.shape
@@ -109,7 +112,8 @@ def _shape_reader(part, deflection):
         found = _read_by_core(own, float(deflection))
         if found is not None:
             return found
-        # A copy: the triangulation is cached in the shape, a finer one would be reused for ever.
+        # The shape caches its triangulation, and FreeCAD would reuse a finer one for ever. So a
+        # copy is meshed.
         local = own.copy()
         mesh = MeshPart.meshFromShape(
             Shape=local,
@@ -135,14 +139,14 @@ def _shape_reader(part, deflection):
 
 
 def split_path(root, sub):
-    """Drops a trailing element name ("L.Box.Face3" -> "L.Box.")."""
+    """Removes a trailing element name ("L.Box.Face3" -> "L.Box.")."""
     return sub[: sub.rfind(".") + 1] if sub else ""
 
 
 def root_path(obj):
-    """(root, sub) through which an object given alone is seen in the document.
+    """Returns (root, sub), the path by which the document shows an object.
 
-    The first chain of groups is taken, so that moving a group around the object is noticed.
+    Uses the first chain of groups, so that moving a group around the object is noticed.
     """
     for root, sub in getattr(obj, "Parents", []) or []:
         if root.isDerivedFrom("App::DocumentObject") and not root.isDerivedFrom("App::Link"):
@@ -151,7 +155,8 @@ def root_path(obj):
 
 
 def links_in(links):
-    """Value of a LinkSubList or LinkSub property -> flat list of (object, sub), as it stands."""
+    """Returns the value of a LinkSubList or LinkSub property as a flat list of (object, sub),
+    unchanged."""
     if isinstance(links, tuple):
         links = [links]
     pairs = []
@@ -162,7 +167,7 @@ def links_in(links):
 
 
 def pairs_of(links):
-    """The same as (root, sub), each from the outermost group around the object."""
+    """Returns the links as (root, sub), each starting at the outermost group around the object."""
     pairs = []
     for obj, sub in links_in(links):
         root, path = root_path(obj)
@@ -171,19 +176,20 @@ def pairs_of(links):
 
 
 def paths_to(sub):
-    """The paths of all that holds an object, and its own: "A.B." -> "", "A.", "A.B."."""
+    """Returns the paths of all containers of an object, and its own path: "A.B." -> "", "A.",
+    "A.B."."""
     names = sub.split(".")[:-1]
     return [".".join(names[:k] + [""]) if k else "" for k in range(len(names) + 1)]
 
 
 def label_of(root, sub):
-    """What the tree shows for a path, for messages."""
+    """Returns the label that the tree shows for a path, for messages."""
     target = root.getSubObject(sub, retType=1)
     return target.Label if target is not None else "{}.{}".format(root.Label, sub)
 
 
 def own_names(pairs):
-    """What the tree shows for each of some paths, with a number where a name is there already."""
+    """Returns the labels that the tree shows for paths. Equal labels are numbered."""
     found, seen = [], {}
     for pair in pairs:
         name = label_of(*pair)
@@ -193,18 +199,19 @@ def own_names(pairs):
 
 
 def targets(pairs):
-    """The objects at the ends of paths, as far as they lead to one."""
+    """Returns the objects to which the paths lead. Leaves out paths that lead to nothing."""
     found = [root.getSubObject(sub, retType=1) for root, sub in pairs]
     return [obj for obj in found if obj is not None]
 
 
 def global_placement(root, sub):
-    """Placement of the object at the end of a path, seen from the document."""
+    """Returns the placement, in the document, of the object at the end of a path."""
     return root.getSubObject(sub, retType=3)
 
 
 def global_matrix(root, sub):
-    """World from the frame of the linked geometry: placements, scales and transforms of links."""
+    """Returns the matrix from the frame of the linked geometry to the world, with the placements,
+    scales and transforms of links."""
     target = root.getSubObject(sub, retType=1)
     path = np.array(root.getSubObject(sub, retType=4).A, dtype=float).reshape(4, 4)
     inner = target.getLinkedObject(True, App.Matrix(), False)[1]
@@ -212,9 +219,10 @@ def global_matrix(root, sub):
 
 
 def leaves(root, sub="", hidden=False):
-    """All shapes and meshes below a path: list of (linked object, path).
+    """Returns all shapes and meshes below a path as a list of (linked object, path).
 
-    Hidden children are left out (they are inputs of booleans as a rule), the path itself is not.
+    Leaves out hidden children, which are usually inputs of Boolean operations. Includes the object
+    at the path itself, even if it is hidden.
     """
     target = root.getSubObject(sub, retType=1)
     if target is None:
@@ -232,16 +240,16 @@ def leaves(root, sub="", hidden=False):
         return [(linked, sub)]
     found = []
     for child in target.getSubObjects():
-        # Groups may name elements of a shape here; only names that end in a dot are objects.
+        # A group may list elements of a shape here. Only names that end in a dot are objects.
         if child.endswith("."):
             found += leaves(root, sub + child, hidden=True)
     return found
 
 
 def reader(linked, deflection):
-    """A shape or a mesh as it is now: a function for any thread that gives vertices (n,3), triangles
-    (m,3) in its own frame, and the number of each triangle's face (m,), None: not known. deflection: mm,
-    chord height of solids. Raises InputProblem, and so does the function."""
+    """Returns a function for any thread that reads a shape or a mesh in its present state. The
+    function returns vertices (n,3) and triangles (m,3) in the object's own frame, and the face
+    index of each triangle (m,), or None. deflection: mm, for solids. Both raise InputProblem."""
     if linked.isDerivedFrom("Mesh::Feature"):
         mesh = linked.Mesh.copy()
         return lambda: arrays_from_mesh(mesh) + (None,)
@@ -249,18 +257,19 @@ def reader(linked, deflection):
 
 
 def solid_like(linked):
-    """Helper geometry inside groups (datum planes, sketches) is passed over silently."""
+    """Returns whether an object can be a part. Helper geometry in groups (datum planes, sketches)
+    cannot."""
     return linked.isDerivedFrom("Mesh::Feature") or bool(linked.Shape.Solids or linked.Shape.Shells)
 
 
 def solid_leaves(root, sub):
-    """leaves() without helper geometry beside others."""
+    """Returns leaves() without the helper geometry that lies beside solids or meshes."""
     parts = leaves(root, sub)
     return parts if len(parts) == 1 else [part for part in parts if solid_like(part[0])]
 
 
 def holds_nothing(root, sub):
-    """InputProblem: a path leads to no solid and no mesh."""
+    """Returns the InputProblem for a path that leads to no solid and no mesh."""
     target = root.getSubObject(sub, retType=1)
     if target.isDerivedFrom("App::Link") and target.LinkedObject is None:
         text = translate(
@@ -282,12 +291,12 @@ def no_part_text():
 
 
 def owner(root, path):
-    """Whose the faces of a solid or mesh are, as features.made_by tells it."""
+    """Returns to which part the faces of a solid or mesh belong, in the form of features.made_by."""
     return {"label": label_of(root, path), "root": root.Name, "sub": path}
 
 
 def body_from(pairs, deflection):
-    """All generators of a LinkSubList as one body. `deflection`: mm, for solids."""
+    """Returns all parts of a LinkSubList as one body. `deflection`: mm, for solids."""
     if not pairs:
         raise InputProblem(no_part_text())
     read, labels = [], []
@@ -307,7 +316,8 @@ def body_from(pairs, deflection):
 
 
 def box_corners(pairs):
-    """The eight world corners of each leaf's box (k,3): cheap, no meshing."""
+    """Returns the eight corners, in world coordinates, of the bounding box of each leaf (k,3).
+    Fast, without meshing."""
     corners = []
     for root, sub in pairs:
         for linked, path in solid_leaves(root, sub):

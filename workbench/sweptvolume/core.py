@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The only importer of the compiled module `_swept`.
+"""Imports the compiled module `_swept`; no other module does so.
 
-Searched in this order: the folder in the environment variable SWEPT_CORE, build/python of the
-repository, then the ordinary Python path. Nothing is imported before somebody needs it, so the
-workbench starts, opens documents and shows stored results without the module.
+Searches the folder in the environment variable SWEPT_CORE, then build/python of the repository,
+then the ordinary Python path. The module is imported on first use. So the workbench starts, opens
+documents and shows stored results without it.
 """
 import collections
 import contextlib
@@ -24,7 +24,7 @@ _told = False
 
 
 class CoreMissing(RuntimeError):
-    """The compiled module was not found or cannot be loaded; the text says what to do."""
+    """The compiled module was not found or cannot be loaded. The text says what to do."""
 
 
 def _search_folders():
@@ -36,7 +36,7 @@ def _search_folders():
 
 
 def _load_from(folder):
-    """Imports _swept from one folder without leaving that folder on the path."""
+    """Imports _swept from one folder and then removes that folder from the path."""
     sys.path.insert(0, folder)
     try:
         return importlib.import_module("_swept")
@@ -88,7 +88,7 @@ def _other_version_text(found):
 
 
 def module():
-    """The compiled module; raises CoreMissing with a text for users."""
+    """Returns the compiled module. Raises CoreMissing with a text for users."""
     global _module, _problem
     if _module is None:
         found, tried = _find()
@@ -101,12 +101,12 @@ def module():
         if _problem:
             raise CoreMissing(_problem)
         if App.GuiUp:
-            _module.stand_back()  # the window answers first
+            _module.stand_back()  # runs get a lower priority than the window
     return _module
 
 
 def available():
-    """Whether the compiled module can be loaded."""
+    """Returns whether the compiled module can be loaded."""
     try:
         module()
     except CoreMissing:
@@ -115,7 +115,7 @@ def available():
 
 
 def tell_if_missing():
-    """Says once a session, in the report view, how to build the core; never raises."""
+    """Prints in the report view, once in a session, how to build the core. Never raises."""
     global _told
     if not _told and not available():
         _told = True
@@ -123,7 +123,7 @@ def tell_if_missing():
 
 
 class CoreError(RuntimeError):
-    """A run that gave no result. `status`: InvalidInput, ResourceLimit, Cancelled...; `code`: finding."""
+    """A run without a result. `status`: InvalidInput, Cancelled...; `code`: that of the finding."""
 
     def __init__(self, status, code, message):
         super().__init__(message or code or status)
@@ -132,16 +132,16 @@ class CoreError(RuntimeError):
 
 
 def cancelled():
-    """What a run raises that was asked to stop, for one that could not answer."""
+    """Returns the error of a cancelled run, for a run that could not respond itself."""
     return CoreError("Cancelled", "Cancelled", said("Cancelled", ""))
 
 
 class Request:
-    """Input of one run: plain arrays, independent of any document.
+    """Input of one run as plain arrays, independent of any document.
 
     times (k,) s, translations (k,3) mm, rotations (k,4) x,y,z,w.
-    body: what has `vertices` (n,3) mm, `triangles` (m,3), `faces` and `parts` (as convert.Body); those may be
-    made when they are first asked for, in the thread of the run.
+    body: an object with `vertices` (n,3) mm, `triangles` (m,3), `faces` and `parts`, such as
+    convert.Body. It may create them on first use, in the thread of the run.
     """
 
     def __init__(self, body, times, translations, rotations, interpolation, options):
@@ -153,16 +153,17 @@ class Request:
         self.options = options
 
 
-#: A body whose arrays are there.
+#: A body with arrays that already exist.
 Triangles = collections.namedtuple(
     "Triangles", "vertices triangles faces parts", defaults=(None, ())
 )
 
 
 class Outcome:
-    """Result of a run that ended Ok. What others add to it: result: what recut() takes, if it can be cut
-    again; key: what it was made of; mesh, drawn: the same as a Mesh.Mesh and for the 3D view; sources:
-    kind int8 (m,), faces int32 (m,2), time (m,) s of its triangles or None, parts: whose faces they are.
+    """Result of a successful run. Other modules add: result, the argument for recut(), if the
+    result can be simplified again; key, which identifies its inputs; mesh and drawn, the surface
+    as a Mesh.Mesh and for the 3D view; sources, with kind int8 (m,), faces int32 (m,2) and time
+    (m,) s of its triangles, or None; parts, to which the faces belong.
     """
 
     def __init__(self, report, vertices, triangles, contact_time):
@@ -176,7 +177,7 @@ class Outcome:
 
 @contextlib.contextmanager
 def errors():
-    """The module's exceptions as CoreError, the only kind the workbench knows."""
+    """Converts the exceptions of the module to CoreError, the only kind that the workbench handles."""
     try:
         yield
     except module().Error as error:
@@ -184,14 +185,14 @@ def errors():
 
 
 class Control:
-    """Cancel flag and progress of one run, usable from any thread."""
+    """Cancel flag and progress of one run. Any thread may use it."""
 
     def __init__(self):
         self._cancelled, self._part, self._parts = False, 0, 1
         self.enter(0, 1)
 
     def enter(self, part, parts):
-        """Begins part number `part` of a run that has several: each has a context of its own."""
+        """Begins part number `part` of a run with several parts. Each part has its own context."""
         context = module().RunContext(settings.threads(), settings.memory_limit())
         self._part, self._parts, self.context = part, parts, context
         if self._cancelled:
@@ -205,25 +206,25 @@ class Control:
         return self._cancelled
 
     def progress(self):
-        """Overall progress, 0 to 1."""
+        """Returns the progress of the whole run, 0 to 1."""
         return (self._part + self.context.progress) / self._parts
 
     def phase(self):
-        """Name of the stage under way."""
+        """Returns the name of the current stage."""
         return self.context.phase
 
 
 def arguments(request):
-    """Body, motion and interpolation as the module's calls take them."""
+    """Returns body, motion and interpolation in the form that the module's functions take."""
     motion = (request.times, request.rotations, request.translations)
     return request.body.vertices, request.body.triangles, motion, request.interpolation
 
 
 def outcome_of(found, request=None):
-    """The module's result as ours. request: with its tolerance the surface may be cut again."""
+    """Converts a result to an Outcome. With a request, it may be possible to simplify it again."""
     options = request.options if request is not None else {}
     again = options.get("tolerance", 0) > 0 and not options.get("conservative")
-    if again:  # an open surface is left as it is
+    if again:  # an open surface is not simplified
         again = all(w["code"] != "NotSimplified" for w in found.report["warnings"])
     outcome = Outcome(found.report, found.vertices, found.triangles, found.contact_time)
     parts = request.body.parts if request is not None else []
@@ -239,7 +240,7 @@ def _with_sources(outcome, found, parts):
 
 
 def compute(request, control):
-    """Runs the core; the calling thread waits, others run. Returns Outcome or raises CoreError."""
+    """Runs the core in the calling thread. Returns an Outcome or raises CoreError."""
     with errors():
         faces = request.body.faces if request.options.get("sources") else None
         found = module().compute(
@@ -249,7 +250,7 @@ def compute(request, control):
 
 
 def recut(result, tolerance, control):
-    """The `result` of an Outcome at another tolerance, not sampled again: Outcome."""
+    """Simplifies the `result` of an Outcome to another tolerance. Returns an Outcome."""
     surface, parts = result
     with errors():
         found = surface.recut(tolerance, run=control.context)
@@ -259,14 +260,15 @@ def recut(result, tolerance, control):
 
 
 def has_sources(result):
-    """Whether what recut() gives of it knows what made its triangles."""
+    """Returns whether results of recut() will know what made their triangles."""
     return result[0].sources is not None
 
 
 def estimate(request, control=None):
-    """Grid, cell, memory, seconds of a run without running it: dict. Raises CoreError.
+    """Estimates grid, cell, memory and seconds of a run. Returns a dict. Raises CoreError.
 
-    control: then a few steps of the motion are sampled; up to a second or so. Else from boxes only.
+    With control, the core samples a few steps of the motion, which takes up to about a second.
+    Without control, it uses only bounding boxes.
     """
     how = {} if control is None else {"trial": True, "run": control.context}
     with errors():
@@ -274,50 +276,51 @@ def estimate(request, control=None):
 
 
 def drawable(vertices, triangles, most, crease):
-    """A mesh for the 3D view, thinned to about `most` triangles: points, normals, indices (arrays)."""
+    """Returns points, normals, indices of a mesh for the 3D view, with about `most` triangles."""
     return module().drawable(vertices, triangles, most, crease)
 
 
 def warm_memory(size):
-    """So many bytes for a copy that this thread is about to make: touch() in another thread, release()
-    before the copy; to be kept until it is made."""
+    """Reserves bytes for a copy that this thread will make. Call touch() in another thread and
+    release() before the copy. Keep the object until the copy is made."""
     return module().WarmMemory(int(size))
 
 
 def mesh_file(vertices, triangles):
-    """The bytes of FreeCAD's own kind of mesh file."""
+    """Returns the bytes of a FreeCAD mesh file."""
     return module().freecad_mesh(vertices, triangles)
 
 
 def read_motion(path, unit):
-    """Motion file -> times (s), translations (mm), quaternions (x, y, z, w). Raises CoreError."""
+    """Returns times (s), translations (mm), quaternions (x, y, z, w). Raises CoreError."""
     with errors():
         times, rotations, translations = module().read_trajectory_csv(path, unit)
     return times, translations, rotations
 
 
 def read_solid(path, deflection, angle):
-    """All solids of a BREP file as triangles: vertices (n,3) mm, triangles (m,3), number of each one's face
-    (m,). deflection: mm; angle: rad. Raises CoreError."""
+    """Reads all solids of a BREP file. Returns vertices (n,3) mm, triangles (m,3) and the face
+    index of each triangle (m,). deflection: mm; angle: rad. Raises CoreError."""
     with errors():
         found = module().read_body(path, tolerance=deflection, angle=angle)
     return found.vertices, found.triangles, found.faces
 
 
 def write_mesh(vertices, triangles, path):
-    """PLY, STL, OBJ or OFF by suffix. Raises CoreError."""
+    """Writes PLY, STL, OBJ or OFF; the suffix gives the type. Raises CoreError."""
     with errors():
         module().write_mesh(path, vertices, triangles)
 
 
 def has_solids():
-    """Whether the module was built with OpenCASCADE."""
+    """Returns whether the module was built with OpenCASCADE."""
     return bool(module().HAS_SOLIDS)
 
 
 def estimate_solid(vertices, triangles, control, suffix, quick, **options):
-    """What write_solid() of this suffix with the same options would give: triangles, faces, megabytes,
-    seconds, tolerance, tried. quick: bounds, from a look at the mesh; else from a trial."""
+    """Estimates the result of write_solid() for a file with this suffix and the same options.
+    Returns triangles, faces, megabytes, seconds, tolerance and tried. quick=True gives upper
+    bounds from the mesh alone; otherwise a trial builds the solid."""
     with errors():
         return module().estimate_solid(
             vertices, triangles, run=control.context, format=suffix, quick=quick, **options
@@ -325,18 +328,20 @@ def estimate_solid(vertices, triangles, control, suffix, quick, **options):
 
 
 def write_solid(vertices, triangles, path, control, **options):
-    """Closed mesh -> STEP or BREP by suffix; options as the module's write_solid.
+    """Writes a closed mesh as a STEP or BREP file; the suffix gives the type. Options are those of
+    the module's write_solid().
 
-    Returns the report (dict); raises CoreError.
+    Returns the report (dict). Raises CoreError.
     """
     with errors():
         return module().write_solid(path, vertices, triangles, run=control.context, **options)
 
 
 def clearance(request, neighbours, options, control):
-    """Smallest distances of a moving body to (name, vertices, triangles, chord, rule) each: report (dict).
+    """Measures the smallest distance of a moving body from each neighbour (name, vertices,
+    triangles, chord, rule). Returns the report (dict).
 
-    `request.options` are not used; raises CoreError.
+    Ignores `request.options`. Raises CoreError.
     """
     vertices, triangles, motion, interpolation = arguments(request)
     with errors():
@@ -346,16 +351,17 @@ def clearance(request, neighbours, options, control):
 
 
 def mechanism(parts, options, control):
-    """Smallest distances between parts that move at the same time: report (dict). parts: (name, vertices,
-    triangles, (times, rotations, translations) or None, interpolation, chord error in mm). Raises CoreError.
+    """Measures the smallest distances between parts that move at the same time. Returns the report
+    (dict). parts: (name, vertices, triangles, (times, rotations, translations) or None,
+    interpolation, chord error in mm). Raises CoreError.
     """
     with errors():
         return module().mechanism(parts, run=control.context, **options)
 
 
 def first_contacts(request, neighbours, options, control):
-    """The rules, as texts, that would allow what the body touches at its first pose; arguments as those of
-    clearance(). Raises CoreError."""
+    """Returns the rules, as texts, that would allow the contacts of the body at its first pose.
+    Arguments are those of clearance(). Raises CoreError."""
     vertices, triangles, motion, interpolation = arguments(request)
     with errors():
         return module().first_contacts(
@@ -371,12 +377,12 @@ def first_contacts(request, neighbours, options, control):
 
 
 def has_page_view():
-    """Whether pages have a 3D view."""
+    """Returns whether pages have a 3D view."""
     return bool(module().page_has_view())
 
 
 def report_page(report, control, **options):
-    """A report (dict) as one HTML file, as text; options as the module's report_page. Raises CoreError."""
+    """Returns an HTML page of a report (dict); options as in the module. Raises CoreError."""
     with errors():
         return module().report_page(
             json.dumps(report), version=__version__, run=control.context, **options
@@ -384,11 +390,11 @@ def report_page(report, control, **options):
 
 
 def page_template(name):
-    """A template of the program: "page" or "print"."""
+    """Returns a built-in template: "page" or "print"."""
     return module().page_template(name)
 
 
 def distance_to_mesh(points, vertices, triangles, control):
-    """Distance (mm) of each point to a mesh, negative inside. Raises CoreError."""
+    """Returns the distance (mm) of each point from a mesh, negative inside. Raises CoreError."""
     with errors():
         return module().distance_to_mesh(points, vertices, triangles, run=control.context)

@@ -1,23 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the core knows of parts that stand still against each other."""
+"""Functions of the core for parts that stand still."""
 from . import core
 from .core import CoreError, errors, module
 
-#: Finding of the core where a shared volume cannot be told.
+#: Code of the core's finding for a shared volume that cannot be computed.
 NOT_KNOWN = "NoSharedVolume"
 
 
 def overlap(parts, options, control):
-    """Each two of parts (name, vertices, triangles, chord error in mm), all in one world: (report (dict),
-    [(vertices, triangles) that a pair shares, both empty where it shares nothing]). options: as the
-    module's overlap(). Raises CoreError."""
+    """Compares all pairs of parts (name, vertices, triangles, chord error in mm) in world
+    coordinates. Returns the report (dict), and for each pair the shared solid (vertices,
+    triangles), with empty arrays if there is none. options: those of the module's overlap().
+    Raises CoreError."""
     with errors():
         return module().overlap(parts, run=control.context, **options)
 
 
 def shared(first, second, options, control):
-    """The same of two parts alone: (row of the report's pair (dict), vertices, triangles). Raises CoreError
-    where what they share cannot be told as well."""
+    """Compares two parts only. Returns the row of the pair in the report (dict), vertices and
+    triangles. Also raises CoreError if the shared volume cannot be computed."""
     report, meshes = overlap([first, second], options, control)
     for finding in report["warnings"]:
         if finding["code"] == NOT_KNOWN:

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the core knows of ways between neighbours: it finds them, and measures one placement after another."""
+"""Functions of the core for paths between neighbours: searches, and distances at one placement
+after another."""
 from . import core
 
 
 class PathRequest:
     """Input of one search, independent of any document.
 
-    body: has vertices (n,3) mm, in the coordinates that the placements place, and triangles (m,3), made in
-    any thread; goal, start: (4,4); extract, instead of a start: mm, or a direction (x, y, z); neighbours:
-    (name, body in the world, chord, rule as text or None); options: as the module's find_path()."""
+    body: has vertices (n,3) mm, in the coordinates to which the placements apply, and triangles
+    (m,3); any thread may create them. goal, start: (4,4). extract, in place of a start: mm, or a
+    direction (x, y, z). neighbours: (name, body in the world, chord, rule as text or None).
+    options: those of the module's find_path()."""
 
     def __init__(self, body, goal, neighbours, start, extract, options):
         self.body = body
@@ -23,20 +25,21 @@ class PathRequest:
 
 
 def rows_of(neighbours):
-    """Neighbours as the module takes them. Raises InputProblem where one gives no triangles."""
+    """Returns neighbours in the form of the module. Raises InputProblem if one gives no triangles."""
     return [
         (name, body.vertices, body.triangles, chord, own) for name, body, chord, own in neighbours
     ]
 
 
 def watch():
-    """What farthest() tells of a search: the placement (4,4) that came farthest out so far, or None."""
+    """Returns a watch. Its farthest() returns the placement (4,4) farthest from the goal so far, or
+    None."""
     return core.module().PathWatch()
 
 
 def find_path(request, control, seen=None):
-    """(report, motion): dict, and (times, translations, rotations) or None. seen: a watch(). Raises
-    CoreError, InputProblem."""
+    """Returns (report, motion): a dict, and (times, translations, rotations) or None. seen: a
+    watch(). Raises CoreError, InputProblem."""
     body, neighbours = request.body, request.rows()
     with core.errors():
         report, found = core.module().find_path(
@@ -54,7 +57,7 @@ def find_path(request, control, seen=None):
 
 
 def _keys(found):
-    """What the module gives as a motion, in the order of core.Request; None where there is none."""
+    """Returns a motion of the module in the order of core.Request, or None if there is none."""
     if found is None:
         return None
     times, rotations, translations = found[:3]
@@ -62,7 +65,8 @@ def _keys(found):
 
 
 def improve_path(request, neighbours, options, control):
-    """As find_path(), of a core.Request; neighbours: as PathRequest.rows() gives them. Raises CoreError."""
+    """As find_path(), for a core.Request. neighbours: the result of PathRequest.rows(). Raises
+    CoreError."""
     vertices, triangles, motion, interpolation = core.arguments(request)
     with core.errors():
         report, found = core.module().improve_path(
@@ -72,21 +76,21 @@ def improve_path(request, neighbours, options, control):
 
 
 def live_clearance(vertices, triangles, neighbours, control):
-    """Prepared for at(pose) and reached(from, to, apart) of the module's LiveClearance. neighbours: (name,
-    vertices, triangles). Raises CoreError."""
+    """Returns the module's LiveClearance with at(pose) and reached(from, to, apart). neighbours:
+    (name, vertices, triangles). Raises CoreError."""
     with core.errors():
         return core.module().LiveClearance(vertices, triangles, neighbours, run=control.context)
 
 
 def sequence_watch():
-    """What seen() tells of a search for a sequence: (number of the part or -1, parts with a path, the
-    placement (4,4) that came farthest out or None)."""
+    """Returns a watch of a search for a sequence. Its seen() returns (index of the current part or
+    -1, number of parts with a path, farthest placement (4,4) or None)."""
     return core.module().SequenceWatch()
 
 
 def find_sequence(rows, still, order, options, control, seen=None):
-    """Report (dict, docs/paths.md). rows, still: as the module's find_sequence() takes them; order: "given"
-    or "find"; seen: a sequence_watch(). Raises CoreError."""
+    """Returns the report (dict, docs/paths.md). rows, still: in the form of the module's
+    find_sequence(). order: "given" or "find". seen: a sequence_watch(). Raises CoreError."""
     with core.errors():
         return core.module().find_sequence(
             rows, still, order, run=control.context, watch=seen, **options

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Coarse runs of the core for a picture that follows the hand."""
+"""Coarse runs of the core, for a picture that follows the user's movements."""
 import threading
 
 import numpy as np
 
 from .core import arguments, errors, module, outcome_of
 
-#: Triangles above which a body is lightened for quick looks, and cells along its longest side then.
+#: A body with more triangles than this is simplified for quick previews; number of cells along its
+#: longest side for that.
 HEAVY, LIGHT_CELLS = 20000, 64
 
 
 def _lightened(vertices, triangles, control):
-    """A heavy body for a quick look: its envelope at rest with far fewer triangles; may take seconds."""
+    """Simplifies a large body for previews: returns its envelope at rest, with far fewer triangles.
+    May take seconds."""
     still = np.zeros(1), np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 3))
     tolerance = 0.5 * float(np.ptp(vertices, axis=0).max()) / LIGHT_CELLS
     options = {"resolution": LIGHT_CELLS, "tolerance": tolerance}
@@ -29,8 +31,9 @@ def _same_body(one, other):
 
 
 class Sessions:
-    """Coarse runs of bodies whose motion is edited: what the core finds out about a body alone is
-    kept from run to run, for the last few bodies and settings. From any thread, one run at a time.
+    """Runs coarse envelopes of bodies whose motion is edited. Keeps the core's data about a body
+    from run to run, for the last few bodies and settings. Any thread may call it, one run at a
+    time.
     """
 
     MOST = 4
@@ -39,7 +42,7 @@ class Sessions:
         self._kept, self._light, self._lock = [], [], threading.Lock()
 
     def compute(self, request, control):
-        """As the module's compute(), but the surface is only good to be looked at."""
+        """As the module's compute(), but the surface is only good for display."""
         with self._lock, errors():
             session = self._session(request)
             _, _, motion, interpolation = arguments(request)
@@ -48,7 +51,7 @@ class Sessions:
         return outcome_of(found)
 
     def lighten(self, request, control):
-        """In a quiet moment: runs of a heavy body take a lighter one from now on."""
+        """Simplifies a large body while the program is idle; later runs use the simplified body."""
         with self._lock, errors():
             if len(request.body.triangles) <= HEAVY or self._light_of(request):
                 return

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the core says, in the user's language: by the code of a finding. The numbers stand in the core's
-own sentence, which follows in brackets; where there is no translation it stands alone."""
+"""Texts of the core's findings in the user's language, by the code of the finding. The core's own
+sentence, with the numbers, follows in brackets. Without a translation it stands alone."""
 from .texts import mark, translate
 
-#: Code -> what happened and what to do.
+#: Maps a code to a text that says what happened and what to do.
 _TEXTS = {
     # failures
     "EmptyMesh": mark("Core", "The part has no surface: choose a solid or a mesh with triangles."),
@@ -64,15 +64,15 @@ _TEXTS = {
     "BadFile": mark("Core", "The file cannot be read: the text in brackets says where and why."),
     "BadFormat": mark(
         "Core",
-        "The file extension is not supported: use an extension that the text in brackets " "names.",
+        "The file extension is not supported: use one of those listed in brackets.",
     ),
     "FileTooLarge": mark(
         "Core", "The file is larger than the limit for input files: split it, or reduce it."
     ),
     "ResourceLimit": mark(
         "Core",
-        "The computation exceeds a limit, mostly that of memory: choose a larger "
-        "cell, or raise the memory limit in the preferences.",
+        "The computation exceeds a limit, usually the memory limit: choose a larger cell, or "
+        "raise the limit in the preferences.",
     ),
     "TooManyTriangles": mark(
         "Core",
@@ -145,7 +145,8 @@ _TEXTS = {
     ),
     "ContactNotProven": mark(
         "Core",
-        "The depth of an allowed contact was measured, but a deeper point cannot be " "excluded.",
+        "The depth of an allowed contact was measured, but the parts may overlap more deeply at "
+        "another point.",
     ),
     "EqualTimes": mark(
         "Core", "Some poses have the same time as the pose before. Their order was kept."
@@ -205,7 +206,7 @@ _TEXTS = {
 
 
 def said(code, text):
-    """A message of the core: code of the finding, its own sentence."""
+    """Returns the message for the code of a finding and the core's own sentence."""
     known = _TEXTS.get(code, "")
     ours = translate("Core", known) if known else ""
     return text if ours == known else "{} ({})".format(ours, text) if text else ours

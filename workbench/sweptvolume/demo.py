@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The demo: a starter motor is fitted past exhaust, engine and bell housing.
+"""The demo: a starter motor is installed past exhaust, engine and bell housing.
 
-build() makes the document; main() does the whole job by the ordinary calls of the workbench and
-writes its files: FCStd, STEP, picture.
+build() creates the document. main() does the whole job with the ordinary functions of the workbench
+and writes its files: FCStd, STEP, picture.
 """
 import os
 
@@ -30,7 +30,7 @@ class Demo:
 
 
 def build():
-    """A new document with the parts and the installation path."""
+    """Creates a new document with the parts and the installation path."""
     document = App.newDocument(DOCUMENT)
     document.UndoMode = 1
     document.openTransaction(translate("Messages", "Demo"))
@@ -59,7 +59,7 @@ def build():
 
 
 def add_envelope(demo, **settings):
-    """The envelope object of the demo, not yet computed."""
+    """Adds the envelope object of the demo, not yet computed."""
     values = dict(Resolution=RESOLUTION, Tolerance=TOLERANCE)
     values.update(settings)
     demo.envelope = envelope.make_envelope(demo.document, [demo.starter], demo.motion, **values)
@@ -68,14 +68,14 @@ def add_envelope(demo, **settings):
 
 
 def add_solid(demo):
-    """The solid object of the demo's envelope, not yet made."""
+    """Adds the solid object of the demo's envelope, not yet computed."""
     demo.solid = solid.make_solid(demo.document, demo.envelope)
     demo.document.recompute()
     return demo.solid
 
 
 def look(document):
-    """Chooses a view in which path and neighbours are seen."""
+    """Sets a view that shows the path and the neighbours."""
     if not App.GuiUp:
         return
     import FreeCADGui as Gui
@@ -86,7 +86,7 @@ def look(document):
 
 
 def view_rotation():
-    """Camera orientation: from outside, in front and below, where the starter comes in."""
+    """Returns the camera orientation: from outside, in front and below, where the starter comes in."""
     out = App.Vector(-0.42, 0.86, 0.30).normalize()  # from the scene to the camera
     right = App.Vector(0, 0, 1).cross(out).normalize()
     up = out.cross(right)
@@ -97,7 +97,7 @@ def view_rotation():
 
 
 def output_folder(wanted=""):
-    """Folder for the files: the given one, else out/ where the program was started."""
+    """Returns the folder for the files: the given one, or out/ in the current folder."""
     folder = os.path.abspath(wanted or os.environ.get("SWEPT_OUT") or "out")
     os.makedirs(folder, exist_ok=True)
     return folder

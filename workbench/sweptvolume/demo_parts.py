@@ -14,25 +14,25 @@ from .texts import mark
 V = App.Vector
 X, Y, Z = V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)
 
-#: Half the distance of the two flange bolts, radius of their holes.
+#: Half the distance of the two flange bolts, and radius of their holes.
 BOLT_Y, BOLT_RADIUS = 60.0, 5.5
-#: Crankshaft, seen from the starter.
+#: Axis of the crankshaft in the frame of the starter.
 CRANK = V(0, -130, 60)
 
 
 def _rod(radius, start, end, y=0.0, z=0.0):
-    """Cylinder along x."""
+    """Returns a cylinder along x."""
     return Part.makeCylinder(radius, end - start, V(start, y, z), X)
 
 
 def _box(x, y, z):
-    """Box from three (low, high) pairs."""
+    """Returns a box from three (low, high) pairs."""
     low, size = V(x[0], y[0], z[0]), [b - a for a, b in (x, y, z)]
     return Part.makeBox(size[0], size[1], size[2], low)
 
 
 def _one(shape):
-    """The single solid of a boolean's compound, coplanar faces joined."""
+    """Returns the only solid in the compound of a Boolean operation, with coplanar faces merged."""
     solids = shape.removeSplitter().Solids
     if len(solids) != 1 or not solids[0].isValid():
         raise RuntimeError("demo part: {} solids where one valid one is due".format(len(solids)))
@@ -40,13 +40,13 @@ def _one(shape):
 
 
 def _round(shape, radius, test):
-    """Fillets the edges for which test(edge) holds."""
+    """Rounds the edges for which test(edge) is true."""
     edges = [edge for edge in shape.Edges if test(edge)]
     return shape.makeFillet(radius, edges)
 
 
 def _circle_at(x, radius):
-    """Test for circular edges around the starter's axis."""
+    """Returns a test for circular edges around the starter's axis."""
 
     def test(edge):
         curve = edge.Curve
@@ -58,7 +58,7 @@ def _circle_at(x, radius):
 
 
 def _pinion(teeth=9, root=12.0, tip=17.5, start=18.0, end=44.0):
-    """Spur pinion with straight flanks and chamfered ends."""
+    """Returns a spur pinion with straight flanks and chamfered ends."""
     points = []
     for k in range(teeth):
         middle = 2 * math.pi * k / teeth
@@ -74,7 +74,7 @@ def _pinion(teeth=9, root=12.0, tip=17.5, start=18.0, end=44.0):
 
 
 def _flange():
-    """Mounting flange: a disc with two ears, two bolt holes."""
+    """Returns the mounting flange: a disc with two ears and two bolt holes."""
     plate = _rod(44.0, -14.0, 0.0)
     for side in (-1, 1):
         plate = plate.fuse(_rod(15.0, -14.0, 0.0, y=side * BOLT_Y))
@@ -86,7 +86,7 @@ def _flange():
 
 
 def starter():
-    """The starter motor as one solid; its origin is the centre of the mounting face."""
+    """Returns the starter motor as one solid. Its origin is the centre of the mounting face."""
     can = _rod(38.0, -140.0, -13.0)
     can = _round(can, 6.0, _circle_at(-140.0, 38.0))
     for x in (-122.0, -34.0):
@@ -120,7 +120,7 @@ def starter():
 
 
 def bell_housing():
-    """Bell housing with the starter's opening, hollow, with a rim of bolts."""
+    """Returns the hollow bell housing with the opening for the starter and a rim of bolts."""
     plate = Part.makeCylinder(190.0, 16.0, V(0, CRANK.y, CRANK.z), X)
     pad = _rod(50.0, 0.0, 16.0).fuse(_box((0, 16), (-BOLT_Y, BOLT_Y), (-18, 18)))
     pad = pad.fuse([_rod(18.0, 0.0, 16.0, y=s * BOLT_Y) for s in (-1, 1)])
@@ -145,7 +145,7 @@ def bell_housing():
 
 
 def flywheel():
-    """Flywheel with its ring gear, simplified."""
+    """Returns the flywheel with its ring gear, simplified."""
     disc = Part.makeCylinder(124.0, 14.0, V(22, CRANK.y, CRANK.z), X)
     hub = Part.makeCylinder(45.0, 26.0, V(14, CRANK.y, CRANK.z), X)
     wheel = disc.fuse(hub)
@@ -159,7 +159,8 @@ def flywheel():
 
 
 def engine():
-    """Side of the engine block with ribs, oil pan, and the engine mount behind the starter."""
+    """Returns the side of the engine block with ribs, the oil pan, and the engine mount behind the
+    starter."""
     block = _box((-330, -2), (-240, -92), (-45, 165))
     block = _round(block, 8.0, lambda e: e.BoundBox.ZMin > 164 and e.BoundBox.YMin > -93)
     ribs = [_box((x, x + 8), (-94, -86), (0, 150)) for x in range(-310, -20, 48)]
@@ -173,7 +174,7 @@ def engine():
 
 
 def exhaust():
-    """Exhaust pipe with a bend and a flanged joint."""
+    """Returns the exhaust pipe with a bend and a flanged joint."""
     low, knee, top, r = -72.0, V(-230, 98, -72), V(-300, 98, 90), 70.0
     middle = V(-230 - r * math.sin(math.pi / 4), 98, low + r * (1 - math.cos(math.pi / 4)))
     side = V(-300, 98, low + r)
@@ -202,7 +203,7 @@ def _sweep(path, radius):
 
 
 def frame_rail():
-    """Side member of the frame: a channel with lightening holes."""
+    """Returns the side member of the frame: a channel with lightening holes."""
     rail = _box((-345, 190), (152, 212), (-175, -65))
     rail = rail.cut(_box((-346, 191), (157, 213), (-170, -70)))
     for x in (-280, -180, -80, 20, 120):
@@ -210,7 +211,7 @@ def frame_rail():
     return _one(rail)
 
 
-#: How the starter is brought in: s, position, and (yaw, pitch, roll) in degrees.
+#: Installation path of the starter: time (s), position, and (yaw, pitch, roll) in degrees.
 PATH = [
     (0.0, (-80, 200, -345), (38, -28, 90)),
     (1.0, (-88, 130, -330), (30, -26, 90)),
@@ -228,12 +229,12 @@ PATH = [
 
 
 def path():
-    """Times and placements of the installation."""
+    """Returns times and placements of the installation."""
     times = [row[0] for row in PATH]
     return times, [App.Placement(V(*row[1]), App.Rotation(*row[2])) for row in PATH]
 
 
-#: Name, label, function, colour. The first is the part that moves.
+#: Name, label, function, colour of each part. The first part moves.
 PARTS = [
     ("Starter", mark("Messages", "Starter motor"), starter, (0.80, 0.80, 0.83)),
     ("BellHousing", mark("Messages", "Bell housing"), bell_housing, (0.62, 0.66, 0.70)),

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs the demo in a FreeCAD with a GUI (a real or a virtual display) and leaves; see run-demo.
+"""Runs the demo in a FreeCAD with a GUI (on a real or a virtual display) and closes FreeCAD; see
+run-demo.
 
-Everything goes the way of a user: the commands' own tasks in the runner, the event loop turning. Exit
-status 0 only if every file was written and checked.
+Works as a user would: the commands' own tasks run in the runner while the event loop continues.
+Exit status 0 only if every file was written and checked.
 """
 import os
 import sys
@@ -13,7 +14,8 @@ import FreeCAD as App
 
 
 def _say(text):
-    """Straight to the terminal: FreeCAD swallows the output of scripts in some versions."""
+    """Prints to the terminal directly, because some versions of FreeCAD discard the output of
+    scripts."""
     os.write(1, (text + "\n").encode())
 
 
@@ -24,7 +26,8 @@ def _fail(text):
 
 
 def _finish(run):
-    """Waits for a run while the window lives; returns the longest gap between two ticks (s)."""
+    """Waits for a run while the window responds. Returns the longest gap between two timer ticks
+    (s)."""
     from PySide import QtCore
 
     loop, gaps, last = QtCore.QEventLoop(), [0.0], [time.perf_counter()]

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files from envelopes: STEP and BREP through the core, meshes through the core's writer.
+"""Writes files from envelopes: STEP and BREP solids and meshes, both through the core.
 
-Every writer writes beside the target, checks, then renames: an old file survives a failure.
+Every writer writes beside the target, checks the file, and then renames it. After a failure the old
+file is unchanged.
 """
 import errno
 import os
@@ -15,7 +16,7 @@ MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".3mf")
 
 
 def check_target(path):
-    """As targets.check_target(), for the types of envelopes."""
+    """As targets.check_target(), for the file types of envelopes."""
     targets.check_target(path, SOLID_SUFFIXES + MESH_SUFFIXES)
 
 
@@ -24,13 +25,15 @@ def is_solid_file(path):
 
 
 def request(source, settings=None):
-    """Reads the envelope in world coordinates. settings: of the solid (features.solid.DEFAULTS)."""
+    """Reads the envelope in world coordinates. settings: those of a solid
+    (features.solid.DEFAULTS)."""
     return solid.request_for(source, world=True, **(settings or {}))
 
 
 def write(req, path, control=None, no_clobber=False):
-    """Any thread. Returns a dict: bytes, and for solids the core's report. no_clobber: a file that
-    exists is refused, for scripts; the window's file dialog asks by itself."""
+    """Writes the file, in any thread. Returns a dict: bytes, and for solids the core's report.
+    no_clobber: refuse to replace an existing file. Scripts need it; the file dialog of the
+    window asks the user itself."""
     check_target(path)
     if no_clobber and os.path.lexists(path):
         raise InputProblem('"{}": {}'.format(path, os.strerror(errno.EEXIST)))

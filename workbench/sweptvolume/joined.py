@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Several envelopes as one: plain arrays, any thread."""
+"""Joins several envelopes to one, with plain arrays, in any thread."""
 import numpy as np
 
 from . import core
 
 
 def join(outcomes, options, control):
-    """The outer surface of several envelopes: their meshes together, sampled once more where they are.
+    """Returns the outer surface of several envelopes: their meshes are joined and sampled again at
+    rest.
 
-    What the runs before took and warned of goes into the report. Raises CoreError.
+    The report includes the effort and the warnings of the earlier runs. Raises CoreError.
     """
     counts = np.cumsum([0] + [len(o.vertices) for o in outcomes])
     vertices = np.vstack([o.vertices for o in outcomes])
@@ -30,7 +31,8 @@ def join(outcomes, options, control):
 
 
 def _hand_on_sources(joined, outcomes):
-    """A triangle of several envelopes together was made by what made the triangle that it lies on."""
+    """Copies the sources: what made a triangle of an envelope also made the joined triangle that
+    lies on it."""
     kinds, faces, times, parts, first = [], [], [], [], 0
     for outcome in outcomes:
         kind, of, time = outcome.sources

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD meshes <-> numpy arrays. Units: mm. No GUI.
+"""Converts between FreeCAD meshes and numpy arrays. Units: mm. No GUI.
 
-Meshes go in and out as binary PLY, which was measured to be the quickest way.
+Meshes are passed as binary PLY, which measured as the fastest way.
 """
 import io
 
@@ -14,7 +14,8 @@ from .safe_file import no_room_text, passing
 
 
 def _far_middle(vertices):
-    """Middle of a mesh that is farther from the origin than 32 times its size, in whole mm, or None."""
+    """Returns the middle, in whole mm, of a mesh that is farther from the origin than 32 times its
+    size; otherwise None."""
     if not len(vertices) or not np.isfinite(vertices).all():
         return None
     low, high = vertices.min(axis=0), vertices.max(axis=0)
@@ -23,7 +24,7 @@ def _far_middle(vertices):
 
 
 def _ply(vertices, triangles):
-    """As FreeCAD reads a binary PLY file."""
+    """Returns the bytes of a binary PLY file for FreeCAD."""
     head = (
         "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\n"
         "property float y\nproperty float z\nelement face {}\n"
@@ -36,8 +37,8 @@ def _ply(vertices, triangles):
 
 
 class _Stream:
-    """Bytes to read. FreeCAD asks for some hundred at a time, and between two of these calls other
-    threads come to their turn, which they would not with a stream that is no Python code."""
+    """A stream of bytes in Python. FreeCAD reads a few hundred bytes at a time. Between two reads
+    other threads can run, which would not happen with a stream in compiled code."""
 
     def __init__(self, data):
         self._inner = io.BytesIO(data)
@@ -53,10 +54,11 @@ class _Stream:
 
 
 def mesh_from_arrays(vertices, triangles, beside=False):
-    """(n,3) and (m,3) -> Mesh.Mesh, the order of points kept. `beside`: in a thread beside the window's,
-    which goes on meanwhile.
+    """Returns a Mesh.Mesh from (n,3) and (m,3) arrays, with the points in the same order. `beside`:
+    called in another thread than the window's, and must not block the window.
 
-    Far from the origin single precision would bend the mesh: there it is local, with a placement.
+    Far from the origin, single precision would distort the mesh. Such a mesh gets local coordinates
+    and a placement.
     """
     import Mesh
 
@@ -69,7 +71,7 @@ def mesh_from_arrays(vertices, triangles, beside=False):
     if beside:
         try:
             mesh.read(_Stream(core.mesh_file(vertices, triangles)), "BMS")
-        except Exception as problem:  # a FreeCAD that takes no such stream
+        except Exception as problem:  # this version of FreeCAD does not accept such a stream
             App.Console.PrintLog("Swept Volume: mesh not read as BMS: {}\n".format(problem))
         if (mesh.CountPoints, mesh.CountFacets) == (len(vertices), len(triangles)):
             return mesh
@@ -79,9 +81,9 @@ def mesh_from_arrays(vertices, triangles, beside=False):
 
 
 def arrays_from_mesh(mesh):
-    """Mesh.Mesh -> vertices, triangles in the mesh's own frame (its Placement is left out)."""
+    """Returns the vertices and triangles of a Mesh.Mesh in its own frame, without its Placement."""
     local = mesh
-    # Copied only where needed: while a copy is made no other thread goes on.
+    # Copied only if needed, because no other thread can run during the copy.
     if not mesh.Placement.isIdentity():
         local = mesh.copy()
         local.Placement = App.Placement()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reports of checks for people, of one moving body and of mechanisms: one HTML file. What it tells is the
-stored report; what it shows is the parts as they were checked, so the result must be up to date.
+"""Writes reports of clearance and mechanism checks as one HTML file. The texts come from the stored
+report. The 3D view shows the parts as they were checked, so the result must be up to date.
 
-request() reads the document (thread of the GUI), text() and write() may run in any thread.
+request() reads the document (GUI thread). text() and write() may run in any thread.
 """
 import hashlib
 import os
@@ -26,13 +26,13 @@ def is_pdf(path):
 
 
 def check_target(path):
-    """As targets.check_target(), for the types of reports."""
+    """As targets.check_target(), for the file types of reports."""
     targets.check_target(path, SUFFIXES)
 
 
 def date():
-    """The time of the report; that of SOURCE_DATE_EPOCH (seconds since 1970) where the environment has it.
-    Raises InputProblem."""
+    """Returns the time of the report. The environment variable SOURCE_DATE_EPOCH (seconds since
+    1970) replaces it. Raises InputProblem."""
     given = os.environ.get("SOURCE_DATE_EPOCH")
     try:
         now = time.gmtime(int(given)) if given else time.gmtime()
@@ -47,8 +47,8 @@ def date():
 
 
 def template(pdf=False):
-    """Text of the template of the preferences, else of the program's own for PDF; "" for that of HTML. Raises
-    InputProblem."""
+    """Returns the text of the template in the preferences. Without one, returns the built-in
+    template for PDF, or "" for HTML. Raises InputProblem."""
     path = settings.page_template(pdf)
     if not path:
         return core.page_template("print") if pdf else ""
@@ -72,8 +72,9 @@ def template(pdf=False):
 
 
 class _Request:
-    """A page as plain values, no document behind it. Subclasses read the check and say parts(), of the 3D
-    view as core.report_page() takes them, and inputs(), the first rows of the table of inputs."""
+    """A page as plain values, independent of any document. Subclasses read the check. They define
+    parts() (for the 3D view, as in core.report_page()) and inputs() (the first rows of the table
+    of inputs)."""
 
     def __init__(self, obj, is_changed, pdf):
         self.report = obj.Proxy.report_of(obj)
@@ -83,7 +84,7 @@ class _Request:
         self.read(obj)
 
     def read(self, obj):
-        """GUI thread."""
+        """Reads the document. GUI thread."""
         raise NotImplementedError
 
 
@@ -133,12 +134,13 @@ class _OfMechanism(_Request):
         return found
 
     def _rows(self):
-        rows = self.check.rows()  # leaves out of parts what gives no triangles
+        rows = self.check.rows()  # rows() leaves out parts that give no triangles
         return zip(rows, self.check.parts)
 
 
 def _file_of(document, is_changed):
-    """(name, how it stands to the document, path) of the document's file; None where there is none."""
+    """Returns (name, whether it was changed since saving, path) of the document's file, or None if
+    there is no file."""
     if not document.FileName or not os.path.isfile(document.FileName):
         return None
     how = translate("Messages", "changed since it was saved") if is_changed else ""
@@ -146,8 +148,9 @@ def _file_of(document, is_changed):
 
 
 def request(obj, is_changed=False, pdf=False):
-    """What text() needs of a check. is_changed: the document was, since it was saved. Raises InputProblem
-    where there is no result, or where it is not that of the parts as they are now."""
+    """Returns the input of text() for a check. is_changed: the document was changed since it was
+    saved. Raises InputProblem if there is no result, or if the result does not match the present
+    parts."""
     check.update_status(obj)
     if obj.Proxy.report_of(obj) is None or obj.Status != clearance.UP_TO_DATE:
         text = translate(
@@ -184,7 +187,8 @@ def _poses(label, run):
 
 
 def _inputs(req):
-    """Rows of the page's table of inputs. A shape stands for the triangles that were checked."""
+    """Returns the rows of the page's table of inputs. The hash of a shape is that of the triangles
+    that were checked."""
     found = req.inputs()
     if req.file is not None:
         name, how, path = req.file
@@ -197,14 +201,15 @@ def _inputs(req):
 
 
 def _told(report):
-    """The report with its findings and notes in the user's language."""
+    """Returns the report with its findings and notes in the user's language."""
     findings = [dict(w, text=said(w["code"], w["text"])) for w in report.get("warnings", [])]
     findings += [{"code": "", "text": note} for note in report.get("notes", [])]
     return dict(report, warnings=findings, findings_language=language())
 
 
 def text(req, control, pictures=(), view=True):
-    """Any thread: the page. pictures: (caption, media type, bytes). Raises core.CoreError, InputProblem."""
+    """Returns the text of the page, in any thread. pictures: (caption, media type, bytes). Raises
+    core.CoreError, InputProblem."""
     return core.report_page(
         _told(req.report),
         control,

@@ -1,28 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers as people read them: in the units of FreeCAD's preferences, with the separators of the user's
-language, and with digits that count: 0.1 mm is never "0.00 in"."""
+"""Formats numbers for people: in the units of FreeCAD's preferences, with the separators of the
+user's language, and rounded to significant digits, so that 0.1 mm never becomes "0.00 in"."""
 import math
 
 import FreeCAD as App
 from PySide import QtCore
 
-#: Length (mm) whose unit stands for a whole column: neither thousandths nor yards.
+#: The unit of this length (mm) is used for a whole column; very small or large units are thus
+#: avoided.
 TYPICAL = 10.0
-#: Digits that count in a text; lengths in a table have one more, since they are compared.
+#: Significant digits of a text. Tables have one more, because their lengths are compared.
 DIGITS, TABLE_DIGITS = 3, 4
-#: Decimals at most: beyond them the number has an exponent.
+#: Largest number of decimals. Smaller numbers are written with an exponent.
 MOST_DECIMALS = 9
 
 
 def _locale():
     locale = QtCore.QLocale()
-    if locale.language() == QtCore.QLocale.C:  # it separates nothing
+    if locale.language() == QtCore.QLocale.C:  # the C locale has no group separator
         locale = QtCore.QLocale(QtCore.QLocale.English, QtCore.QLocale.UnitedStates)
     return locale
 
 
 def number(value, digits=DIGITS):
-    """A number rounded to so many digits that count; whole ones keep all of theirs."""
+    """Formats a number with this many significant digits. The whole part keeps all its digits."""
     value = float(value)
     if not math.isfinite(value):
         return str(value)
@@ -37,12 +38,12 @@ def number(value, digits=DIGITS):
 
 
 def count(value):
-    """A whole number with its separators."""
+    """Formats a whole number with its separators."""
     return _locale().toString(int(value))
 
 
 def quantity(value, digits=DIGITS):
-    """A length (mm) with the unit that FreeCAD would choose."""
+    """Formats a length (mm) with the unit that FreeCAD would choose."""
     factor, name = _preferred(value)
     return "{} {}".format(number(value / factor, digits), name)
 
@@ -53,23 +54,24 @@ def _preferred(value):
 
 
 def volume(value, digits=TABLE_DIGITS):
-    """Cubic millimetres in the cube of length_unit(): litres of a mechanism are no measure."""
+    """Formats cubic millimetres in the cube of length_unit(). FreeCAD would choose litres, which
+    are unusual for mechanisms."""
     one, name = length_unit()
     return "{} {}^3".format(number(value / one**3, digits), name)
 
 
 def length_unit():
-    """(mm in one, name) of the unit in which a column shows lengths."""
+    """Returns (mm in one unit, name of the unit) in which a column shows lengths."""
     return _preferred(TYPICAL)
 
 
 def megabytes(value):
-    """Bytes as MB."""
+    """Formats bytes as MB."""
     return "{} MB".format(number(value / 1e6))
 
 
 def seconds(value):
-    """A duration: tenths below ten seconds, minutes above two."""
+    """Formats a duration: with tenths below ten seconds, in minutes above two minutes."""
     if value < 10:
         return "{} s".format(number(max(value, 0.1), 2))
     return (

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that are too large to be read at once are read beside the window: copied one after the other between
-its events, then read in a thread.
+"""Reads large parts without blocking the window. Parts are copied one after the other between
+events of the window, and then read in a thread.
 """
 import FreeCAD as App
 from PySide import QtCore
@@ -11,11 +11,11 @@ from .features import status
 from .features.base import quietly
 from .texts import translate
 
-_readers = {}  # document's name -> Reader
+_readers = {}  # name of the document -> Reader
 
 
 class _ReadTask(runner.Task):
-    """Changes no document."""
+    """A task that does not change the document."""
 
     writes = False
 
@@ -34,15 +34,14 @@ class _ReadTask(runner.Task):
 
 
 class Reader:
-    """Reads the parts of one document, and calls whoever waits for them when all are read."""
+    """Reads the parts of one document, and calls all callbacks when all parts are read."""
 
     def __init__(self, document):
         self.document, self.name = document, document.Name
         self._parts, self._calls = [], {}
 
     def ask(self, parts, key, call):
-        """Parts (apart.Apart) that are to be read; call() follows in the window's thread, once for each
-        key."""
+        """Requests parts (apart.Apart). call() follows in the window's thread, once for each key."""
         begins = not self._calls
         self._parts += [part for part in parts if part not in self._parts]
         self._calls[key] = call
@@ -50,7 +49,7 @@ class Reader:
             QtCore.QTimer.singleShot(0, self._copy)
 
     def _copy(self):
-        """One part between two events of the window."""
+        """Copies one part between two events of the window."""
         if self.document not in App.listDocuments().values():
             _readers.pop(self.name, None)
             return
@@ -67,7 +66,7 @@ class Reader:
             _readers.pop(self.name, None)
             return
         if run.state == "ok" and any(part.cost() for part in self._parts):
-            self._copy()  # others were asked for meanwhile
+            self._copy()  # other parts were requested meanwhile
             return
         self._parts, calls = [], list(self._calls.values())
         self._calls = {}
@@ -76,7 +75,7 @@ class Reader:
 
 
 def beside(document, parts, key, call):
-    """As Reader.ask()."""
+    """As Reader.ask(), for the reader of the document."""
     reader = _readers.get(document.Name)
     if reader is None or reader.document is not document:
         reader = _readers[document.Name] = Reader(document)
@@ -84,8 +83,9 @@ def beside(document, parts, key, call):
 
 
 def first(document, words, key, call):
-    """Whether parts are so large that they have to be read first; call() follows then. words: gives
-    contents.words(); what it raises is left to whoever asks next."""
+    """Returns whether parts are so large that they must be read first; then call() follows later.
+    words: a function that returns contents.words(). Its exceptions are ignored here and reach
+    the next caller."""
     try:
         parts = contents.unread(words())
     except (InputProblem, RuntimeError, AttributeError):
@@ -110,5 +110,6 @@ def _look_later(obj, parts):
 
 
 def watch():
-    """From now on objects with large parts are judged when those were read beside the window."""
+    """From now on, objects with large parts are checked for changes only after reading in the
+    background."""
     status.read_beside = _look_later

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Long work beside the GUI: a thread that computes, a timer that watches, a result that is applied
-on the GUI thread.
+"""Runs long work in the background. A thread computes, a timer watches it, and the GUI thread applies
+the result.
 
-A task has `document`, `watched` (objects it needs to the end), `title`, `work(control)` (any thread,
-plain values only), `finish(value)` (GUI thread, inside one transaction), and what else the class Task
-names. If the document closes or a watched object goes, the run is cancelled and finish() is never
-called. A run that is asked to stop ends at once for whoever waits for it, even where its thread is in a
-piece of work that cannot be broken off.
+A task has `document`, `watched` (objects that it needs until the end), `title`, `work(control)`
+(any thread, only plain values), `finish(value)` (GUI thread, inside one transaction), and the other
+members of class Task. If the document closes or a watched object is deleted, the run is cancelled
+and finish() is never called. A cancelled run ends at once for all callers that wait, even if its
+thread cannot stop its present piece of work yet.
 """
 import atexit
 import contextlib
@@ -19,55 +19,59 @@ from PySide import QtCore
 from . import core
 from .texts import translate
 
-#: ms between two looks at the progress.
+#: Interval (ms) between two checks of the progress.
 POLL = 100
-#: ms until a result that was taken over is freed: the window draws it first.
+#: Time (ms) after which an applied result is freed, so that the window draws it first.
 FORGET = 400
-#: ms that a cancelled run has to end by itself: with a look of the window an answer within 0.3 s.
+#: Time (ms) in which a cancelled run may end by itself. Together with one check, the answer takes
+#: at most 0.3 s.
 GRACE = 150
-#: s that all threads have to end in when FreeCAD closes: with what it does itself, below 2 s.
+#: Time (s) in which all threads must end when FreeCAD closes. With FreeCAD's own work this stays
+#: below 2 s.
 LEAVE = 1.0
-#: Bytes from which on memory for the result is fetched beforehand.
+#: For results of at least this many bytes, memory is fetched beforehand (core.warm_memory).
 LARGE = 8 << 20
 
 _runs = []
-#: Threads of runs that have ended without them.
+#: Threads that still work although their runs have ended.
 _left = []
 _observer = None
 
 
 class Task:
-    """What a run does; see the module's head."""
+    """The work of a run; see the docstring of the module."""
 
     title = ""
     document = None
     watched = ()
-    #: Whether finish() changes the document: then it runs in a transaction and failures are told.
+    #: Whether finish() changes the document. If so, it runs in a transaction, and failures are
+    #: shown.
     writes = True
 
     def steps(self, control):
-        """GUI thread, before work(): what only the window can do, in pieces. A generator; after each piece
-        the window goes on for the ms that it yields."""
+        """Work before work() that only the window's thread can do, in pieces. GUI thread. A
+        generator that yields, after each piece, the time (ms) for which the window may handle
+        events."""
         return iter(())
 
     def work(self, control):
         raise NotImplementedError
 
     def room(self, value):
-        """Bytes of memory that finish() is going to fill; 0: little."""
+        """Returns the bytes of memory that finish() will fill. 0: little."""
         return 0
 
     def finish(self, value):
         raise NotImplementedError
 
     def after(self, value):
-        """GUI thread, after finish(): what must not be kept for Undo."""
+        """GUI thread, after finish(): changes that Undo must not keep."""
 
     def drop(self, value):
-        """A result that nobody takes: removes the files that it stands for."""
+        """Handles a result that nobody uses: removes the files that it refers to."""
 
     def fail(self, text, cancelled=False):
-        """A run that gave nothing, for the document to remember."""
+        """Stores the text of a failed run in the document."""
 
 
 class _Thread(QtCore.QThread):
@@ -86,7 +90,8 @@ class _Thread(QtCore.QThread):
 
 
 class _Fetching(QtCore.QThread):
-    """Fetches memory for finish(): in the window's thread that would take longer than to fill it."""
+    """Fetches memory for finish(). In the window's thread this would take longer than filling the
+    memory."""
 
     def __init__(self, warm):
         super().__init__()
@@ -97,7 +102,7 @@ class _Fetching(QtCore.QThread):
 
 
 class Run(QtCore.QObject):
-    """One running task. `ended` is emitted exactly once, on the GUI thread."""
+    """One running task. Emits `ended` exactly once, in the GUI thread."""
 
     progress = QtCore.Signal(float, str)
     ended = QtCore.Signal(object)
@@ -106,7 +111,7 @@ class Run(QtCore.QObject):
         super().__init__()
         self.task = task
         self.control = core.Control()
-        self.state = "running"  # then ok | failed | cancelled
+        self.state = "running"  # later ok, failed or cancelled
         self.message = ""
         self._document = task.document.Name
         self._watched = {obj.Name for obj in task.watched}
@@ -114,7 +119,7 @@ class Run(QtCore.QObject):
         self._thread = _Thread(task, self.control)
         self._thread.finished.connect(self._worked)
         self._fetching = None
-        self._steps = None  # those that are left, while there are any
+        self._steps = None  # the generator of the remaining steps, or None
         self._timer = QtCore.QTimer()
         self._timer.timeout.connect(self._look)
 
@@ -128,9 +133,9 @@ class Run(QtCore.QObject):
             _refresh_icon(obj)
 
     def _step(self):
-        """The next piece of the task's steps; the thread after the last."""
+        """Runs the next piece of the task's steps. Starts the thread after the last piece."""
         if self._steps is None:
-            return  # it was cancelled meanwhile
+            return  # the run was cancelled meanwhile
         try:
             pause = next(self._steps)
         except StopIteration:
@@ -143,7 +148,7 @@ class Run(QtCore.QObject):
             QtCore.QTimer.singleShot(int(pause or 0), self._step)
 
     def cancel(self):
-        """Asks the run to stop; it ends within GRACE."""
+        """Asks the run to stop. It ends within GRACE."""
         self.control.cancel()
         if self._steps is None:
             QtCore.QTimer.singleShot(GRACE, self._leave)
@@ -151,7 +156,7 @@ class Run(QtCore.QObject):
             QtCore.QTimer.singleShot(0, self._leave_steps)
 
     def _leave_steps(self):
-        """Ends a run whose thread has not begun."""
+        """Ends a run whose thread has not started."""
         steps, self._steps = self._steps, None
         if steps is not None and self.state == "running":
             steps.close()
@@ -159,8 +164,8 @@ class Run(QtCore.QObject):
             self._ended(wait=False)
 
     def _leave(self):
-        """Ends a run whose thread has not answered: the thread goes on alone until it looks up, and what
-        it finds is dropped."""
+        """Ends a run whose thread has not responded. The thread continues alone until its next
+        check, and its result is dropped."""
         if self.state != "running" or self._thread.isFinished() or self._fetching is not None:
             return
         self._thread.finished.disconnect(self._worked)
@@ -177,13 +182,13 @@ class Run(QtCore.QObject):
         return obj.Document.Name == self._document and obj.Name in self._watched
 
     def lose(self, document, name=None):
-        """The document closes, or one of its objects goes."""
+        """Handles a document that closes, or one of its objects that is deleted."""
         if document == self._document and (name is None or name in self._watched):
             self._gone = True
             self.cancel()
 
     def threads(self):
-        """Its threads that may be at work."""
+        """Returns the threads of the run that may be working."""
         return [thread for thread in (self._thread, self._fetching) if thread is not None]
 
     def _wait(self):
@@ -227,7 +232,7 @@ class Run(QtCore.QObject):
         else:
             try:
                 self._conclude()
-            except Exception as error:  # of fail(): the run ends all the same
+            except Exception as error:  # an error in fail() must not keep the run alive
                 self.state, self.message = "failed", str(error) or type(error).__name__
                 App.Console.PrintError("{}: {}\n".format(self.task.title, self.message))
             for obj in self.task.watched:
@@ -237,7 +242,7 @@ class Run(QtCore.QObject):
         self.ended.emit(self)
 
     def _forget(self):
-        """Gives the result back: it may be large, and the run lives on for a while."""
+        """Releases the result: it may be large, and the run object lives for some time."""
         value = self._thread.value
         if self._thread not in _left and value is not None:
             self._thread.value = None
@@ -263,14 +268,15 @@ class Run(QtCore.QObject):
             return
         self.state = "failed"
         self.message = str(error) or type(error).__name__
-        # The panel and the object's Message tell it; the report view would open itself for an error.
+        # The panel and the object's Message show the error. The report view would open by itself,
+        # so only the log gets the text.
         App.Console.PrintLog("{}: {}\n".format(self.task.title, self.message))
         self.task.fail(self.message)
 
 
 @contextlib.contextmanager
 def transaction(document, title):
-    """One undo step; an error undoes what the block did."""
+    """Makes one undo step. If the block raises, its changes are undone."""
     document.openTransaction(title)
     try:
         yield
@@ -287,12 +293,12 @@ def _refresh_icon(obj):
 
 
 def is_running(obj):
-    """Whether a run is under way for an object (for icons and commands)."""
+    """Returns whether a run for an object is in progress, for icons and commands."""
     return any(run.concerns(obj) for run in _runs)
 
 
 def running():
-    """The runs under way."""
+    """Returns the runs in progress."""
     return list(_runs)
 
 
@@ -304,7 +310,7 @@ def start(task):
 
 
 class _Observer:
-    """Hears of documents that close and objects that go."""
+    """Is notified of documents that close and of objects that are deleted."""
 
     def slotDeletedDocument(self, document):
         for run in list(_runs):
@@ -326,7 +332,8 @@ def _watch():
 
 
 def _stop_all():
-    """FreeCAD closes: waits a moment for the threads, and leaves the process without those that stay."""
+    """Waits a moment for the threads when FreeCAD closes, and ends the process without those that
+    do not stop."""
     threads = list(_left)
     for run in list(_runs):
         run.lose(run._document)
@@ -336,6 +343,6 @@ def _stop_all():
         thread.wait(max(1, int(1000 * (until - time.monotonic()))))
     if any(thread.isRunning() for thread in threads):
         _left.extend(thread for thread in threads if thread not in _left)
-        # Python ends last, after FreeCAD has written its settings; Qt would end the process with an
-        # error for a thread that still runs.
+        # Python ends last, after FreeCAD has written its settings. Without this exit, Qt would end
+        # the process with an error because a thread still runs.
         atexit.register(os._exit, 0)

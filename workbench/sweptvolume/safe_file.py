@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files that FreeCAD's own writers make: beside the target, and there only once they are whole. (The core's
-writers do the same by themselves.)"""
+"""Protects files that FreeCAD's own writers write: they are written beside the target and replace
+it only when complete. (The core's writers do this themselves.)"""
 import contextlib
 import os
 import secrets
@@ -11,9 +11,9 @@ from .texts import translate
 
 @contextlib.contextmanager
 def written_beside(path):
-    """Yields the path of an empty file in the same folder, of the same type, that its owner alone may read.
-    If the block ends well it takes the place of `path`, to be read by whom that was, or any new file is;
-    else it is removed and `path` stays as it was."""
+    """Yields the path of an empty file of the same type in the same folder, readable only by its
+    owner. If the block succeeds, the file replaces `path` and gets the permissions of the old
+    file, or of a new file. Otherwise it is removed, and `path` does not change."""
     suffix = os.path.splitext(path)[1]
     beside = "{}.{}{}".format(path, secrets.token_hex(4), suffix)
     handle = os.open(beside, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666)
@@ -31,7 +31,8 @@ def written_beside(path):
 
 @contextlib.contextmanager
 def passing(suffix):
-    """Yields the path of an empty file in the temporary folder, which is gone after the block."""
+    """Yields the path of an empty file in the temporary folder. The file is removed after the
+    block."""
     handle, path = tempfile.mkstemp(suffix=suffix)
     os.close(handle)
     try:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Studies (docs/studies.md) beside FreeCAD: the package `swept_volume`, which lies beside the compiled core,
-computes them as it does for `swept study`, in a process of its own. So the window never waits, and a
-process that dies takes nothing with it. Any thread.
+"""Runs studies (docs/studies.md) beside FreeCAD. The package `swept_volume`, which lies beside the
+compiled core, computes them in its own process, as for `swept study`. So the window never waits,
+and a crash of that process does not affect FreeCAD. Any thread.
 """
 import contextlib
 import functools
@@ -22,14 +22,15 @@ from . import core
 from .body import InputProblem
 from .texts import translate
 
-#: s between two looks whether a study is to stop, and that one has to stop in.
+#: Interval (s) between two checks whether a study must stop, and time (s) that it then has to stop.
 _POLL, _LEAVE = 0.05, 20.0
-#: The version of Python that the package was built for: that of FreeCAD.
+#: Python version for which the package was built: that of FreeCAD.
 _VERSION = "{}.{}".format(*sys.version_info[:2])
 
 
 def _folder():
-    """Where the core lies, and the package beside it. Raises core.CoreMissing, InputProblem."""
+    """Returns the folder of the core, which also holds the package. Raises core.CoreMissing,
+    InputProblem."""
     folder = os.path.dirname(os.path.abspath(core.module().__file__))
     if os.path.isfile(os.path.join(folder, "swept_volume", "__main__.py")):
         return folder
@@ -46,7 +47,7 @@ def _package(name):
     sys.path.insert(0, folder)
     try:
         return importlib.import_module("swept_volume." + name)
-    except ImportError as problem:  # tomli, before Python 3.11
+    except ImportError as problem:  # before Python 3.11, tomli may be missing
         text = translate("Messages", "study files cannot be read: {0}")
         raise InputProblem(text.format(problem)) from None
     finally:
@@ -54,9 +55,9 @@ def _package(name):
 
 
 def read(path, output=None):
-    """A study file, checked: what has file, name, output (folder of the results) and runs, with name, part,
-    motion, neighbours, rules, compute and options each. Raises core.CoreError, core.CoreMissing,
-    InputProblem."""
+    """Reads and checks a study file. Returns an object with file, name, output (folder of the
+    results) and runs; each run has name, part, motion, neighbours, rules, compute and options.
+    Raises core.CoreError, core.CoreMissing, InputProblem."""
     package = _package("_study_file")
     try:
         with core.errors():
@@ -67,9 +68,10 @@ def read(path, output=None):
 
 
 def load(run):
-    """What a run of a study file reads: the part (what has vertices (n,3) mm and triangles (m,3)), its motion
-    (times s, translations mm, rotations as quaternions x, y, z, w), and of each neighbour (name, shape, rule
-    as text, "" for the common distance). Raises core.CoreError, InputProblem."""
+    """Reads the inputs of a run of a study file: the part (with vertices (n,3) mm and triangles
+    (m,3)), its motion (times s, translations mm, rotations as quaternions x, y, z, w), and for
+    each neighbour (name, shape, rule as text; "" for the common distance). Raises
+    core.CoreError, InputProblem."""
     values, files = _package("_values"), run.options[""]
     deflection = run.options.get("clearance", {}).get("deflection", 0.05)
     try:
@@ -91,13 +93,13 @@ def load(run):
 
 
 def worst_first(rows):
-    """Numbers of the rows of a study, the one to look at first before all others."""
+    """Returns the indices of the rows of a study, the most important first."""
     return _package("_study").worst_first(rows)
 
 
 @functools.lru_cache(maxsize=1)
 def _interpreter():
-    """A Python of this version: FreeCAD's own executable runs no module."""
+    """Returns a Python interpreter of this version. FreeCAD's own executable cannot run a module."""
     version = "python" + _VERSION
     folders = [os.path.dirname(sys.executable or ""), os.path.join(sys.exec_prefix, "bin")]
     folders += [sys.exec_prefix, os.path.join(App.getHomePath(), "bin")]
@@ -114,7 +116,8 @@ def _interpreter():
 
 
 def _start(words):
-    """A process of the package, in its folder: nothing else is found there that could be imported."""
+    """Starts a process of the package in its own folder, which contains nothing else that could be
+    imported."""
     python = _interpreter()
     if python is None:
         text = translate(
@@ -133,7 +136,7 @@ def _start(words):
 
 
 class _Output:
-    """What a process writes, read by threads: line by line, and the rest at the end."""
+    """Output of a process, read by threads: line by line, and the rest at the end."""
 
     def __init__(self, process):
         self.lines, self.errors = queue.Queue(), b""
@@ -153,7 +156,7 @@ class _Output:
         self.errors = self._process.stderr.read()
 
     def text(self):
-        """What was written to standard error, when the process has ended."""
+        """Returns the text of standard error after the process has ended."""
         for thread in self._threads:
             thread.join(_LEAVE)
         return self.errors.decode("utf-8", "replace").strip()
@@ -167,8 +170,8 @@ def _ask_to_stop(process):
 
 
 def _followed(process, told, cancelled):
-    """Hands each line to told() until the process has ended. Returns what it wrote to standard error. Raises
-    core.CoreError where it was cancelled."""
+    """Passes each line to told() until the process has ended. Returns the text of its standard
+    error. Raises core.CoreError if the study was cancelled."""
     output, asked = _Output(process), False
     try:
         while True:
@@ -193,11 +196,12 @@ def _followed(process, told, cancelled):
 
 
 def run(path, output, jobs, told, cancelled):
-    """Computes what is left of a study, in `jobs` processes (0: one for each core), and its page.
+    """Computes the remaining runs of a study and its page, in `jobs` processes (0: one for each
+    core).
 
-    told(row, done, runs) follows each run, in this thread: those that are kept first, without numbers.
-    cancelled(): whether to stop. Returns the report of the study (docs/report.md). Raises core.CoreError,
-    core.CoreMissing, InputProblem."""
+    Calls told(row, done, runs) in this thread for each run; kept results come first, without
+    numbers. cancelled() returns whether to stop. Returns the report of the study (docs/report.md).
+    Raises core.CoreError, core.CoreMissing, InputProblem."""
 
     def take(line):
         found = json.loads(line.decode("utf-8"))
@@ -209,7 +213,7 @@ def run(path, output, jobs, told, cancelled):
         words += ["--report=" + report] + (["--jobs={}".format(jobs)] if jobs else [])
         process = _start(words + ["--", path])
         errors = _followed(process, take, cancelled)
-        if os.path.exists(report):  # else it was refused, or died
+        if os.path.exists(report):  # without a report, the study was refused or the process died
             with open(report, encoding="utf-8") as file:
                 return json.load(file)
     text = translate(
@@ -220,8 +224,8 @@ def run(path, output, jobs, told, cancelled):
     raise InputProblem(errors or text.format(process.returncode))
 
 
-#: Arguments: study, folder for results, way from the page to there, template: "" for that of the study,
-#: "print", or a file.
+#: Arguments: study, folder of the results, relative path from the page to that folder, template (""
+#: for that of the study, "print", or a file).
 _PAGE = """
 import sys, swept_volume as sv
 path, output, way, template = sys.argv[1:]
@@ -238,8 +242,9 @@ sys.stdout.buffer.write(page.encode())
 
 
 def page(path, output, target, template, cancelled):
-    """The page of all runs, for a file at `target`, as text. template: "" for that of the study, "print" for
-    the program's own for PDF, or a file. Raises core.CoreError, core.CoreMissing, InputProblem."""
+    """Returns the page of all runs as text, for a file at `target`. template: "" for that of the
+    study, "print" for the built-in one for PDF, or a file. Raises core.CoreError,
+    core.CoreMissing, InputProblem."""
     way = os.path.relpath(output, os.path.dirname(os.path.abspath(target)))
     way = "" if way == "." else way.replace(os.sep, "/") + "/"
     process, lines = _start(["-c", _PAGE, path, output, way, template]), []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files that are going to be written: whether they can be."""
+"""Checks whether files can be written, before any work starts."""
 import os
 
 import FreeCAD as App
@@ -9,7 +9,7 @@ from .texts import translate
 
 
 def check_target(path, suffixes):
-    """Says before any work whether a file of one of these types can be written. Raises InputProblem."""
+    """Checks whether a file of one of these types can be written. Raises InputProblem."""
     folder, suffix = os.path.dirname(os.path.abspath(path)), os.path.splitext(path)[1].lower()
     if suffix not in suffixes:
         text = translate("Messages", 'The file type "{0}" is not supported: use one of these: {1}.')
@@ -34,8 +34,8 @@ def check_target(path, suffixes):
 
 
 def check_not_read(path):
-    """Says whether an open document is this file or reads it: then it would be lost. Window's thread. Raises
-    InputProblem."""
+    """Checks that no open document is stored in this file or reads it, because the data would be
+    lost. Window's thread. Raises InputProblem."""
     if not os.path.exists(path):
         return
     for document in App.listDocuments().values():
@@ -60,5 +60,5 @@ def check_not_read(path):
 
 
 def _is_same(known, path):
-    """The same file, also by another spelling or a link."""
+    """Returns whether both paths are the same file, also through another spelling or a link."""
     return bool(known) and os.path.exists(known) and os.path.samefile(known, path)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Translation of what users read. Contexts: Workbench, Commands, Panels, Properties, Messages."""
+"""Translates the texts of the workbench. Contexts: Workbench, Commands, Panels, Properties,
+Messages."""
 import FreeCAD as App
 
 
 def translate(context, text):
-    """The text in the user's language, or as it stands where there is no translation."""
+    """Returns the text in the user's language, or unchanged if it has no translation."""
     try:
         return App.Qt.translate("SweptVolume_" + context, text)
     except (AttributeError, ImportError):  # plain Python without Qt
@@ -12,7 +13,7 @@ def translate(context, text):
 
 
 def language():
-    """Code of the language that texts are read in: en, or de."""
+    """Returns the code of the language of the texts: en or de."""
     return translate("Messages", "en")
 
 
@@ -22,5 +23,5 @@ def mark(context, text):  # noqa: ARG001 (read by the translation tool)
 
 
 def menu(text):
-    """Marks the name of a menu or toolbar: FreeCAD translates it itself, in its context Workbench."""
+    """Marks the name of a menu or toolbar. FreeCAD translates it itself, in the context Workbench."""
     return text

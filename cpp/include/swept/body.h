@@ -1,4 +1,4 @@
-// The moving part from a file of any kind: a mesh, or a solid (STEP, BREP) that is tessellated.
+// Reads a moving part from a mesh file or from a solid file (STEP, BREP), which is tessellated.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,47 +13,55 @@
 namespace swept {
 
 struct BodyFileOptions {
-  double millimetresPerUnit = 1;  ///< of a mesh file; a solid states its own unit
-  /// mm: how far triangles may leave the surface of a solid; not given: from the cell.
+  /// Unit of the numbers in a mesh file; a solid file states its own unit.
+  double millimetresPerUnit = 1;
+  /// How far (mm) triangles may deviate from the surface of a solid. Not set: derived from the
+  /// cell.
   std::optional<double> tolerance;
-  std::optional<double> cellSize;  ///< mm: of the run to come; not given: from resolution
-  int resolution = 128;            ///< cells along the longest side of the sweep
-  double angle = 0.2;  ///< rad between neighbouring triangles of a solid: a circle has 32 sides
+  /// mm, cell size of the later run; not set: derived from `resolution`
+  std::optional<double> cellSize;
+  int resolution = 128;  ///< cells along the longest side of the sweep
+  /// Largest angle (rad) between adjacent triangles of a solid; 0.2 gives a circle 32 sides.
+  double angle = 0.2;
 };
 
 struct Body {
-  TriMesh mesh;           ///< with the faces of a solid, counted from 0 in the order of its file
-  double chordError = 0;  ///< mm: how far triangles may leave the exact surface; 0: a mesh file
-  std::vector<Finding> findings;  ///< for the report of the run
+  TriMesh mesh;  ///< for a solid, faceOf has the indices of its faces, in the order of the file
+  /// mm, how far triangles may deviate from the exact surface; 0: a mesh file.
+  double chordError = 0;
+  std::vector<Finding> findings;  ///< to be added to the report of the run
 };
 
-/// Of a cell: as far as a refined motion leaves its chord, so that both errors are alike.
+/// Tolerance of the triangles as a fraction of the cell. It equals the default of
+/// Options::chordTolerance, so that both errors have the same size.
 constexpr double kTessellationFraction = 0.02;
 
-/// Is it a solid by its suffix (step, stp, brep, brp), or by its first bytes where the suffix says
-/// nothing?
+/// Returns whether a file holds a solid, judged by its suffix (step, stp, brep, brp). If the suffix
+/// is unknown, the first bytes of the file decide.
 bool isSolidFile(const std::string& path);
 
-/// All solids of a file are one body. Without a cell size the tolerance follows from the smallest
-/// cell that the sweep of such a body can have at this resolution. Throws Error(InvalidInput,
-/// "BadFile" | "NoSurface" | "BadFormat" | "BadOption"), Error(Cancelled).
+/// Reads all solids of a file as one body. Without a cell size, the tolerance follows from the
+/// smallest cell that the sweep of such a body can have at this resolution. Throws
+/// Error(InvalidInput, "BadFile" | "NoSurface" | "BadFormat" | "BadOption"), Error(Cancelled).
 Body readBody(const std::string& path, const BodyFileOptions& options, RunContext& run);
 
 struct PartFileOptions {
-  double millimetresPerUnit = 1;  ///< of a mesh file; a solid states its own unit
-  double chordError = 0;          ///< mm, of a mesh file: how far it leaves its exact surface
-  double deflection = 0.05;       ///< mm: how far triangles may leave the surface of a solid
+  /// Unit of the numbers in a mesh file; a solid file states its own unit.
+  double millimetresPerUnit = 1;
+  /// mm, for a mesh file: how far its triangles deviate from the exact surface.
+  double chordError = 0;
+  double deflection = 0.05;  ///< mm, how far triangles may deviate from the surface of a solid
 };
 
 struct NamedPart {
   std::string name;
   TriMesh mesh;
-  double chordError = 0;  ///< mm
+  double chordError = 0;  ///< mm, how far triangles may deviate from the exact surface
 };
 
-/// Parts that keep their own names: a mesh file is one, named after the file; of a STEP or BREP
-/// file each solid is one, named after its product. Throws Error(InvalidInput, "BadFile" |
-/// "NoSurface" | "BadFormat"), Error(Cancelled).
+/// Reads parts with their names. A mesh file is one part with the name of the file. Each solid of a
+/// STEP or BREP file is one part with the name of its product. Throws Error(InvalidInput, "BadFile"
+/// | "NoSurface" | "BadFormat"), Error(Cancelled).
 std::vector<NamedPart> readParts(const std::string& path, const PartFileOptions& options,
                                  RunContext& run);
 

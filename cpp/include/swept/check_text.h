@@ -1,4 +1,4 @@
-// What the checker found, as JSON text.
+// Writes the result of the mesh checker as JSON text.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace swept {
 
-/// UTF-8; keys as in docs/report.md, and `passes`.
+/// Returns UTF-8 text. The keys are those of docs/report.md, and `passes`.
 std::string toJson(const MeshCheck& check);
 
 }  // namespace swept

@@ -1,9 +1,13 @@
-// Clearance of a moving body against neighbouring parts, over the whole continuous motion.
-// In:    body, trajectory, neighbours (all in the same world), required distance, tolerances.
-// Out:   per neighbour: smallest distance, where and when; verdict; penetration; time intervals.
-// Units: mm, s. Cost: a few hundred to a few thousand distance queries a neighbour, O(log) each.
-// Promise: between two poses the motion is bounded, never only sampled: no part of the motion comes
-// closer than `distance - tolerance`, whatever lies between the poses (docs/clearance.md).
+// Measures the clearance of a moving body from neighbouring parts, over the whole continuous
+// motion.
+// In:    body, trajectory and neighbours, all in the same world coordinates; required distance;
+//        tolerances.
+// Out:   for each neighbour: the smallest distance, where and when it occurs, the verdict, the
+//        depth of a clash, and time intervals.
+// Units: mm, s.
+// Cost:  for each neighbour a few hundred to a few thousand distance queries, O(log n) each.
+// Promise: the motion between two poses is bounded, not only sampled. No part of the motion comes
+//        closer than `distance - tolerance` (docs/clearance.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,33 +21,35 @@
 
 namespace swept {
 
-/// A part that stands still. chordError: how far its triangles may lie off the exact surface, mm.
+/// A part that stands still. chordError: how far (mm) its triangles may deviate from the exact
+/// surface.
 struct ClearanceNeighbour {
   std::string name;
   TriMesh mesh;
   double chordError = 0;
-  NeighbourRule rule = {};  ///< what this one asks for instead of the common distance
+  NeighbourRule rule = {};  ///< the rule of this neighbour; replaces the common distance
 };
 
 struct ClearanceOptions {
-  double required = 0;        ///< mm, distance asked for; 0: only contact and clash matter
-  double tolerance = 0.01;    ///< mm, how far the smallest distance may be off between two poses
+  double required = 0;  ///< mm, distance that must be kept; 0: only contact and clash matter
+  /// mm, largest error of the smallest distance, due to the motion between poses.
+  double tolerance = 0.01;
   double bodyChordError = 0;  ///< mm, as ClearanceNeighbour::chordError, for the moving body
   double intervalTolerance =
-      0;                    ///< mm of travel to which ends of intervals are found; 0: 10 tolerance
-  int curveSamples = 200;   ///< points of the graph of distance over time; 0: none
-  bool penetration = true;  ///< measure how deep a clash goes and where
+      0;  ///< accuracy of the ends of intervals, as mm of travel; 0: 10 times the tolerance
+  int curveSamples = 200;   ///< number of points of the graph of distance over time; 0: no graph
+  bool penetration = true;  ///< measure the depth and the place of a clash
 };
 
-/// Clear: at least the required distance. BelowRequired: apart, but nearer than required. Contact:
-/// nearer than tolerance + chord errors, so that it cannot be told from touching. Clash: the solids
-/// share space by more than that; where the rule allows contact, by more than that and by more than
-/// the depth that it allows.
+/// Clear: at least the required distance. BelowRequired: apart, but nearer than the required
+/// distance. Contact: nearer than tolerance + chord errors, so the program cannot distinguish it
+/// from touching. Clash: the solids overlap by more than that. If the rule allows contact, a clash
+/// must also be deeper than the rule allows.
 enum class ClearanceVerdict { Clear, BelowRequired, Contact, Clash };
 const char* clearanceVerdictName(ClearanceVerdict verdict);  // clear | below | contact | clash
 
-/// Closed span of time. With Interpolation::None: from the first to the last pose of a run of
-/// poses.
+/// Closed span of time. With Interpolation::None it goes from the first to the last of several
+/// successive poses.
 struct TimeInterval {
   double from = 0;
   double to = 0;
@@ -51,51 +57,58 @@ struct TimeInterval {
 
 struct CurvePoint {
   double timeSeconds = 0;
-  double distance = 0;  ///< mm; 0 where the parts meet or one lies in the other
+  double distance = 0;  ///< mm; 0 if the parts meet or one part lies inside the other
 };
 
 struct PenetrationResult {
-  bool known = false;  ///< false: no clash, not asked for, or neither mesh is closed
-  /// Largest distance, over the motion, of a surface point of one part that lies inside the other
-  /// to that other's surface, mm; the search stopped when no point could be deeper than depthBound.
+  bool known = false;  ///< false: no clash, depth not measured, or neither mesh is closed
+  /// Takes all surface points of one part that lie inside the other part during the motion. `depth`
+  /// is the largest distance (mm) found from such a point to the surface of that other part; the
+  /// search ended when no point could be deeper than depthBound.
   double depth = 0;
   double depthBound = 0;
   double timeSeconds = 0;
-  double parameter = 0;  ///< pose index plus share of the step after it
+  double parameter = 0;  ///< pose index plus fraction of the motion step after that pose
   Pose pose;
-  bool pointOfBody = true;  ///< the deepest point belongs to the body, not to the neighbour
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< the deepest point, world
-  Eigen::Vector3d surface = Eigen::Vector3d::Zero();  ///< nearest point of the surface it passed
-  /// Box (world, at `pose`) round the crossing of the surfaces and what lies inside the other part.
+  /// true: the deepest point belongs to the body; false: to the neighbour.
+  bool pointOfBody = true;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< the deepest point, world coordinates
+  /// The point of the other surface nearest to `point`
+  Eigen::Vector3d surface = Eigen::Vector3d::Zero();
+  /// Box (world coordinates, at `pose`) around the intersection of the surfaces and around all that
+  /// lies inside the other part.
   Eigen::Vector3d regionMin = Eigen::Vector3d::Zero();
   Eigen::Vector3d regionMax = Eigen::Vector3d::Zero();
 };
 
 struct NeighbourClearance {
   std::string name;
-  NeighbourRule rule;  ///< that holds for it: a required distance or contact
+  NeighbourRule rule;  ///< the rule that was applied: a required distance, or allowed contact
   ClearanceVerdict verdict = ClearanceVerdict::Clear;
-  double distance =
-      0;  ///< mm between the triangles, 0 where they meet; at most `tolerance` too large
-  double guaranteed = 0;   ///< distance - tolerance (if interpolated) - chord errors, not below 0
-  double chordError = 0;   ///< mm, both parts together
-  double timeSeconds = 0;  ///< when the smallest distance occurs; for a clash: when it is deepest
+  double distance = 0;  ///< mm between the triangles, 0 if they meet; at most `tolerance` too large
+  /// Distance - chord errors - tolerance (the latter only if interpolated), at least 0.
+  double guaranteed = 0;
+  double chordError = 0;   ///< mm, sum of the chord errors of both parts
+  double timeSeconds = 0;  ///< time of the smallest distance, or of the greatest depth of a clash
   Pose pose;               ///< placement of the body at that time
-  Eigen::Vector3d pointOnBody = Eigen::Vector3d::Zero();       ///< world
-  Eigen::Vector3d pointOnNeighbour = Eigen::Vector3d::Zero();  ///< world
-  std::int64_t bodyTriangle = -1;  ///< -1: surfaces meet, or the mesh had to be mended first
+  Eigen::Vector3d pointOnBody = Eigen::Vector3d::Zero();       ///< world coordinates
+  Eigen::Vector3d pointOnNeighbour = Eigen::Vector3d::Zero();  ///< world coordinates
+  /// -1: the surfaces meet, or the mesh was repaired before the check.
+  std::int64_t bodyTriangle = -1;
   std::int64_t neighbourTriangle = -1;
-  bool closed = true;   ///< false: the neighbour's mesh is open, inside is not defined
-  bool inside = false;  ///< at some time one part lies inside the other without touching it
+  bool closed = true;   ///< false: the neighbour's mesh is open, so its inside is not defined
+  bool inside = false;  ///< true: at some time, one part lies inside the other without touching it
   PenetrationResult penetration;
-  std::vector<TimeInterval> below;    ///< guaranteed distance below required (if required > 0)
-  std::vector<TimeInterval> contact;  ///< contact or clash
+  /// When the guaranteed distance is below the required one (if required > 0)
+  std::vector<TimeInterval> below;
+  std::vector<TimeInterval> contact;  ///< when there is contact or clash
   std::vector<CurvePoint> curve;
   std::int64_t distanceQueries = 0;
-  std::int64_t certificates = 0;  ///< spans of motion proven to stay away
+  /// Number of time spans for which a lower bound of the distance was proven.
+  std::int64_t certificates = 0;
   double seconds = 0;
 
-  /// Clear, or in contact where the rule allows it.
+  /// Returns true if the verdict is Clear, or Contact and the rule allows contact.
   bool meetsRule() const {
     return verdict == ClearanceVerdict::Clear ||
            (verdict == ClearanceVerdict::Contact && rule.contact.has_value());
@@ -106,48 +119,52 @@ struct ClearanceReport {
   Status status = Status::Ok;
   std::string code;
   std::string message;
-  std::vector<NeighbourClearance> neighbours;  ///< in the order given, without the ignored ones
-  std::vector<std::string> ignored;            ///< names
-  /// Index of the neighbour that comes nearest (deepest clash first); of those that may be touched
-  /// only where no other comes into question.
+  std::vector<NeighbourClearance> neighbours;  ///< in the order given, without ignored neighbours
+  std::vector<std::string> ignored;            ///< names of the neighbours that the rules ignore
+  /// Index of the nearest neighbour; a clash counts as nearer than any distance, and the deepest
+  /// clash as nearest. A neighbour with allowed contact counts only if there is no other. -1: no
+  /// neighbour.
   int smallest = -1;
-  std::string summary;  ///< "12 checked, smallest 3.2 mm at t = 4.1 s (bracket)"
-  double required = 0;  ///< the common one
+  /// For example "12 checked, smallest distance 3.2 mm at t = 4.1 s (bracket)"
+  std::string summary;
+  double required = 0;  ///< the common required distance
   double tolerance = 0;
   std::int64_t placements = 0;
   std::int64_t bodyTriangles = 0;
   std::int64_t neighbourTriangles = 0;
   std::string interpolation;
-  std::string witness = "motion";  ///< "motion": true motion; "envelope": still envelope mesh
+  /// What was checked: "motion" (the true motion) or "envelope" (its mesh at rest)
+  std::string witness = "motion";
   int threads = 0;
   std::vector<StageSeconds> seconds;  ///< "total" is the last entry
   std::vector<Finding> warnings;
 };
 
-/// Never throws except std::bad_alloc; failures are in report.status. The same numbers for any
-/// count of threads.
+/// Never throws except std::bad_alloc; report.status describes a failure. The numbers do not depend
+/// on the number of threads.
 ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory,
                                const std::vector<ClearanceNeighbour>& neighbours,
                                const ClearanceOptions& options, RunContext& run);
 
-/// What the body touches, or lies in, at the first pose of its motion: contacts that may be meant.
-/// A row for each neighbour, as checkClearance() has it for that pose; its rule is the one that
-/// would allow what is found there (contact, a tenth deeper than what is found), or none for what
-/// is clear and for open meshes, whose depth is not known. Rules of the neighbours are passed over.
+/// Finds what the body touches or overlaps at the first pose of its motion, so that intended
+/// contacts can be allowed. Returns a row for each neighbour, as checkClearance() does for that
+/// pose. The rule of a row would allow what was found: contact, with a depth of a tenth more than
+/// measured. The rule is empty if the neighbour is clear, or if the mesh is open, so that the depth
+/// is unknown. The rules of the given neighbours are ignored.
 ClearanceReport firstContacts(const TriMesh& body, const Trajectory& trajectory,
                               const std::vector<ClearanceNeighbour>& neighbours,
                               const ClearanceOptions& options, RunContext& run);
 
-/// The report as JSON text (UTF-8); keys as in docs/clearance.md.
+/// Returns the report as JSON text (UTF-8). docs/clearance.md describes the keys.
 std::string toJson(const ClearanceReport& report);
 
-/// Distance of each point to a mesh, for colour maps, mm; negative inside if the mesh is closed.
-/// Throws Error(InvalidInput), Error(Cancelled).
+/// Returns the distance (mm) of each point from a mesh, for colour maps; negative inside a closed
+/// mesh. Throws Error(InvalidInput), Error(Cancelled).
 std::vector<double> distanceToMesh(const std::vector<Eigen::Vector3d>& points, const TriMesh& mesh,
                                    RunContext& run);
 
-/// The slow way, for comparison: one query by FCL at every pose and at `between` more in each step.
-/// Sees nothing between those. Throws Error(Cancelled).
+/// Measures distances the slow way, for comparison: one FCL query at each pose and at `between`
+/// times within each motion step. Between these times it sees nothing. Throws Error(Cancelled).
 struct StampedClearance {
   double distance = 0;
   double timeSeconds = 0;

@@ -1,8 +1,10 @@
-// Meshes as a 3D view takes them, light enough to be drawn and handed over without a pause.
+// Converts meshes for display in a 3D view; the result is small enough to be passed on and drawn
+// without a pause.
 // In:    closed or open triangle meshes (mm).
-// Out:   points with unit normals, single precision, vertices split along creases. Of a mesh with
-//        more triangles than asked for, what lies in one cell of a grid becomes one point, where
-//        the planes of its triangles meet. To be looked at, not to be measured.
+// Out:   points with unit normals in single precision; vertices are duplicated along creases. If
+//        the mesh has too many triangles, all its vertices in one cell of a grid become one point,
+//        placed where the planes of the triangles meet. The result is for display, not for
+//        measuring.
 // Cost:  O(n log n); 0.2 s for a million triangles.
 // Paper: Lindstrom 2000, out-of-core simplification (the point of a cell).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -19,7 +21,7 @@ struct Drawable {
   std::vector<std::int32_t> indices;  ///< three points and -1 for each triangle
 };
 
-/// `crease`: rad; edges that turn by more stay sharp.
+/// `crease`: angle in rad; edges where the surface turns by more than this stay sharp.
 Drawable drawableOf(const TriMesh& mesh, std::size_t maxTriangles, double crease);
 
 }  // namespace swept

@@ -1,4 +1,4 @@
-// Which findings say that a result is less accurate than it was asked for.
+// Tells which findings mean that a result is less accurate than requested.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace swept {
 
-/// Whether a finding of this code costs accuracy.
+/// Returns whether a finding with this code means a loss of accuracy.
 bool costsAccuracy(const std::string& code);
-/// The first one that does; null if none does.
+/// Returns the first finding that means a loss of accuracy, or null.
 const Finding* inaccuracyOf(const std::vector<Finding>& findings);
 
 }  // namespace swept

@@ -1,5 +1,6 @@
-// Mesh and motion files. Throws Error(InvalidInput, "BadFile", ...) with line and column for text,
-// Error(ExportFailed, ...) when writing fails; files are written beside the target, then renamed.
+// Reads and writes mesh and motion files. Reading throws Error(InvalidInput, "BadFile", ...), with
+// line and column for text files. Writing throws Error(ExportFailed, ...). A file is first written
+// beside its target and then renamed.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,31 +10,34 @@
 
 namespace swept {
 
-/// PLY, STL, OBJ, OFF; pipes as well. `millimetresPerUnit` scales the numbers in the file; `format`
-/// stands for the suffix where the name has none.
+/// Reads PLY, STL, OBJ or OFF, also from pipes. `millimetresPerUnit` scales the numbers in the
+/// file. `format` replaces the suffix if the name has none.
 TriMesh readMesh(const std::string& path, double millimetresPerUnit = 1.0,
                  const std::string& format = {});
-/// Throws Error(ExportFailed, "Exists") if there is such a file, folder or link. `role`: what it is
-/// to the caller ("--output").
+/// Throws Error(ExportFailed, "Exists") if a file, folder or link with this name exists. `role`:
+/// what the caller calls the file ("--output").
 void requireAbsent(const std::string& role, const std::string& path);
 
-/// The mesh as a file of that suffix holds it: single precision in STL, with all vertices apart and
-/// all triangles that have area keeping it; unchanged in the other formats.
+/// Returns the mesh as a file with this suffix stores it. For STL: single precision, with three
+/// separate vertices for each triangle, rounded so that triangles with an area keep one. For other
+/// formats: unchanged.
 TriMesh meshAsWritten(const TriMesh& mesh, const std::string& suffix);
-/// The same formats, and 3MF.
+/// Writes PLY, STL, OBJ, OFF or 3MF.
 void writeMesh(const TriMesh& mesh, const std::string& path);
 
-/// Table `t,tx,ty,tz,qx,qy,qz,qw` (TUM; a header, also in a comment, says another order, as in
-/// EuRoC's files), or 12 (KITTI) or 16 numbers of a row-major matrix a row, the latter optionally
-/// preceded by t; `.gz`/`.xz` packed as well. Separators , ; tab blanks; decimal commas where
-/// something else separates; comment lines start with #. Rotations that drift up to 1e-4 from rigid
-/// are kept for checkTrajectory() to mend; worse is Error(InvalidInput, "NotRigid").
+/// Reads a table of poses. A row holds t,tx,ty,tz,qx,qy,qz,qw (TUM format), or 12 numbers (KITTI
+/// format) or 16 numbers of a row-major matrix; t may precede the 16 numbers. A header line, also
+/// in a comment, may name another order, as EuRoC files do. Columns are separated by commas,
+/// semicolons, tabs or blanks. Decimal commas are allowed if another separator is used. Lines that
+/// begin with # are comments. The file may be packed (.gz, .xz). Rotations that deviate by up to
+/// 1e-4 from rigid ones are kept; checkTrajectory() corrects them. Larger deviations throw
+/// Error(InvalidInput, "NotRigid").
 Trajectory readTrajectoryCsv(const std::string& path, double millimetresPerUnit,
                              Interpolation interpolation);
 
-/// Nearest rigid pose to a row-major 4x4 matrix; throws Error(InvalidInput, "NotRigid") naming pose
-/// `index`, what is wrong (scale, shear, mirror, last row), how much, and the limit 1e-4.
-/// `deviation` receives the largest entry of |R^T R - I|.
+/// Returns the rigid pose nearest to a row-major 4x4 matrix. `deviation` receives the largest entry
+/// of |R^T R - I|. Throws Error(InvalidInput, "NotRigid") beyond 1e-4; its text names pose `index`,
+/// the fault (scale, shear, mirror, last row) and its size.
 Pose poseFromMatrix(const double matrix[16], double timeSeconds, std::int64_t index,
                     double* deviation = nullptr);
 

@@ -1,9 +1,11 @@
-// Clearance of a part that somebody moves by hand: one placement after another, each at once.
-// In:    the part and the neighbours, prepared once; then placements. Units: mm. All in one world.
-// Out:   the nearest pair of points at a placement; how far a move stays apart from all neighbours.
-// Cost:  to prepare, as for a check; a placement some 10 microseconds far from all neighbours, up
-// to
-//        some milliseconds near large ones. One question at a time.
+// Measures the clearance of a part while a user moves it: one placement after another, without
+// delay.
+// In:    the part and the neighbours, prepared once; then placements, in world coordinates. Units:
+//        mm.
+// Out:   the nearest pair of points at a placement; how far a move keeps a distance from all
+//        neighbours.
+// Cost:  preparation as for a check. A placement takes about 10 microseconds far from all
+//        neighbours, and up to some milliseconds near large ones. Only one call may run at a time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,17 +19,19 @@
 namespace swept {
 
 struct LiveDistance {
-  int neighbour = -1;   ///< the nearest one, in the order given
-  double distance = 0;  ///< mm between the triangles; 0 where they meet or one part holds the other
-  bool inside = false;  ///< one part lies inside the other without touching it
-  Eigen::Vector3d pointOnPart = Eigen::Vector3d::Zero();  ///< world; both zero if inside
+  int neighbour = -1;  ///< index of the nearest neighbour, in the order given
+  /// mm between the triangles; 0 if they meet or one part lies inside the other.
+  double distance = 0;
+  bool inside = false;  ///< true: one part lies inside the other without touching it
+  /// World coordinates; both points are zero if `inside`
+  Eigen::Vector3d pointOnPart = Eigen::Vector3d::Zero();
   Eigen::Vector3d pointOnNeighbour = Eigen::Vector3d::Zero();
 };
 
 class LiveClearance {
  public:
-  /// Throws Error(InvalidInput) as checkClearance() fails (EmptyMesh, NoNeighbours, ...),
-  /// Error(Cancelled).
+  /// Throws Error(InvalidInput) in the cases in which checkClearance() fails (EmptyMesh,
+  /// NoNeighbours, ...), and Error(Cancelled).
   LiveClearance(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbours,
                 RunContext& run);
   ~LiveClearance();
@@ -36,9 +40,10 @@ class LiveClearance {
 
   LiveDistance at(const Pose& pose);
 
-  /// The last placement on the straight way from one to the other up to which the part stays at
-  /// least `apart` mm (> 0) from all neighbours. From a place that is nearer: `to` if the part
-  /// keeps the distance there, else `from`. Throws Error(InvalidInput) BadOption.
+  /// Moves the part in a straight line from one placement towards the other. Returns the last
+  /// placement up to which the part stays at least `apart` mm (> 0) from all neighbours. If the
+  /// part is closer than that at `from`, returns `to` if the distance is kept there, otherwise
+  /// `from`. Throws Error(InvalidInput) with code BadOption.
   Pose reached(const Pose& from, const Pose& to, double apart);
 
  private:

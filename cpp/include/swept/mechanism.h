@@ -1,10 +1,14 @@
-// Clearance of whole mechanisms: parts that move at the same time, each with a motion of its own.
-// In:    parts (meshes in coordinates of their own), a motion for each, what is asked of the pairs.
-// Out:   for each pair that comes near: smallest distance, when, where; verdict; how deep a clash
-// goes. Units: mm, s. Cost: a search (clearance.h) for each pair that comes within `range`; pairs
-// that stay farther apart are told from their boxes over time. Promise: as checkClearance: no
-// moment of the common time, between two poses or at one, is nearer than `distance - tolerance`,
-// and no pair that is not listed comes nearer than `range` (docs/clearance.md).
+// Measures the clearance of whole mechanisms: of parts that move at the same time, each with its
+// own motion.
+// In:    parts (meshes in their own coordinates), a motion for each part, rules for pairs.
+// Out:   for each pair that comes within `range`: the smallest distance, when and where it occurs,
+//        the verdict, and the depth of a clash.
+// Units: mm, s.
+// Cost:  a search (clearance.h) for each pair that comes within `range`. Bounding boxes over time
+//        exclude all other pairs.
+// Promise: as checkClearance(): at no moment of the common time, also between poses, is a pair
+//        closer than `distance - tolerance`. A pair that is not listed never comes closer than
+//        `range` (docs/clearance.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,16 +19,18 @@
 
 namespace swept {
 
-/// A part and its motion: x_world = pose * x. Times are those of the whole mechanism. A part that
-/// stands still has one pose, whose time does not matter; no pose at all is an error.
+/// A part and its motion: x_world = pose * x. The times of all motions belong to one time axis. A
+/// part that stands still has exactly one pose, and the time of that pose is ignored. A part
+/// without a pose is an error.
 struct MechanismPart {
-  std::string name;  ///< of its own
+  std::string name;  ///< different for each part
   TriMesh mesh;
-  Trajectory motion;      ///< Interpolation::None only with one pose
-  double chordError = 0;  ///< mm, how far the triangles may lie off the exact surface
+  Trajectory motion;      ///< Interpolation::None is allowed only with one pose
+  double chordError = 0;  ///< mm, how far the triangles may deviate from the exact surface
 };
 
-/// What one pair asks for in place of the common distance; its parts by name, in any order.
+/// The rule of one pair, in place of the common distance. The two parts are given by name, in any
+/// order.
 struct PairRule {
   std::string first;
   std::string second;
@@ -32,34 +38,36 @@ struct PairRule {
 };
 
 struct MechanismOptions {
-  double required = 0;      ///< mm, distance asked for between any two; 0: only contact and clash
-  double tolerance = 0.01;  ///< mm, how far a smallest distance may be off
-  /// mm, pairs that come nearer than this are measured. 0: a tenth of the diagonal of the middle
-  /// one of the parts by size. At least what the verdicts need is taken.
+  /// mm, distance that any two parts must keep; 0: only contact and clash matter.
+  double required = 0;
+  double tolerance = 0.01;  ///< mm, largest error of a smallest distance
+  /// mm: pairs that come closer than this are measured. 0: a tenth of the diagonal of the part of
+  /// median size. The program increases the value if the verdicts need more.
   double range = 0;
-  double intervalTolerance = 0;  ///< mm of travel to which ends of intervals are found; 0: 10
-                                 ///< tolerances
-  int curveSamples = 200;        ///< points of the graph of distance over time; 0: none
-  bool penetration = true;       ///< measure how deep a clash goes and where
-  /// Parts that a joint holds together may touch, or are not looked at (contact, ignored).
+  /// Accuracy of the ends of intervals, as mm of travel; 0: 10 times the tolerance.
+  double intervalTolerance = 0;
+  int curveSamples = 200;   ///< number of points of the graph of distance over time; 0: no graph
+  bool penetration = true;  ///< measure the depth and the place of a clash
+  /// For example, contact or ignored for parts that a joint connects.
   std::vector<PairRule> rules;
 };
 
-/// Numbers of two parts, in the order given; the first is the smaller one.
+/// Indices of two parts, in the order given; `first` is the smaller index.
 struct PartPair {
   std::int32_t first = 0;
   std::int32_t second = 0;
   auto operator<=>(const PartPair&) const = default;
 };
 
-/// One pair that comes within the range. Points and boxes: world, at the time named.
+/// One pair that comes within the range. Points and boxes are in world coordinates at the time
+/// given with them.
 struct PairClearance {
   PartPair parts;
-  double required = 0;  ///< mm, asked of this pair; 0 where contact is allowed
+  double required = 0;  ///< mm, distance that this pair must keep; 0 if contact is allowed
   Pose poseOfFirst;     ///< at clearance.timeSeconds
   Pose poseOfSecond;
-  /// "Body" is the first part, "neighbour" the second; `name` has both; `pose` is poseOfFirst. In
-  /// the curve no distance is above the range by more than two tolerances.
+  /// "Body" is the first part and "neighbour" the second. `name` has both names; `pose` is
+  /// poseOfFirst. Distances of the curve are capped at the range plus two tolerances.
   NeighbourClearance clearance;
 };
 
@@ -67,15 +75,17 @@ struct MechanismReport {
   Status status = Status::Ok;
   std::string code;
   std::string message;
-  std::vector<std::string> names;    ///< of the parts
-  TimeInterval time;                 ///< common to all motions: what was looked at
+  std::vector<std::string> names;    ///< names of the parts
+  TimeInterval time;                 ///< the time common to all motions, which was checked
   double range = 0;                  ///< mm, see MechanismOptions
-  std::vector<PairClearance> pairs;  ///< ascending by their parts
-  std::int64_t farPairs = 0;         ///< looked at, never within the range
-  std::vector<PartPair> ignored;     ///< not looked at: asked for
-  std::vector<PartPair> joined;      ///< not looked at: the parts keep their place to each other
-  int smallest = -1;    ///< in `pairs`: the nearest one (deepest clash first); -1: none
-  std::string summary;  ///< "12 pairs looked at, 1 clash, deepest 3.2 mm at t = 4.1 s (a, b)"
+  std::vector<PairClearance> pairs;  ///< sorted by the indices of their parts
+  std::int64_t farPairs = 0;         ///< number of checked pairs that never come within the range
+  std::vector<PartPair> ignored;     ///< pairs not checked, because a rule ignores them
+  /// Pairs not checked, because their parts do not move relative to each other.
+  std::vector<PartPair> joined;
+  int smallest = -1;  ///< index in `pairs` of the nearest pair (deepest clash first); -1: none
+  /// For example "12 pairs checked, 1 clash, deepest clash 3.2 mm at t = 4.1 s (a, b)"
+  std::string summary;
   double required = 0;
   double tolerance = 0;
   std::int64_t triangles = 0;
@@ -84,18 +94,18 @@ struct MechanismReport {
   std::vector<Finding> warnings;
 };
 
-/// Never throws except std::bad_alloc; failures are in report.status. The same numbers for any
-/// count of threads. Codes of bad input, besides those of meshes and motions: NoParts, PartTwice,
-/// UnknownPart, BadRule, NothingMoves, NoCommonTime, NotInterpolated, EqualTimes.
+/// Never throws except std::bad_alloc; report.status describes a failure. The numbers do not depend
+/// on the number of threads. Codes of bad input, besides those of meshes and motions: NoParts,
+/// PartTwice, UnknownPart, BadRule, NothingMoves, NoCommonTime, NotInterpolated, EqualTimes.
 MechanismReport checkMechanism(const std::vector<MechanismPart>& parts,
                                const MechanismOptions& options, RunContext& run);
 
-/// The report as JSON text (UTF-8); keys as in docs/clearance.md.
+/// Returns the report as JSON text (UTF-8). docs/clearance.md describes the keys.
 std::string toJson(const MechanismReport& report);
 
-/// The slow way, for comparison: one query by FCL at both ends of `time`, at every moment between
-/// them at which one of the two has a pose, and at `between` more evenly between two of these. Sees
-/// nothing between those. Throws Error.
+/// Measures distances the slow way, for comparison. Makes one FCL query at both ends of `time`, at
+/// each pose of the two parts in between, and at `between` evenly spaced times between two
+/// successive ones of these. Between these times it sees nothing. Throws Error.
 StampedClearance stampedPair(const MechanismPart& first, const MechanismPart& second,
                              const TimeInterval& time, int between, RunContext& run);
 

@@ -1,7 +1,8 @@
-// Rules: what is asked of single neighbours, or of groups of them, where it is not the common
-// distance. One concept for checks of clearance and for searches for a path (docs/clearance.md,
+// Rules for single neighbours or for groups of neighbours. A rule replaces the common required
+// distance. Clearance checks and searches for paths use the same rules (docs/clearance.md,
 // "Rules").
-// In:    texts "NAME=RULE". Out: a rule for each neighbour. Units: mm.
+// In:    texts "NAME=RULE".
+// Out:   a rule for each neighbour. Units: mm.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -11,35 +12,38 @@
 
 namespace swept {
 
-/// At most one of the three is set; none: the common required distance holds.
+/// At most one of the three members is set. If none is set, the common required distance holds.
 struct NeighbourRule {
-  /// mm that this neighbour asks for.
+  /// Required distance (mm) for this neighbour.
   std::optional<double> required = {};
-  /// The neighbour may be touched at any time (bolted faces, bearings, guides), and no distance is
-  /// asked for. The solids may overlap by so many mm at most; less than tolerance + chord errors,
-  /// which cannot be told from touching, means these.
+  /// Set: contact with the neighbour is allowed at any time (bolted faces, bearings, guides), and
+  /// no distance is required. The value is the depth (mm) by which the solids may overlap. The
+  /// program cannot distinguish depths below tolerance + chord errors from touching; a smaller
+  /// value counts as that sum.
   std::optional<double> contact = {};
-  bool ignored = false;  ///< not looked at
+  bool ignored = false;  ///< the neighbour is not checked
 };
 
-/// "3" (mm), "contact", "contact:0.2" (mm), "ignore"; "" where nothing is set.
+/// Returns "3" (mm), "contact", "contact:0.2" (mm), "ignore", or "" if nothing is set.
 std::string ruleText(const NeighbourRule& rule);
-/// The rule that such a text stands for. Throws Error(InvalidInput, "BadRule").
+/// Parses what ruleText() returns. Throws Error(InvalidInput, "BadRule").
 NeighbourRule parseRule(const std::string& text);
-/// Throws Error(InvalidInput, "BadRule") where a rule contradicts itself or has an impossible
-/// length; `who`: whose rule, for the message.
+/// Throws Error(InvalidInput, "BadRule") if a rule contradicts itself or has an impossible length.
+/// `who`: the name that the message gives to the owner of the rule.
 void checkRule(const NeighbourRule& rule, const std::string& who);
 
-/// A rule for the neighbours whose names match: * stands for any letters, ? for one.
+/// A rule for all neighbours whose names match. In the pattern, * stands for any letters and ? for
+/// one.
 struct NamedRule {
   std::string pattern;
   NeighbourRule rule = {};
 };
 
-/// "NAME=RULE", split at the last "=". Throws Error(InvalidInput, "BadRule").
+/// Parses "NAME=RULE", split at the last "=". Throws Error(InvalidInput, "BadRule").
 NamedRule parseNamedRule(const std::string& text);
-/// Rules of neighbours with these names. A name as it is written comes before patterns. Throws
-/// Error(InvalidInput, "BadRule") where a rule names no neighbour, or two contradict each other.
+/// Returns the rule of each of these neighbours. An exact name takes precedence over patterns.
+/// Throws Error(InvalidInput, "BadRule") if a rule matches no neighbour, or two rules contradict
+/// each other.
 std::vector<NeighbourRule> rulesFor(const std::vector<std::string>& names,
                                     const std::vector<NamedRule>& rules);
 

@@ -1,11 +1,12 @@
-// Comparison of parts that stand still, every two of them: envelopes, other reserved spaces, parts.
-// In:    meshes in one world. Out: for every two of them the smallest distance, or how deep they
-// lie
-//        in each other and where, and the solid that they share.
-// Units: mm, mm^3. Cost: a distance query a pair; the shared solid of two closed meshes of 70,000
+// Compares all pairs of parts that stand still: envelopes, other reserved spaces, parts.
+// In:    meshes in world coordinates.
+// Out:   for each pair, the smallest distance, or the depth and place of the overlap and the shared
+//        solid.
+// Units: mm, mm^3.
+// Cost:  one distance query for each pair. The shared solid of two closed meshes of 70,000
 //        triangles takes half a second.
-// Promise: the distance is exact for the triangles. The shared solid is closed, and its volume that
-//        of the meshes to within rounding (docs/overlap.md).
+// Promise: the distance is exact for the triangles. The shared solid is closed, and its volume is
+//        that of the intersection of the meshes to within rounding (docs/overlap.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,58 +19,62 @@
 namespace swept {
 
 struct OverlapPart {
-  std::string name;  ///< of its own
+  std::string name;  ///< different for each part
   TriMesh mesh;
-  double chordError = 0;  ///< mm, how far the triangles may lie off the exact surface
+  double chordError = 0;  ///< mm, how far the triangles may deviate from the exact surface
 };
 
 struct OverlapOptions {
-  double required = 0;      ///< mm, distance asked for between any two; 0: only contact and clash
-  double tolerance = 0.01;  ///< mm: nearer than this plus both chord errors is contact
-  bool shared = true;       ///< make the shared solids
+  /// mm, distance that any two parts must keep; 0: only contact and clash matter.
+  double required = 0;
+  double tolerance = 0.01;  ///< mm: a distance below this plus both chord errors is contact
+  bool shared = true;       ///< compute the shared solids
 };
 
 struct PairOverlap {
   PartPair parts;
-  /// As of a motion with one pose, at time 0: "body" is the first part, "neighbour" the second.
+  /// As for a motion with one pose, at time 0: "body" is the first part, "neighbour" the second.
   NeighbourClearance clearance;
-  /// mm^3, of `shared`; absent where one of the two is open or crosses itself (see the warnings),
-  /// or where no shared solids were asked for.
+  /// Volume (mm^3) of `shared`. Not set if one of the two meshes is open or intersects itself (see
+  /// the warnings), or if OverlapOptions::shared is false.
   std::optional<double> volume;
-  TriMesh shared;  ///< turned outward; empty where they share nothing
+  TriMesh shared;  ///< oriented outwards; empty if the parts share no volume
 };
 
 struct OverlapReport {
   Status status = Status::Ok;
   std::string code;
   std::string message;
-  std::vector<std::string> names;  ///< of the parts
-  std::vector<PairOverlap> pairs;  ///< all, ascending by their parts
-  int smallest = -1;               ///< in `pairs`: the nearest one, the deepest clash first
-  std::string summary;  ///< "3 pairs checked, 1 clash, deepest 2 mm (a - b), 125 mm^3 shared"
+  std::vector<std::string> names;  ///< names of the parts
+  std::vector<PairOverlap> pairs;  ///< all pairs, sorted by the indices of their parts
+  int smallest = -1;  ///< index in `pairs` of the nearest pair; the deepest clash comes first
+  /// For example "3 pairs checked, 1 clash, deepest clash 2 mm (a - b), 125 mm^3 shared"
+  std::string summary;
   double required = 0;
   double tolerance = 0;
   std::int64_t triangles = 0;
   int threads = 0;
   std::vector<StageSeconds> seconds;  ///< "total" is the last entry
-  std::vector<Finding> warnings;      ///< NoSharedVolume: of which pairs, and why
+  /// NoSharedVolume: for which pairs the volume is missing, and why.
+  std::vector<Finding> warnings;
 };
 
-/// Never throws except std::bad_alloc; failures are in report.status. The same numbers and meshes
-/// for any count of threads. Codes of bad input, besides those of meshes: NoParts, PartTwice.
+/// Never throws except std::bad_alloc; report.status describes a failure. Numbers and meshes do not
+/// depend on the number of threads. Codes of bad input, besides those of meshes: NoParts,
+/// PartTwice.
 OverlapReport checkOverlaps(const std::vector<OverlapPart>& parts, const OverlapOptions& options,
                             RunContext& run);
 
-/// The report as JSON text (UTF-8) without the meshes; keys as in docs/overlap.md.
+/// Returns the report without the meshes as JSON text (UTF-8). docs/overlap.md describes the keys.
 std::string toJson(const OverlapReport& report);
 
-/// The solid that two solids share; empty where there is none.
+/// The solid that two solids share; empty if they share none.
 struct SharedVolume {
   TriMesh mesh;
   double volume = 0;  ///< mm^3
 };
-/// Throws Error(InvalidInput): what checkOverlaps() says of meshes, OpenMesh, OverlappingShells;
-/// Error(Cancelled).
+/// Throws Error(InvalidInput) with the codes of checkOverlaps() for meshes, OpenMesh or
+/// OverlappingShells, and Error(Cancelled).
 SharedVolume sharedVolume(const OverlapPart& first, const OverlapPart& second, RunContext& run);
 
 }  // namespace swept

@@ -1,12 +1,12 @@
-// Pages: what a check of clearance or of a mechanism found, or all runs of a study, as one HTML
-// file that needs nothing but itself: no other file, no network.
-//
+// Writes the results of a clearance check, of a mechanism check or of all runs of a study as one
+// HTML page. The page is self-contained: it needs no other file and no network.
 // In:    the report as JSON text (toJson()), meshes and motions for the 3D view, pictures, inputs,
 //        a template. Units: mm, s.
-// Out:   UTF-8 text: verdicts, graph of the distances (SVG), 3D view, pictures, rules, inputs,
-//        findings; the same bytes for the same input. Nothing that a report says can become markup.
-// Cost:  milliseconds, and 0.2 s for a million triangles, which are thinned for the view.
-// Described in docs/report.md, "Pages".
+// Out:   UTF-8 text with verdicts, graph of the distances (SVG), 3D view, pictures, rules, inputs
+//        and findings. The same input gives the same bytes. All texts of the report are escaped, so
+//        they cannot become markup.
+// Cost:  milliseconds, and 0.2 s for a million triangles, which are simplified for the view.
+// See docs/report.md, "Pages".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,57 +19,62 @@
 
 namespace swept {
 
-/// A file or a part that the check was made of.
+/// A file or a part that was an input of the check.
 struct PageInput {
-  std::string role;  ///< "body", "motion", "neighbour", "rules": translated; anything else as it is
+  /// "body", "motion", "neighbour" and "rules" are translated; other texts are shown unchanged.
+  std::string role;
   std::string name;
   std::string detail;  ///< free text, such as a size
-  std::string sha256;  ///< hexadecimal; empty: not known, which the page says
+  std::string sha256;  ///< hexadecimal; empty: not known, and the page says so
 };
 
-/// What is drawn in the 3D view.
+/// A part that the 3D view shows.
 struct PagePart {
-  std::string name;  ///< as in the report; with the same name, rows of the report colour it
+  std::string name;  ///< the name in the report; rows of the report with this name colour the part
   TriMesh mesh;
-  /// Of a part that moves (mesh in its own coordinates); no poses: stands where its mesh has it.
-  /// The body of a clearance report without a motion is shown at the poses of the report only.
+  /// Motion of a part that moves; its mesh is in its own coordinates. No poses: the part stands
+  /// still in the place of its mesh. If a clearance report has no motion of its body, the view
+  /// shows the body only at the poses of the report.
   Trajectory motion = {};
   bool moves = false;
-  bool translucent = false;  ///< an envelope, seen through
+  bool translucent = false;  ///< true for an envelope
 };
 
 struct PagePicture {
   std::string caption;
   std::string mediaType;  ///< "image/png", "image/jpeg" or "image/svg+xml"
-  std::string bytes;      ///< of the file
+  std::string bytes;      ///< content of the file
 };
 
 struct PageOptions {
-  std::string title;            ///< empty: a title in the page's language
+  std::string title;            ///< empty: a default title in the language of the page
   std::string language = "en";  ///< en or de
-  std::string version;          ///< of the program
+  std::string version;          ///< version of the program
   std::string date;             ///< free text; empty: none
   std::string layout;           ///< text of a template; empty: pageTemplate()
   std::vector<PageInput> inputs;
   std::vector<PagePart> parts;  ///< empty: no 3D view
   std::vector<PagePicture> pictures;
-  std::size_t viewTriangles = 50000;  ///< about so many are shown; about 30 bytes of the page each
+  /// Approximate number of triangles shown; each adds about 30 bytes to the page.
+  std::size_t viewTriangles = 50000;
 };
 
-/// Throws Error(InvalidInput): "BadReport" for what is no report of a study, or of a check or
-/// mechanism that ended well, "BadTemplate" for a template with an unknown {{placeholder}},
-/// "BadOption" for an unknown language or type of picture, "BadIndex", "NonFiniteVertex",
-/// "OutOfRange" or "BadPose" for a part that cannot be drawn; Error(Cancelled).
+/// Returns the page. Throws Error(InvalidInput) with these codes: "BadReport" if the text is no
+/// report of a study, or of a check that succeeded; "BadTemplate" for a template with an unknown
+/// {{placeholder}}; "BadOption" for an unknown language or type of picture; "BadIndex",
+/// "NonFiniteVertex", "OutOfRange" or "BadPose" for a part that cannot be drawn. Throws
+/// Error(Cancelled).
 std::string reportPage(const std::string& report, const PageOptions& options, RunContext& run);
 
-/// Templates of the program: "page" (for browsers, used where none is given) or "print" (the little
-/// HTML that Qt's text documents know; no 3D view). Throws Error(InvalidInput, "BadOption").
+/// Returns a built-in template: "page" (for browsers, the default) or "print" (uses only the HTML
+/// subset of Qt's text documents; no 3D view). Throws Error(InvalidInput, "BadOption").
 std::string pageTemplate(const std::string& name = "page");
 
-/// Throws Error(InvalidInput, "BadTemplate") where reportPage() would, without a report.
+/// Throws Error(InvalidInput, "BadTemplate") if reportPage() would refuse the template. Needs no
+/// report.
 void checkPageTemplate(const std::string& layout);
 
-/// False where the core was built without three.js: pages have no 3D view then, and say so.
+/// Returns false if the core was built without three.js. Then pages have no 3D view, and say so.
 bool pageHasView();
 
 }  // namespace swept

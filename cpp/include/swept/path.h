@@ -1,13 +1,15 @@
-// Installation paths: how a part gets to its place between neighbours, clear of them all the way.
-// In:    the part, where it belongs, where it comes from (or "just out of here"), neighbours with
-//        their rules (swept/neighbour_rule.h), the clearance asked for. Units: mm, s, rad. All in
-//        one world.
-// Out:   a trajectory of few keys, proven clear between its keys by the clearance engine, with the
-//        interpolation that it names; or an honest answer why there is none.
-// Cost:  milliseconds for a straight way out; seconds where the part has to turn in narrow places.
-// Promise: nothing is called a path that checkClearance() does not find clear. The same answer for
-//        the same seed and any count of threads, unless the wall-clock budget ends the search.
-// Method and sources: docs/paths.md.
+// Finds installation paths: motions on which a part reaches its place and stays clear of its
+// neighbours.
+// In:    the part, its goal, its start (or a distance or direction in which to take it out),
+//        neighbours with their rules (swept/neighbour_rule.h), and the required clearance. All in
+//        world coordinates. Units: mm, s, rad.
+// Out:   a trajectory of few keys with the given interpolation. The clearance check proves that the
+//        motion is clear, also between the keys. If no path is found, the report says how far the
+//        part came and what blocked it.
+// Cost:  milliseconds if a straight path exists; seconds if the part has to turn in narrow places.
+// Promise: a path is returned only if checkClearance() finds it clear. The same seed gives the same
+//        answer with any number of threads, unless the time limit ends the search.
+// Method: docs/paths.md, with sources.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -23,55 +25,62 @@
 
 namespace swept {
 
-/// Get the part out: at least `radius` mm away, or, with a direction, past all neighbours along it.
+/// Takes the part out of its place: at least `radius` mm away, or along a direction until it is
+/// past all neighbours.
 struct Extraction {
   double radius = 0;
   std::optional<Eigen::Vector3d> direction;
 };
 
 struct PathTask {
-  Pose goal;                             ///< where the part belongs
-  std::optional<Pose> start;             ///< where it comes from; not given: see extraction
-  std::optional<Extraction> extraction;  ///< instead of a start; one of the two is needed
-  std::vector<Pose> via;                 ///< places that the path has to pass, from start to goal
+  Pose goal;  ///< placement at the end of the path
+  /// Placement at the start of the path; if not set, `extraction` is needed.
+  std::optional<Pose> start;
+  /// Takes the place of a start; exactly one of the two must be set.
+  std::optional<Extraction> extraction;
+  /// Placements through which the path must pass, in order from start to goal.
+  std::vector<Pose> via;
 };
 
 struct PathOptions {
-  double clearance = 0;       ///< mm; 0: apart by more than the tolerance
+  /// mm, distance to keep; 0: the part stays apart by more than the tolerance.
+  double clearance = 0;
   double tolerance = 0.01;    ///< mm, as ClearanceOptions::tolerance
   double bodyChordError = 0;  ///< mm, as ClearanceOptions::bodyChordError
-  /// mm: neighbours that are nearer than the clearance at the goal (or start) may be so, and touch,
-  /// as long as no point of the part is farther than this from where it is at the goal (or start).
+  /// mm. If the part is closer to a neighbour than the clearance at its start or goal, it may stay
+  /// that close, or touch, while no point of the part is farther than this from its position there.
   double release = 0;
-  bool translationOnly = false;       ///< the part never turns: it comes as it stands at the goal
-  std::optional<double> largestTurn;  ///< rad from how the part stands at the goal, 0 to pi
+  /// The part never turns: it keeps the orientation that it has at the goal.
+  bool translationOnly = false;
+  /// Largest turn (rad) away from the orientation at the goal, 0 to pi.
+  std::optional<double> largestTurn;
   Interpolation interpolation = Interpolation::Linear;  ///< linear or screw
-  double budgetSeconds = 60;                            ///< wall clock; only ends a search
-  /// Moves tried in six dimensions after which a search ends, the same on every machine; 0: no
-  /// limit. 1: the quick methods alone.
+  double budgetSeconds = 60;  ///< time limit by the wall clock; only ends a search
+  /// Largest number of moves that the search with turns tries before it ends. The result then does
+  /// not depend on the speed of the machine. 0: no limit. 1: only the quick methods.
   std::int64_t mostSteps = 0;
-  bool askLess = true;  ///< where nothing is found, look for a smaller clearance that works
+  bool askLess = true;  ///< if no path is found, look for a smaller clearance that allows one
   std::uint64_t seed = 1;
 };
 
-/// Found: the path is certified. NotFound: none within the budget, nothing is proven.
-/// NoTranslation: proven that the part cannot come without turning.
+/// Found: the path is certified. NotFound: no path within the limits; nothing is proven.
+/// NoTranslation: proven that no path exists without turning the part.
 enum class PathVerdict { NotFound, Found, NoTranslation };
 const char* pathVerdictName(PathVerdict verdict);  // not_found | found | no_translation
 
 /// How far a search without success got.
 struct PathEscape {
-  double distance = 0;                ///< mm that the part's middle came away from the goal
-  Pose pose;                          ///< there
-  std::vector<std::string> blockers;  ///< neighbours that stopped most moves, the worst first
+  double distance = 0;  ///< mm, how far the middle of the part came away from the goal
+  Pose pose;            ///< placement at that distance
+  std::vector<std::string> blockers;  ///< neighbours that stopped moves, the most frequent first
 };
 
-/// A path in numbers.
+/// Figures of a path.
 struct PathFigures {
   std::int64_t keys = 0;
-  double length = 0;     ///< mm that the part's middle travels
-  double turn = 0;       ///< rad, sum over the path
-  double clearance = 0;  ///< mm, smallest guaranteed one outside the release zones
+  double length = 0;     ///< mm, length of the path of the part's middle
+  double turn = 0;       ///< rad, sum of all turns
+  double clearance = 0;  ///< mm, smallest guaranteed distance outside the release zones
 };
 
 struct PathReport {
@@ -80,37 +89,39 @@ struct PathReport {
   std::string message;
   PathVerdict verdict = PathVerdict::NotFound;
   std::string summary;
-  /// What found it: "straight", "straight moves", "grid of places", "no turning" or "six
-  /// dimensions".
+  /// Method that found the path: "straight", "straight moves", "grid of places", "no turning" or
+  /// "six dimensions".
   std::string method;
-  Trajectory path;       ///< start first; 100 mm a second; empty unless found
-  double length = 0;     ///< mm that the part's middle travels
-  double turn = 0;       ///< rad, sum over the path
-  double clearance = 0;  ///< mm, smallest guaranteed one outside the release zones
-  PathEscape escape;     ///< unless found
-  /// mm: the largest clearance for which a path was found instead of the one asked for; -1: none.
+  Trajectory path;       ///< from the start to the goal, at 100 mm per second; empty unless found
+  double length = 0;     ///< mm, length of the path of the part's middle
+  double turn = 0;       ///< rad, sum of all turns
+  double clearance = 0;  ///< mm, smallest guaranteed distance outside the release zones
+  PathEscape escape;     ///< set unless a path is found
+  /// mm: the largest clearance for which a path was found, smaller than the required one. -1: none.
   double possibleClearance = -1;
   std::vector<std::string> contacts;  ///< neighbours to which the release zones apply
-  std::vector<std::string> ignored;   ///< neighbours that the rules leave out
+  std::vector<std::string> ignored;   ///< neighbours that the rules ignore
   double required = 0;
   double tolerance = 0;
   double release = 0;
   std::uint64_t seed = 0;
-  bool budgetEnded = false;  ///< the wall clock ended the search
-  std::int64_t steps = 0;    ///< moves tried
+  bool budgetEnded = false;  ///< the time limit ended the search
+  std::int64_t steps = 0;    ///< number of moves tried
   std::int64_t bodyTriangles = 0;
   std::int64_t neighbourTriangles = 0;
   std::string interpolation;
   int threads = 0;
-  std::vector<NeighbourClearance> certificate;  ///< of the path outside the release zones
-  std::vector<StageSeconds> seconds;            ///< "total" is the last entry
+  /// Clearance check of the path outside the release zones.
+  std::vector<NeighbourClearance> certificate;
+  std::vector<StageSeconds> seconds;  ///< "total" is the last entry
   std::vector<Finding> warnings;
-  std::optional<PathFigures> before;  ///< of the motion that was improved
-  std::int64_t keptMoves = 0;  ///< improving: moves that stay as they were, nearer than asked for
-  std::int64_t unmendedMoves = 0;  ///< of them: outside the release zones
+  std::optional<PathFigures> before;  ///< figures of the given motion, if a motion was improved
+  /// improvePath(): moves left unchanged although they are closer than the clearance.
+  std::int64_t keptMoves = 0;
+  std::int64_t unmendedMoves = 0;  ///< those of keptMoves that lie outside the release zones
 };
 
-/// What somebody who watches a search may see: the placement that came farthest out so far.
+/// Shows the progress of a search to another thread: the placement farthest from the goal so far.
 class PathWatch {
  public:
   void show(const Pose& pose) {
@@ -127,33 +138,35 @@ class PathWatch {
   std::optional<Pose> pose_;
 };
 
-/// Neighbours that ask for a distance of their own get it, ignored ones are left out, contact at
-/// any time is refused (BadRule). Never throws except std::bad_alloc; failures are in
-/// report.status. Codes besides those of checkClearance(): GoalBlocked, StartBlocked, ViaBlocked
-/// (inside a neighbour, or nearer than the clearance: which, how much), SamePose (start is goal),
-/// NoStart.
+/// Rules with a required distance replace the clearance for their neighbours, ignored neighbours
+/// are left out, and rules that allow contact are refused (BadRule). Never throws except
+/// std::bad_alloc; report.status describes a failure. Codes besides those of checkClearance():
+/// GoalBlocked, StartBlocked and ViaBlocked (the part overlaps a neighbour or is closer than the
+/// clearance; the text says which and by how much), SamePose (start equals goal), NoStart.
 PathReport findPath(const TriMesh& part, const PathTask& task,
                     const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options,
                     RunContext& run, PathWatch* watch = nullptr);
 
-/// How a motion is improved.
+/// The motion to improve, and how.
 struct ImproveTask {
-  Trajectory motion;                ///< linear or screw, at least two poses
-  std::vector<std::size_t> locked;  ///< keys that stay where and when they are; both ends always do
-  bool moreClearance = false;       ///< as much clearance as can be had, not only what is asked for
+  Trajectory motion;  ///< linear or screw, at least two poses
+  /// Indices of keys that keep placement and time; the ends always do.
+  std::vector<std::size_t> locked;
+  /// Make the clearance as large as possible, not only as large as required.
+  bool moreClearance = false;
 };
 
-/// A motion made better: what is nearer to a neighbour than the clearance is led another way, what
-/// is not is made shorter with fewer keys. What cannot be mended stays exactly as it is, and so
-/// does what is nearer within `release` of the ends (keptMoves); all else is certified as in
-/// findPath(). The verdict is NotFound if nothing keeps the clearance. Options as for findPath(),
-/// the interpolation is that of the motion. Never throws except std::bad_alloc; codes besides those
-/// of findPath(): BadPose.
+/// Improves a motion. Moves that come closer to a neighbour than the clearance are led another way;
+/// all other moves become shorter, with fewer keys. Moves for which no other way is found, or that
+/// lie within `release` of the ends, stay exactly as given (keptMoves). All others are certified as
+/// in findPath(). The verdict is NotFound if no move keeps the clearance. The options are those of
+/// findPath(), but the interpolation is that of the motion. Never throws except std::bad_alloc.
+/// Codes besides those of findPath(): BadPose.
 PathReport improvePath(const TriMesh& part, const ImproveTask& task,
                        const std::vector<ClearanceNeighbour>& neighbours,
                        const PathOptions& options, RunContext& run);
 
-/// The report as JSON text (UTF-8); keys as in docs/paths.md.
+/// Returns the report as JSON text (UTF-8). docs/paths.md describes the keys.
 std::string toJson(const PathReport& report);
 
 }  // namespace swept

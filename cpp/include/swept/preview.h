@@ -1,9 +1,9 @@
-// Quick, coarse envelopes of one body while its motion is edited.
-//
-// Made once for a body: its check, its topology and its clusters of faces stay warm, so that a call
-// costs little more than sampling and contouring at the preview's resolution. The motion is
-// followed less closely than in a full run (kPreviewChord), and thin walls may end up to a cell
-// early; all else, the check and the promise of compute() included, is the same.
+// Computes quick, coarse envelopes of one body while its motion is edited.
+// A session is created once for a body and keeps its checked mesh, its topology and its clusters of
+// faces. A call then costs little more than sampling and contouring at the resolution of the
+// preview. The motion is followed less closely than in a full run (kPreviewChord), and thin walls
+// may be cut off up to a cell before their end. Everything else is as in compute(), including the
+// check and the promise.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,24 +13,25 @@
 
 namespace swept {
 
-/// Of a cell: how far a point may leave the refined motion's chord, unless the options allow more.
+/// Smallest chord tolerance of previews, in cells (Options::chordTolerance).
 constexpr double kPreviewChord = 0.1;
 
 class PreviewSession {
  public:
-  /// Throws Error as compute() would report it. Of the options, the tolerance for simplification is
-  /// left out. The body is copied.
+  /// Throws the Error that compute() would report. Ignores Options::tolerance. Copies the body.
   PreviewSession(const TriMesh& body, const Options& options, RunContext& run);
   ~PreviewSession();
   PreviewSession(PreviewSession&&) noexcept;
   PreviewSession& operator=(PreviewSession&&) noexcept;
 
-  /// As swept::compute() for the body and options of the session; from one thread at a time.
+  /// Works as swept::compute() with the body and options of the session. Only one thread may call
+  /// at a time.
   Result compute(const Trajectory& trajectory, RunContext& run);
-  /// The surface alone, to be looked at while the next is made: neither mended nor checked, with
-  /// the finding NotChecked. Half the time of compute(). Throws where the options are conservative.
+  /// Computes only the surface, for display: it is neither repaired nor checked, and has the
+  /// finding NotChecked. Takes half the time of compute(). Throws if the options are conservative.
   Result sketch(const Trajectory& trajectory, RunContext& run);
-  /// Steps so far that were not sampled again because they were those of the call before.
+  /// Returns the number of motion steps, over all calls, that were not sampled again because the
+  /// previous call had the same steps.
   std::int64_t stepsKept() const;
 
  private:

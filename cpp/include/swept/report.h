@@ -1,4 +1,4 @@
-// What a run tells about itself: findings, sizes, timings, measured quality.
+// What a run reports: findings, sizes, timings, measured quality.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,7 +12,8 @@
 
 namespace swept {
 
-/// One note or warning: stable code, how many, first element indices, text for people.
+/// One note or warning: a stable code, the number of cases, the first element indices, and a text
+/// for people.
 struct Finding {
   std::string code;  ///< e.g. "Flipped", "SelfIntersections"
   std::int64_t count = 0;
@@ -20,22 +21,23 @@ struct Finding {
   std::string text;
 };
 
-/// What the mesh checker found (check/mesh_check.h); every compute() carries one.
+/// Result of the mesh checker (check/mesh_check.h). Every result of compute() has one.
 struct MeshCheck {
   std::int64_t vertices = 0;
   std::int64_t triangles = 0;
   std::int64_t shells = 0;
   bool finite = true;
   bool closed = false;
-  bool manifold = false;  ///< edges and vertices
-  bool oriented = false;  ///< each edge once in each direction, outer shells outward
+  bool manifold = false;  ///< for edges and for vertices
+  /// Each edge occurs once in each direction, and outer shells face outwards.
+  bool oriented = false;
   std::int64_t openEdges = 0;
   std::int64_t nonManifoldEdges = 0;
   std::int64_t nonManifoldVertices = 0;
   std::int64_t misorientedEdges = 0;
   std::int64_t degenerateTriangles = 0;
   std::int64_t unusedVertices = 0;
-  std::int64_t selfIntersections = 0;  ///< pairs of triangles; -1: not counted
+  std::int64_t selfIntersections = 0;  ///< number of pairs of triangles; -1: not counted
   std::vector<std::pair<std::int64_t, std::int64_t>> firstIntersections;  ///< at most 32 pairs
   double volume = 0;                                                      ///< mm^3
   double area = 0;                                                        ///< mm^2
@@ -51,22 +53,25 @@ struct StageSeconds {
 
 struct Report {
   Status status = Status::Ok;
-  std::string code;     ///< finding code of a failure, empty when Ok
-  std::string message;  ///< for people; empty when Ok
+  std::string code;     ///< code of the failure; empty if Ok
+  std::string message;  ///< for people; empty if Ok
   MeshCheck check;
   double cellSize = 0;                                   ///< mm
-  Eigen::Vector3d gridOrigin = Eigen::Vector3d::Zero();  ///< lattice point (0,0,0), mm
+  Eigen::Vector3d gridOrigin = Eigen::Vector3d::Zero();  ///< grid point (0, 0, 0), mm
   std::array<std::int64_t, 3> grid{0, 0, 0};             ///< cells along x, y, z
   std::int64_t placements = 0;
   std::int64_t refinedPlacements = 0;
-  double positionFilterDistance = 0;  ///< mm: farthest a dropped pose was from a kept one
-  std::int64_t sweptFaces = 0;        ///< face copies sampled after culling
-  std::int64_t sweptPatches = 0;      ///< side patches sampled after culling
-  std::int64_t crossings = 0;         ///< contributing crossings
-  double largestStepTravel = 0;       ///< mm
-  double chordError = 0;  ///< mm: bound on how far the refined motion leaves the true one
+  /// mm: largest distance of the body at a skipped pose from its place at a kept pose.
+  double positionFilterDistance = 0;
+  std::int64_t sweptFaces = 0;    ///< copies of faces that were sampled after culling
+  std::int64_t sweptPatches = 0;  ///< swept patches of edges that were sampled after culling
+  std::int64_t crossings = 0;     ///< crossings that contribute to the envelope
+  double largestStepTravel = 0;   ///< mm
+  double chordError = 0;  ///< mm: bound on the deviation of the refined motion from the true motion
   double simplificationDeviation = 0;  ///< mm, measured both ways; 0: not simplified
-  double conservativeBound = 0;        ///< mm: 0 unless conservative
+  /// mm: bound on the distance of the envelope from the volume it must contain; 0: not
+  /// conservative.
+  double conservativeBound = 0;
   std::string backend = "cpu";
   std::string device;
   int threads = 0;
@@ -76,7 +81,7 @@ struct Report {
   std::vector<Finding> warnings;
 };
 
-/// The report as JSON text (UTF-8). Keys are those of docs/report.md.
+/// Returns the report as JSON text (UTF-8). docs/report.md describes the keys.
 std::string toJson(const Report& report);
 
 }  // namespace swept

@@ -1,20 +1,21 @@
-// Sequences: parts that are installed one after the other; what is installed is in the way of what
-// comes after it.
-// In:    parts, each with where it belongs and how it comes there (a search as in path.h, or a
-//        motion that exists); parts that stand still all the time; what is asked of pairs. Units:
-//        mm, s, rad. All in one world.
-// Out:   for each part a motion that the clearance engine finds clear of all that is installed by
-//        then, and all motions on one timeline; or which part stopped it, by whom, how far it came.
-// Order: the one that is given, or one that is found by taking apart: what can be taken out among
-//        the parts that are left goes, and the order is turned round. A part that can be taken out
-//        among many can be taken out among fewer, so it never matters which one goes first.
-// Cost:  one search a part in a given order. To find one, at most one search of each length for
-//        each part and each part that was in its way.
-// Promise: nothing is called found that is not certified. The same answer for the same seed and any
-//        count of threads, unless the wall-clock budget ends a search.
-// Source: R. Wilson, J.-C. Latombe, Geometric reasoning about mechanical assembly (1994): an order
-//        by disassembly, one part after the other, in both ends of each move; Y. Tian et al.,
-//        Assemble them all (2022): the effort of the searches grows from round to round.
+// Finds paths for parts that are installed one after the other. Each installed part is an obstacle
+// for the parts after it.
+// In:    parts, each with its goal and either a task for a search (path.h) or a given motion; parts
+//        that always stand still; rules for pairs. All in world coordinates. Units: mm, s, rad.
+// Out:   for each part a motion that the clearance check finds clear of all parts installed before,
+//        and all motions on one time axis. If there is none: which part was blocked, by which
+//        parts, and how far it came.
+// Order: given, or found by disassembly: a part that can be taken out from among the remaining
+//        parts is removed, and the resulting order is reversed. A part that can be taken out among
+//        many parts can also be taken out among fewer, so it does not matter which one is removed
+//        first.
+// Cost:  in a given order one search for each part. To find an order, for each part at most one
+//        search of each duration for each part that was in its way.
+// Promise: a sequence is returned only if it is certified. The same seed gives the same answer with
+//        any number of threads, unless the time limit ends a search.
+// Source: R. Wilson, J.-C. Latombe, Geometric reasoning about mechanical assembly (1994): order by
+//        disassembly, one part at a time. Y. Tian et al., Assemble them all (2022): the effort of
+//        the searches grows from round to round.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -31,41 +32,42 @@
 namespace swept {
 
 struct SequencePart {
-  std::string name;  ///< of its own
+  std::string name;  ///< different for each part
   TriMesh mesh;
-  double chordError = 0;  ///< mm, how far the triangles may lie off the exact surface
-  PathTask task;          ///< goal: where it belongs; and how it comes there
-  /// Instead of a search: the motion that ends where the part belongs. `task` is not read then.
+  double chordError = 0;  ///< mm, how far the triangles may deviate from the exact surface
+  PathTask task;          ///< its goal, and how it gets there
+  /// A motion that ends at the goal, in place of a search. If set, `task` is ignored.
   std::optional<Trajectory> motion = {};
 };
 
-/// Stands still from the beginning to the end.
+/// A part that stands still all the time.
 struct StillPart {
   std::string name;
   TriMesh mesh;
-  double chordError = 0;  ///< mm
+  double chordError = 0;  ///< mm, how far the triangles may deviate from the exact surface
 };
 
 struct SequenceOptions {
-  /// Of all searches. The budget is that of the whole sequence; the chord error is not read.
+  /// Options of all searches. The time limit is that of the whole sequence; the chord error is
+  /// ignored.
   PathOptions path = {};
-  bool findOrder = false;  ///< else the parts come in the order in which they are given
-  /// What pairs ask for in place of the common clearance: a distance, or ignored.
+  bool findOrder = false;  ///< search for an order; false: install the parts in the order given
+  /// Rules of pairs, in place of the common clearance: a distance, or ignored.
   std::vector<PairRule> rules = {};
 };
 
-/// NoOrder: it is proven that, one part after the other, no order exists (only where parts do not
-/// turn or have motions of their own). NotFound: nothing is proven.
+/// NoOrder: proven that no order exists in which the parts are installed one after the other
+/// (possible only if parts do not turn, or have given motions). NotFound: nothing is proven.
 enum class SequenceVerdict { NotFound, Found, NoOrder };
 const char* sequenceVerdictName(SequenceVerdict verdict);  // not_found | found | no_order
 
-/// One part on its way.
+/// One part and its path.
 struct SequenceStep {
-  std::size_t part = 0;  ///< index as given
-  /// Of the part among what is installed before it; the keys begin at time 0 or as given. If no
-  /// order was found, of the last search for it among all parts that are left.
+  std::size_t part = 0;  ///< index in the order given
+  /// Path of the part past the parts installed before it. Its keys begin at time 0, or as given. If
+  /// no order was found: result of the last search for this part among all remaining parts.
   PathReport path;
-  double begin = 0;  ///< s, on the common timeline; 0 unless the sequence is found
+  double begin = 0;  ///< s, on the common time axis; 0 unless the sequence is found
   double end = 0;
 };
 
@@ -75,21 +77,23 @@ struct SequenceReport {
   std::string message;
   SequenceVerdict verdict = SequenceVerdict::NotFound;
   std::string summary;
-  bool orderFound = false;           ///< the order was to be found, not given
-  std::vector<std::string> names;    ///< of the parts, as given
-  std::vector<std::string> still;    ///< names
-  std::vector<SequenceStep> steps;   ///< in order; parts for which none was found come first
-  std::vector<Trajectory> timeline;  ///< of each part as given, all from 0 to the same end
-  std::vector<PartPair> ignored;     ///< numbers of parts, behind them those that stand still
-  double duration = 0;               ///< s, of the timeline
-  double clearance = 0;              ///< mm, the smallest guaranteed one of all paths
+  bool orderFound = false;          ///< true: the order was searched for, not given
+  std::vector<std::string> names;   ///< names of the parts, in the order given
+  std::vector<std::string> still;   ///< names of the parts that stand still
+  std::vector<SequenceStep> steps;  ///< in order of installation; parts without a path come first
+  /// Motion of each part, in the order given, all from time 0 to the same end.
+  std::vector<Trajectory> timeline;
+  /// Indices of parts; the parts that stand still come after the others.
+  std::vector<PartPair> ignored;
+  double duration = 0;   ///< s, duration of the common time axis
+  double clearance = 0;  ///< mm, smallest guaranteed distance of all paths
   double required = 0;
   double tolerance = 0;
   double release = 0;
   std::uint64_t seed = 0;
-  bool budgetEnded = false;  ///< the wall clock ended a search
+  bool budgetEnded = false;  ///< the time limit ended a search
   std::int64_t searches = 0;
-  std::int64_t moves = 0;  ///< tried by all searches
+  std::int64_t moves = 0;  ///< number of moves that all searches tried
   std::int64_t triangles = 0;
   std::string interpolation;
   int threads = 0;
@@ -97,12 +101,12 @@ struct SequenceReport {
   std::vector<Finding> warnings;
 };
 
-/// What somebody who watches may see: the part that is looked at, how many have their path, and the
-/// placement that came farthest out.
+/// Shows the progress of a search to another thread: the current part, the number of parts that
+/// have a path, and the farthest placement.
 class SequenceWatch {
  public:
   struct Seen {
-    int part = -1;  ///< index as given; -1: none yet
+    int part = -1;  ///< index of the current part, in the order given; -1: none yet
     int found = 0;
     std::optional<Pose> farthest;
   };
@@ -112,7 +116,7 @@ class SequenceWatch {
     if (now.part >= 0) now.farthest = path_->farthest();
     return now;
   }
-  /// For who computes: the watch of the search that begins.
+  /// For the search: returns the watch of the path that it now looks for.
   std::shared_ptr<PathWatch> begin(std::size_t part, std::size_t found) {
     const std::lock_guard<std::mutex> lock(mutex_);
     seen_ = {static_cast<int>(part), static_cast<int>(found), {}};
@@ -126,15 +130,16 @@ class SequenceWatch {
   std::shared_ptr<PathWatch> path_;
 };
 
-/// Never throws except std::bad_alloc; failures are in report.status. Codes besides those of
+/// Never throws except std::bad_alloc; report.status describes a failure. Codes besides those of
 /// findPath(), whose messages name the part: NoParts, PartTwice, UnknownPart, BadRule,
-/// PartsIntersect (two parts lie in each other where they belong: which, how deep), PartsTooNear
-/// (nearer than the clearance there, and no release is given).
+/// PartsIntersect (two parts overlap in their installed positions; the text says which and how
+/// deep), PartsTooNear (they are closer there than the clearance, and no release distance is
+/// given).
 SequenceReport findSequence(const std::vector<SequencePart>& parts,
                             const std::vector<StillPart>& still, const SequenceOptions& options,
                             RunContext& run, SequenceWatch* watch = nullptr);
 
-/// The report as JSON text (UTF-8); keys as in docs/paths.md.
+/// Returns the report as JSON text (UTF-8). docs/paths.md describes the keys.
 std::string toJson(const SequenceReport& report);
 
 }  // namespace swept

@@ -1,5 +1,5 @@
-// Envelope mesh -> B-rep solid -> STEP / BREP file, and such files -> meshes. Built only where
-// OpenCASCADE is present.
+// Converts an envelope mesh to a B-rep solid in a STEP or BREP file, and reads meshes from such
+// files. Built only if OpenCASCADE is available.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,34 +15,36 @@
 
 namespace swept {
 
-/// Application protocols of STEP: automotive design, and its successor; the latter also with the
-/// triangles of the mesh as they are instead of a B-rep (no tolerance then, no limit of faces).
+/// Application protocols of STEP: AP214 (automotive design) and its successor AP242.
+/// Ap242Tessellated writes the triangles of the mesh instead of a B-rep; then there is no tolerance
+/// and no limit of faces.
 enum class StepSchema { Ap214, Ap242, Ap242Tessellated };
-/// ap214 | ap242 | ap242-tessellated; throws Error(InvalidInput, "BadOption") listing the allowed
-/// names.
+/// Parses ap214, ap242 or ap242-tessellated. Throws Error(InvalidInput, "BadOption") with the
+/// allowed names.
 StepSchema parseStepSchema(const std::string& text);
 
 struct StepOptions {
-  bool mergeCoplanar = true;      ///< flat regions become single planar faces with holes
-  double planarTolerance = 1e-6;  ///< mm: how far a vertex may lie off its region's plane
-  /// mm; above 0: the solid may leave the mesh by this. Then surfaces are recognised and what is
-  /// left is simplified. 0: exact, unless a limit asks for more (see below).
+  bool mergeCoplanar = true;      ///< merge each flat region to one planar face with holes
+  double planarTolerance = 1e-6;  ///< mm: how far a vertex may lie off the plane of its region
+  /// mm. Above 0: the solid may deviate by this from the mesh; surfaces are recognised, and the
+  /// rest is simplified. 0: exact, unless a limit requires a tolerance (see below).
   double tolerance = 0;
-  bool exact = false;  ///< never leave the mesh: what exceeds a limit is refused at once
-  /// A solid that leaves the mesh by more than the tolerance is refused instead of a finding:
-  /// Error(ExportFailed, "SolidInaccurate").
+  bool exact = false;  ///< never deviate from the mesh: a solid above a limit is refused at once
+  /// Refuse a solid that deviates from the mesh by more than the tolerance, with
+  /// Error(ExportFailed, "SolidInaccurate"). Otherwise it only gets a finding.
   bool strict = false;
-  /// With a tolerance: planes, cylinders, cones, spheres, tori, extrusions and revolutions.
+  /// With a tolerance: recognise planes, cylinders, cones, spheres, tori, extrusions and
+  /// revolutions.
   bool recognise = true;
-  /// Limits. Without a tolerance of its own the solid gets the smallest one that meets them, up to
-  /// 1 % of the box diagonal; what still exceeds them is refused as Error(ExportFailed,
-  /// "TooManyFaces") with numbers.
+  /// Limits. If `tolerance` is 0, the smallest tolerance that meets the limits is used, up to 1 %
+  /// of the box diagonal. A solid that still exceeds a limit is refused with Error(ExportFailed,
+  /// "TooManyFaces"), whose text has the figures.
   std::int64_t maxFaces = 20000;
-  double maxMegabytes = 0;  ///< of the file; 0: no limit
+  double maxMegabytes = 0;  ///< limit of the file size; 0: no limit
   std::string productName = "Swept envelope";
   StepSchema schema = StepSchema::Ap214;
-  std::string author;                              ///< file header; empty: not stated
-  std::string organization;                        ///< file header; empty: not stated
+  std::string author;                              ///< for the file header; empty: not stated
+  std::string organization;                        ///< for the file header; empty: not stated
   std::array<double, 3> colour{0.93, 0.78, 0.20};  ///< red, green, blue, 0 to 1
 };
 
@@ -52,77 +54,84 @@ struct StepReport {
   std::int64_t solids = 0;
   std::vector<std::pair<std::string, std::int64_t>>
       facesByKind;       ///< "plane", "cylinder", ..., "facet"
-  double tolerance = 0;  ///< mm: the one given, or the one that the limits asked for
-  double deviation = 0;  ///< mm: largest distance of a mesh vertex from the face that stands for it
-  /// mm: largest tolerance of an edge or vertex in what was read back, at most `tolerance` of a
-  /// simplified solid
+  double tolerance = 0;  ///< mm: the given tolerance, or the one that the limits required
+  /// mm: largest distance of a mesh vertex from the face that replaces its triangles.
+  double deviation = 0;
+  /// mm: largest tolerance of an edge or vertex in the solid that was read back. For a simplified
+  /// solid, at most `tolerance`.
   double edgeTolerance = 0;
   std::string note;       ///< what was given up to get a valid solid; empty: nothing
-  bool valid = false;     ///< the kernel's check of what was read back
-  double volume = 0;      ///< mm^3 of what was read back
-  double meshVolume = 0;  ///< mm^3
+  bool valid = false;     ///< result of the kernel's check of the solid that was read back
+  double volume = 0;      ///< mm^3, of the solid that was read back
+  double meshVolume = 0;  ///< mm^3, of the mesh
   std::uint64_t fileBytes = 0;
   double secondsBuild = 0, secondsWrite = 0, secondsReread = 0;
   std::vector<Finding> warnings;  ///< SolidSimplified, SolidNote, SolidInaccurate
 };
-/// The key "solid" of a report as JSON text, without the warnings (docs/report.schema.json).
+/// Returns the key "solid" of a report as JSON text, without the warnings
+/// (docs/report.schema.json).
 std::string toJson(const StepReport& report);
 
 enum class SolidFormat { Step, Brep };
-/// By suffix: .step/.stp or .brep/.brp. Throws Error(ExportFailed, "BadSuffix").
+/// Returns the format for a suffix: .step/.stp or .brep/.brp. Throws Error(ExportFailed,
+/// "BadSuffix").
 SolidFormat solidFormatOf(const std::string& path);
 
-/// What a solid would take.
+/// Estimated effort of writing a solid.
 struct SolidEstimate {
   std::int64_t triangles = 0;
   std::int64_t faces = 0;
   double megabytes = 0;     ///< of the file
-  double seconds = 0;       ///< elapsed, of writeSolid
-  double trialSeconds = 0;  ///< elapsed, of the trial itself; part of `seconds`
-  double tolerance = 0;     ///< mm, of a trial: the one given, or the one that the limits ask for
-  double deviation = 0;     ///< mm, of a trial: as in StepReport
-  bool tried = false;       ///< from a trial; else faces is an upper bound
+  double seconds = 0;       ///< duration of writeSolid
+  double trialSeconds = 0;  ///< the part of `seconds` that the trial took
+  /// mm, only after a trial: the given tolerance, or the one that the limits require.
+  double tolerance = 0;
+  double deviation = 0;  ///< mm, only after a trial: as in StepReport
+  bool tried = false;    ///< true: the figures come from a trial; false: `faces` is an upper bound
 };
-/// The key "estimate" of a report as JSON text (docs/report.schema.json).
+/// Returns the key "estimate" of a report as JSON text (docs/report.schema.json).
 std::string toJson(const SolidEstimate& estimate);
 
-/// From a look at the mesh: all figures are upper bounds, far too large where surfaces are
-/// recognised. Cost: some microseconds a triangle. Throws Error(ExportFailed) where no solid can be
-/// made of the mesh at all.
+/// Estimates from the mesh alone. All figures are upper bounds, far too large if surfaces can be
+/// recognised. Cost: some microseconds for each triangle. Throws Error(ExportFailed) if no solid
+/// can be made from the mesh at all.
 SolidEstimate guessSolid(const TriMesh& mesh, const StepOptions& options, SolidFormat format,
                          RunContext& run);
 
-/// From a trial: the solid is built and written without a file, so faces and bytes are those of
-/// writeSolid, and the seconds of what follows are foretold. Cost: writeSolid without reading back.
-/// Throws what writeSolid throws before it reads back: Error(ExportFailed, "TooManyFaces", ...),
-/// Error(Cancelled).
+/// Estimates by a trial: builds and writes the solid, but makes no file. Faces and bytes are those
+/// of writeSolid; the duration of its remaining steps is estimated. Cost: as writeSolid without
+/// reading back. Throws what writeSolid throws before it reads back: Error(ExportFailed,
+/// "TooManyFaces", ...), Error(Cancelled).
 SolidEstimate trySolid(const TriMesh& mesh, const StepOptions& options, SolidFormat format,
                        RunContext& run);
 
-/// Format by suffix: .step/.stp or .brep/.brp. Written beside the target, re-read, checked (one
-/// solid per outer shell, valid, same volume), then renamed; on any failure the old file survives
-/// and nothing is left behind. Throws Error(ExportFailed, ...), Error(Cancelled).
+/// Writes a solid; the suffix gives the format: .step/.stp or .brep/.brp. The file is written
+/// beside the target, read back, checked (one solid for each outer shell, valid, same volume) and
+/// then renamed. After a failure the old file is unchanged and no new file remains. Throws
+/// Error(ExportFailed, ...), Error(Cancelled).
 StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
                       RunContext& run);
 
 struct ImportedSolid {
-  /// Of its product in a STEP file of several products, else the file's without suffix; numbered
-  /// where several have it.
+  /// Name of its product, if a STEP file has several products; otherwise the name of the file
+  /// without suffix. Equal names are numbered.
   std::string name;
-  TriMesh mesh;  ///< mm; every face has corners of its own, and its number in the file from 0
+  TriMesh mesh;  ///< mm; no two faces share vertices; faceOf has the index of the face in the file
 };
 
-/// Every solid of the file; if there is none, all its faces as one open mesh. linearDeflection: mm,
-/// how far triangles may leave the surface; angularDeflection: rad between neighbouring triangles.
-/// Throws Error(InvalidInput, "BadFile" | "NoSurface"), Error(Cancelled).
+/// Reads all solids of a file. If there is none, reads all faces as one open mesh.
+/// linearDeflection: how far (mm) triangles may deviate from the surface. angularDeflection: angle
+/// (rad) between adjacent triangles. Throws Error(InvalidInput, "BadFile" | "NoSurface"),
+/// Error(Cancelled).
 std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
                                       double angularDeflection, RunContext& run);
 
-/// What the kernel finds in a STEP or BREP file.
+/// Result of the kernel's check of a STEP or BREP file.
 struct SolidCheck {
   std::int64_t solids = 0, shells = 0, faces = 0, edges = 0;
-  bool valid = false;        ///< at least one solid; faces valid, shells closed and oriented
-  std::string complaint;     ///< empty when valid
+  /// There is at least one solid, all faces are valid, all shells closed and oriented.
+  bool valid = false;
+  std::string complaint;     ///< empty if valid
   double volume = 0;         ///< mm^3
   double edgeTolerance = 0;  ///< mm: largest tolerance of an edge or vertex
 };

@@ -1,6 +1,6 @@
-// What made each triangle of an envelope: a face or an edge of the body, and when.
-// Asked for by Options::sources. The body's faces are named by TriMesh::faceOf, else every triangle
-// of the body is a face of its own.
+// Records what made each triangle of an envelope: a face or an edge of the body, and when.
+// Recorded if Options::sources is set. TriMesh::faceOf defines the faces of the body; without it,
+// each triangle of the body is a face.
 // Units: mm, s.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -14,42 +14,44 @@
 namespace swept {
 
 enum class SourceKind : std::uint8_t {
-  /// A face of the body as it lies at one pose of the trajectory.
+  /// A face of the body in its place at one pose of the trajectory.
   Cap,
-  /// Swept by an edge of the body: where two faces meet at an angle of 8 degrees or more (the
-  /// median along the edge), or where the body is open.
+  /// Swept by an edge of the body: a line where two faces meet at 8 degrees or more (the median
+  /// angle along the edge), or where the body is open.
   Edge,
-  /// Swept by the inside of a face that the sweep touches along a curve, by one that slides along
-  /// itself, or by two faces that meet smoothly.
+  /// Swept by the inside of a face that touches the envelope along a curve, by a face that slides
+  /// along itself, or by two faces that meet smoothly.
   Graze,
 };
 
-/// "cap", "edge" or "graze".
+/// Returns "cap", "edge" or "graze".
 const char* sourceKindName(SourceKind kind);
 
-/// One point of the envelope and what made it. Moved back by the body's motion at that time, the
-/// point lies on the triangles of its face (Cap, and Graze with one face) or on an edge between
-/// triangles (Edge, Graze), but for rounding: 1e-7 of a cell, a thousandth where the surface passes
-/// a lattice point that closely.
+/// One point of the envelope and what made it. If the motion of the body is undone for this time,
+/// the point lies on the triangles of its face (Cap, and Graze with one face) or on an edge between
+/// triangles (Edge, Graze). The rounding error is 1e-7 of a cell, or 1e-3 of a cell if the surface
+/// passes that close to a grid point.
 struct SurfaceSource {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double timeSeconds = 0;
-  /// Cap: the face, and -1. Edge: the faces on either side, the smaller first; -1 second where
-  /// there is none. Graze: the face, or the two that meet smoothly.
+  /// Cap: the face, and -1. Edge: the faces on both sides, the lower index first; the second is -1
+  /// at an open edge. Graze: the face, and -1, or the two faces that meet smoothly.
   std::array<std::int32_t, 2> faces{-1, -1};
-  /// Cap: number of the pose. Edge, Graze: of the pose at which the step begins. Poses are counted
-  /// as given, from 0.
+  /// Cap: index of the pose. Edge and Graze: index of the pose at which the motion step begins.
+  /// Poses are counted from 0, as given.
   std::int32_t step = -1;
   SourceKind kind = SourceKind::Cap;
 };
 
 struct Sources {
-  /// In `of`: no source is known, as for the strips that close the ends of thin walls.
+  /// Value in `of`: the source is unknown, for example for the strips that close the ends of thin
+  /// walls.
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// Per triangle of the envelope: index of its row, or kNone. Of a simplified envelope: a row
-  /// whose kind, faces and step are those of the largest part of the triangle's area.
+  /// For each triangle of the envelope, the index of its row, or kNone. After simplification, kind,
+  /// faces and step of the row are those of the largest part of the triangle's area.
   std::vector<std::uint32_t> of;
-  /// Shared by all envelopes that are cut from one surface; null unless asked for.
+  /// All envelopes made from the same surface share these rows. Null unless Options::sources is
+  /// set.
   std::shared_ptr<const std::vector<SurfaceSource>> rows;
 };
 

@@ -1,5 +1,5 @@
-// Plain values shared by every part of the project: status, mesh, pose, trajectory, options.
-// Units: mm, s, rad unless a name says otherwise.
+// Plain values that all parts of the project share: status, mesh, pose, trajectory, options.
+// Units: mm, s and rad, unless a name says otherwise.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace swept {
 
-/// How a run ended. Every run ends in exactly one of these (docs/pipeline.md, "The promise").
+/// How a run ended. Every run ends with exactly one of these (docs/pipeline.md, "The promise").
 enum class Status {
   Ok,
   InvalidInput,
@@ -26,12 +26,12 @@ enum class Status {
   InternalError,
 };
 
-/// Name of a status as it stands in reports, e.g. "InvalidInput".
+/// Returns the name of a status as reports show it, for example "InvalidInput".
 const char* statusName(Status status);
 
-/// Thrown by stages; caught at the boundaries only (pipeline/compute.cpp, step/, python/, tools/).
-/// `code` is the machine-readable finding ("NonFiniteVertex"), what() says what, where, how much,
-/// and what to do.
+/// Thrown by stages, and caught only at the boundaries (pipeline/compute.cpp, step/, python/,
+/// tools/). `code` is for programs ("NonFiniteVertex"). what() is for people: what is wrong, where,
+/// by how much, and what to do.
 class Error : public std::runtime_error {
  public:
   Error(Status status, std::string code, const std::string& message)
@@ -44,12 +44,12 @@ class Error : public std::runtime_error {
   std::string code_;
 };
 
-/// Indexed triangles; counter-clockwise seen from outside. Vertices in mm.
+/// Indexed triangles, counter-clockwise seen from outside. Vertices in mm.
 struct TriMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<std::int32_t, 3>> triangles;
-  /// Of a body: per triangle the number (0 or more) of the face that it is a piece of. Empty: not
-  /// known. Read where Options::sources asks for it.
+  /// Only for bodies: for each triangle, the index (from 0) of the face to which it belongs. Empty:
+  /// not known. Used only if Options::sources is set.
   std::vector<std::int32_t> faceOf{};
 };
 
@@ -60,43 +60,46 @@ struct Pose {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 };
 
-/// What the body does between two poses. None: nothing, the poses are a union of posed copies.
-/// Linear: straight line of the pivot + rotation slerp. Screw: constant screw motion.
+/// Motion of the body between two poses. None: no motion; the result is the union of the body at
+/// all poses. Linear: the pivot moves in a straight line, and the rotation is interpolated by
+/// slerp. Screw: one screw motion.
 enum class Interpolation { None, Linear, Screw };
 
 struct Trajectory {
   std::vector<Pose> poses;
   Interpolation interpolation = Interpolation::Linear;
-  /// mm, in the body's coordinates: the point that moves straight between two poses (Linear).
+  /// mm, in coordinates of the body: the point that moves in a straight line between two poses
+  /// (Linear).
   Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
 };
 
-/// How crossings of a cell are joined to surface components (docs/contouring.md).
+/// How crossings in a cell are joined to components of the surface (docs/contouring.md).
 enum class ComponentMethod { DualContouring, DualMarchingCubes, Equivalence, Greedy, Consistent };
 
 enum class Backend { Auto, Cpu, Gpu };
 
-/// Settings of one run. Zero means "not given" where a comment says so.
+/// Settings of one run. 0 means "not given" where a comment says so.
 struct Options {
-  int resolution = 128;  ///< cells along the longest side of the sweep; used if cellSize == 0
-  double cellSize = 0;   ///< mm; 0: from resolution
+  int resolution = 128;  ///< cells along the longest side of the sweep; used if cellSize is 0
+  double cellSize = 0;   ///< mm; 0: derived from `resolution`
   ComponentMethod components = ComponentMethod::Consistent;
   Backend backend = Backend::Auto;
-  bool keepCavities = false;  ///< keep sealed-off hollow spaces as inner shells
-  bool cull = true;           ///< drop faces and patches that are provably enclosed
-  double tolerance = 0;       ///< mm, simplification: largest deviation allowed; 0: off
-  double offset = 0;          ///< mm, safety distance by which the envelope is grown
-  bool conservative = false;  ///< envelope provably contains the swept volume
-  double positionFilter = 0;  ///< mm; drop poses while the body stays within this; 0: off
+  bool keepCavities = false;  ///< keep enclosed cavities as inner shells
+  bool cull = true;           ///< skip faces and patches that are provably enclosed
+  double tolerance = 0;       ///< mm, largest deviation by simplification; 0: no simplification
+  double offset = 0;          ///< mm, distance by which the envelope is grown
+  bool conservative = false;  ///< the envelope provably contains the swept volume
+  /// mm; skip poses while no point of the body moves farther than this; 0: off.
+  double positionFilter = 0;
   double chordTolerance =
-      0.02;                     ///< of a cell: how far a point may leave the refined motion's chord
-  double weldTolerance = 1e-6;  ///< of the body's box diagonal
-  /// Tell of each triangle what made it (sources.h); neither with an offset nor conservative.
+      0.02;  ///< in cells: how far a point may deviate from the chord of the refined motion
+  double weldTolerance = 1e-6;  ///< as a fraction of the diagonal of the body's bounding box
+  /// Record what made each triangle (sources.h). Not allowed with an offset or with `conservative`.
   bool sources = false;
 };
 
-/// Names as used on the command line, in Python and in FreeCAD properties; parse throws
-/// Error(InvalidInput, "BadOption") listing the allowed names.
+/// Names used on the command line, in Python and in FreeCAD properties. The parse functions throw
+/// Error(InvalidInput, "BadOption") with the allowed names.
 const char* interpolationName(Interpolation value);
 const char* componentMethodName(ComponentMethod value);
 const char* backendName(Backend value);
@@ -104,7 +107,7 @@ Interpolation parseInterpolation(const std::string& text);  // none | linear | s
 ComponentMethod parseComponentMethod(
     const std::string& text);                   // dc | dmc | equivalence | greedy | consistent
 Backend parseBackend(const std::string& text);  // auto | cpu | gpu
-/// Millimetres per unit for "mm", "cm", "m", "in".
+/// Returns the millimetres per unit for "mm", "cm", "m" or "in".
 double parseLengthUnit(const std::string& text);
 
 }  // namespace swept

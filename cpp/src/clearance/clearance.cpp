@@ -78,12 +78,11 @@ void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
       worst = &row;
   }
   if (worst == nullptr) return;
-  finding.text =
-      std::to_string(finding.count) +
-      (finding.count == 1 ? " allowed contact" : " allowed contacts") +
-      ": no point deeper than allowed was found, but a deeper point is not excluded; at '" +
-      worst->name + "' it is proven only that nothing is deeper than " +
-      numberText(worst->penetration.depthBound, 3) + " mm";
+  finding.text = std::to_string(finding.count) +
+                 (finding.count == 1 ? " allowed contact" : " allowed contacts") +
+                 ": no point deeper than allowed was found, but deeper points may exist; for '" +
+                 worst->name + "' it is only proven that the depth is at most " +
+                 numberText(worst->penetration.depthBound, 3) + " mm";
   report.warnings.push_back(finding);
 }
 

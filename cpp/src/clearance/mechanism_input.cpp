@@ -119,10 +119,12 @@ TimeInterval commonTime(const std::vector<MechanismPart>& parts,
     names += (names.empty() ? "" : ", ") + parts[i].name;
   }
   if (cut.count > 0) {
-    cut.text = std::to_string(cut.count) + (cut.count == 1 ? " motion goes on" : " motions go on") +
+    cut.text = std::to_string(cut.count) +
+               (cut.count == 1 ? " motion lasts longer than the others"
+                               : " motions last longer than the others") +
                " (" + names + (cut.count > 8 ? ", ..." : "") +
-               ") before or after the common time of all motions, " + numberText(common.from) +
-               " to " + numberText(common.to) + " s; only the common time was checked";
+               "); only the common time of all motions was checked, from " +
+               numberText(common.from) + " to " + numberText(common.to) + " s";
     findings.push_back(cut);
   }
   return common;

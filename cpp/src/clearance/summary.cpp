@@ -55,10 +55,10 @@ Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std:
   add(static_cast<int>(ignored), "ignored");
   const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
   const std::string length = lengthText(deep ? row.penetration.depth : row.distance);
-  summary.text += (deep ? ", deepest " : ", smallest ") + length + " mm";
+  summary.text += (deep ? ", deepest clash " : ", smallest distance ") + length + " mm";
   const std::string certain = lengthText(row.guaranteed);
   const bool told = timed == Timed::Yes;
-  if (!deep && certain != length) summary.text += ", at least " + certain + (told ? " mm," : " mm");
+  if (!deep && certain != length) summary.text += " (guaranteed: " + certain + " mm)";
   if (told) summary.text += " at t = " + numberText(row.timeSeconds) + " s";
   if (!row.name.empty()) summary.text += " (" + row.name + ")";
   return summary;

@@ -114,9 +114,10 @@ void weldOpenEdges(CheckedBody& result, EdgeTable& table, EdgeCounts& edges, Cle
   EdgeCounts after = countEdges(weldedTable);
   if (after.open >= edges.open) return;
   add(result, "WeldedWithinTolerance", moved,
-      std::to_string(moved) + " vertices on open edges were joined with another vertex within " +
-          numberText(tolerance) + " mm (open edges before " + std::to_string(edges.open) +
-          ", after " + std::to_string(after.open) + ")");
+      std::to_string(moved) +
+          " vertices on open edges were joined with another vertex at a distance of at most " +
+          numberText(tolerance) + " mm (number of open edges before: " +
+          std::to_string(edges.open) + ", after: " + std::to_string(after.open) + ")");
   result.mesh = std::move(welded);
   table = std::move(weldedTable);
   edges = std::move(after);
@@ -133,15 +134,15 @@ void reportCleaning(CheckedBody& result, const CleanCounts& cleaned) {
       cleaned.firstDuplicate);
   add(result, "OppositeTriangles", cleaned.opposite,
       std::to_string(cleaned.opposite) +
-          " triangles were removed: they lie in pairs back to back on the same corners and enclose "
-          "nothing",
+          " triangles were removed: they lie in pairs with the same corners, face opposite ways "
+          "and enclose nothing",
       cleaned.firstDuplicate);
 }
 
 void reportOrientation(CheckedBody& result, const OrientationResult& oriented) {
   add(result, "MixedOrientation", oriented.mixed,
       std::to_string(oriented.mixed) +
-          " triangles faced the opposite way of the triangles beside them and were reversed");
+          " triangles faced the opposite way to their adjacent triangles and were reversed");
   add(result, "Flipped", oriented.inverted,
       std::to_string(oriented.inverted) + " of " + std::to_string(oriented.shells) +
           " shells faced inwards and were reversed");
@@ -188,8 +189,9 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
   EdgeCounts edges = countEdges(table);
   add(result, "Welded", joined,
       std::to_string(joined) +
-          " vertices had the same coordinates as another vertex and were joined (vertices before " +
-          before + ", after " + std::to_string(result.mesh.vertices.size()) + ")");
+          " vertices had the same coordinates as another vertex and were joined (number of "
+          "vertices before: " +
+          before + ", after: " + std::to_string(result.mesh.vertices.size()) + ")");
   weldOpenEdges(result, table, edges, cleaned, options.weldTolerance * boxDiagonal(result.mesh),
                 keepSheets);
   reportCleaning(result, cleaned);

@@ -50,7 +50,7 @@ double checkNorm(const Pose& pose, std::size_t index) {
   if (deviation > kRigidLimit) {
     throw Error(Status::InvalidInput, "NotRigid",
                 poseName(index) + ": the rotation quaternion has length " + numberText(norm) +
-                    " instead of 1 (limit 1e-4 off), so the pose scales the body by " +
+                    " instead of 1 (allowed error: 1e-4), so the pose scales the body by " +
                     numberText(norm * norm) + "; export the poses without scale");
   }
   return deviation;
@@ -64,7 +64,8 @@ void checkTurn(const Pose& before, const Pose& after, std::size_t index) {
     throw Error(Status::InvalidInput, "AmbiguousTurn",
                 "between " + poseName(index - 1) + " and " + poseName(index) +
                     " the body turns by " + numberText(degrees) +
-                    " degrees, so the direction of the turn is ambiguous (within 1 degree of 180); "
+                    " degrees, so the direction of the turn is ambiguous (this holds for more than "
+                    "179 degrees); "
                     "insert a pose between them, or choose interpolation none");
   }
 }

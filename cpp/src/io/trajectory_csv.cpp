@@ -238,7 +238,7 @@ class CsvReader {
                   "'" + path_ + "', line " + std::to_string(lines_.number()) + ", pose " +
                       std::to_string(poses_.size() + 1) + ": the quaternion has length " +
                       numberText(length) +
-                      " instead of 1 (limit 1e-4 off); write unit quaternions in the order "
+                      " instead of 1 (allowed error: 1e-4); write unit quaternions in the order "
                       "qx,qy,qz,qw with at least 5 decimals");
     }
     return pose;

@@ -30,8 +30,8 @@ struct Link {
 
 [[noreturn]] void failBroken(const std::string& what) {
   throw Error(Status::InternalError, "InternalError",
-              "the shared volume does not close (" + what +
-                  "): a fault of the program; please report it with the parts");
+              "the computed surface of the shared volume is not closed (" + what +
+                  "). This is a fault of the program; please report it with the parts");
 }
 
 /// Throws if more than a small part of the solid `name` overlaps itself. A smaller overlap only

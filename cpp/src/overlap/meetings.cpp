@@ -91,8 +91,8 @@ ClosedMesh closedMesh(const TriMesh& mesh, const std::string& name) {
   if (faults > 0)
     throw Error(Status::InvalidInput, "OpenMesh",
                 name + " is not closed (" + std::to_string(faults) +
-                    " edges without a triangle on both sides): close its holes, or give the solid "
-                    "it is a piece of");
+                    " edges have a triangle on one side only): close its holes, or give the "
+                    "whole solid");
   return closed;
 }
 

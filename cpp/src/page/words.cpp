@@ -45,8 +45,8 @@ constexpr std::array kTexts{
          "{0} von {1} geprüften Paaren erfüllen ihre Regeln nicht."},
     Word{"one_not_met", "1 of {1} checked pairs does not meet its rule.",
          "1 von {1} geprüften Paaren erfüllt seine Regel nicht."},
-    Word{"none_near", "No pair comes closer than the range that was checked.",
-         "Kein Paar kommt sich näher als der geprüfte Abstand."},
+    Word{"none_near", "No pair comes closer than the largest distance that was checked.",
+         "Kein Paar unterschreitet den geprüften Abstand."},
     Word{"nothing_checked", "No pair was checked, because the rules ignore every neighbour.",
          "Kein Paar wurde geprüft, weil die Regeln alle Nachbarn übergehen."},
     Word{"nearest", "Smallest distance: {0} at {1}", "Kleinster Abstand: {0} bei {1}"},
@@ -61,7 +61,7 @@ constexpr std::array kTexts{
          "The whole motion was checked, not only the poses: at no time are the parts closer than "
          "the guaranteed distance.",
          "Die ganze Bewegung wurde geprüft, nicht nur die Lagen: Zu keinem Zeitpunkt sind die "
-         "Teile näher als der gesicherte Abstand."},
+         "Teile näher als der garantierte Abstand."},
     Word{"promise_copies", "Only the given poses were checked, not the motion between them.",
          "Nur die angegebenen Lagen wurden geprüft, nicht die Bewegung dazwischen."},
     // --- headings

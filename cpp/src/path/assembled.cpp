@@ -195,7 +195,7 @@ void Assembled::refuseWorst(const std::vector<NearPair>& pairs, const PathOption
   refuse("PartsTooNear", text + ", but " +
                              numberText(rules_.of(worst.parts).required.value_or(0), 6) +
                              " mm are required; reduce the required distance, or set a release "
-                             "distance, within which they may touch");
+                             "distance, within which the parts may touch");
 }
 
 }  // namespace swept::path

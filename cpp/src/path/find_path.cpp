@@ -269,12 +269,12 @@ class PathFinder {
       report_.summary =
           "no path found" + std::string(report_.budgetEnded ? " within the time limit" : "");
     if (report_.possibleClearance >= 0)
-      report_.summary +=
-          "; a path with " + numberText(report_.possibleClearance, 4) + " mm was found";
-    report_.summary +=
-        "; the part came " + numberText(report_.escape.distance, 4) + " mm away from its goal";
+      report_.summary += "; a path with a clearance of " +
+                         numberText(report_.possibleClearance, 4) + " mm was found";
+    report_.summary += "; the part got at most " + numberText(report_.escape.distance, 4) +
+                       " mm away from its goal";
     if (!order.empty())
-      report_.summary += "; in the way most often: '" + demand_.names[order[0]] + "'";
+      report_.summary += "; most frequent obstacle: '" + demand_.names[order[0]] + "'";
   }
 
   struct Released {

@@ -129,8 +129,8 @@ class GivenMotion {
     for (std::size_t i = 0; i < scene_.count(); ++i)
       if (end.allowedDepth[i] >= 0)
         fail(demand_.names[i], scene_.at(motion.poses.front()),
-             "within the release distance the part lies deeper in '" + demand_.names[i] +
-                 "' than at its start or goal");
+             "within the release distance, the part overlaps '" + demand_.names[i] +
+                 "' more deeply than at its start or goal");
   }
 
   std::vector<NeighbourClearance> checked(const Trajectory& motion, const Rule& rule) {
@@ -138,7 +138,7 @@ class GivenMotion {
     for (const NeighbourClearance& row : rows) {
       if (row.verdict == ClearanceVerdict::Clear) continue;
       const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
-      const std::string how = deep ? numberText(row.penetration.depth, 4) + " mm deep in '"
+      const std::string how = deep ? numberText(row.penetration.depth, 4) + " mm deep into '"
                                    : numberText(row.guaranteed, 4) + " mm from '";
       fail(row.name, scene_.at(row.pose),
            "the motion comes " + how + row.name + "' at t = " + numberText(row.timeSeconds, 4) +

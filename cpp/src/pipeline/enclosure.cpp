@@ -46,8 +46,9 @@ double meanThickness(const CheckedBody& body, RunContext& run) {
 [[noreturn]] void refuseCell(const char* what, const Prepared& prepared, RunContext& run) {
   const double cell = prepared.grid.cell, thickness = meanThickness(prepared.body, run);
   std::string text =
-      textOf(3, what, ", because it is thinner everywhere than the cell of ", cell, " mm");
-  if (thickness > 0) text += textOf(3, " (its mean thickness is about ", thickness, " mm)");
+      textOf(3, what, ", because the body is thinner than one cell (", cell, " mm) everywhere");
+  if (thickness > 0)
+    text += textOf(3, "; the mean thickness of the body is about ", thickness, " mm");
   const double better = thickness > 0 ? std::min(thickness, cell / 2) : cell / 2;
   text += textOf(3, "; use a smaller cell: try ", better, " mm");
   throw Error(Status::InvalidInput, "CellTooLarge", text);
@@ -56,11 +57,11 @@ double meanThickness(const CheckedBody& body, RunContext& run) {
 }  // namespace
 
 void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared, RunContext& run) {
-  if (hermite.crossings.empty()) refuseCell("the grid misses the body", prepared, run);
+  if (hermite.crossings.empty()) refuseCell("no grid line meets the body", prepared, run);
 }
 
 void requireSurface(const TriMesh& mesh, const Prepared& prepared, RunContext& run) {
-  if (mesh.triangles.empty()) refuseCell("no surface of the body can be made", prepared, run);
+  if (mesh.triangles.empty()) refuseCell("no surface could be built", prepared, run);
 }
 
 void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Report& report,
@@ -71,8 +72,9 @@ void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Repor
   const double share =
       2.0 * static_cast<double>(hermite.sheetEdges) / static_cast<double>(crossings);
   const bool still = !prepared.motion.continuous;
-  const std::string text = textOf(3, "the body is open, and ", 100 * share,
-                                  " % of its surface has the outside on both sides");
+  const std::string text =
+      textOf(3, "the body is open, and ", 100 * share,
+             " % of its surface are thin sheets with the outside on both sides");
   if (still && share > 0.01) {
     throw Error(Status::InvalidInput, "OpenMesh",
                 text + "; close the holes of the body, or choose a motion that closes them");

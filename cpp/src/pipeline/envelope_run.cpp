@@ -214,8 +214,8 @@ void EnvelopeRun::grow(const BodyTopology& topology) {
   if (fromMesh && options_.conservative) {
     throw Error(Status::ResourceLimit, "TooManyCopies",
                 "a conservative envelope of a motion with interpolation none must look at every "
-                "triangle of the body at every pose: " +
-                    std::to_string(offset::copiesOf(input)) + " here, but the limit is " +
+                "triangle of the body at every pose: there are " +
+                    std::to_string(offset::copiesOf(input)) + " such pairs, but the limit is " +
                     std::to_string(kMaxCopies) +
                     "; use fewer poses, a body with fewer triangles, or another interpolation");
   }
@@ -248,7 +248,7 @@ void EnvelopeRun::grow(const BodyTopology& topology) {
                   std::to_string(proof.tooNear) +
                   " triangles are too close to the swept volume, and " +
                   std::to_string(proof.outside) +
-                  " pieces of it lie outside the envelope; use a smaller cell");
+                  " pieces of the swept volume lie outside the envelope; use a smaller cell");
 }
 
 void EnvelopeRun::growTo(const GrownSweep& sweep, const SamplerInput& input, double distance) {

@@ -26,7 +26,9 @@ Finding GrownSweep::offsetFinding(double offset, bool fromMesh) const {
   std::string text = textOf(4, "the envelope was grown by ", offset,
                             " mm; the distance is measured from ", cover_.triangles.size());
   if (fromMesh) {
-    text += " triangles of the ungrown envelope, whose own deviation adds to that of the result";
+    text +=
+        " triangles of the envelope before it was grown, whose deviation adds to the deviation of "
+        "the result";
   } else {
     text += textOf(4, " triangles of the moving body, which lie within ",
                    (cover_.largestSlack + cover_.chord) * grid_.cell, " mm of the swept volume");
@@ -39,10 +41,12 @@ Finding GrownSweep::conservativeFinding(const offset::Containment& proof, double
   const double cell = grid_.cell;
   std::string text = "the envelope contains the swept volume";
   if (offset > 0) text += textOf(4, " grown by ", offset, " mm");
-  text += textOf(4, ": every point of the envelope is at least ", proof.nearest * cell,
-                 " mm outside the sampled motion, from which the true motion deviates by at most ",
-                 cover_.chord * cell, " mm; no point of the envelope lies more than ", bound,
-                 " mm outside");
+  text +=
+      textOf(4, ": every point of the envelope is at least ", proof.nearest * cell,
+             " mm away from the computed motion of the body, and the true motion deviates from the "
+             "computed motion by at most ",
+             cover_.chord * cell, " mm; no point of the envelope lies more than ", bound,
+             " mm outside the volume that it must contain");
   return {"Conservative", static_cast<std::int64_t>(cover_.triangles.size()), {}, std::move(text)};
 }
 

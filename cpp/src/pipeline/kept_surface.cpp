@@ -49,7 +49,8 @@ void cutKept(Result& result, double tolerance, RunContext& run) {
   if (used == tolerance) return;
   std::ostringstream text;
   text.precision(3);
-  text << "within a tolerance of " << tolerance << " mm, the surface would turn inside out; it was "
+  text << "within a tolerance of " << tolerance
+       << " mm, parts of the surface would turn inside out; the surface was "
        << (used > 0 ? "simplified within " : "not simplified");
   if (used > 0) text << used << " mm";
   notes.push_back({"SimplifiedLess", 1, {}, text.str()});

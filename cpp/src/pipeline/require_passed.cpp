@@ -10,7 +10,7 @@ namespace swept {
 
 void requirePassed(const MeshCheck& check, const char* what, double cell) {
   if (check.passes()) return;
-  std::string text = textOf(3, what, " did not pass the check of the program and is not returned:");
+  std::string text = textOf(3, what, " failed the final check of the mesh, so it is not returned:");
   const char* before = " ";
   const auto tell = [&](std::int64_t count, const char* fault) {
     if (count == 0) return;
@@ -27,9 +27,10 @@ void requirePassed(const MeshCheck& check, const char* what, double cell) {
     text += textOf(3, before, "some of the ", check.shells, " shells are inside out");
   }
   text += textOf(
-      3, ". This is a fault of the program; another cell size mostly avoids it: try ", 0.9 * cell,
+      3, ". This is a fault of the program; another cell size usually avoids it: try ", 0.9 * cell,
       " mm instead of ", cell,
-      ", or mend where the body crosses itself. Please report it with body, motion and options");
+      ", or repair the body where it intersects itself. Please report the fault with the body, "
+      "the motion and the options");
   throw Error(Status::InternalError, "CheckFailed", text);
 }
 

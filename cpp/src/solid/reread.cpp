@@ -21,7 +21,8 @@ std::string rereadComplaint(const SolidCheck& read, const step::HalfEdgeMesh& me
   }
   if (!(std::abs(read.volume - mesh.volume) <= allowed)) {
     return "volume " + numberText(read.volume, 9) + " mm^3 instead of " +
-           numberText(mesh.volume, 9) + " mm^3 (allowed difference " + numberText(allowed, 3) + ")";
+           numberText(mesh.volume, 9) + " mm^3 (allowed difference: " + numberText(allowed, 3) +
+           " mm^3)";
   }
   if (options.tolerance > 0 && options.recognise && read.edgeTolerance > options.tolerance) {
     return "an edge or vertex with a tolerance of " + numberText(read.edgeTolerance, 3) +

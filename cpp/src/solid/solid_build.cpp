@@ -62,7 +62,7 @@ bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOpti
           (options.exact ? "An exact solid must not deviate from the mesh: use larger cells, or "
                            "raise the limit of faces"
                          : "Allow a larger tolerance, raise the limit") +
-          ", or export a mesh file: PLY, STL, OBJ, OFF or 3MF hold it easily");
+          ", or export a mesh file: PLY, STL, OBJ, OFF and 3MF files have no such limit");
 }
 
 // Share of the tolerance for thinning a dense mesh before surfaces are recognised.
@@ -117,14 +117,16 @@ void checkOptions(const StepOptions& options) {
   requireName("the organization", options.organization);
   for (const double part : options.colour) {
     if (!(part >= 0 && part <= 1))
-      badOption("a part of the colour is " + numberText(part, kTellingDigits) +
+      badOption("a component of the colour is " + numberText(part, kTellingDigits) +
                 "; allowed: 0 to 1");
   }
   if (options.exact && options.tolerance > 0) {
-    badOption("an exact solid has a tolerance of 0 mm");
+    badOption("an exact solid cannot have a tolerance; set the tolerance to 0 mm");
   }
   if (!(options.maxMegabytes >= 0) || options.maxFaces < 4) {
-    badOption("a solid has 4 faces at least, and a file more than 0 MB");
+    badOption(
+        "the limit of faces must be at least 4, and the limit of the file size must not be "
+        "negative");
   }
 }
 

@@ -17,9 +17,9 @@ std::vector<Finding> solidFindings(const StepReport& solid, const StepOptions& o
          1,
          {},
          "to stay within the limits (" + std::to_string(options.maxFaces) +
-             " faces) the solid was simplified: it deviates from the mesh by up to " +
-             numberText(solid.deviation, 3) + " mm, its volume differs by " +
-             numberText(percent, 2) +
+             " faces), the solid was simplified: the solid deviates from the mesh by up to " +
+             numberText(solid.deviation, 3) +
+             " mm, and its volume differs from that of the mesh by " + numberText(percent, 2) +
              " %; set a tolerance, raise the limit of faces, or ask for an exact "
              "solid"});
   }

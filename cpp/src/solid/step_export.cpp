@@ -28,7 +28,7 @@ void compare(const SolidCheck& check, const HalfEdgeMesh& mesh, const StepOption
   const std::string what = rereadComplaint(check, mesh, options);
   if (what.empty()) return;
   throw Error(Status::ExportFailed, "RereadDiffers",
-              "the file was written, but reading it back gave something else: " + what +
+              "the file was written, but reading it back gave a different result: " + what +
                   "; an existing file was kept. Change the tolerance, or export a mesh file");
 }
 
@@ -58,7 +58,8 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
     const Built built = buildWithinLimits(mesh, options, format, kernel, run);
     if (options.tolerance < asked) {
       report.note = "within a tolerance of " + numberText(asked, 3) +
-                    " mm, the surface would turn inside out; the solid was made within " +
+                    " mm, parts of the surface would turn inside out; the solid was made with a "
+                    "tolerance of " +
                     numberText(options.tolerance, 3) + " mm";
     }
     report.secondsBuild = watch.lap();
@@ -114,7 +115,8 @@ StepReport writeOrFacets(const TriMesh& mesh, const std::string& path, const Ste
   std::string why;
   StepReport report = orFacets(
       options, why, [&](StepOptions& used) { return writeChecked(mesh, path, used, run); });
-  if (!why.empty()) report.note = "no curved surfaces were used, because with them " + why;
+  if (!why.empty())
+    report.note = "the solid has no curved surfaces, because with curved surfaces " + why;
   return report;
 }
 

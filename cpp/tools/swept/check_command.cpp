@@ -177,7 +177,7 @@ Run addCheckCommand(CLI::App& program) {
   addCommonOptions(app, job->common);
   app.footer(
       "Exit status 0 only if every mesh is closed, manifold, oriented and without degenerate "
-      "triangles,\nand every solid valid.\n\nExamples:\n  swept check envelope.ply\n"
+      "triangles,\nand every solid is valid.\n\nExamples:\n  swept check envelope.ply\n"
       "  swept check parts/*.stl --report -\n  cat a.stl | swept check - --format stl");
   return [job] { return runCheck(*job); };
 }

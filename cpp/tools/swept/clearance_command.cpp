@@ -63,10 +63,11 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
   addConverted(
       app, "--interpolation", "none|linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
-      "how the body moves between two poses (default linear); none: it stands only at the poses");
+      "how the body moves between two poses (default linear); none: only the poses themselves are "
+      "checked");
   addPoint(app, "--pivot", job.pivot,
            "point of the generator that moves in a straight line between two poses, used only with "
-           "linear interpolation; in mm (default 0,0,0: the origin)");
+           "linear interpolation; coordinates in mm (default 0,0,0: the origin)");
   addNumber(app, "--generator-chord", "MM", job.options.bodyChordError,
             "how far the triangles of the generator deviate from its exact surface (default 0)");
   addDetailOptions(app, job.options, job.curve,

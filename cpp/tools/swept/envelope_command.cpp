@@ -112,16 +112,17 @@ void addOptions(CLI::App& app, EnvelopeJob& job) {
         job.generatorTolerance = numberOf("--generator-tolerance", t);
       },
       "how far the triangles of a solid may deviate from its surface (default: 0.02 of the cell "
-      "size; with --resolution, of the smallest cell size that it can give)");
+      "size; with --resolution, 0.02 of the smallest cell size that this resolution can give)");
   addUnit(app, "--motion-unit", job.motionUnit,
           "unit of the translations in the motion (default mm)");
   addConverted(
       app, "--interpolation", "none|linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
-      "how the body moves between two poses (default linear); none: it stands only at the poses");
+      "how the body moves between two poses (default linear); none: only the poses themselves "
+      "count");
   addPoint(app, "--pivot", job.pivot,
            "point of the generator that moves in a straight line between two poses, used only with "
-           "linear interpolation; in mm (default 0,0,0: the origin)");
+           "linear interpolation; coordinates in mm (default 0,0,0: the origin)");
   addSamplingOptions(app, job);
   addCommonOptions(app, job.common);
 #ifdef HAVE_SWEPT_SOLID

@@ -47,7 +47,7 @@ void addOptions(CLI::App& app, MechanismJob& job) {
       app, "--interpolation", "linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
       "how a part moves between two poses (default linear). With screw, two parts that have the "
-      "same relative placement at two poses keep it between these poses");
+      "same relative placement at two poses also have it between these poses");
   addDistanceOptions(app, job.options);
   addNumber(
       app, "--range", "MM", job.options.range,

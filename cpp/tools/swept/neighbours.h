@@ -12,9 +12,9 @@ namespace swept::cli {
 
 struct NeighbourFiles {
   std::vector<std::string> paths;
-  double millimetresPerUnit = 1;  ///< of meshes
-  double chordError = 0;          ///< mm, of meshes
-  double deflection = 0.05;       ///< mm, to which solids are tessellated
+  double millimetresPerUnit = 1;  ///< for mesh files
+  double chordError = 0;          ///< mm, for mesh files
+  double deflection = 0.05;       ///< mm, tolerance of the triangles of solids
   std::vector<NamedRule> rules;
   std::string rulesPath;
 };

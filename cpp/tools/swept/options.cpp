@@ -103,7 +103,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& options) {
   app.add_flag("--strict", options.strict,
                "treat a finding that reduces the accuracy as a failure");
   app.add_flag("--no-clobber", options.noClobber,
-               "do not replace existing files; the run is refused");
+               "refuse the run if a file that it would write already exists");
   app.add_flag("-q,--quiet", options.quiet, "print no progress bar and no summary");
   app.add_flag("-v,--verbose", options.verbose, "print the duration of each stage");
 }

@@ -61,7 +61,7 @@ template <class Options>
 void addDetailOptions(CLI::App& app, Options& options, std::int64_t& curve, const char* aboutCurve,
                       std::int64_t& stamp) {
   addNumber(app, "--interval-tolerance", "MM", options.intervalTolerance,
-            "how exactly the ends of time intervals are found, as travel of the part (default 0: "
+            "accuracy of the ends of time intervals, as travel of the part in mm (default 0: "
             "10 times --accuracy)");
   addInteger(app, "--curve", curve, 0, 1000000, aboutCurve);
   app.add_flag_callback(

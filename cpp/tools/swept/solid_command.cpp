@@ -17,7 +17,7 @@ namespace {
 struct SolidJob {
   std::string meshPath, meshFormat, outputPath, outputFormat = "step";
   double unit = 1.0;
-  bool estimate = false;  // write nothing
+  bool estimate = false;  // true: only estimate, write nothing
   CommonOptions common;
   StepOptions options;
 };

@@ -7,18 +7,18 @@
 namespace swept::cli {
 
 void addSolidOptions(CLI::App& app, StepOptions& options) {
-  constexpr const char* kGroup = "Options of solids (step, stp, brep, brp)";
+  constexpr const char* kGroup = "Options for solid output (step, stp, brep, brp)";
   const auto in = [](CLI::Option* option) { option->group(kGroup); };
   in(addNumber(app, "--solid-tolerance", "MM", options.tolerance,
                "how far the solid may deviate from the mesh. Above 0, surfaces such as cylinders "
                "are recognised, and the rest is simplified (default 0: only flat regions are "
                "merged, unless a limit below is exceeded)"));
   in(addInteger(app, "--max-faces", options.maxFaces, 4, std::int64_t{1} << 31U,
-                "largest number of faces (default 20000). Without --solid-tolerance, a larger "
-                "solid is simplified until it fits; otherwise it is refused"));
+                "largest number of faces (default 20000). A solid with more faces is simplified "
+                "until it fits; with --solid-tolerance, it is refused"));
   in(addNumber(app, "--max-megabytes", "N", options.maxMegabytes,
-               "largest size of the file in MB (default 0: no limit). A larger solid is treated as "
-               "with --max-faces"));
+               "largest size of the file in MB (default 0: no limit). A solid with a larger file "
+               "is simplified or refused, as with --max-faces"));
   in(addConverted(
       app, "--schema", "ap214|ap242|ap242-tessellated",
       [&options](const std::string& text) { options.schema = parseStepSchema(text); },

@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 
 struct StudyJob {
   std::string file;
-  std::vector<std::pair<std::string, std::string>> values;  ///< options, in the order declared
+  /// Options in the order of their declaration.
+  std::vector<std::pair<std::string, std::string>> values;
   std::vector<std::pair<std::string, bool>> flags;
 };
 
@@ -100,8 +101,7 @@ Run addStudyCommand(CLI::App& program) {
   flag("--page",
        "also write study.html, an HTML page about all runs, into the folder for the results");
   flag("--rows", "write a line of JSON to standard output for each run that has ended");
-  flag("--no-clobber",
-       "do not replace an existing report or existing results; the study is refused");
+  flag("--no-clobber", "refuse the study if its report or its results already exist");
   flag("--strict",
        "treat a finding that reduces the accuracy as a failure of its run; the results of the run "
        "are kept");

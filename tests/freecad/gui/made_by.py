@@ -77,7 +77,7 @@ def scenario():
     yield
     panel = made_panel.opened[-1]
     assert not find(QtWidgets.QComboBox, "SweptVolumeColourBy").isEnabled()
-    assert "was not recorded" in panel.text.text(), panel.text.text()
+    assert "nothing was recorded" in panel.text.text(), panel.text.text()
     own = colours(obj)
     click(find(QtWidgets.QPushButton, "SweptVolumeRemember"))
     yield lambda: panel.run is None and made_by.find(obj) is not None

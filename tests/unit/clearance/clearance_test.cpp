@@ -467,7 +467,7 @@ TEST(Clearance, SummaryNamesTheNearest) {
                       {"near \"one\"", makeBox({9.25, 0, 0}, {10, 1, 1}), 0}},
                      {}, run);
   EXPECT_EQ(report.summary,
-            "2 checked, smallest 3.25 mm, at least 3.24 mm, at t = 1 s (near \"one\")");
+            "2 checked, smallest distance 3.25 mm (guaranteed: 3.24 mm) at t = 1 s (near \"one\")");
   EXPECT_NE(toJson(report).find("near \\\"one\\\""), std::string::npos);
 }
 
@@ -479,8 +479,8 @@ TEST(Clearance, SummaryLeavesRoundingOut) {
     row.distance = row.guaranteed = distance;
     return clearance::summaryOf({&row}, "1 checked", 0, clearance::Timed::No).text;
   };
-  EXPECT_EQ(textFor(6.162e-16), "1 checked, 1 contact, smallest 0 mm (wall)");
-  EXPECT_EQ(textFor(2e-6), "1 checked, 1 contact, smallest 2e-06 mm (wall)");
+  EXPECT_EQ(textFor(6.162e-16), "1 checked, 1 contact, smallest distance 0 mm (wall)");
+  EXPECT_EQ(textFor(2e-6), "1 checked, 1 contact, smallest distance 2e-06 mm (wall)");
 }
 
 TEST(DistanceToMesh, SignedForClosedMeshes) {

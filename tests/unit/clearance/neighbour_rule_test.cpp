@@ -42,7 +42,7 @@ TEST(NeighbourRule, WhatIsWrongIsNamed) {
   for (const char* text :
        {"", "touch", "contact:", "contact:x", "3 mm", "1e10", "nan", "-1", "contact:-0.1", "inf"})
     EXPECT_NE(refusal([&] { parseRule(text); }).find(std::string(text)), std::string::npos);
-  EXPECT_NE(refusal([] { parseRule("-1"); }).find("-1 mm is not possible"), std::string::npos);
+  EXPECT_NE(refusal([] { parseRule("-1"); }).find("-1 mm is not allowed"), std::string::npos);
   for (const char* text : {"", "bolt", "=3", "  =3"}) refusal([&] { parseNamedRule(text); });
   EXPECT_NE(refusal([] {
               checkRule({1.0, 0.0}, "the rule of neighbour 'a'");
@@ -168,7 +168,7 @@ TEST(ClearanceRules, ContactThatIsAllowedIsNoFault) {
   ASSERT_EQ(row.contact.size(), 1u);  // the times of contact are told all the same
   EXPECT_EQ(report.ignored, std::vector<std::string>{"wall"});
   EXPECT_EQ(report.smallest, 1);  // what is meant to touch does not hide what comes near
-  EXPECT_NE(report.summary.find("2 checked, 1 allowed contact, 1 ignored, smallest"),
+  EXPECT_NE(report.summary.find("2 checked, 1 allowed contact, 1 ignored, smallest distance"),
             std::string::npos)
       << report.summary;
 }

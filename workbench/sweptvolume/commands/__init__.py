@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands: one file each, registered here in the order of menu and toolbar."""
+"""The commands, one file each, registered here in the order of menu and toolbar."""
 import FreeCADGui as Gui
 
 from ..texts import menu
 
-#: Module below commands/; "" is a separator.
+#: Names of the modules in commands/. "" is a separator.
 _MODULES = [
     "new_motion",
     "motion_from_file",
@@ -34,7 +34,7 @@ _MODULES = [
     "to_tree",
     "demo_command",
 ]
-#: Commands that belong in the menu only.
+#: Commands that appear only in the menu.
 _MENU_ONLY = {
     "SweptVolume_EditSource",
     "SweptVolume_EditEnvelope",
@@ -60,8 +60,8 @@ def register():
 
 
 def load():
-    """Loads what the commands need of FreeCAD and of ours, a fifth of a second: the first use of a
-    command need not wait for it."""
+    """Imports the modules that the commands need, which takes a fifth of a second. Called early, so
+    that the first use of a command need not wait."""
     import Mesh  # noqa: F401
     import MeshPart  # noqa: F401
 
@@ -82,7 +82,7 @@ def fill_context_menu(workbench, recipient):
         return
     names = []
     if recipient == "Tree" and selection.ours():
-        return  # its view provider fills the menu there, whichever workbench is active
+        return  # the view provider fills the context menu there, in any workbench
     if selection.motion():
         names += ["SweptVolume_EditMotion", "SweptVolume_ImprovePath"]
         names += ["SweptVolume_FindPath", "SweptVolume_ReloadMotion"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the commands share: resources, when they are active, and how problems are shown."""
+"""Base of the commands: resources, when a command is active, and how problems are shown."""
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -33,8 +33,8 @@ class BaseCommand:
         return resources
 
     def missing(self, document):
-        """What the command cannot do without, as the user reads it; "" where it can act. Cheap: FreeCAD
-        asks again and again."""
+        """Returns the text about what is missing for the command, or "" if it can run. Must be
+        fast, because FreeCAD calls it very often."""
         return ""
 
     def IsActive(self):
@@ -50,7 +50,7 @@ class BaseCommand:
         return not reason
 
     def _explain(self, reason):
-        """Why the command is grey stands in its tool tip."""
+        """Shows in the tool tip why the command is disabled."""
         if reason == self._reason:
             return
         self._reason = reason

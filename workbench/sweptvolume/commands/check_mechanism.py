@@ -9,9 +9,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Check mechanism")
     TIP = mark(
         "Commands",
-        "Measures the smallest distance of every pair of parts that move at the same "
-        "time, over the whole motion. Select their motions, or an existing check. "
-        "Without a selection, the check takes all motions that list their parts",
+        "Measures the smallest distance of every pair of parts that move at the same time, over "
+        "the whole motion. Select their motions, or an existing check. Without a selection, all "
+        "motions that have parts assigned are checked",
     )
 
     def run(self, document):

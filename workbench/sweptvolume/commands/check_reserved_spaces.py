@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Check reserved spaces: parts and envelopes that stand still against each other."""
+"""Check reserved spaces: compares parts and envelopes that stand still."""
 from ..texts import mark
 from .base import BaseCommand
 
@@ -9,9 +9,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Check reserved spaces")
     TIP = mark(
         "Commands",
-        "Measures distances between envelopes, their solids or parts as they stand, and the "
-        "volume that two of them share. Select two or more objects, or a shared volume to "
-        "recompute it",
+        "Measures the distances between envelopes, solids of envelopes, and parts that do not "
+        "move. If two of them overlap, also measures the volume they share. Select two or more "
+        "objects, or a shared volume to recompute it",
     )
 
     def run(self, document):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Demo: opens the shipped example."""
+"""Demo: opens the example."""
 from ..texts import mark
 from .base import BaseCommand
 

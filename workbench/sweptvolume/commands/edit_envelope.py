@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Edit envelope: the panel of an existing envelope."""
+"""Edit envelope: opens the panel of an existing envelope."""
 from ..texts import mark
 from .base import BaseCommand
 

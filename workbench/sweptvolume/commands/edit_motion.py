@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Edit motion: the path editor on an existing motion."""
+"""Edit motion: opens the motion editor for an existing motion."""
 from ..texts import mark
 from .base import BaseCommand
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Export report: what a check of distances, or a study, found as an HTML page or a PDF."""
+"""Export report: writes the results of a check or a study as an HTML page or a PDF."""
 from ..texts import mark, translate
 from .base import BaseCommand
 
@@ -14,7 +14,8 @@ class Command(BaseCommand):
     )
 
     def _found(self, document):
-        """(the selected object that has a report, else the only one of the document, else None; how many)."""
+        """Returns (object, count). object is the selected object that has a report, or the only one
+        of the document, or None. count is the number of such objects."""
         from ..panels import selection
 
         known = [obj for obj in document.Objects if selection.has_report(obj)]

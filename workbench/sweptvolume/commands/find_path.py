@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find path: the way of a part to its place between others."""
+"""Find path: searches for a path on which a part reaches its place between others."""
 from ..texts import mark, translate
 from .base import BaseCommand
 

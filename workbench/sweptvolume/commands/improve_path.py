@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Improve path: a motion shorter, with fewer keys, farther from its neighbours."""
+"""Improve path: makes a motion shorter, with fewer keys, or with more clearance."""
 from ..convert import InputProblem
 from ..texts import mark, translate
 from .base import BaseCommand

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Make solid: the B-rep solid of the selected envelope."""
+"""Make solid: converts the selected envelope to a B-rep solid."""
 from ..texts import mark
 from .base import BaseCommand
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion from driven value: a property, cell or constraint runs through a range, a part is watched."""
+"""Motion from driven value: changes a property, cell or constraint over a range and records how
+parts move."""
 from ..convert import InputProblem
 from ..texts import mark, translate
 from .base import BaseCommand
@@ -10,9 +11,9 @@ class Command(BaseCommand):
     TEXT = mark("Commands", "Motion from driven value...")
     TIP = mark(
         "Commands",
-        "Changes a value (a spreadsheet cell, a sketch dimension or a variable of an "
-        "assembly) and records how a part moves with it. Select the object with the "
-        "value, then the part. Without a part, every part that moves gets a motion",
+        "Changes a value (a spreadsheet cell, a sketch dimension or a variable of an assembly) "
+        "and records how a part moves with it. Select the object with the value, then the part. "
+        "If no part is selected, every part that moves gets a motion",
     )
 
     def missing(self, document):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion from file: a CSV with its unit."""
+"""Motion from file: reads a CSV file with a given unit."""
 from ..texts import mark
 from .base import BaseCommand
 

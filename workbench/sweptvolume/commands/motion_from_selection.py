@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion from selection: one pose for each selected object, in the order of selection."""
+"""Motion from selection: each selected object gives one pose, in the order of selection."""
 from .. import runner
 from ..convert import InputProblem
 from ..features import motion

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion from path object: wire, sketch, robot trajectory, array, CAM path, assembly simulation."""
+"""Motion from object: reads a wire, sketch, robot trajectory, array, CAM operation or assembly
+simulation."""
 from ..convert import InputProblem
 from ..texts import mark, translate
 from .base import BaseCommand

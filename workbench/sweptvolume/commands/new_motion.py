@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""New motion: the path editor on an empty motion."""
+"""New motion: opens the motion editor with an empty motion."""
 from ..texts import mark
 from .base import BaseCommand
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recompute envelope: a new run with the present inputs."""
+"""Recompute envelope: computes an envelope again with its present inputs."""
 from ..convert import InputProblem
 from ..features.base import objects_of_kind
 from ..features.envelope import UP_TO_DATE, Envelope
@@ -17,7 +17,8 @@ class Command(BaseCommand):
     )
 
     def find(self, document):
-        """The selected envelope, else the first that is stale, else the only one."""
+        """Returns the selected envelope. Without a selection, returns the first stale envelope, or
+        the only one."""
         from ..panels import selection
 
         known = objects_of_kind(document, Envelope.KIND)

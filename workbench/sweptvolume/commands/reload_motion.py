@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reload motion: reads the file or the source again."""
+"""Reload motion: reads the file or the source of a motion again."""
 from .. import runner
 from ..features import joint_motions, motion
 from ..texts import mark, translate
@@ -25,7 +25,8 @@ class Command(BaseCommand):
 
         obj = selection.the_motion(document)
         with runner.transaction(document, translate("Commands", self.TEXT)):
-            if len(joint_motions.alike(obj)) > 1:  # one run for all parts of a mechanism
+            # One run reads the motions of all parts of the mechanism.
+            if len(joint_motions.alike(obj)) > 1:
                 joint_motions.reload(obj)
             else:
                 motion.reload_source(obj)

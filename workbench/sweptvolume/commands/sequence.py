@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sequence: parts that are installed one after the other."""
+"""Sequence: finds paths for parts that are installed one after the other."""
 from ..texts import mark
 from .base import BaseCommand
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Study: many runs at once, of a study file or of the document's envelopes and clearance checks."""
+"""Study: computes many runs, from a study file or from the envelopes and checks of the document."""
 from ..texts import mark
 from .base import BaseCommand
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Keyboard to the tree or panel: parts can be chosen without a mouse."""
+"""Keyboard to the tree or panel: lets the user select parts without a mouse."""
 from ..texts import mark
 from .base import BaseCommand
 
@@ -14,7 +14,7 @@ class Command(BaseCommand):
         "tree, moves it to the open panel",
     )
     ACCEL = "Ctrl+T"
-    #: FreeCAD leaves it on while a panel is open.
+    #: With this kind, FreeCAD keeps the command enabled while a panel is open.
     KIND = "ForEdit"
 
     def IsActive(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Document objects: Motion, Envelope, Solid. Never imports the GUI.
+"""Document objects: Motion, Envelope, Solid and others. Never imports the GUI.
 
-Module and class names are stored in documents: keep them for ever.
+Documents store the names of these modules and classes, so the names must never change.
 """

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all our document objects share: properties added once, nothing of the proxy written to files."""
+"""Base of all document objects. Properties are added only once, and the proxies write nothing to
+files."""
 import contextlib
 import json
 
@@ -11,7 +12,7 @@ from . import renamed
 READ_ONLY = 1
 HIDDEN = 2
 
-#: States of a result. Stored as they are; views translate them.
+#: States of a result. Documents store these texts; views translate them.
 NOT_COMPUTED = mark("Messages", "Not computed")
 UP_TO_DATE = mark("Messages", "Up to date")
 STALE = mark("Messages", "Stale")
@@ -20,11 +21,11 @@ FAILED = mark("Messages", "Failed")
 
 
 class Feature:
-    """Base of the proxies. Subclasses give KIND and properties(), a list of tuples
-    (type, name, group, help, default, editor mode)."""
+    """Base of the proxies. Subclasses define KIND and properties(), a list of tuples (type, name,
+    group, help, default, editor mode)."""
 
     KIND = ""
-    #: Whether what it shows names its inputs, as they are called.
+    #: Whether texts of the object contain the labels of its inputs.
     NAMES_PARTS = False
 
     def __init__(self, obj):
@@ -35,11 +36,11 @@ class Feature:
         return []
 
     def add_properties(self, obj):
-        """Adds what is absent, so that documents of older versions gain new properties."""
+        """Adds missing properties. Documents of earlier versions gain new properties this way."""
         for kind, name, group, text, default, mode in self.properties():
             choice = kind == "App::PropertyEnumeration" and isinstance(default, list)
             if choice and name in obj.PropertiesList and getattr(obj, name) is None:
-                # Damaged. In FreeCAD 1.0 such a property takes no value any more.
+                # The property is damaged. In FreeCAD 1.0, it would not accept a value any more.
                 obj.removeProperty(name)
             if name not in obj.PropertiesList:
                 obj.addProperty(kind, name, group, translate("Properties", text))
@@ -60,7 +61,7 @@ class Feature:
             renamed.take_over(obj, renamed.RENAMED.get(self.KIND, {}))
 
     def look(self, obj):
-        """Compares the inputs with those of the stored result, where there is one."""
+        """Compares the present inputs with those of the stored result, if there is one."""
 
     def dumps(self):
         return None
@@ -75,8 +76,9 @@ class Feature:
 
 
 def fits(value, shape):
-    """Whether a value read from JSON is built as a shape says: float (any number) or another type, a set of
-    values, a dict of the keys that are needed, [shape of all items], (shape of each item, ...)."""
+    """Returns whether a value from JSON has a given shape. A shape is: float (any number) or
+    another type; a set of allowed values; a dict of required keys; [shape of all items]; (shape
+    of each item, ...)."""
     if isinstance(shape, dict):
         return isinstance(value, dict) and all(
             k in value and fits(value[k], shape[k]) for k in shape
@@ -92,7 +94,8 @@ def fits(value, shape):
 
 
 def stored(text, shape):
-    """JSON from a document; None where it is damaged (no JSON, or not built as the shape says)."""
+    """Returns the JSON value stored in a document, or None if it is damaged (not JSON, or of
+    another shape)."""
     try:
         value = json.loads(text)
     except ValueError:
@@ -101,7 +104,7 @@ def stored(text, shape):
 
 
 def kind_of(obj):
-    """KIND of our proxy behind an object, "" for anything else."""
+    """Returns the KIND of our proxy of an object, or "" for other objects."""
     return getattr(getattr(obj, "Proxy", None), "KIND", "")
 
 
@@ -110,13 +113,13 @@ def objects_of_kind(document, kind):
 
 
 def set_changed(obj, name, value):
-    """Sets a property only if that changes it: no needless touch, no needless undo entry."""
+    """Sets a property only if its value changes. This avoids needless recomputes and undo entries."""
     if getattr(obj, name) != value:
         setattr(obj, name, value)
 
 
 def whole(pieces):
-    """What a generator returns, all its pieces done at once."""
+    """Runs a generator to its end and returns its return value."""
     while True:
         try:
             next(pieces)
@@ -126,7 +129,7 @@ def whole(pieces):
 
 @contextlib.contextmanager
 def quietly(obj):
-    """What is written meanwhile is no reason to recompute the object."""
+    """Context in which changes of the object cause no recompute."""
     touched = "Touched" in obj.State
     yield
     if not touched:
@@ -134,7 +137,7 @@ def quietly(obj):
 
 
 def attach_view(obj, maker):
-    """Gives the object its view provider where there is a GUI. `maker` is "module:Class"."""
+    """Attaches the view provider to the object if there is a GUI. `maker` is "module:Class"."""
     if not App.GuiUp or getattr(obj, "ViewObject", None) is None:
         return
     import importlib

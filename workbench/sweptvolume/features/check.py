@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What checks of distances share: of one moving body, and of a whole mechanism. `execute` only marks; a
-run is Plan.request() - work() - apply()."""
+"""Base of the distance checks of one moving body and of a whole mechanism. `execute` only updates
+the state. A run consists of Plan.request(), work() and apply()."""
 import contextlib
 import json
 
@@ -13,22 +13,23 @@ from .neighbour_rules import PARTS_PROPERTY
 
 
 class Check(Feature):
-    """Base of their proxies. Subclasses give PLAN, RULES (the module of their rules), report_of()."""
+    """Base of the proxies of checks. Subclasses define PLAN, RULES (the module of their rules) and
+    report_of()."""
 
     NAMES_PARTS = True
     PLAN = None
     RULES = None
 
     def report_of(self, obj):
-        """The stored report (dict); None if there is none, or a damaged one."""
+        """Returns the stored report (dict), or None if there is none or it is damaged."""
         raise NotImplementedError
 
     def summary(self, report):
-        """A report in one line."""
+        """Returns a report in one line."""
         raise NotImplementedError
 
     def execute(self, obj):
-        """Marks the result stale or current; keeps it."""
+        """Marks the result as stale or current, and keeps it."""
         follow_all_visible(obj)
         update_status(obj)
 
@@ -39,7 +40,8 @@ class Check(Feature):
         missing.changed(obj, name)
 
     def shortened(self, obj):
-        """Links begin below the groups around the check, those of rules too."""
+        """Makes the links of the check, including those of its rules, begin below the groups around
+        it."""
         if PARTS_PROPERTY in obj.PropertiesList:
             with contextlib.suppress(InputProblem):
                 self.RULES.write(obj, self.RULES.read(obj))
@@ -49,7 +51,7 @@ class Check(Feature):
 
 
 def notes_of(obj):
-    """What is to be said of the stored result."""
+    """Returns the notes to show for the stored result."""
     report = obj.Proxy.report_of(obj) if obj.Report else None
     if report is None:
         return ""
@@ -58,8 +60,9 @@ def notes_of(obj):
 
 
 def follow_all_visible(obj):
-    """Links to all that AllVisible looks at, hidden things too: what is shown, moved or changed there
-    then makes the result stale. Not to what depends on the check itself."""
+    """Links the check to everything that AllVisible depends on, including hidden objects. A part
+    that is then shown, moved or changed makes the result stale. Leaves out objects that depend
+    on the check itself."""
     found = []
     if obj.AllVisible:
         above = set(obj.InListRecursive)
@@ -71,7 +74,7 @@ def follow_all_visible(obj):
 
 
 def update_status(obj):
-    """Compares inputs and stored result."""
+    """Compares the present inputs with those of the stored result."""
     plan = obj.Proxy.PLAN.of(obj)
     _rename(obj, plan)
     now, problem, waits = status.inputs_of(obj, plan.words, plan.checked_hash)
@@ -82,8 +85,8 @@ def update_status(obj):
 
 
 def _rename(obj, plan):
-    """The stored report names parts as they are called now: a name that another part has got since would tell
-    of the wrong one. Whether the result is current does not depend on names."""
+    """Updates the labels of parts in the stored report. Otherwise a label that now belongs to
+    another part would mislead. The state of the result does not depend on labels."""
     report = obj.Proxy.report_of(obj) if obj.Report else None
     if report is None:
         return
@@ -93,20 +96,21 @@ def _rename(obj, plan):
 
 
 def keep(obj, hash_at_start):
-    """A result was written: it is that of these inputs."""
+    """Marks the result, which was just written, as that of these inputs."""
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     follow_all_visible(obj)
     update_status(obj)
 
 
 def fail(obj, text, tried, cancelled=False):
-    """Remembers a run that gave nothing; the stored result stays. tried: hash of its inputs."""
+    """Stores the error of a run without a result; the stored result is kept. tried: hash of the
+    inputs of the run."""
     status.mark_failure(obj, obj.Proxy.PLAN.of(obj).hash, text, tried, cancelled)
 
 
 def compute(obj, feature, title, control=None):
-    """Checks in this thread (scripts, no GUI): one undo step; returns the outcome. feature: the module with
-    work() and apply(). Raises core.CoreError."""
+    """Runs a check in this thread (for scripts without a GUI) as one undo step, and returns the
+    outcome. feature: the module with work() and apply(). Raises core.CoreError."""
     plan = obj.Proxy.PLAN.of(obj)
     hash_at_start = plan.hash()
     try:

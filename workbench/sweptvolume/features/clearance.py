@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Clearance: smallest distances of a moving part to its neighbours, kept in the document.
+"""Clearance check: smallest distances of a moving part from its neighbours, kept in the document.
 
-As with the envelope, `execute` only marks; a run is Plan.request() - work() - apply(). The distances
-come from the true motion; the envelope, where one is given, is only coloured by them.
+As with the envelope, `execute` only updates the state. A run consists of Plan.request(), work() and
+apply(). The distances are those of the true motion; an envelope, if given, is only coloured by
+them.
 """
 import json
 import sys
@@ -31,9 +32,9 @@ from .clearance_properties import INPUT, RESULT
 from .clearance_table import summary, worst
 
 TYPE = "App::FeaturePython"
-FAR = 1e9  # mm, where nothing stands
+FAR = 1e9  # mm, distance if there is no neighbour
 
-#: Verdict of the core -> what people read.
+#: Verdict of the core -> text for people.
 VERDICTS = {
     "clear": mark("Messages", "Clear"),
     "below": mark("Messages", "Below required"),
@@ -42,7 +43,7 @@ VERDICTS = {
 }
 _POINT = (float, float, float)
 POSE = {"translation": _POINT, "quaternion_xyzw": (float,) * 4}
-#: What is read of a row of a stored report.
+#: The parts of a row in a stored report that are used, with their shapes (base.fits()).
 ROW = {
     "name": str,
     "verdict": set(VERDICTS),
@@ -85,7 +86,7 @@ class Clearance(Check):
         of_before = "Seen" not in obj.PropertiesList
         with quietly(obj):
             super().onDocumentRestored(obj)
-            containers.shorten(obj)  # documents of before may have circles
+            containers.shorten(obj)  # documents of earlier versions may have circular links
             if of_before:
                 follow_all_visible(obj)
                 plan = Plan.of(obj)
@@ -97,7 +98,7 @@ def is_clearance(obj):
 
 
 class Outcome:
-    """Report (dict) and the distance at each point of the envelope (or None)."""
+    """The report (dict), and the distance at each point of the envelope (or None)."""
 
     def __init__(self, report, distances, notes):
         self.report = report
@@ -106,7 +107,7 @@ class Outcome:
 
 
 def work(request, control):
-    """Any thread: the check itself. Raises core.CoreError, InputProblem."""
+    """Runs the check, in any thread. Raises core.CoreError, InputProblem."""
     neighbours = request.rows()
     report = core.clearance(request.body, neighbours, request.options, control)
     for row, neighbour in zip(report["neighbours"], request.neighbours):
@@ -118,14 +119,14 @@ def work(request, control):
         distances = np.full(len(request.points), FAR)
         for _, vertices, triangles, _, rule in neighbours:
             if rule is not None and rule.startswith("contact"):
-                continue  # what is meant to touch would hide what comes near
+                continue  # an allowed contact would hide approaches of other neighbours
             found = core.distance_to_mesh(request.points, vertices, triangles, control)
             distances = np.minimum(distances, found)
     return Outcome(report, distances, request.notes)
 
 
 def apply(obj, outcome, hash_at_start):
-    """Writes the result of a check."""
+    """Writes the result of a check into the object."""
     report = dict(outcome.report, notes=outcome.notes)
     obj.Report = json.dumps(report)
     obj.Summary = summary(report)
@@ -137,36 +138,37 @@ def apply(obj, outcome, hash_at_start):
 
 
 def first_contacts(plan, control=None):
-    """What touches at the first pose of a plan's motion: {(root, sub): Rule} that would allow it. Raises
-    core.CoreError, InputProblem."""
+    """Returns {(root, sub): Rule}, the rules that would allow the contacts at the first pose of a
+    plan's motion. Raises core.CoreError, InputProblem."""
     request = plan.request()
     return contacts_from(request, offered(request, control or core.Control()))
 
 
 def offered(request, control):
-    """Any thread: the rules, as texts, of the neighbours of a request."""
+    """Returns the rules that would allow the contacts of the neighbours, as texts. Any thread."""
     return core.first_contacts(request.body, request.rows(), request.options, control)
 
 
 def contacts_from(request, texts):
-    """The rules of offered(), by parts."""
+    """Returns the rules of offered() by parts."""
     found = zip((n.pair for n in request.neighbours), texts)
     return {pair: neighbour_rules.from_text(text) for pair, text in found if text}
 
 
 def compute(obj, control=None):
-    """Checks in this thread (scripts, no GUI): one undo step. Raises core.CoreError."""
+    """Runs the check in this thread (for scripts without a GUI) as one undo step. Raises
+    core.CoreError."""
     title = translate("Messages", "Check clearance")
     return check.compute(obj, sys.modules[__name__], title, control).report
 
 
 def report_of(obj):
-    """The stored report (dict); None if there is none, or a damaged one."""
+    """Returns the stored report (dict), or None if there is none or it is damaged."""
     return stored(obj.Report, REPORT)
 
 
 def make_clearance(document, label=None, **settings):
-    """A clearance object, not yet computed. `settings` are property names with values."""
+    """Creates a clearance check, not yet computed. `settings`: property names with values."""
     obj = document.addObject(TYPE, "Clearance")
     Clearance(obj)
     obj.Label = label or translate("Messages", "Clearance")

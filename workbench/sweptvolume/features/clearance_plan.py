@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a clearance check looks at, read off an object or a panel: moving parts, neighbours, settings -> the
-input of the core as plain arrays."""
+"""Reads the inputs of a clearance check from an object or a panel (moving parts, neighbours,
+settings), and converts them to plain arrays for the core."""
 
 from .. import contents, convert
 from ..convert import InputProblem
@@ -13,21 +13,21 @@ from .still_parts import StillParts, chord_of, has_surface, left_out_text, liste
 
 
 class Request:
-    """Input of one check as plain arrays, no document behind it."""
+    """Input of one check as plain arrays, independent of any document."""
 
     def __init__(self, body, neighbours, all_visible, options, points, notes, ignored=()):
         self.body = body  # core.Request
         self.neighbours = neighbours
         self.all_visible = all_visible
         self.options = options
-        self.points = points  # of the envelope, to be coloured; may be None
+        self.points = points  # points of the envelope to be coloured, or None
         self.notes = notes
-        self.ignored = list(ignored)  # [name, place] of neighbours that are not looked at
+        self.ignored = list(ignored)  # [name, place] of the neighbours that the rules ignore
 
     def rows(self):
-        """Any thread: (name, vertices, triangles, chord, rule as text or None) of the neighbours. One of
-        which no triangles can be had is left out with a note where all that are visible are taken. Raises
-        InputProblem."""
+        """Returns (name, vertices, triangles, chord, rule as text or None) for each neighbour. Any
+        thread. If AllVisible is set, a neighbour without triangles is left out with a note;
+        otherwise raises InputProblem."""
         rows, kept = [], []
         for n in self.neighbours:
             try:
@@ -59,7 +59,7 @@ def _place_of(obj):
 
 
 class Plan(StillParts):
-    """What is to be checked. Reads documents only in the thread of the GUI."""
+    """The inputs of a check. Reads documents only in the GUI thread."""
 
     SETTINGS = ("RequiredDistance", "Accuracy", "MeshDeflection")
 
@@ -74,7 +74,7 @@ class Plan(StillParts):
         self.values = dict(values)
         self.envelope = envelope
         self.rules = dict(rules or {})  # {(root, sub): neighbour_rules.Rule}
-        self.lost = ""  # what was deleted that the object needs
+        self.lost = ""  # text about a deleted input, or ""
         self._words = None
 
     @classmethod
@@ -93,7 +93,7 @@ class Plan(StillParts):
         return plan
 
     def write(self, obj):
-        """Puts the plan into a clearance object."""
+        """Writes the plan into a clearance object."""
         missing.forget(obj)
         obj.Envelope = self.envelope
         if self.envelope is None:
@@ -106,12 +106,12 @@ class Plan(StillParts):
             set_changed(obj, name, value)
 
     def objects(self):
-        """Document objects that a run needs to its end."""
+        """Returns the document objects that a run needs until its end."""
         found = [root for root, _ in self.pairs] + [self.motion, self.envelope]
         return [obj for obj in found if obj is not None]
 
     def moving(self):
-        """The moving parts. Raises InputProblem where each has a motion of its own."""
+        """Returns the moving parts. Raises InputProblem if each part has its own motion."""
         if self.lost:
             raise InputProblem(self.lost)
         if self.envelope is None:
@@ -137,7 +137,8 @@ class Plan(StillParts):
         return obj is self.envelope or getattr(obj, "Motion", None) is self.moving().motion
 
     def moved_too(self):
-        """What is to be said of neighbours that the source of the motion moves as well: here they stand."""
+        """Returns the note about neighbours that the source of the motion also moves. In this check
+        they stand still."""
         moved = set(self.moving().motion.MovedToo)
         names = []
         for root, sub in self.leaves() if moved else []:
@@ -153,14 +154,15 @@ class Plan(StillParts):
         return [text.format(listed(names))]
 
     def seen(self):
-        """As mechanism_plan.Plan.seen(): of all that moves."""
+        """As mechanism_plan.Plan.seen(), for all moving parts."""
         moving = self.moving()
         body = convert.body_from(self.pairs, self.seen_deflection())
         way = moving.way()
         return [(Seen(body, way.into_base), way.course())]
 
     def rename(self, report):
-        """The rows of a report get the names that their parts have now. Returns whether any has another."""
+        """Updates the names in the rows of a report to the present labels of the parts. Returns
+        whether a name changed."""
         changed, ignored = False, row_names.placed(report, "ignored", "ignored_places")
         for k, (known, place) in enumerate(ignored):
             report["ignored"][k] = row_names.label_at(self.document, place, known)
@@ -174,31 +176,33 @@ class Plan(StillParts):
         return changed
 
     def hash(self):
-        """Short text that stands for all the result depends on; "" while inputs are unusable."""
+        """Returns a short text that identifies all inputs of the result, or "" if inputs are
+        unusable."""
         return status.hash_or_problem(self.checked_hash)[0]
 
     def words(self):
-        """Of all the result depends on, as it was when this was first asked (contents.words()). Raises
-        InputProblem that says why the inputs are unusable."""
+        """Returns the words (contents.words()) of all inputs, in their state at the first call.
+        Raises InputProblem, whose text says why the inputs are unusable."""
         if self._words is None:
-            # Undo brings objects back in another order.
+            # Sorted, because undo restores objects in another order.
             beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
             words = self.moving().words() + contents.words(beside) + [self._settings()]
             if neighbour_rules.words(self.rules):
                 words.append(neighbour_rules.words(self.rules))
-            if self.envelope is not None:  # whose points are coloured
+            if self.envelope is not None:  # its points are coloured
                 words.append(contents.apart.of(self.envelope))
                 words.append(contents.matrices(convert.matrix_of(_place_of(self.envelope))))
             self._words = words
         return self._words
 
     def checked_hash(self):
-        """As hash(); raises InputProblem that says why the inputs are unusable. Any thread, where the words
-        were prepared for that."""
+        """As hash(), but raises InputProblem, whose text says why inputs are unusable. Any thread,
+        if the words were prepared() for that."""
         return status.VERSION + contents.short(contents.texts(self.words()))
 
     def hash_of_before(self):
-        """As version 1 had it, which did not count what has no surface; raises InputProblem."""
+        """Returns the hash of version 1, which left out objects without a surface. Raises
+        InputProblem."""
         words = self.moving().words_of_before()
         counted = [pair for pair in self.leaves() if has_surface(*pair)]
         return contents.short(words + [contents.signature_of_before(counted), self._settings()])
@@ -207,7 +211,7 @@ class Plan(StillParts):
         return renamed.hashed(contents.steady(self.values))
 
     def request(self):
-        """The check as plain arrays. Raises InputProblem."""
+        """Returns the check as plain arrays. Raises InputProblem."""
         moving = self.moving()
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         straight = 0.5 * float(self.values["Accuracy"])
@@ -242,6 +246,6 @@ class Plan(StillParts):
 
 
 def envelope_arrays(envelope):
-    """World vertices and triangles of an envelope's mesh."""
+    """Returns vertices and triangles of an envelope's mesh in world coordinates."""
     vertices, triangles = convert.arrays_from_mesh(envelope.Mesh)
     return convert.transform(convert.matrix_of(_place_of(envelope)), vertices), triangles

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a clearance check: type, name, help, default; of results type, name, help, mode."""
+"""The properties of a clearance check. Inputs: type, name, help, default. Results: type, name,
+help, mode."""
 from ..texts import mark
 from . import missing, neighbour_rules
 from .base import HIDDEN, READ_ONLY
@@ -63,7 +64,7 @@ INPUT = [
         "MeshDeflection",
         mark(
             "Properties",
-            "How far the triangles of a solid may deviate from it. This deviation is "
+            "How far the triangle mesh of a solid may deviate from the solid. This deviation is "
             "subtracted from guaranteed distances",
         ),
         0.05,
@@ -140,8 +141,8 @@ RESULT = [
         "Seen",
         mark(
             "Properties",
-            "Parts that were visible in the last run with AllVisible. If they change, "
-            "the result is stale",
+            "Parts that were visible in the last run, recorded if AllVisible was true. If one of "
+            "them changes, the result is stale",
         ),
         HIDDEN,
     ),

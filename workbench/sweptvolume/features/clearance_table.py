@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The result of a clearance check in one line and as a table: CSV file, spreadsheet. Lengths are in the unit
-of FreeCAD's preferences, which the head of a column names; numbers in files have no separators, so that
-others can read them."""
+"""The result of a clearance check as one line of text, as a CSV file and as a spreadsheet. Lengths
+are in the unit of FreeCAD's preferences, which the heads of the columns show. Numbers in files
+have no group separators, so that other programs can read them."""
 import csv
 
 from .. import targets
@@ -12,11 +12,12 @@ from .neighbour_rules import CONTACT, REQUIRED
 
 
 def verdict_word(verdict):
-    """A verdict of a report as people read it, in files (English)."""
+    """Returns the English text of a verdict, for files."""
     return "below required" if verdict == "below" else verdict
 
 
-#: Title, unit ("mm": that of the preferences) and how to find it in a row of the report.
+#: Title, unit ("mm" stands for the unit of the preferences), and function that takes the value from
+#: a row of the report.
 _COLUMNS = [
     ("Neighbour", "", lambda row, deep: row["name"]),
     ("Verdict", "", lambda row, deep: verdict_word(row["verdict"])),
@@ -40,23 +41,24 @@ WORST_FIRST = ("clash", "contact", "below", "clear")
 
 
 def meets_rule(row):
-    """Whether a row of a report meets its rule; reports of before there were rules ask for clear."""
+    """Returns whether a row of a report meets its rule. In reports without rules (earlier
+    versions), only "clear" does."""
     return row.get("meets_rule", row["verdict"] == "clear")
 
 
 def judged(row):
-    """The verdict of a row as it counts: "clear" where its rule is met."""
+    """Returns "clear" for a row that meets its rule, otherwise its verdict."""
     return "clear" if meets_rule(row) else row["verdict"]
 
 
 def worst(report):
-    """The worst verdict of rows that do not meet their rule; "clear" where all do."""
+    """Returns the worst verdict of the rows that do not meet their rule, or "clear" if all do."""
     return min(map(judged, report["neighbours"]), key=WORST_FIRST.index, default="clear")
 
 
 def worst_first(report):
-    """Indices of the rows: what does not meet its rule first, clashes before contact before below required,
-    the deepest and then the nearest first."""
+    """Returns the indices of the rows: first those that do not meet their rule (clash, contact,
+    below required), the deepest and then the nearest first."""
     rows = report["neighbours"]
 
     def badness(index):
@@ -69,8 +71,8 @@ def worst_first(report):
 
 
 def worst_rows(report):
-    """Numbers of the rows that do not meet their rule, the worst first; where all do, of the nearest one
-    alone."""
+    """Returns the indices of the rows that do not meet their rule, the worst first. If all rows do,
+    returns only the nearest row."""
     rows = report["neighbours"]
     bad = [index for index in worst_first(report) if not meets_rule(rows[index])]
     nearest = report.get("smallest", 0)
@@ -78,8 +80,9 @@ def worst_rows(report):
 
 
 def line_of(row):
-    """The line that shows a row in the 3D view: (its two ends, its text, whether the parts clash). It is the
-    shortest one between the two parts; in a clash it goes from the deepest point out to the surface.
+    """Returns the line that shows a row in the 3D view: (its two ends, its text, whether the parts
+    clash). The line connects the nearest points of the parts; for a clash it goes from the
+    deepest point to the surface.
     """
     ends, length = [row["point_on_body"], row["point_on_neighbour"]], row["distance"]
     deep = row.get("penetration", {}) if row["verdict"] == "clash" else {}
@@ -90,7 +93,7 @@ def line_of(row):
 
 
 def rule_of(row, report):
-    """(kind of neighbour_rules.KINDS, mm) of a row."""
+    """Returns the rule of a row as (kind from neighbour_rules.KINDS, mm)."""
     rule = row.get("rule", {})
     if "contact" in rule:
         return CONTACT, rule["contact"]
@@ -98,7 +101,7 @@ def rule_of(row, report):
 
 
 def rule_text(row, report):
-    """The rule of a row in the user's language and unit."""
+    """Returns the rule of a row in the user's language and unit."""
     kind, length = rule_of(row, report)
     if kind == REQUIRED:
         return quantity(length, TABLE_DIGITS)
@@ -108,10 +111,10 @@ def rule_text(row, report):
 
 
 def summary(report, head=""):
-    """The result in one line, as the core has it, in the user's language and unit. head: how many were
-    checked, where those are not the rows."""
+    """Returns the result in one line in the user's language and unit; the core has the same line in
+    English. head: text with the number of checks, if that is not the number of rows."""
     rows, nearest = report["neighbours"], report.get("smallest")
-    if not isinstance(nearest, int) or not 0 <= nearest < len(rows):  # damaged
+    if not isinstance(nearest, int) or not 0 <= nearest < len(rows):  # the report is damaged
         return report["summary"]
     words = [head or translate("Messages", "{0} checked").format(len(rows))]
     for verdict, text in (
@@ -135,26 +138,26 @@ def summary(report, head=""):
     deep = row.get("penetration", {}).get("depth") if row["verdict"] == "clash" else None
     where = number(row["time_seconds"], TABLE_DIGITS), row["name"]
     if isinstance(deep, (int, float)):
-        text, lengths = translate("Messages", "deepest {0} at t = {1} s ({2})"), [deep]
+        text, lengths = translate("Messages", "deepest clash {0} at t = {1} s ({2})"), [deep]
     else:
-        text = translate("Messages", "smallest {0} at t = {1} s ({2})")
+        text = translate("Messages", "smallest distance {0} at t = {1} s ({2})")
         lengths = [row["distance"], row.get("guaranteed", row["distance"])]
     lengths = [quantity(length, TABLE_DIGITS) for length in lengths]
-    if len(set(lengths)) > 1:  # what triangles and tolerance may hide
-        text = translate("Messages", "smallest {0}, at least {1}, at t = {2} s ({3})")
+    if len(set(lengths)) > 1:  # the two differ by the tolerance and the deviation of the triangles
+        text = translate("Messages", "smallest distance {0} (guaranteed: {1}) at t = {2} s ({3})")
     else:
         del lengths[1:]
     return ", ".join(words + [text.format(*lengths, *where)])
 
 
 def columns():
-    """The head of the table."""
+    """Returns the heads of the columns."""
     shown = {"": "", "s": " (s)", "mm": " ({})".format(length_unit()[1])}
     return [title + shown[unit] for title, unit, _ in _COLUMNS]
 
 
 def table(report):
-    """The rows of the table, as columns()."""
+    """Returns the rows of the table, with the columns of columns()."""
     one = length_unit()[0]
     rows = []
     for row in report["neighbours"]:
@@ -169,12 +172,13 @@ def table(report):
 
 
 def write_csv(report, path):
-    """The table as a CSV file (UTF-8). Raises InputProblem where a document reads that file."""
+    """Writes the table as a CSV file (UTF-8). Raises InputProblem if a document reads that file."""
     write_rows([columns()] + table(report), path)
 
 
 def write_rows(rows, path):
-    """Rows of a table as a CSV file (UTF-8). Raises InputProblem where a document reads that file."""
+    """Writes rows of a table as a CSV file (UTF-8). Raises InputProblem if a document reads that
+    file."""
     targets.check_not_read(path)
     with written_beside(path) as beside:
         with open(beside, "w", encoding="utf-8", newline="") as out:
@@ -182,12 +186,12 @@ def write_rows(rows, path):
 
 
 def make_spreadsheet(obj, report):
-    """The table as a spreadsheet in the document."""
+    """Adds the table to the document as a spreadsheet."""
     return spreadsheet_of(obj, [columns()] + table(report))
 
 
 def spreadsheet_of(obj, rows):
-    """Rows of a table as a spreadsheet beside an object."""
+    """Adds rows of a table as a spreadsheet beside an object."""
     sheet = obj.Document.addObject("Spreadsheet::Sheet", "ClearanceTable")
     sheet.Label = translate("Messages", "{0} table").format(obj.Label)
     for r, row in enumerate(rows):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Envelope: the swept volume of generators along a motion, a mesh in the document.
+"""Envelope: the swept volume of moving parts, a mesh in the document.
 
-`execute` never computes: it compares the inputs with those of the stored result and marks it stale.
-A run is three steps: prepare() reads the document (GUI thread), what it returns works on plain arrays
-(any thread), apply() writes the result (GUI thread).
+`execute` never computes: it compares the inputs with those of the stored result and marks the
+result as stale. A run has three steps: prepare() reads the document (GUI thread), the function that
+it returns works on plain arrays (any thread), apply() writes the result (GUI thread).
 """
 import json
 
@@ -31,7 +31,7 @@ from .envelope_properties import ACCURACY, INPUT, PLACED, RESULT
 
 TYPE = "Mesh::FeaturePython"
 
-#: Findings that only tell what was done.
+#: Findings that only describe what was done.
 NOTES = {
     "Welded",
     "PositionFiltered",
@@ -43,7 +43,7 @@ NOTES = {
     "Conservative",
     "CpuSampler",
 }
-#: What is read of a stored report.
+#: The parts of a stored report that are used, with their shapes (base.fits()).
 REPORT = {
     "cell": float,
     "backend": str,
@@ -71,7 +71,9 @@ class Envelope(Feature):
                 (missing.PROPERTY, mark("Properties", "Inputs that were deleted (JSON)")),
                 (
                     made_by.PROPERTY,
-                    mark("Properties", "Which face or edge made each triangle (packed)"),
+                    mark(
+                        "Properties", "Record of which face or edge made each triangle (compressed)"
+                    ),
                 ),
             )
         ]
@@ -83,7 +85,7 @@ class Envelope(Feature):
         obj.Status = NOT_COMPUTED
 
     def execute(self, obj):
-        """Marks the result stale or current; keeps the mesh."""
+        """Marks the result as stale or current, and keeps the mesh."""
         update_status(obj)
 
     look = execute
@@ -96,7 +98,7 @@ class Envelope(Feature):
         of_before = "Placed" not in obj.PropertiesList
         with quietly(obj):
             super().onDocumentRestored(obj)
-            containers.shorten(obj)  # documents of before may have circles
+            containers.shorten(obj)  # documents of earlier versions may have circular links
             if of_before:
                 status.remember_place(obj)
                 plan = Plan.of(obj)
@@ -108,7 +110,8 @@ def is_envelope(obj):
 
 
 def work(requests, union_options, control, compute=core.compute):
-    """Any thread: one envelope, or those of several groups and the outer surface of them all.
+    """Computes one envelope, or those of several groups of parts and the outer surface of them all.
+    Any thread.
 
     `compute` runs one request. Raises core.CoreError.
     """
@@ -123,13 +126,13 @@ def work(requests, union_options, control, compute=core.compute):
 
 
 def prepare(plan, document):
-    """Reads what a run needs; returns run(control) for any thread, which gives an Outcome.
+    """Reads what a run needs. Returns run(control) for any thread, which returns an Outcome.
 
-    Where only the tolerance is not that of the last simplified result, that one is cut again.
-    Raises InputProblem.
+    If the inputs differ from the last simplified result only in the tolerance, that result is
+    simplified again. Raises InputProblem.
     """
     findings = plan.findings()
-    known = not contents.unread(plan.words())  # else nothing is kept of them
+    known = not contents.unread(plan.words())  # otherwise no surface is kept for these parts
     before = kept.find(document, plan.hash(without=("tolerance",))) if known else None
     if before is not None and plan.records() and not core.has_sources(before):
         before = None
@@ -150,18 +153,19 @@ def prepare(plan, document):
 
 
 def can_recut(obj):
-    """Whether a new tolerance made the stored result stale that can be cut again without sampling."""
+    """Returns whether the stored result is stale only because of a new tolerance, and can be
+    simplified again without sampling."""
     if not obj.InputHash:
         return False
     plan = Plan.of(obj)
     unread = contents.unread(status.hash_or_problem(plan.words)[0])
-    if unread or plan.hash() == obj.InputHash:  # of parts that were not read nothing is kept
+    if unread or plan.hash() == obj.InputHash:  # nothing is kept for parts that were not read
         return False
     return kept.find(obj.Document, plan.hash(without=("tolerance",))) is not None
 
 
 def update_status(obj):
-    """Compares inputs and stored result."""
+    """Compares the present inputs with those of the stored result."""
     plan = Plan.of(obj)
     now, problem, waits = status.inputs_of(obj, plan.words, plan.checked_hash)
     if waits:
@@ -173,25 +177,25 @@ def update_status(obj):
 
 
 def notes_of(obj):
-    """What is to be said of the stored result."""
+    """Returns the notes to show for the stored result."""
     report = report_of(obj) if obj.Report else None
     return "\n".join(w["text"] for w in warnings_of(report)) if report else ""
 
 
 def report_of(obj):
-    """The stored report (dict); None if there is none, or a damaged one."""
+    """Returns the stored report (dict), or None if there is none or it is damaged."""
     return stored(obj.Report, REPORT)
 
 
 def warnings_of(report):
-    """The findings of a report that ask for attention, in the user's language; all are kept in the
-    property Report."""
+    """Returns the findings of a report that the user should see, in the user's language. The
+    property Report keeps all findings."""
     found = [w for w in report["warnings"] if w["code"] not in NOTES]
     return [dict(w, text=said(w["code"], w["text"])) for w in found]
 
 
 def apply(obj, outcome, hash_at_start):
-    """Writes the result of a run that ended Ok."""
+    """Writes the result of a successful run into the object."""
     mesh = outcome.mesh or convert.mesh_from_arrays(outcome.vertices, outcome.triangles)
     mesh.Placement = status.outer_inverse(obj).multiply(mesh.Placement)
     obj.Mesh = mesh
@@ -213,13 +217,14 @@ def apply(obj, outcome, hash_at_start):
 
 
 def fail(obj, text, tried, cancelled=False):
-    """Remembers a run that gave nothing; the stored mesh stays as it is. tried: hash of its inputs."""
+    """Stores the error of a run without a result; the stored mesh is kept. tried: hash of the
+    inputs of the run."""
     status.mark_failure(obj, Plan.of(obj).hash, text, tried, cancelled)
     status.tell_users(obj)
 
 
 def compute(obj, control=None):
-    """Computes in this thread (scripts, no GUI): one undo step. Raises core.CoreError."""
+    """Computes in this thread (for scripts without a GUI) as one undo step. Raises core.CoreError."""
     plan = Plan.of(obj)
     hash_at_start = plan.hash()
     document = obj.Document
@@ -236,7 +241,7 @@ def compute(obj, control=None):
 
 
 def pairs_of_items(generators):
-    """Objects or (object, sub path) tuples -> (root, sub) pairs."""
+    """Converts objects or (object, sub path) tuples to (root, sub) pairs."""
     pairs = []
     for item in generators:
         if isinstance(item, (tuple, list)):
@@ -247,7 +252,7 @@ def pairs_of_items(generators):
 
 
 def make_envelope(document, generators, motion, label=None, **settings):
-    """An envelope object, not yet computed. `settings` are property names with values."""
+    """Creates an envelope, not yet computed. `settings`: property names with values."""
     obj = document.addObject(TYPE, "Envelope")
     Envelope(obj)
     obj.Label = label or translate("Messages", "Envelope")

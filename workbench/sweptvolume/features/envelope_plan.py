@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an envelope is to be computed from, read off an object or a panel: parts, motions, settings -> the
-input of the core as plain arrays."""
+"""Reads the inputs of an envelope from an object or a panel (parts, motions, settings), and
+converts them to plain arrays for the core."""
 import json
 
 import numpy as np
@@ -14,26 +14,26 @@ from .envelope_properties import ACCURACY, BACKENDS, COMPONENTS
 from .motion import is_motion, set_parts
 from .moving import Moving, grouped
 
-#: About as many cells as a grid can have along a side; the core says exactly.
+#: Approximate largest number of cells along one side of a grid; the core checks the exact limit.
 MOST_CELLS = 8000
-#: Straight pieces of a smooth motion leave it by at most this part of a cell.
+#: Largest deviation of the straight pieces that replace a smooth motion, in cells.
 STRAIGHT = 0.02
-#: Of a part's size: to so much its solids get triangles for a closer estimate.
+#: Deflection of solids for the closer estimate, as a fraction of the part's size.
 LOOK_DEFLECTION = 2e-3
 
 
 class Plan:
-    """What is to be computed: generators, motions, reference, values of the settings by property name.
+    """The inputs of an envelope: moving parts, motions, reference part, values of the settings by
+    property name.
 
-    Made from an object or from a panel, anew for each use; reads documents only in the thread of the
-    GUI.
+    Created from an object or a panel, anew for each use. Reads documents only in the GUI thread.
     motions: one for each of pairs, or empty; reference: (root, sub).
     """
 
     SETTINGS = [name for _, name, *_ in ACCURACY]
 
     def __init__(self, pairs, motion, values, motions=(), reference=None, reference_motion=None):
-        self.lost = ""  # what was deleted that the object needs
+        self.lost = ""  # text about a deleted input, or ""
         self.pairs = list(pairs)
         self.motion = motion
         self.values = dict(values)
@@ -60,7 +60,7 @@ class Plan:
         return plan
 
     def write(self, obj):
-        """Puts the plan into an envelope object."""
+        """Writes the plan into an envelope object."""
         missing.forget(obj)
         containers.set_pairs(obj, "MovingParts", self.pairs)
         obj.Motion = self.motion
@@ -73,20 +73,20 @@ class Plan:
                 setattr(obj, name, value)
 
     def tell_motions(self):
-        """Motions that know no part yet learn which ones they move."""
+        """Assigns the moving parts to motions that have no parts yet."""
         for motion in {m.Name: m for m in self.motions or [self.motion] if m is not None}.values():
             if is_motion(motion):
                 own = zip(self.pairs, self.motions or [self.motion] * len(self.pairs))
                 set_parts(motion, [pair for pair, m in own if m is motion])
 
     def objects(self):
-        """Document objects that a run needs to its end."""
+        """Returns the document objects that a run needs until its end."""
         found = [root for root, _ in self.pairs] + [self.motion, self.reference_motion]
         found += self.motions + ([self.reference[0]] if self.reference else [])
         return [obj for obj in found if obj is not None]
 
     def groups(self):
-        """Parts that move together: list of Moving. Raises InputProblem."""
+        """Returns the parts that move together, as a list of Moving. Raises InputProblem."""
         if self.lost:
             raise InputProblem(self.lost)
         if self.motions and len(self.motions) != len(self.pairs):
@@ -103,7 +103,7 @@ class Plan:
         return groups or [Moving([], self.motion, *reference)]
 
     def options(self):
-        """Settings as the core takes them."""
+        """Returns the settings in the form of the core."""
         v = self.values
         return {
             "resolution": int(v["Resolution"]),
@@ -119,44 +119,46 @@ class Plan:
         }
 
     def records(self):
-        """Whether the run tells what made each triangle: grown envelopes cannot."""
+        """Returns whether the run records what made each triangle. Grown envelopes cannot."""
         v = self.values
         return v["MadeBy"] != "Off" and not v["Offset"] > 0 and not v["Conservative"]
 
     def hash(self, without=()):
-        """Short text that stands for all the result depends on; "" while inputs are unusable. without:
-        options that are left out."""
+        """Returns a short text that identifies all inputs of the result, or "" if inputs are
+        unusable. without: options that are left out."""
         return status.hash_or_problem(lambda: self.checked_hash(without))[0]
 
     def words(self):
-        """Of the parts and motions as they were when this was first asked (contents.words()). Raises
-        InputProblem that says why the inputs are unusable."""
+        """Returns the words (contents.words()) of parts and motions, in their state at the first
+        call. Raises InputProblem, whose text says why the inputs are unusable."""
         if self._words is None:
             self._words = [word for group in self.groups() for word in group.words()]
         return self._words
 
     def checked_hash(self, without=()):
-        """As hash(); raises InputProblem that says why the inputs are unusable. Any thread, where the words
-        were prepared for that."""
+        """As hash(), but raises InputProblem, whose text says why inputs are unusable. Any thread,
+        if the words were prepared() for that."""
         return status.VERSION + self._hash(contents.texts(self.words()), without)
 
     def hash_of_before(self):
-        """As version 1 had it; raises InputProblem."""
+        """Returns the hash of version 1. Raises InputProblem."""
         return self._hash([word for group in self.groups() for word in group.words_of_before()])
 
     def _hash(self, inputs, without=()):
         options = self.options()
-        # The surface is the same whoever computes it, and whatever is told of it.
+        # The surface depends neither on the backend nor on the recording of sources.
         for name in ("backend", "sources") + tuple(without):
             del options[name]
         if not options["position_filter"]:
-            del options["position_filter"]  # so are those made before there was one
+            # a filter of 0 gives the same hash as documents without this property.
+            del options["position_filter"]
         options = json.dumps(contents.steady(options), sort_keys=True)
         words = [options, repr(contents.steady(self.values["MeshDeflection"]))]
         return contents.short(words + inputs)
 
     def cell(self, groups):
-        """Edge of a cell (mm): as given, or from the resolution and the boxes of the parts."""
+        """Returns the cell size (mm): the given one, or the one from the resolution and the
+        bounding boxes of the parts."""
         if self.values["CellSize"] > 0:
             return float(self.values["CellSize"])
         low, high = np.full(3, np.inf), np.full(3, -np.inf)
@@ -166,12 +168,14 @@ class Plan:
         return max(float((high - low).max()) / max(self.values["Resolution"], 1), 1e-9)
 
     def requests(self, finest=0.0, read=convert.body_from):
-        """One run for each group of parts that move together, no document behind them. finest: mm, solids
-        get no finer triangles; read: as convert.body_from."""
+        """Returns one request, independent of the document, for each group of parts that move
+        together. finest: mm, smallest deflection for solids. read: a function like
+        convert.body_from()."""
         groups, options = self.groups(), self.options()
         cell = self.cell(groups)
         if any(np.ptp(g.corners(), axis=0).max() > MOST_CELLS * cell for g in groups):
-            self.estimate()  # refused by the core, before solids get triangles for such a cell
+            # The core refuses bad settings here, before solids are meshed for such a cell.
+            self.estimate()
         if len(groups) > 1:
             options.update(cell=cell, tolerance=0.0)
             if options["keep_cavities"]:
@@ -186,7 +190,7 @@ class Plan:
         return [g.body_request(deflection, STRAIGHT * cell, options, read) for g in groups]
 
     def coarse_requests(self, cells):
-        """As requests(), of a quick look: `cells` along the longest side, nothing simplified."""
+        """As requests(), for a quick preview: `cells` along the longest side, not simplified."""
         values = dict(
             self.values,
             Resolution=cells,
@@ -200,8 +204,8 @@ class Plan:
         return Plan(self.pairs, self.motion, values, self.motions, *reference).requests()
 
     def findings(self):
-        """What is to be said of the motions themselves, as findings of a report: they hide more than a cell
-        between two frames, or ended early."""
+        """Returns findings about the motions themselves: a motion may hide more than a cell between
+        two frames, or may have ended early."""
         groups, found = self.groups(), []
         cell = self.cell(groups)
         for group in groups:
@@ -213,14 +217,14 @@ class Plan:
         return found
 
     def union_options(self, requests):
-        """Settings of the run that joins the envelopes of several groups."""
+        """Returns the settings of the run that joins the envelopes of several groups."""
         return dict(
             self.options(), cell=requests[0].options["cell"], offset=0.0, position_filter=0.0
         )
 
     def estimate(self):
-        """What the run would take, from the outermost points of the parts: dict of the core. Grid and cell
-        are those of the run."""
+        """Estimates the run from the outermost points of the parts. Returns the dict of the core.
+        Grid and cell are those of the run."""
         groups, options = self.groups(), self.options()
         if len(groups) > 1:
             options["cell"] = self.cell(groups)
@@ -230,13 +234,14 @@ class Plan:
         )
 
     def is_outlined(self):
-        """Whether estimate() answers at once: the outermost points of the parts are known."""
+        """Returns whether estimate() answers at once because the outermost points of the parts are
+        known."""
         return all(contents.is_outlined(group.pairs) for group in self.groups())
 
     def closer_estimate(self, read=convert.body_from):
-        """A function of a core.Control that gives a better estimate, for another thread: a few steps of the
-        parts are sampled. Solids get triangles for it that are quickly made. It finds the outermost points
-        as well."""
+        """Returns a function of a core.Control, for another thread, that gives a better estimate:
+        it samples a few steps of the motion with coarse triangles of the solids. It also finds
+        the outermost points."""
         groups = self.groups()
         size = min(float(np.ptp(group.corners(), axis=0).max()) for group in groups)
         outlines = [group.outline() for group in groups]
@@ -251,6 +256,6 @@ class Plan:
 
 
 def _together(found):
-    """Estimates of runs one after the other -> that of all."""
+    """Adds up the estimates of runs that follow each other."""
     most = max(found, key=lambda e: e["memory_bytes"])
     return dict(most, seconds=sum(e["seconds"] for e in found))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of an envelope, as Feature.properties() takes them: type, name, group, help, default, mode;
-of results type, name, help."""
+"""The properties of an envelope for Feature.properties(). Inputs: type, name, group, help, default,
+mode. Results: type, name, help."""
 from ..texts import mark
 from .base import HIDDEN
 
-#: Name in the property -> name the core knows.
+#: Name in the property -> name in the core.
 COMPONENTS = {
     "Consistent": "consistent",
     "DualContouring": "dc",
@@ -91,8 +91,8 @@ ACCURACY = [
         "Accuracy",
         mark(
             "Properties",
-            "How far the triangles of a solid may deviate from it, as a fraction of the "
-            "cell size",
+            "How far the triangle mesh of a solid may deviate from the solid, as a fraction of "
+            "the cell size",
         ),
         0.1,
         0,
@@ -177,14 +177,15 @@ ACCURACY = [
         0,
     ),
 ]
-#: Where the result was put, to notice when it is moved.
+#: Placement of the result when it was stored. It shows whether the result was moved since.
 PLACED = (
     "App::PropertyPlacement",
     "Placed",
     "Result",
     mark(
         "Properties",
-        "Placement of the result when it was stored. If it changes, the result was moved",
+        "Placement of the result when the result was stored. If the present placement differs, "
+        "the result was moved",
     ),
     None,
     HIDDEN,

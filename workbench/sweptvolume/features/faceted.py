@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Solids by FreeCAD's own means, where the core was built without OpenCASCADE: a face per triangle.
+"""Creates solids with FreeCAD if the core was built without OpenCASCADE: each triangle becomes a
+face.
 
-In: mesh arrays in mm, a path. Out: the file, and a dict like that of the core's write_solid. Written
-beside the target, read back, then renamed. Cost: 0.3 ms a triangle and more; for some thousands.
+In: mesh arrays in mm, a path. Out: the file, and a dict like that of the core's write_solid().
+Writes beside the target, reads the file back, then renames it. Cost: at least 0.3 ms for each
+triangle; suitable for some thousands.
 """
 import os
 
@@ -13,7 +15,7 @@ from ..convert import InputProblem
 from ..safe_file import written_beside
 from ..texts import mark, translate
 
-#: Of a face, about: in a STEP file, and to make and write it.
+#: Approximate size in a STEP file, and time to make and write, for each face.
 MEGABYTES, SECONDS = 0.0024, 0.001
 
 NOTE = mark(
@@ -28,7 +30,7 @@ def shape_of(vertices, triangles):
 
     points = [App.Vector(*p) for p in vertices.tolist()]
     facets = Part.Shape()
-    # Without sewing the faces share their edges as they are.
+    # Without sewing: the faces already share their edges.
     facets.makeShapeFromMesh((points, [tuple(t) for t in triangles.tolist()]), 1e-7, False)
     solid = Part.Solid(Part.Shell(facets.Faces))
     if solid.Volume < 0:
@@ -48,15 +50,16 @@ def check(shape, volume):
 
 
 def write(vertices, triangles, path, max_faces):
-    """Raises InputProblem."""
+    """Writes the solid. Raises InputProblem."""
     import Part
 
     if len(triangles) > max_faces:
         raise InputProblem(
             translate(
                 "Messages",
-                "the core was built without OpenCASCADE, and {0} triangles would become as many faces "
-                "(limit {1}): simplify the envelope, or export STL, PLY or OBJ.",
+                "the core was built without OpenCASCADE, so each of the {0} triangles would "
+                "become a face, but the limit is {1} faces: simplify the envelope, or export "
+                "STL, PLY or OBJ.",
             ).format(len(triangles), max_faces)
         )
     corners = vertices[triangles]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A motion that is to be made better: document objects -> input of the core -> another motion beside it."""
+"""Improves a motion: reads the document, runs the core, and creates another motion beside the given
+one."""
 import numpy as np
 
 from .. import convert, core, core_paths
@@ -12,8 +13,9 @@ from .moving import Moving
 
 
 class ImprovePlan:
-    """motion: of ours; pairs: (root, sub) of the parts that move with it; locked: indices of keys that stay;
-    more: as much clearance as can be had; the rest as path_plan.PathPlan has it."""
+    """The inputs of a run. motion: a motion object; pairs: (root, sub) of the parts that move with
+    it; locked: indices of keys that do not change; more: make the clearance as large as
+    possible. The others are as in path_plan.PathPlan."""
 
     def __init__(self, motion, pairs, neighbours, locked=(), more=False, rules=None, **values):
         self.motion, self.pairs, self.neighbours = motion, list(pairs), list(neighbours)
@@ -23,11 +25,11 @@ class ImprovePlan:
         self.values = dict(path_plan.DEFAULTS, **values)
 
     def objects(self):
-        """Document objects that a run needs to its end."""
+        """Returns the document objects that a run needs until its end."""
         return [root for root, _ in self.pairs] + [self.motion]
 
     def request(self):
-        """The run without a document. Raises InputProblem."""
+        """Returns the run as plain values. Raises InputProblem."""
         if self.motion.Interpolation == "None":
             raise InputProblem(
                 translate(
@@ -65,8 +67,8 @@ class ImprovePlan:
 
 
 class ImproveRequest:
-    """body: core.Request; neighbours: as core_paths.PathRequest has them; part: 4x4, from the part's own
-    coordinates to those that the poses place."""
+    """Input of one run. body: core.Request; neighbours: as in core_paths.PathRequest; part: 4x4
+    matrix from the part's own coordinates to those to which the poses apply."""
 
     def __init__(self, body, neighbours, options, part):
         self.body = body
@@ -76,7 +78,7 @@ class ImproveRequest:
 
 
 def work(request, control):
-    """Any thread: the run itself (path_plan.Outcome). Raises core.CoreError, InputProblem."""
+    """Runs the core, in any thread. Returns path_plan.Outcome. Raises core.CoreError, InputProblem."""
     neighbours = core_paths.rows_of(request.neighbours)
     report, found = core_paths.improve_path(request.body, neighbours, request.options, control)
     if found is None:
@@ -84,12 +86,13 @@ def work(request, control):
     times, translations, rotations = found
     to_part = path_plan.placement_of(request.part)
     placed = [p.multiply(to_part) for p in convert.placements_from(translations, rotations)]
-    pivot = to_part.inverse().Base  # the point that went straight, in the part's coordinates
+    # The point that moved in a straight line, in coordinates of the part.
+    pivot = to_part.inverse().Base
     return path_plan.Outcome(report, Poses(times, placed, pivot=pivot))
 
 
 def make(plan, outcome):
-    """The better motion, beside the one that was there."""
+    """Creates the improved motion beside the given one."""
     names = {core_name: name for name, core_name in INTERPOLATIONS.items() if name != "Spline"}
     label = translate("Messages", "{0}, improved").format(plan.motion.Label)
     kind = names[outcome.report["interpolation"]]
@@ -97,8 +100,8 @@ def make(plan, outcome):
 
 
 def improve(plan, control=None):
-    """Improves in this thread (scripts, no GUI): (report, motion or None), one undo step. Raises
-    core.CoreError, InputProblem."""
+    """Improves in this thread (for scripts without a GUI) as one undo step. Returns (report, motion
+    or None). Raises core.CoreError, InputProblem."""
     outcome = work(plan.request(), control or core.Control())
     if outcome.poses is None:
         return outcome.report, None

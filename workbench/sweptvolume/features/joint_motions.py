@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motions of all parts that one driver or simulation moves: made, and read again, in one run of it."""
+"""Creates and reads again the motions of all parts that one driver or simulation moves, in one run
+of it."""
 from .. import convert
 from ..convert import InputProblem
 from ..texts import translate
@@ -10,7 +11,7 @@ from .base import objects_of_kind
 
 
 def is_of_source(obj, settings):
-    """Whether a motion has this source, whatever part it watches."""
+    """Returns whether a motion has this source, whatever part it records."""
     if obj.SourceType != settings.kind or not obj.SourceObjects:
         return False
     own = motion_source.settings_of(obj)
@@ -18,8 +19,9 @@ def is_of_source(obj, settings):
 
 
 def begin(document, settings, parts=()):
-    """A moved_parts.Run of a source of sources.FROM_JOINTS; settings: its first object is the source. parts:
-    objects that are watched in any case, and have to recompute in every frame. Raises InputProblem.
+    """Returns a moved_parts.Run for a source of sources.FROM_JOINTS. The first object of settings
+    is the source. parts: objects that are recorded in any case and must recompute in every
+    frame. Raises InputProblem.
     """
     objects = settings.objects[:1] + list(parts)
     return moved_parts.Run(
@@ -28,8 +30,8 @@ def begin(document, settings, parts=()):
 
 
 def take(document, settings, run):
-    """(motions, notes) of all parts that moved in a run that has ended: those that the document has of this
-    source are read again, the others are made. Raises InputProblem where nothing moved."""
+    """Returns (motions, notes) for all parts that moved in a finished run. Existing motions of this
+    source are updated, missing ones are created. Raises InputProblem if nothing moved."""
     moved = run.moved()
     objects = [root.getSubObject(sub, retType=1) for root, sub in moved]
     notes = [
@@ -69,13 +71,13 @@ def take(document, settings, run):
 
 
 def of_source(document, settings):
-    """As take(), with the run."""
+    """Runs the source, and returns what take() returns."""
     return take(document, settings, begin(document, settings).run())
 
 
 def alike(obj):
-    """All motions of a document with the source of one of them, that one too; empty where it is no source of
-    several parts."""
+    """Returns all motions of the document with the same source as a motion, including itself.
+    Returns an empty list if the source moves only one part."""
     if obj.SourceType not in sources.FROM_JOINTS or len(obj.SourceObjects) != 2:
         return []
     settings = motion_source.settings_of(obj)
@@ -84,7 +86,7 @@ def alike(obj):
 
 
 def reload(obj):
-    """Reads the source of a motion again in one run, for all motions of it. Raises InputProblem."""
+    """Reads the source of a motion again in one run, for all its motions. Raises InputProblem."""
     motions = alike(obj)
     for each in motions:
         missing.check(each)
@@ -99,7 +101,8 @@ def reload(obj):
 
 
 def sources_in(document):
-    """Sources of the document that move parts together, each once: those of its motions, and simulations."""
+    """Returns the sources of the document that move several parts, each once: those of its motions,
+    and simulations."""
     found = []
     for obj in objects_of_kind(document, motion_feature.Motion.KIND):
         if obj.SourceType in sources.FROM_JOINTS and obj.SourceObjects:

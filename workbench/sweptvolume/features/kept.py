@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The last simplified envelope, in the form that can be cut anew: another tolerance needs no sampling.
+"""Keeps the last simplified envelope so that it can be simplified to another tolerance.
 
-One at a time, for it is large; until its document is closed. Only in the thread of the GUI.
+Keeps only one, because it is large, until its document is closed. Only for the GUI thread.
 """
 import FreeCAD as App
 
@@ -16,7 +16,7 @@ class _Observer:
 
 
 def keep(document, key, outcome):
-    """key: stands for all the inputs but the tolerance (Plan.hash)."""
+    """Keeps an outcome. key: identifies all inputs except the tolerance (Plan.hash())."""
     global _last, _observer
     if not key or outcome.result is None:
         return
@@ -27,11 +27,11 @@ def keep(document, key, outcome):
 
 
 def find(document, key):
-    """What core.recut() takes, or None."""
+    """Returns the argument for core.recut(), or None."""
     return _last[2] if _last is not None and _last[:2] == (document.Name, key) else None
 
 
 def drop():
-    """Gives back what is kept."""
+    """Releases the kept envelope."""
     global _last
     _last = None

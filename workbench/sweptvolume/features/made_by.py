@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made each triangle of an envelope: which face or edge of which part, and when. No GUI.
+"""Records of what made each triangle of an envelope: which face or edge of which part, and when. No
+GUI.
 
-A record belongs to one result, known by the hash of its inputs and its number of triangles, so that Undo
-finds the record of the result that it brings back. It is kept until the document is closed, and stored in
-the document only where the property MadeBy asks for that: a triangle then takes some bytes.
+A record belongs to one result, which the hash of its inputs and its number of triangles identify.
+So Undo finds the record of the result that it restores. A record is kept until the document is
+closed. The document stores it only if the property MadeBy requires this; each triangle then takes
+some bytes.
 """
 import base64
 import bisect
@@ -25,10 +27,10 @@ from .envelope_plan import Plan
 
 PROPERTY = "MadeByData"
 CAP, EDGE, GRAZE = range(3)
-#: Results of one envelope whose records are kept, for Undo.
+#: Number of results of one envelope whose records are kept, for Undo.
 MOST_KEPT = 3
 KINDS = (
-    mark("Panels", "Made by the face itself, standing at a pose"),
+    mark("Panels", "Made by the face itself, in its place at one pose"),
     mark("Panels", "Swept by an edge that passed here"),
     mark("Panels", "Swept by a face that passed here"),
 )
@@ -42,8 +44,8 @@ _PART = {
     "motion": str,
 }
 
-#: What made one triangle. kind: CAP, EDGE or GRAZE; faces: (part, number from 1), one or two; time: s;
-#: motion: name of the motion's object.
+#: What made one triangle. kind: CAP, EDGE or GRAZE; faces: one or two of (part, face number from
+#: 1); time: s; motion: name of the motion object.
 Answer = collections.namedtuple("Answer", "kind faces time motion")
 
 _kept = {}  # (document, object) -> records, the newest first
@@ -51,8 +53,9 @@ _observer = None
 
 
 class Record:
-    """kind int8 (m,), -1: not known; faces int32 (m,2); time float64 (m,), s; parts: dicts with first and
-    count of their faces, label, root and sub, facets (faces are triangles of a mesh), motion."""
+    """kind int8 (m,), -1: not known; faces int32 (m,2); time float64 (m,), s. parts: dicts with
+    first and count of their faces, label, root and sub, facets (whether the faces are triangles
+    of a mesh) and motion."""
 
     def __init__(self, key, kind, faces, time, parts):
         self.key, self.kind, self.faces, self.time = key, kind, faces, time
@@ -60,12 +63,12 @@ class Record:
         self._first = [part["first"] for part in self.parts]
 
     def owner(self, face):
-        """(part, number of its face from 1)."""
+        """Returns (part, number of its face from 1) for a face index."""
         part = self.parts[bisect.bisect_right(self._first, face) - 1]
         return part, int(face) - part["first"] + 1
 
     def answer(self, triangle):
-        """What made a triangle; None: not known."""
+        """Returns what made a triangle, or None if it is not known."""
         if self.kind[triangle] < 0:
             return None
         faces = [self.owner(face) for face in self.faces[triangle] if face >= 0]
@@ -74,7 +77,7 @@ class Record:
         )
 
     def packed(self):
-        """As text, for a document."""
+        """Returns the record as text, for a document."""
         out = io.BytesIO()
         head = json.dumps({"key": self.key, "parts": self.parts})
         np.savez_compressed(
@@ -88,7 +91,7 @@ class Record:
 
 
 def unpacked(text):
-    """The record in a document; None where there is none, or a damaged one."""
+    """Returns the record stored in a document, or None if there is none or it is damaged."""
     try:
         with np.load(io.BytesIO(base64.b64decode(text))) as data:
             head = json.loads(data["head"].tobytes().decode())
@@ -112,7 +115,7 @@ def _key(obj):
 
 
 def keep(obj, outcome):
-    """Of the result that was just written."""
+    """Keeps the record of the result that was just written."""
     if outcome.sources is not None:
         _remember(obj, Record(_key(obj), *outcome.sources, outcome.parts))
     _store(obj)
@@ -129,7 +132,7 @@ def _remember(obj, record):
 
 
 def _store(obj):
-    """The document gets the record, or none, as MadeBy says."""
+    """Stores the record in the document, or removes it, depending on MadeBy."""
     record = find(obj) if obj.MadeBy == "Document" else None
     text = record.packed() if record is not None else ""
     if getattr(obj, PROPERTY) != text:
@@ -137,8 +140,8 @@ def _store(obj):
 
 
 def find(obj):
-    """The record of the stored result of an envelope, or None. Parts and motions in it are named as they are
-    now."""
+    """Returns the record of the stored result of an envelope, or None. Parts and motions have their
+    present labels."""
     record = _find(obj)
     if record is not None:
         with contextlib.suppress(InputProblem):
@@ -147,8 +150,8 @@ def find(obj):
 
 
 def _rename(obj, record):
-    """Of a result that is current the parts stand in the order of the inputs, whatever they are called and
-    whichever group holds them now."""
+    """Updates labels and paths in the record of a current result. Its parts are in the order of the
+    inputs, so this works after renaming and regrouping."""
     if obj.Status != UP_TO_DATE:
         for part in record.parts:
             place = [part["root"], part["sub"]]
@@ -178,7 +181,7 @@ def _find(obj):
 
 
 def changed(obj, name):
-    """MadeBy was set by hand: what is known is stored, or no longer."""
+    """Handles a change of MadeBy by the user: stores the record, or removes it from the document."""
     if name != "MadeBy" or PROPERTY not in obj.PropertiesList:
         return
     if not (obj.Document.Restoring or getattr(obj.Document, "Transacting", False)):
@@ -186,14 +189,14 @@ def changed(obj, name):
 
 
 def name_of(part, number):
-    """A face as people call it: "Face3 of Bracket"."""
+    """Returns the text for a face: "Face3 of Bracket"."""
     if part["facets"]:
         return translate("Panels", "triangle {0} of {1}").format(number, part["label"])
     return translate("Panels", "Face{0} of {1}").format(number, part["label"])
 
 
 def text_of(answer):
-    """An answer in words."""
+    """Returns an answer as text."""
     names = [name_of(*face) for face in answer.faces]
     what = names[0]
     if len(names) == 2:

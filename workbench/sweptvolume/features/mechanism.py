@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mechanism check: smallest distances between each two of several parts that move at the same time, and to
-parts that stand still, kept in the document (core: docs/clearance.md, "Mechanisms")."""
+"""Mechanism check: smallest distances between all pairs of several parts that move at the same
+time, and to parts that stand still; kept in the document (core: docs/clearance.md,
+"Mechanisms")."""
 import json
 import sys
 
@@ -23,7 +24,7 @@ from .mechanism_properties import INPUT, RESULT
 
 TYPE = "App::FeaturePython"
 
-#: What is read of a stored report.
+#: The parts of a stored report that are used, with their shapes (base.fits()).
 REPORT = {
     "summary": str,
     "required": float,
@@ -66,14 +67,14 @@ def is_mechanism(obj):
 
 
 class Outcome:
-    """Report (dict) and what is to be said of it."""
+    """The report (dict) and the notes to show."""
 
     def __init__(self, report, notes):
         self.report, self.notes = report, notes
 
 
 def work(request, control):
-    """Any thread: the check itself. Raises core.CoreError, InputProblem."""
+    """Runs the check, in any thread. Raises core.CoreError, InputProblem."""
     rows = request.rows()
     options = dict(request.options, rules=request.asked())
     report = core.mechanism(rows, options, control)
@@ -83,7 +84,7 @@ def work(request, control):
 
 
 def apply(obj, outcome, hash_at_start):
-    """Writes the result of a check."""
+    """Writes the result of a check into the object."""
     report = dict(outcome.report, notes=outcome.notes)
     obj.Report = json.dumps(report)
     obj.Summary = mechanism_table.summary(report)
@@ -94,8 +95,8 @@ def apply(obj, outcome, hash_at_start):
 
 
 def offered(request, control):
-    """Any thread: {key of pair_rules: Rule} that would allow what touches when the common time begins. Raises
-    core.CoreError, InputProblem."""
+    """Returns {key of pair_rules: Rule}, the rules that would allow the contacts at the beginning
+    of the common time. Any thread. Raises core.CoreError, InputProblem."""
     request.rows()
     parts = request.parts
     start = max(float(part.run.times[0]) for part in parts if part.moves())
@@ -122,24 +123,25 @@ def offered(request, control):
 
 
 def _boxes_meet(a, b, slack):
-    """Whether the boxes of two sets of points come nearer than slack (mm) along each axis."""
+    """Returns whether the boxes of two sets of points come closer than slack (mm) along each axis."""
     gaps = np.maximum(a.min(axis=0) - b.max(axis=0), b.min(axis=0) - a.max(axis=0))
     return bool((gaps <= slack).all())
 
 
 def compute(obj, control=None):
-    """Checks in this thread (scripts, no GUI): one undo step. Raises core.CoreError."""
+    """Runs the check in this thread (for scripts without a GUI) as one undo step. Raises
+    core.CoreError."""
     title = translate("Messages", "Check mechanism")
     return check.compute(obj, sys.modules[__name__], title, control).report
 
 
 def report_of(obj):
-    """The stored report (dict); None if there is none, or a damaged one."""
+    """Returns the stored report (dict), or None if there is none or it is damaged."""
     return stored(obj.Report, REPORT)
 
 
 def make_mechanism(document, label=None, **settings):
-    """A mechanism check, not yet computed. `settings` are property names with values."""
+    """Creates a mechanism check, not yet computed. `settings`: property names with values."""
     obj = document.addObject(TYPE, "Mechanism")
     Mechanism(obj)
     obj.Label = label or translate("Messages", "Mechanism")

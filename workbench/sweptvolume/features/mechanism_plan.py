@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a check of a mechanism looks at, read off an object or a panel: parts with motions of their own, parts
-that stand still, rules of pairs -> the input of the core as plain arrays."""
+"""Reads the inputs of a mechanism check from an object or a panel (parts with their own motions,
+parts that stand still, rules of pairs), and converts them to plain arrays for the core."""
 import itertools
 
 from .. import contents, convert
@@ -16,8 +16,9 @@ from .still_parts import StillParts, chord_of, left_out_text
 
 
 class Part:
-    """name: of its own; pair: (root, sub); body: what has vertices and triangles; chord: mm; way: of
-    moving.Way, None where it stands; straight: mm by which straight pieces may leave a curved way.
+    """name: different for each part; pair: (root, sub); body: has vertices and triangles; chord:
+    mm; way: a moving.Way, or None if the part stands still; straight: mm by which straight
+    pieces may deviate from a curved way.
     """
 
     def __init__(self, name, pair, body, chord, way=None, straight=0.0):
@@ -30,11 +31,12 @@ class Part:
 
     @property
     def run(self):
-        """Any thread: its motion as core.Request, None where it stands. Raises InputProblem."""
+        """Returns the motion as core.Request, or None if the part stands still. Any thread. Raises
+        InputProblem."""
         return self._way.request(self.body, self._straight, {}) if self.moves() else None
 
     def row(self):
-        """Any thread: as core.mechanism() takes it. Raises InputProblem."""
+        """Returns the part in the form of core.mechanism(). Any thread. Raises InputProblem."""
         arrays = self.name, self.body.vertices, self.body.triangles
         run = self.run
         if run is None:
@@ -43,7 +45,7 @@ class Part:
         return (*arrays, motion, run.interpolation, self.chord)
 
     def points_at(self, time):
-        """Any thread: its vertices in the world at a time (s)."""
+        """Returns the vertices in world coordinates at a time (s). Any thread."""
         run = self.run
         if run is None:
             return self.body.vertices
@@ -54,19 +56,19 @@ class Part:
 
 
 class Request:
-    """Input of one check as plain arrays, no document behind it."""
+    """Input of one check as plain arrays, independent of any document."""
 
     def __init__(self, parts, ways, rules, all_visible, options, notes):
         self.parts = parts
-        self.ways = ways  # moving.Way of each group
+        self.ways = ways  # a moving.Way for each group
         self.rules = rules  # {key of pair_rules: Rule}
         self.all_visible = all_visible
         self.options = options
         self.notes = notes
 
     def rows(self):
-        """Any thread: the parts for the core. One that stands, and of which no triangles can be had, is left
-        out with a note where all that are visible are taken. Raises InputProblem."""
+        """Returns the parts for the core. Any thread. If AllVisible is set, a part that stands
+        still and gives no triangles is left out with a note; otherwise raises InputProblem."""
         rows, kept, far = [], [], [way.hidden() for way in self.ways]
         self.notes[:0] = [text for off, text in far if off > self.options["tolerance"]]
         for part in self.parts:
@@ -81,7 +83,7 @@ class Request:
         return rows
 
     def asked(self):
-        """(name, name, rule) of the pairs of parts that ask for something of their own."""
+        """Returns (name, name, rule) for the pairs that have their own rule."""
         found = []
         for one, other in itertools.combinations(self.parts if self.rules else [], 2):
             text = pair_rules.of(self.rules, one.pair, other.pair).text()
@@ -91,7 +93,7 @@ class Request:
 
 
 class Plan(StillParts):
-    """What is to be checked. Reads documents only in the thread of the GUI. motions: one for each of
+    """The inputs of a check. Reads documents only in the GUI thread. motions: one for each of
     pairs."""
 
     SETTINGS = ("RequiredDistance", "Accuracy", "MeshDeflection", "Range")
@@ -101,9 +103,9 @@ class Plan(StillParts):
         self.pairs, self.motions = list(pairs), list(motions)
         self.neighbours, self.all_visible = list(neighbours), all_visible
         self.values = dict(values)
-        self.rules = {}  # of parts that stand, by themselves: there are none
+        self.rules = {}  # parts that stand still have no rules of their own
         self.pair_rules = dict(rules or {})
-        self.lost = ""  # what was deleted that the object needs
+        self.lost = ""  # text about a deleted input, or ""
         self._words = None
 
     @classmethod
@@ -120,7 +122,7 @@ class Plan(StillParts):
         return plan
 
     def write(self, obj):
-        """Puts the plan into an object."""
+        """Writes the plan into an object."""
         missing.forget(obj)
         containers.set_pairs(obj, "MovingParts", self.pairs)
         set_changed(obj, "Motions", self.motions)
@@ -131,7 +133,7 @@ class Plan(StillParts):
             set_changed(obj, name, value)
 
     def objects(self):
-        """Document objects that a run needs to its end."""
+        """Returns the document objects that a run needs until its end."""
         found = [root for root, _ in self.pairs] + self.motions
         return [obj for obj in found if obj is not None]
 
@@ -139,15 +141,16 @@ class Plan(StillParts):
         return getattr(obj, "Motion", None) in self.motions
 
     def leaves(self):
-        """(root, path) of the parts that stand; there may be none. Raises InputProblem."""
+        """Returns (root, path) of the parts that stand still; the list may be empty. Raises
+        InputProblem."""
         return super().leaves() if self._has_standing() else []
 
     def _has_standing(self):
         return bool(self._all_visible() if self.all_visible else self.neighbours)
 
     def groups(self):
-        """Parts that move together: list of Moving. Raises InputProblem where something is missing, or no
-        check is possible."""
+        """Returns the parts that move together, as a list of Moving. Raises InputProblem if an
+        input is missing or the check is impossible."""
         if self.lost:
             raise InputProblem(self.lost)
         if not self.pairs:
@@ -170,7 +173,8 @@ class Plan(StillParts):
         return groups
 
     def _check_parts(self):
-        """No part twice, and none inside another that moves by itself."""
+        """Makes sure that no part is listed twice, and that no part lies inside another one with
+        its own motion."""
         for (one, a), (other, b) in itertools.combinations(self.pairs, 2):
             if one is not other or not (a.startswith(b) or b.startswith(a)):
                 continue
@@ -209,7 +213,8 @@ class Plan(StillParts):
     # --- what the result depends on
 
     def hash(self):
-        """Short text that stands for all the result depends on; "" while inputs are unusable."""
+        """Returns a short text that identifies all inputs of the result, or "" if inputs are
+        unusable."""
         return status.hash_or_problem(self.checked_hash)[0]
 
     def words(self):
@@ -227,7 +232,7 @@ class Plan(StillParts):
         return words
 
     def check_unchanged(self):
-        """Raises InputProblem where the document is no longer what it was when words() was first asked."""
+        """Raises InputProblem if the document has changed since the first call of words()."""
         if self.words() != self._words_now():
             text = translate(
                 "Messages", "The document changed while its parts were read: start the run again."
@@ -239,24 +244,26 @@ class Plan(StillParts):
         return status.VERSION + contents.short(contents.texts(self.words()))
 
     def count_pairs(self):
-        """How many asked_pairs() gives."""
+        """Returns the length of asked_pairs()."""
         count = len(self.pairs)
         return count * (count - 1) // 2 + count * len(self.leaves())
 
     def asked_pairs(self):
-        """Keys of pair_rules of all pairs that are looked at: one of the two moves at least."""
+        """Returns the pair_rules keys of all pairs that are checked: at least one part of each pair
+        moves."""
         moving, still = self.pairs, self.leaves()
         return [pair_rules.key(*pair) for pair in itertools.combinations(moving, 2)] + [
             pair_rules.key(*pair) for pair in itertools.product(moving, still)
         ]
 
     def names(self):
-        """{(root, sub): name} of all parts: their labels, with a number where one is there twice."""
+        """Returns {(root, sub): name} of all parts: their labels. Equal labels are numbered."""
         pairs = self.pairs + self.leaves()
         return dict(zip(pairs, convert.own_names(pairs)))
 
     def rename(self, report):
-        """The pairs of a report get the names that their parts have now. Returns whether any has another."""
+        """Updates the names in the pairs of a report to the present labels of the parts. Returns
+        whether a name changed."""
         new = self._renamed(row_names.placed(report, "parts", "places"))
         if not new:
             return False
@@ -273,7 +280,8 @@ class Plan(StillParts):
         return True
 
     def _renamed(self, found):
-        """{name in a report: name now} of [(name, place)]; empty where none has another."""
+        """Returns {name in a report: present name} for a list of (name, place). Returns an empty
+        dict if no name changed."""
         pairs = {known: row_names.pair_at(self.document, place) for known, place in found}
         labels = {known: convert.label_of(*pair) for known, pair in pairs.items() if pair}
         if all(known == one or known.startswith(one + " (") for known, one in labels.items()):
@@ -284,12 +292,12 @@ class Plan(StillParts):
     # --- the run
 
     def request(self):
-        """The check as plain arrays. Raises InputProblem."""
+        """Returns the check as plain arrays. Raises InputProblem."""
         return whole(self.reading())
 
     def reading(self):
-        """The same in pieces: a generator that returns it. Between them the window may go on, and the
-        document must not change (check_unchanged())."""
+        """As request(), in pieces: a generator that returns the Request. Between two pieces the
+        window may handle events, but the document must not change (check_unchanged())."""
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         tolerance = float(self.values["Accuracy"])
         parts, ways, notes, names = [], [], [], self.names()
@@ -319,8 +327,9 @@ class Plan(StillParts):
         return Request(parts, ways, self.pair_rules, self.all_visible, options, notes)
 
     def seen(self):
-        """(body in the frame that its motion places, placement at a time (s) as a function) of each moving
-        part, for pictures: coarse. Raises InputProblem."""
+        """Returns, for each moving part, (body in the frame to which its motion applies, function
+        that returns the placement at a time (s)), with a coarse mesh for pictures. Raises
+        InputProblem."""
         found, deflection = [], self.seen_deflection()
         for group in self.groups():
             way = group.way()
@@ -332,7 +341,8 @@ class Plan(StillParts):
         return [order[pair] for pair in self.pairs]
 
     def _moving_parts(self, group, way, names, deflection, straight):
-        """The parts of one motion; straight: mm by which straight pieces may leave a curved way."""
+        """Returns the parts of one motion. straight: mm by which straight pieces may deviate from a
+        curved way."""
         parts, more = [], straight if way.curved() else 0.0
         for pair in group.pairs:
             body = Seen(convert.body_from([pair], deflection), way.into_base, group.motion)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a check of a mechanism: type, name, help, default; those of results are the clearance
-check's."""
+"""The properties of a mechanism check: type, name, help, default. The result properties are those
+of the clearance check."""
 from ..texts import mark
 from . import clearance_properties
 from .neighbour_rules import PARTS_PROPERTY
 
-#: What it has as the clearance check has it.
+#: Properties that are the same as in the clearance check.
 _SAME = ("Neighbours", "RequiredDistance", "Accuracy", "MeshDeflection", "RuleKinds")
 _GIVEN = {
     name: (kind, name, text, default) for kind, name, text, default in clearance_properties.INPUT

@@ -1,28 +1,28 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The result of a mechanism check in one line and as a table: as clearance_table.py has those of one moving
-body, with a row for each pair."""
+"""The result of a mechanism check as one line of text and as a table. Works like
+clearance_table.py, with a row for each pair."""
 from .. import quantities
 from ..texts import translate
 from . import clearance_table
 
-#: Titles of the clearance table that mean something else where both parts move.
+#: Titles that replace those of the clearance table, because both parts may move.
 _TITLES = {"Body": "First", "Neighbour": "Second"}
 
 
 def as_rows(report):
-    """A report as clearance_table takes it: the body is the first part of a pair, the neighbour the
-    second."""
+    """Converts a report to the form of clearance_table: the first part of a pair is the body, the
+    second the neighbour."""
     ignored = [" - ".join(pair) for pair in report["ignored"]]
     return dict(report, neighbours=[pair["clearance"] for pair in report["pairs"]], ignored=ignored)
 
 
 def count(report):
-    """How many pairs were checked, with those that stay far apart."""
+    """Returns the number of checked pairs, including those that stay far apart."""
     return report["far_pairs"] + len(report["pairs"])
 
 
 def summary(report):
-    """The result in one line, in the user's language and unit."""
+    """Returns the result in one line, in the user's language and unit."""
     head = translate("Messages", "{0} pairs checked").format(quantities.count(count(report)))
     if not report["pairs"]:
         text = translate("Messages", "{0}, none nearer than {1}")
@@ -36,14 +36,14 @@ def worst(report):
 
 
 def smallest(report):
-    """Smallest distance of all pairs (mm); the range where none comes so near."""
+    """Returns the smallest distance of all pairs (mm), or the range if no pair comes that close."""
     if not report["pairs"]:
         return report["range"]
     return report["pairs"][report["smallest"]]["clearance"]["distance"]
 
 
 def columns():
-    """The head of the table."""
+    """Returns the heads of the columns."""
     found = []
     for title in clearance_table.columns()[1:]:
         word, space, rest = title.partition(" ")
@@ -52,17 +52,17 @@ def columns():
 
 
 def table(report):
-    """The rows of the table, as columns()."""
+    """Returns the rows of the table, with the columns of columns()."""
     names = [[pair["first"], pair["second"]] for pair in report["pairs"]] + report["ignored"]
     rows = clearance_table.table(as_rows(report))
     return [list(pair) + row[1:] for pair, row in zip(names, rows)]
 
 
 def write_csv(report, path):
-    """The table as a CSV file (UTF-8)."""
+    """Writes the table as a CSV file (UTF-8)."""
     clearance_table.write_rows([columns()] + table(report), path)
 
 
 def make_spreadsheet(obj, report):
-    """The table as a spreadsheet in the document."""
+    """Adds the table to the document as a spreadsheet."""
     return clearance_table.spreadsheet_of(obj, [columns()] + table(report))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Inputs that were deleted. FreeCAD takes a deleted object out of all links, and then nothing tells that
-something is missing: another motion could be taken, or the rest of the parts. So an object of ours
-remembers the name of what it has lost until something else is chosen, or until undo brings it back.
+"""Remembers inputs that were deleted. FreeCAD removes a deleted object from all links, and then
+nothing shows that an input is missing; a run could use another motion, or only the remaining
+parts. So each of our objects keeps the name of a deleted input until another one is chosen, or
+until undo restores it.
 """
 import json
 
@@ -12,7 +13,7 @@ from ..convert import InputProblem
 from ..texts import translate
 from .base import kind_of, stored
 
-#: Hidden property: [{property, label, name, left}]; left: what remained in the property.
+#: Hidden property: [{property, label, name, left}]. left: what remained in the property.
 PROPERTY = "Missing"
 _SHAPE = [{"property": str, "label": str, "name": str, "left": [(str, str)]}]
 
@@ -20,7 +21,7 @@ _observer = None
 
 
 def _value(holder, name):
-    """Value of a link property as a flat list of [object name, sub]."""
+    """Returns the value of a link property as a flat list of [object name, sub]."""
     value = getattr(holder, name)
     if value is None:
         return []
@@ -32,7 +33,7 @@ def _value(holder, name):
 
 
 def _links(holder):
-    """Names of the properties that are inputs; rules of a part go with it."""
+    """Returns the names of the properties that are inputs. A part's rules belong to the part."""
     for name in holder.PropertiesList:
         kind = holder.getTypeIdOfProperty(name)
         if (
@@ -55,7 +56,7 @@ def _write(holder, found):
 
 
 def text(holder):
-    """What was deleted that this object needs, "" for nothing."""
+    """Returns the text about deleted inputs of this object, or "" if there are none."""
     found = [
         entry
         for entry in _read(holder)
@@ -75,14 +76,14 @@ def text(holder):
 
 
 def check(holder):
-    """Raises InputProblem that names what was deleted."""
+    """Raises InputProblem with the names of deleted inputs."""
     problem = text(holder)
     if problem:
         raise InputProblem(problem)
 
 
 def forget(holder, name=None):
-    """The inputs were chosen anew: all, or those of one property."""
+    """Forgets the deleted inputs because new ones were chosen: all, or those of one property."""
     found = _read(holder)
     if found:
         kept = [entry for entry in found if name is not None and entry["property"] != name]
@@ -90,7 +91,7 @@ def forget(holder, name=None):
 
 
 def rename(holder, names):
-    """Inputs have other names now, {old: new}."""
+    """Updates the names of inputs. names: {old: new}."""
     found = _read(holder)
     for entry in found:
         entry["property"] = names.get(entry["property"], entry["property"])
@@ -99,8 +100,8 @@ def rename(holder, names):
 
 
 def changed(holder, name):
-    """A property was set: what was lost there before is no longer missed. The loss itself sets it too,
-    while the lost object is still there."""
+    """Handles a change of a property: its deleted inputs are no longer missing. The deletion itself
+    also changes the property, but then the deleted object still exists."""
     document = holder.Document
     if (
         document is None
@@ -116,8 +117,8 @@ def changed(holder, name):
 
 
 class _Observer:
-    """Hears of objects that are deleted, while the links to them still stand; tells proxies that want to
-    know (lost(holder, object))."""
+    """Is notified of objects to be deleted while the links to them still exist. Calls lost(holder,
+    object) of proxies that have it."""
 
     def slotDeletedObject(self, obj):  # noqa: N802
         document = obj.Document
@@ -144,7 +145,7 @@ class _Observer:
 
 
 def watch():
-    """Begins to listen, once."""
+    """Installs the observer, once."""
     global _observer
     if _observer is None:
         _observer = _Observer()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion: times and placements kept in the document, linked to where they came from."""
+"""Motion: times and placements kept in the document, linked to their source."""
 import FreeCAD as App
 import numpy as np
 
@@ -15,7 +15,7 @@ from .motion_properties import PROPERTIES, SETTINGS, UNITS
 from .motion_source import make_stored, settings_of
 
 TYPE = "App::FeaturePython"
-#: Interpolations for which it matters which point of the part goes the way.
+#: Interpolations for which the choice of the pivot matters.
 PIVOTED = ("Linear", "Spline")
 
 containers.watch()
@@ -35,7 +35,8 @@ class Motion(Feature):
         obj.Interpolation = "Linear"
 
     def execute(self, obj):
-        """Reads live sources again; others turn stale and wait for Reload motion."""
+        """Reads live sources again. Motions of other sources become stale and wait for Reload
+        motion."""
         try:
             missing.check(obj)
             if sources.is_live(obj.SourceType):
@@ -44,7 +45,7 @@ class Motion(Feature):
             look(obj)
         except (InputProblem, core.CoreMissing) as problem:
             set_changed(obj, "Status", str(problem))
-            status.tell_users(obj)  # whom FreeCAD passes over now
+            status.tell_users(obj)  # FreeCAD does not reach these objects now
             raise
         set_changed(obj, "Count", len(poses))
         span = poses.times[-1] - poses.times[0] if len(poses) else 0.0
@@ -66,7 +67,7 @@ class Motion(Feature):
 
 
 def look(obj):
-    """Compares the source with what was read from it and says so in Status."""
+    """Compares the source with its state when it was read, and updates Status."""
     text = "" if len(obj.Placements) else translate("Messages", "no poses yet")
     if obj.SourceHash and obj.SourceHash != motion_source.signature(obj):
         text = STALE
@@ -74,12 +75,13 @@ def look(obj):
 
 
 def is_stale(obj):
-    """Whether the source of a motion changed since it was read."""
+    """Returns whether the source of a motion has changed since it was read."""
     return is_motion(obj) and obj.Status == STALE
 
 
 def check_usable(obj):
-    """Raises InputProblem where a motion cannot follow its source: its poses are those of before."""
+    """Raises InputProblem if a motion could not follow its source, so that its poses are out of
+    date."""
     if obj.Status not in ("", STALE) and len(obj.Placements):
         raise InputProblem('"{}": {}'.format(obj.Label, obj.Status))
 
@@ -89,7 +91,7 @@ def is_motion(obj):
 
 
 def poses_of(obj):
-    """Poses of a motion object; raises InputProblem naming it."""
+    """Returns the poses of a motion object. Raises InputProblem with its label."""
     try:
         poses = Poses(obj.Times, obj.Placements, tangents_of(obj), pivot=obj.Pivot)
     except InputProblem as problem:
@@ -100,38 +102,38 @@ def poses_of(obj):
 
 
 def parts_of(obj):
-    """(root, sub) of the parts that a motion moves, as far as it knows."""
+    """Returns (root, sub) of the parts that a motion moves, if it knows them."""
     return convert.pairs_of(obj.Parts)
 
 
 def set_parts(obj, pairs, anew=False):
-    """The parts that a motion moves, where it knows none yet, or anew. No reason to recompute: poses do not
-    follow the part."""
+    """Sets the parts that a motion moves, if it has none yet or if `anew` is true. Causes no
+    recompute, because poses do not depend on the part."""
     if pairs and (anew or not obj.Parts):
         with quietly(obj):
             containers.set_pairs(obj, "Parts", pairs)
 
 
 def world_poses_of(obj):
-    """Poses seen from the document; raises InputProblem naming the motion."""
+    """Returns the poses in world coordinates. Raises InputProblem with the label of the motion."""
     return seen_from_document(poses_of(obj), container_of(obj))
 
 
 def tangents_of(obj):
-    """(kind, velocity) for each key that has one (trajectory/spline.py)."""
+    """Returns (kind, velocity) for each key that has a tangent (trajectory/spline.py)."""
     known = list(obj.Velocities)
     return [(kind, known[k] if k < len(known) else None) for k, kind in enumerate(obj.Tangents)]
 
 
 def set_tangents(obj, tangents):
-    """Stores (kind, velocity) pairs; nothing at all while every key is Auto."""
+    """Stores (kind, velocity) pairs. Stores nothing while every key is Auto."""
     plain = all(kind == "Auto" for kind, _ in tangents)
     set_changed(obj, "Tangents", [] if plain else [kind for kind, _ in tangents])
     obj.Velocities = [] if plain else [v or App.Vector() for _, v in tangents]
 
 
 def words(obj):
-    """Texts that change with the way that the motion takes, for hashes."""
+    """Returns texts that identify the way of the motion, for hashes."""
     found = [obj.Interpolation, obj.PoseType] + stored_poses.of(obj).words()
     if obj.Interpolation == "Spline":
         found.append(repr([obj.Tangents, [tuple(v) for v in obj.Velocities]]))
@@ -143,8 +145,8 @@ def words(obj):
 
 
 def words_of_before(obj):
-    """The same as version 1 had them, to know its results again; raises InputProblem where poses meant
-    something else."""
+    """Returns the texts of version 1, to recognise its results. Raises InputProblem if poses had
+    another meaning then."""
     if obj.Pivot.Length:
         raise InputProblem("there was no pivot")
     if not container_of(obj).isIdentity():
@@ -172,29 +174,31 @@ def store(obj, poses, touch=True):
 
 
 def _same(a, b):
-    """Equal up to rounding (== of placements fails after a round trip)."""
+    """Returns whether two values are equal up to rounding. (== of placements fails after saving and
+    loading.)"""
     return abs(matrix_of(a) - matrix_of(b)).max() <= 1e-12
 
 
 def change_source(obj, values):
-    """Other settings for a motion that has a source, as motion_from_source() takes them; not read yet."""
+    """Changes the settings of a motion that has a source, with the values of motion_from_source().
+    Does not read the source."""
     motion_source.keep(obj, settings_of(obj).with_values(values))
 
 
 def reload_source(obj):
-    """Reads the source again, whatever its kind (not for stored poses)."""
+    """Reads the source of a motion again (any kind except stored poses)."""
     missing.check(obj)
     take(obj, motion_source.read(obj))
 
 
 def take(obj, poses):
-    """Keeps poses that were read from the source of a motion, as the motion has them."""
+    """Stores poses from the source of a motion, converted to the coordinates of the motion."""
     store(obj, poses)
     obj.SourceHash = motion_source.signature(obj)
 
 
 def make_motion(document, label=None):
-    """An empty motion object."""
+    """Creates an empty motion object."""
     obj = document.addObject(TYPE, "Motion")
     Motion(obj)
     obj.Label = label or translate("Messages", "Motion")
@@ -203,7 +207,7 @@ def make_motion(document, label=None):
 
 
 def motion_from_poses(document, times, placements, interpolation="Linear", frame="Absolute"):
-    """A motion object holding the given poses. Its pivot is their origin (property Pivot)."""
+    """Creates a motion object with the given poses. Its pivot is their origin (property Pivot)."""
     poses = Poses(times, placements)
     obj = make_motion(document)
     store(obj, poses)
@@ -213,14 +217,14 @@ def motion_from_poses(document, times, placements, interpolation="Linear", frame
 
 
 def motion_from_file(document, path, unit="mm", interpolation="Linear", frame="Absolute"):
-    """A motion object filled from a CSV file (`t,tx,ty,tz,qx,qy,qz,qw` or 16 matrix numbers)."""
+    """Creates a motion object from a CSV file (`t,tx,ty,tz,qx,qy,qz,qw` or 16 matrix numbers)."""
     settings = sources.Settings(kind="File", file=path, unit=unit)
     return _motion_of(document, settings, interpolation, frame)
 
 
 def motion_from_source(document, kind, objects, interpolation="", frame="Absolute", **values):
-    """A motion object linked to a source other than a file. interpolation: "" for that of the kind; `values`:
-    see trajectory/sources.py."""
+    """Creates a motion object linked to a source other than a file. interpolation: "" means the
+    default of the kind. `values`: see trajectory/sources.py."""
     values = dict(sources.DEFAULTS.get(kind, {}), **values)
     settings = sources.Settings(kind=kind, objects=objects, **values)
     kept = interpolation or sources.interpolation_of(kind)
@@ -235,32 +239,32 @@ def _motion_of(document, settings, interpolation, frame):
 
 
 def motion_of_read(document, settings, poses):
-    """A motion of a source that was read just now. poses: seen from the document."""
+    """Creates a motion of a source that was just read. poses: in world coordinates."""
     obj = make_motion(document)
     motion_source.keep(obj, settings)
     obj.SourceHash = motion_source.signature(obj)
     store(obj, poses)
     obj.Interpolation = sources.interpolation_of(settings.kind)
-    if settings.kind in sources.FROM_JOINTS:  # the part that was watched
+    if settings.kind in sources.FROM_JOINTS:  # the part that was recorded
         set_parts(obj, [convert.root_path(settings.objects[1])])
     return obj
 
 
 def label_for(pairs):
-    """Of a new motion of these parts; None: the usual one."""
+    """Returns a label for a new motion of these parts, or None for the default label."""
     if not pairs:
         return None
     return translate("Messages", "Motion of {0}").format(convert.label_of(*pairs[0]))
 
 
 def motion_from_objects(document, objects, interpolation="Linear", step=1.0):
-    """A motion object linked to the placements of objects, one pose an object, in order."""
+    """Creates a motion object linked to the placements of objects: one pose for each object, in
+    order."""
     return motion_from_source(document, "Placements", objects, interpolation, step=step)
 
 
 def capture(obj, placement, time=None):
-    """Adds a placement (seen from the document) as the last pose; the motion becomes one of stored
-    poses."""
+    """Adds a placement (in world coordinates) as the last pose. The motion then has stored poses."""
     times = list(obj.Times)
     if time is None:
         time = times[-1] + 1.0 if times else 0.0

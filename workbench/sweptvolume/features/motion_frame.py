@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Poses of a motion in a group: they count there, as the line that is drawn does."""
+"""Coordinates of motions in a group: the poses, and the line that is drawn, are in coordinates of
+the group."""
 from ..convert import global_placement, root_path
 from ..trajectory.poses import Poses
 
 
 def container_of(obj):
-    """Placement of the group that holds a motion, through all groups around it."""
+    """Returns the placement, in the document, of the group that holds a motion."""
     return global_placement(*root_path(obj))
 
 
 def seen_from_document(poses, container):
-    """Poses of a group with that placement, as the document sees them."""
+    """Converts poses from a group with this placement to world coordinates."""
     if container.isIdentity():
         return poses
     tangents = [
@@ -21,7 +22,7 @@ def seen_from_document(poses, container):
 
 
 def from_world(obj, placement):
-    """A pose of a motion (by its Frame) that is given as seen from the document."""
+    """Converts a placement in world coordinates to a pose of a motion (by its PoseType)."""
     container = container_of(obj)
     inside = container.inverse().multiply(placement)
     return inside.multiply(container) if obj.PoseType == "Relative" else inside

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a motion, as Feature.properties() takes them: type, name, group, help, default, mode."""
+"""The properties of a motion for Feature.properties(): type, name, group, help, default, mode."""
 from ..texts import mark
 from ..trajectory import sources
 from ..trajectory.cam import CONVENTIONS
@@ -23,7 +23,11 @@ PROPERTIES = [
         "App::PropertyPlacementList",
         "Placements",
         "Motion",
-        mark("Properties", "Placement for each time. PoseType says what it means for the part"),
+        mark(
+            "Properties",
+            "Placement of each pose. PoseType says whether it replaces the placement of the part "
+            "or is a displacement from it",
+        ),
         None,
         0,
     ),
@@ -33,9 +37,9 @@ PROPERTIES = [
         "Motion",
         mark(
             "Properties",
-            "How the part moves between two poses. Linear: along a straight line, "
-            "turning at a constant rate. Screw: one screw movement. Spline: along a "
-            "smooth curve through all poses. None: the part stands only at the poses",
+            "How the part moves between two poses. Linear: along a straight line, turning at a "
+            "constant rate. Screw: one screw movement. Spline: along a smooth curve through all "
+            "poses. None: only the poses themselves count, there is no motion between them",
         ),
         list(INTERPOLATIONS),
         0,
@@ -193,13 +197,15 @@ PROPERTIES = [
     ),
 ]
 
-#: Setting of a source (trajectory/sources.py) -> type, name, help, default of the property that keeps it.
+#: Setting of a source (trajectory/sources.py) -> type, name, help and default of its property.
 _SETTINGS = {
     "count": (
         "App::PropertyInteger",
         "SourceCount",
         mark(
-            "Properties", "Number of poses to read. For a curve, 0: as many as SourceAccuracy needs"
+            "Properties",
+            "Number of poses to read. 0 (only for curves): as many poses as SourceAccuracy "
+            "requires",
         ),
         0,
     ),
@@ -257,7 +263,8 @@ _SETTINGS = {
         "SourceStart",
         mark(
             "Properties",
-            "Value at the first pose, in the unit of the value (such as mm or degrees)",
+            "What SourceValue is set to at the first pose, in its own unit (such as mm or "
+            "degrees)",
         ),
         None,
     ),
@@ -265,12 +272,14 @@ _SETTINGS = {
         "App::PropertyFloat",
         "SourceEnd",
         mark(
-            "Properties", "Value at the last pose, in the unit of the value (such as mm or degrees)"
+            "Properties",
+            "What SourceValue is set to at the last pose, in its own unit (such as mm or "
+            "degrees)",
         ),
         None,
     ),
 }
-#: Hidden but for those that the kind of source asks for (motion_source.show_settings).
+#: Hidden, except for the settings that the kind of source uses (motion_source.show_settings()).
 SETTINGS = [
     (kind, name, "Source", text, default, HIDDEN)
     for kind, name, text, default in _SETTINGS.values()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the poses of a motion come from, as its properties keep it: what is read, whether it has changed
+"""The source of a motion, as stored in its properties: what is read, and whether it has changed
 since."""
 from .. import contents
 from ..convert import InputProblem, matrix_of
@@ -12,8 +12,10 @@ from .motion_properties import NAMES, USED
 
 
 def settings_of(obj):
-    """The source of a motion object as a plain value. Raises InputProblem."""
-    if obj.SourceSettings:  # of an older document, and damaged: else take_over() had emptied it
+    """Returns the source of a motion object as a plain value. Raises InputProblem."""
+    # Left over from a document of an earlier version, and damaged; otherwise take_over() would have
+    # emptied it.
+    if obj.SourceSettings:
         raise sources.damaged()
     values = {key: getattr(obj, NAMES[key]) for key in USED.get(obj.SourceType, ())}
     return sources.Settings(
@@ -26,12 +28,12 @@ def settings_of(obj):
 
 
 def has_settings(obj):
-    """Whether the source of a motion asks for something that can be changed."""
+    """Returns whether the source of a motion has settings that the user can change."""
     return obj.SourceType == "File" or bool(USED.get(obj.SourceType))
 
 
 def keep(obj, settings):
-    """Writes a source into a motion object; what the settings leave open stays as it is."""
+    """Writes a source into a motion object. Values that the settings leave open do not change."""
     set_changed(obj, "SourceType", settings.kind)
     set_changed(obj, "SourceFile", settings.file)
     set_changed(obj, "SourceUnit", settings.unit)
@@ -44,7 +46,7 @@ def keep(obj, settings):
 
 
 def show_settings(obj):
-    """The property editor shows the settings that the kind of source asks for, and no others."""
+    """Shows in the property editor only the settings that the kind of source uses."""
     used = {NAMES[key] for key in USED.get(obj.SourceType, ())}
     for name in NAMES.values():
         obj.setEditorMode(name, 0 if name in used else HIDDEN)
@@ -56,8 +58,8 @@ def show_settings(obj):
 
 
 def take_over(obj):
-    """Settings of an older document, which were hidden text, become properties; damaged ones stay, and are
-    said when the source is read."""
+    """Converts settings of documents of an earlier version, stored as hidden text, to properties.
+    Damaged settings stay, and are reported when the source is read."""
     if obj.SourceType in USED:
         try:
             values = dict(sources.DEFAULTS.get(obj.SourceType, {}))
@@ -76,13 +78,14 @@ def take_over(obj):
 
 
 def read(obj):
-    """Poses of the source as this motion keeps them. A file is read as it is."""
+    """Returns the poses of the source in the coordinates of this motion. Poses from a file are not
+    converted."""
     poses = moved_parts.read(obj.Document, settings_of(obj))
     return inside(obj, poses)
 
 
 def inside(obj, poses):
-    """Poses of a source, seen from the document, as this motion keeps them."""
+    """Converts poses of a source from world coordinates to the coordinates of this motion."""
     if obj.SourceType != "File" and not container_of(obj).isIdentity():
         kept = Poses(poses.times, [from_world(obj, p) for p in poses.placements], note=poses.note)
         kept.moved = poses.moved
@@ -90,13 +93,13 @@ def inside(obj, poses):
     return poses
 
 
-#: Begins the signatures of today; those before left the settings out.
+#: Prefix of present signatures. Signatures of earlier versions leave out the settings.
 VERSION = "2:"
 
 
 def signature(obj):
-    """State of a source that is not live, of its settings, and of the group in which its poses were put
-    down; "" where there is none."""
+    """Returns a text that identifies the state of a source that is not live, of its settings, and
+    of the group in which the poses were stored. Returns "" if there is no source."""
     found = _signature_of_before(obj)
     if not found:
         return ""
@@ -109,7 +112,7 @@ def signature(obj):
 
 
 def _signature_of_before(obj):
-    """As version 1 had it."""
+    """Returns the signature of version 1."""
     try:
         found = sources.signature(settings_of(obj))
     except InputProblem as problem:
@@ -122,7 +125,7 @@ def _signature_of_before(obj):
 
 
 def make_stored(obj):
-    """Cuts a motion off its source: the poses it has are its own."""
+    """Removes the source of a motion. The motion keeps its present poses."""
     obj.SourceType = "Stored"
     obj.SourceObjects = []
     obj.SourceHash = ""

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""All parts that a driver or a simulation moves, found in one run of it. A part is the outermost group, link
-or body that moves as a rigid whole."""
+"""Finds all parts that a driver or a simulation moves, in one run of it. A part is the outermost
+group, link or body that moves as a rigid whole."""
 import numpy as np
 
 from .. import convert
@@ -10,7 +10,7 @@ from . import containers
 
 
 def _leaves(document):
-    """(root, path) of all visible solids and meshes."""
+    """Returns (root, path) of all visible solids and meshes."""
     return [
         (root, path)
         for root in containers.standing(document)
@@ -21,8 +21,8 @@ def _leaves(document):
 
 
 class Run(Recording):
-    """Watches all parts of a document while a source of sources.FROM_JOINTS runs. settings: its objects are
-    the source, and the part that has to recompute, if there is one."""
+    """Records all parts of a document while a source of sources.FROM_JOINTS runs. settings: its
+    objects are the source and, optionally, the part that must recompute."""
 
     def __init__(self, document, settings):
         self.leaves = _leaves(document)
@@ -32,11 +32,11 @@ class Run(Recording):
         super().__init__(sources.run(settings, settings.objects[1:]), places)
 
     def poses_at(self, place):
-        """Poses of one of the places."""
+        """Returns the poses at one of the places."""
         return self.poses(self.places.index(place))
 
     def moved(self):
-        """(root, sub) of the parts that moved."""
+        """Returns (root, sub) of the parts that moved."""
         found = {
             place: np.array([convert.matrix_of(p) for p in placements])
             for place, placements in zip(self.places, self.placements)
@@ -64,8 +64,8 @@ class Run(Recording):
 
 
 def read(document, settings):
-    """As sources.read(); of what moves several parts, `moved` of the poses names the objects that moved
-    beside the part that is watched."""
+    """As sources.read(). If the source moves several parts, `moved` of the poses lists the objects
+    that moved beside the recorded part."""
     if settings.kind not in sources.FROM_JOINTS:
         return sources.read(settings)
     part = sources.watched(settings)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that move rigidly together, their motion, and what they are seen from: document objects ->
-plain arrays for the core. Reads documents only in the thread of the GUI.
+"""Parts that move rigidly together, their motion, and their reference part, converted from the
+document to plain arrays for the core. Reads documents only in the GUI thread.
 """
 import FreeCAD as App
 import numpy as np
@@ -24,27 +24,28 @@ from . import motion as motion_feature
 
 
 def _in_world(motion, standing):
-    """(poses, base): the poses of a motion seen from the document, and the frame in which they take a part
-    that stands there."""
+    """Returns (poses, base): the poses of a motion in world coordinates, and the frame from which
+    the poses move a part whose present placement is `standing`."""
     poses = motion_feature.world_poses_of(motion)
     base = base_of(poses, motion.PoseType, standing, motion_feature.container_of(motion))
     return poses.carried(), base.multiply(shift_to(poses.pivot))
 
 
-#: What two steps leave their way by, one step leaves it by a quarter of.
+#: The deviation of a motion over two steps is about four times that over one step.
 SINGLE_STEP = 0.25
 
 
 def middle_of(pairs, placement):
-    """Middle of the parts' boxes in the coordinates that a placement of theirs places (Vector, mm)."""
+    """Returns the middle of the parts' bounding boxes (Vector, mm), in the coordinates to which
+    their placement applies."""
     inside = transform(matrix_of(placement.inverse()), convert.box_corners(pairs))
     middle = (0.5 * (inside.max(axis=0) + inside.min(axis=0))).round(6) + 0.0
     return App.Vector(*map(float, middle))
 
 
 class Seen:
-    """A convert.Body in another frame, for any thread. matrix: 4x4 from the world to there; motion: the
-    object that moves it, for its sources."""
+    """A convert.Body in another frame, for any thread. matrix: 4x4 from the world to that frame;
+    motion: the object that moves the body, for its sources."""
 
     def __init__(self, body, matrix, motion=None):
         self.body, self.matrix = body, matrix
@@ -68,8 +69,8 @@ class Seen:
 
 
 def grouped(pairs, motions, *reference):
-    """Parts that move together: list of Moving. motions: one for each of pairs; reference: as Moving takes
-    it."""
+    """Returns the parts that move together, as a list of Moving. motions: one for each of pairs;
+    reference: arguments of Moving."""
     groups = []
     for pair, motion in zip(pairs, motions):
         for group in groups:
@@ -82,8 +83,8 @@ def grouped(pairs, motions, *reference):
 
 
 class Way:
-    """The way of parts that move rigidly together, read off the document in the thread of the GUI: what it
-    tells, it tells in any thread. moving: a Moving that was checked."""
+    """The way of parts that move rigidly together. Reads the document in the GUI thread; its
+    methods then work in any thread. moving: a Moving that was checked."""
 
     def __init__(self, moving):
         motion = moving.motion
@@ -101,11 +102,11 @@ class Way:
             self._corners = transform(self.into_base, convert.box_corners(moving.pairs))
 
     def curved(self):
-        """Whether the core gets straight pieces in place of a curved way."""
+        """Returns whether the core gets straight pieces in place of a curved way."""
         return self._reference is not None or self.interpolation == "Spline"
 
     def course(self):
-        """The placements, as trajectory() has them, as a function of time (s)."""
+        """Returns the placements of trajectory() as a function of time (s)."""
         return course(self.poses, self.interpolation)
 
     def hidden(self):
@@ -129,7 +130,8 @@ class Way:
         return most, text
 
     def _without(self, k):
-        """Where the frames before and behind frame k lead at its time."""
+        """Returns the placement at the time of frame k, interpolated between the frames before and
+        after it."""
         times, placements = self.poses.times, self.poses.placements
         a, b = times[k - 1], times[k + 1]
         if self.interpolation == "Spline" or a == b:
@@ -163,8 +165,8 @@ class Way:
         return seen, sorted(set(knots).union(inside)), kind == "None"
 
     def request(self, body, tolerance, options):
-        """A run of the core for a body (as core.Request has it) in the base frame; tolerance: as
-        trajectory() has it."""
+        """Returns a run of the core for a body (of core.Request) in the base frame. tolerance: as
+        in trajectory()."""
         if tolerance not in self._found:
             poses, interpolation = self.trajectory(tolerance)
             times = np.array(poses.times, dtype=float)
@@ -173,8 +175,8 @@ class Way:
 
 
 class Moving:
-    """Moving parts with one motion. reference: (root, sub) of a part that moves itself by
-    reference_motion; the generators are then seen from it, where it stands now."""
+    """Moving parts with one motion. reference: (root, sub) of a part that reference_motion moves.
+    The result is then relative to that part in its present place."""
 
     def __init__(self, pairs, motion, reference=None, reference_motion=None):
         self.pairs = list(pairs)
@@ -183,7 +185,7 @@ class Moving:
         self.reference_motion = reference_motion
 
     def check(self):
-        """Raises InputProblem while something is missing."""
+        """Raises InputProblem if an input is missing."""
         if self.motion is None or not motion_feature.is_motion(self.motion):
             raise InputProblem(
                 translate(
@@ -218,7 +220,7 @@ class Moving:
             )
 
     def words(self):
-        """What changes with the geometry and the motion, as contents.words(). Raises InputProblem."""
+        """Returns what identifies geometry and motion, as contents.words(). Raises InputProblem."""
         self.check()
         words = contents.words(self.pairs) + motion_feature.words(self.motion)
         if self.reference_motion is not None:
@@ -228,7 +230,7 @@ class Moving:
         return words
 
     def words_of_before(self):
-        """As version 1 had them, to know its results again."""
+        """Returns the words of version 1, to recognise its results."""
         self.check()
         words = [contents.signature_of_before(self.pairs)]
         words += motion_feature.words_of_before(self.motion)
@@ -239,27 +241,28 @@ class Moving:
         return words
 
     def way(self):
-        """What is read off the document. Raises InputProblem."""
+        """Returns the Way, which reads the document. Raises InputProblem."""
         self.check()
         return Way(self)
 
     def into_base(self):
-        """4x4: from the world as it stands to the frame to which the placements apply."""
+        """Returns the 4x4 matrix from the present world coordinates to the frame to which the
+        placements apply."""
         return self.way().into_base
 
     def corners(self):
-        """Corners of the boxes of the parts in the base frame (k,3): cheap."""
+        """Returns the corners of the parts' bounding boxes in the base frame (k,3). Fast."""
         return convert.transform(self.into_base(), convert.box_corners(self.pairs))
 
     def hidden(self):
-        """(mm, text): how far the part may leave its way between two frames of a mechanism, told from how
-        far a frame lies off the way that leads from the one before it to the one behind it. 0 for poses that
-        are keys of their own."""
+        """Returns (mm, text): how far the part may deviate from its way between two frames of a
+        mechanism. The estimate compares each frame with the way from the frame before it to the
+        frame after it. 0 for poses that are keys."""
         return self.way().hidden()
 
     def outline(self):
-        """A function for any thread: outermost points of the parts in the base frame (k,3), and triangles
-        that hold them together, as a body."""
+        """Returns a function for any thread. It returns the outermost points of the parts in the
+        base frame (k,3) as a body, with triangles that connect them."""
         matrix, outline = self.into_base(), contents.outline(self.pairs)
 
         def found():
@@ -270,21 +273,21 @@ class Moving:
         return found
 
     def course(self):
-        """The placements, as trajectory() has them, as a function of time (s)."""
+        """Returns the placements of trajectory() as a function of time (s)."""
         return self.way().course()
 
     def trajectory(self, tolerance):
-        """(Poses, interpolation as the core knows it). tolerance: mm by which straight pieces may
-        leave a curved way."""
+        """Returns (Poses, interpolation of the core). tolerance: mm by which straight pieces may
+        deviate from a curved way."""
         return self.way().trajectory(tolerance)
 
     def request(self, body, tolerance, options):
-        """A run of the core for a body (as core.Request has it) in the base frame."""
+        """Returns a run of the core for a body (of core.Request) in the base frame."""
         return self.way().request(body, tolerance, options)
 
     def body_request(self, deflection, tolerance, options, read=convert.body_from):
-        """A run of the core for the parts themselves. deflection: mm, for solids; read: as
-        convert.body_from."""
+        """Returns a run of the core for the parts themselves. deflection: mm, for solids; read: a
+        function like convert.body_from()."""
         way = self.way()
         body = Seen(read(self.pairs, deflection), way.into_base, self.motion)
         return way.request(body, tolerance, options)

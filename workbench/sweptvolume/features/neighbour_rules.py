@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rules of neighbours: what single parts, or groups of them, ask for instead of the common distance. One
-concept for checks and for searches; the core has the same (docs/clearance.md, "Rules").
+"""Rules of neighbours: settings of single parts or groups in place of the common distance. Checks
+and searches use the same rules, and the core has the same concept (docs/clearance.md, "Rules").
 
-In a document the rules are three lists of one length: the parts, the kinds, the lengths (mm)."""
+A document stores the rules as three lists of equal length: the parts, the kinds, the lengths (mm).
+"""
 import math
 
 from .. import convert
@@ -15,8 +16,8 @@ PARTS_PROPERTY = "RuleParts"
 
 
 class Rule:
-    """kind: of KINDS; length (mm): the distance asked for, or how deep a contact may be; None: the common
-    distance, or a contact that cannot be told from touching."""
+    """kind: one of KINDS. length (mm): the required distance, or the largest depth of a contact.
+    None: the common distance, or a contact without measurable overlap."""
 
     def __init__(self, kind=REQUIRED, length=None):
         self.kind, self.length = kind, length
@@ -25,11 +26,11 @@ class Rule:
         return self.text() == other.text()
 
     def asks(self):
-        """Whether it says anything."""
+        """Returns whether the rule differs from the default."""
         return self.kind != REQUIRED or self.length is not None
 
     def text(self):
-        """As the core takes it; None where the common distance holds."""
+        """Returns the rule in the form of the core, or None for the common distance."""
         if self.kind == IGNORE:
             return "ignore"
         if self.kind == CONTACT:
@@ -38,7 +39,7 @@ class Rule:
 
 
 def from_text(text):
-    """The rule that a text of the core stands for."""
+    """Returns the rule for a text of the core."""
     if text == "ignore":
         return Rule(IGNORE)
     if text.startswith("contact"):
@@ -47,7 +48,7 @@ def from_text(text):
 
 
 def check(rule, label):
-    """Raises InputProblem where a rule is impossible. label: whose."""
+    """Raises InputProblem if a rule is impossible. label: the part that has the rule."""
     if rule.kind not in KINDS:
         raise InputProblem(
             translate(
@@ -63,7 +64,8 @@ def check(rule, label):
 
 
 def read(obj):
-    """{(root, sub): Rule} of an object of ours. Raises InputProblem where its lists do not fit each other."""
+    """Returns {(root, sub): Rule} of one of our objects. Raises InputProblem if the lengths of its
+    lists differ."""
     pairs = convert.pairs_of(obj.RuleParts)
     if not len(pairs) == len(obj.RuleKinds) == len(obj.RuleLengths):
         raise InputProblem(
@@ -78,8 +80,8 @@ def read(obj):
 
 
 def checked(obj, parts):
-    """{key: Rule} of the kinds and lengths of an object of ours; parts: (key, label) of each. Raises
-    InputProblem."""
+    """Returns {key: Rule} from the kinds and lengths of one of our objects. parts: (key, label) of
+    each rule. Raises InputProblem."""
     rules = {}
     for (part, label), kind, length in zip(parts, obj.RuleKinds, obj.RuleLengths):
         rule = Rule(kind, length)
@@ -96,7 +98,7 @@ def checked(obj, parts):
 
 
 def write(obj, rules):
-    """Puts rules into an object of ours, if they are others than now."""
+    """Writes rules into one of our objects if they differ from its rules."""
     links, given = [], []
     for pair, rule in rules.items():
         for link in containers.links_for(obj, [pair]) if rule.asks() else []:
@@ -106,7 +108,7 @@ def write(obj, rules):
 
 
 def set_lists(obj, links, rules):
-    """Writes links, and what each rule says, if they are others than now."""
+    """Writes links, kinds and lengths of rules if they differ from the stored ones."""
     kinds = [rule.kind for rule in rules]
     lengths = [float(rule.length or 0.0) for rule in rules]
     if convert.links_in(obj.RuleParts) != links:
@@ -118,7 +120,7 @@ def set_lists(obj, links, rules):
 
 
 def of(rules, root, path):
-    """The rule of a part: its own, or that of the smallest group around it."""
+    """Returns the rule of a part: its own rule, or that of the smallest group around it."""
     found, letters = Rule(), -1
     for (above, sub), rule in rules.items():
         if above is root and path.startswith(sub) and len(sub) > letters:
@@ -127,9 +129,10 @@ def of(rules, root, path):
 
 
 def merged(rules, shown, given):
-    """Rules after some neighbours were given others. shown: all of which a user saw the rules; given: {pair:
-    Rule} of those of them that ask for something. Rules of what was not seen stay; a rule of a group
-    stays while all that it is for follow it."""
+    """Returns the rules after the user changed some. shown: all neighbours whose rules the user
+    saw. given: {pair: Rule} of those that now have a rule. If no shown neighbour has another rule
+    than before, nothing changes, and rules of groups stay. Otherwise the given rules replace all
+    rules that apply to a shown neighbour."""
     if all(of(rules, *pair) == given.get(pair, Rule()) for pair in shown):
         return dict(rules)
     kept = {
@@ -141,7 +144,7 @@ def merged(rules, shown, given):
 
 
 def drop(obj, gone):
-    """An object is being deleted, and its links with it: its rules go too."""
+    """Removes the rules of an object that is being deleted; its links disappear, too."""
     links = convert.links_in(obj.RuleParts)
     if not len(links) == len(obj.RuleKinds) == len(obj.RuleLengths):
         return
@@ -152,7 +155,8 @@ def drop(obj, gone):
 
 
 def words(rules):
-    """What stands for rules in the hash of inputs: the same in any order; "" where there are none."""
+    """Returns the text of the rules for the hash of inputs: independent of their order, "" if there
+    are no rules."""
     return "\n".join(
         sorted(
             "{}|{}|{}".format(r.Name, sub, rule.text())

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts, envelopes and solids that are compared as they stand, read off the document: -> plain values."""
+"""Reads parts, envelopes and solids that are compared in their present places, and converts them to
+plain values."""
 import itertools
 
 from .. import contents, convert, core_overlap
@@ -9,14 +10,15 @@ from .still_parts import chord_of
 
 
 class Plan:
-    """pairs: (root, sub) of what is compared, each with each; required, deflection: mm."""
+    """pairs: (root, sub) of the objects, which are all compared with each other; required,
+    deflection: mm."""
 
     def __init__(self, document, pairs, required=0.0, deflection=0.05):
         self.document, self.pairs = document, list(pairs)
         self.required, self.deflection = float(required), float(deflection)
 
     def names(self):
-        """Of each: its label, with a number where one is there twice."""
+        """Returns the label of each object. Equal labels are numbered."""
         return convert.own_names(self.pairs)
 
     def words(self):
@@ -24,7 +26,7 @@ class Plan:
         return contents.words(self.pairs)
 
     def request(self):
-        """Plain values for work(). Raises InputProblem."""
+        """Returns the plain values for work(). Raises InputProblem."""
         if len(self.pairs) < 2:
             raise InputProblem(
                 translate(
@@ -48,13 +50,13 @@ class Plan:
 
 
 class Request:
-    """Input of one comparison, no document behind it."""
+    """Input of one comparison, independent of any document."""
 
     def __init__(self, parts, options):
         self.parts, self.options = parts, options
 
 
 def work(request, control):
-    """Any thread: as core_overlap.overlap(). Raises core.CoreError, InputProblem."""
+    """Runs core_overlap.overlap(), in any thread. Raises core.CoreError, InputProblem."""
     parts = [(name, body.vertices, body.triangles, chord) for name, body, chord in request.parts]
     return core_overlap.overlap(parts, request.options, control)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rules of pairs of parts that move at the same time: what two parts ask for in place of the common distance
-(neighbour_rules.Rule). In a document they are three lists: the two parts of each rule one after the other,
-the kinds, the lengths (mm). A rule of a group holds for what is below it."""
+"""Rules of pairs of parts that move at the same time, in place of the common distance
+(neighbour_rules.Rule). A document stores three lists: the two parts of each rule one after the
+other, the kinds, the lengths (mm). The rule of a group holds for all parts in it."""
 from .. import convert
 from ..convert import InputProblem
 from ..texts import translate
@@ -10,18 +10,19 @@ from .neighbour_rules import Rule
 
 
 def key(one, other):
-    """Two parts, each (root, sub), in an order of their own."""
+    """Returns the key of two parts, each (root, sub); it does not depend on their order."""
     a, b = (one[0].Name, one[1]), (other[0].Name, other[1])
     return (one, other) if a <= b else (other, one)
 
 
 def label_of(pair):
-    """How people call a pair of parts."""
+    """Returns the text for a pair of parts."""
     return " - ".join(convert.label_of(*part) for part in pair)
 
 
 def read(obj):
-    """{key: Rule} of an object of ours. Raises InputProblem where its lists do not fit each other."""
+    """Returns {key: Rule} of one of our objects. Raises InputProblem if the lengths of its lists do
+    not match."""
     parts = convert.pairs_of(obj.RuleParts)
     if not len(parts) == 2 * len(obj.RuleKinds) == 2 * len(obj.RuleLengths):
         raise InputProblem(
@@ -37,7 +38,7 @@ def read(obj):
 
 
 def write(obj, rules):
-    """Puts rules into an object of ours, if they are others than now."""
+    """Writes rules into one of our objects if they differ from its rules."""
     given = []
     for (one, other), rule in rules.items():
         if rule.asks():
@@ -49,10 +50,10 @@ def write(obj, rules):
 
 
 def of(rules, one, other):
-    """The rule of two parts: their own, or that of the smallest groups around them. Raises InputProblem where
-    two rules contradict each other of which none is the narrower one on both sides: one names a smaller group
-    around the first part, the other one around the second."""
-    # Of those that hold: (letters of the path to the one and to the other side, rule, pair).
+    """Returns the rule of two parts: their own rule, or that of the smallest groups around them.
+    Raises InputProblem if two rules contradict each other and neither is more specific: one has
+    the smaller group around the first part, the other around the second."""
+    # The rules that hold: (lengths of the paths to both groups, rule, pair).
     held = []
     for pair, rule in rules.items():
         for a, b in (pair, pair[::-1]):
@@ -70,7 +71,8 @@ def of(rules, one, other):
 
 
 def _narrower(one, other):
-    """Whether the sides of one rule are as small as those of another, and one of them smaller."""
+    """Returns whether a rule is more specific: no group larger than in the other rule, and one
+    group smaller."""
     return one != other and all(a >= b for a, b in zip(one, other))
 
 
@@ -92,7 +94,7 @@ def merged(rules, shown, given):
 
 
 def drop(obj, gone):
-    """An object is being deleted, and its links with it: rules of which it is a part go too."""
+    """Removes the rules that name an object that is being deleted; its links disappear, too."""
     links = convert.links_in(obj.RuleParts)
     if not len(links) == 2 * len(obj.RuleKinds) == 2 * len(obj.RuleLengths):
         return
@@ -104,7 +106,8 @@ def drop(obj, gone):
 
 
 def words(rules):
-    """What stands for rules in the hash of inputs: the same in any order; "" where there are none."""
+    """Returns the text of the rules for the hash of inputs: independent of their order, "" if there
+    are no rules."""
     texts = [
         "|".join([root.Name + "." + sub for root, sub in pair] + [rule.text()])
         for pair, rule in rules.items()

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A search for an installation path: document objects -> input of the core -> a motion of ours.
+"""A search for an installation path: reads the document, runs the core, and creates a motion.
 
-A run is PathPlan.request() - work() - make(). The poses that the core places are those of the pivot of the
-motion to come, the middle of the part: what it certifies is then what the motion does between its keys."""
+A run consists of PathPlan.request(), work() and make(). The poses for the core are those of the
+pivot of the new motion, the middle of the part. So the core certifies exactly the motion that the
+part makes between its keys."""
 import math
 
 import FreeCAD as App
@@ -16,7 +17,7 @@ from . import clearance_plan, still_parts
 from . import motion as motion_feature
 from .moving import Seen, middle_of
 
-#: mm; the budget in s, the largest turn in degrees.
+#: Lengths in mm, the time limit in s, the largest turn in degrees.
 DEFAULTS = {
     "RequiredDistance": 1.0,
     "ReleaseDistance": 20.0,
@@ -31,12 +32,12 @@ INTERPOLATION = "Linear"
 
 
 class PathPlan:
-    """What is searched for. Reads documents only in the thread of the GUI.
+    """The task of a search. Reads documents only in the GUI thread.
 
-    pairs: (root, sub) of the parts that move together; goal: Placement of the first of them seen from the
-    document, None: where it stands now; start: likewise, or None with `extract`: mm to get out by, or a
-    direction (Vector); neighbours: (root, sub) of parts that stand still; rules: {(root, sub):
-    neighbour_rules.Rule} of those that do not ask for the common distance."""
+    pairs: (root, sub) of the parts that move together. goal: Placement of the first part in world
+    coordinates, or None for its present place. start: a Placement as well, or None with `extract`:
+    a distance in mm or a direction (Vector). neighbours: (root, sub) of parts that stand still.
+    rules: {(root, sub): neighbour_rules.Rule} of the neighbours with their own rule."""
 
     def __init__(
         self,
@@ -57,11 +58,11 @@ class PathPlan:
         self.values = dict(DEFAULTS, **values)
 
     def objects(self):
-        """Document objects that a run needs to its end."""
+        """Returns the document objects that a run needs until its end."""
         return [root for root, _ in self.pairs]
 
     def check(self):
-        """Raises InputProblem while something is missing."""
+        """Raises InputProblem if an input is missing."""
         if not self.pairs:
             raise InputProblem(convert.no_part_text())
         if not self.neighbours:
@@ -80,7 +81,7 @@ class PathPlan:
             )
 
     def request(self):
-        """The search without a document; notes the pivot. Raises InputProblem."""
+        """Returns the search as plain values, and stores the pivot. Raises InputProblem."""
         self.check()
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         body = convert.body_from(self.pairs, deflection)
@@ -99,7 +100,7 @@ class PathPlan:
         return matrix_of(placement.multiply(shift_to(self.pivot)))
 
     def _still_parts(self, deflection):
-        """As the core takes them."""
+        """Returns the neighbours in the form of the core."""
         return rows_beside(self.document, self.pairs, self.neighbours, self.rules, deflection)
 
     def _options(self, deflection):
@@ -117,12 +118,13 @@ class PathPlan:
 
 
 def beside(document, pairs, neighbours=None):
-    """What stands beside parts: leaves() and still_parts() of a check. neighbours None: all visible ones."""
+    """Returns the parts beside the moving ones, for leaves() and still_parts() of a check.
+    neighbours None: all visible parts."""
     return clearance_plan.Plan(document, pairs, None, neighbours or [], neighbours is None, {})
 
 
 def rows_beside(document, pairs, neighbours, rules, deflection):
-    """Neighbours as core_paths.PathRequest has them."""
+    """Returns the neighbours in the form of core_paths.PathRequest."""
     still = beside(document, pairs, neighbours)
     still.rules = rules
     return [
@@ -132,31 +134,33 @@ def rows_beside(document, pairs, neighbours, rules, deflection):
 
 
 class Outcome:
-    """What a search found: report (dict, docs/paths.md), poses (Poses of the part; None: nothing)."""
+    """Result of a search: report (dict, docs/paths.md), and poses (Poses of the part, or None if no
+    path was found)."""
 
     def __init__(self, report, poses):
         self.report = report
         self.poses = poses
 
     def farthest(self):
-        """Where the part came to that found no way, for the pivot (4x4 as Placement)."""
+        """Returns the farthest placement that a search without success reached, for the pivot (from
+        4x4 to Placement)."""
         pose = self.report["escape"]["pose"]
         return convert.placements_from([pose["translation"]], [pose["quaternion_xyzw"]])[0]
 
 
 def placement_of(matrix):
-    """A rigid 4x4 as Placement."""
+    """Converts a rigid 4x4 matrix to a Placement."""
     return App.Placement(App.Matrix(*np.asarray(matrix).ravel()))
 
 
 def work(request, pivot, control, seen=None):
-    """Any thread: the search itself. Raises core.CoreError, InputProblem."""
+    """Runs the search, in any thread. Raises core.CoreError, InputProblem."""
     report, found = core_paths.find_path(request, control, seen)
     return Outcome(report, None if found is None else poses_from(found, pivot))
 
 
 def poses_from(found, pivot):
-    """(times, translations, rotations) of the pivot -> Poses of the part."""
+    """Converts (times, translations, rotations) of the pivot to Poses of the part."""
     times, translations, rotations = found
     back = shift_to(-pivot)
     placements = [p.multiply(back) for p in convert.placements_from(translations, rotations)]
@@ -164,7 +168,7 @@ def poses_from(found, pivot):
 
 
 def make(document, pairs, poses, label=None, interpolation=INTERPOLATION):
-    """The motion of a path that was found."""
+    """Creates the motion of a path that was found."""
     obj = motion_feature.make_motion(document, label or label_for(pairs))
     motion_feature.store(obj, poses)
     obj.Interpolation, obj.PoseType = interpolation, "Absolute"
@@ -179,8 +183,8 @@ def label_for(pairs):
 
 
 def find(plan, control=None):
-    """Searches in this thread (scripts, no GUI): (report, motion or None), one undo step. Raises
-    core.CoreError, InputProblem."""
+    """Searches in this thread (for scripts without a GUI) as one undo step. Returns (report, motion
+    or None). Raises core.CoreError, InputProblem."""
     request = plan.request()
     outcome = work(request, plan.pivot, control or core.Control())
     if outcome.poses is None:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Properties that were called something else in earlier versions. When a document of such a version opens,
-their values, the expressions bound to them and the expressions that read them move to the new names.
+"""Properties that had another name in earlier versions. When a document of such a version opens,
+their values, the expressions bound to them and the expressions that read them move to the new
+names.
 """
 import html
 import json
@@ -27,13 +28,13 @@ _FORMER = {new: old for names in RENAMED.values() for old, new in names.items()}
 
 
 def hashed(values):
-    """JSON of settings for a hash, under the names that they had first, so that a rename makes no result
-    stale."""
+    """Returns JSON of settings for a hash, with their first names, so that renaming does not make
+    results stale."""
     return json.dumps({_FORMER.get(k, k): v for k, v in values.items()}, sort_keys=True)
 
 
 def take_over(obj, names):
-    """Moves the properties of an object that was restored to their new names, which it has already.
+    """Moves the properties of a restored object to their new names, which the object already has.
     names: {old: new}."""
     names = {old: new for old, new in names.items() if old in obj.PropertiesList}
     if not names:
@@ -57,13 +58,14 @@ def take_over(obj, names):
 
 
 def _without_object(text, names):
-    """An expression of the object itself, which may leave its own name out."""
+    """Removes the object's own name from an expression; an expression of the object may leave it
+    out."""
     pattern = r"(?<![\w.>])(\.?)({})\b(?!\s*\()".format("|".join(names))
     return re.sub(pattern, lambda found: found.group(1) + names[found.group(2)], text)
 
 
 def _tell_readers(obj, names):
-    """Expressions of other objects, and cells of spreadsheets, that read the old names."""
+    """Updates expressions of other objects, and cells of spreadsheets, that read the old names."""
     called = "|".join(map(re.escape, (obj.Name, "<<{}>>".format(obj.Label))))
     pattern = re.compile(r"(?<![\w.])({})\.({})\b".format(called, "|".join(names)))
 
@@ -81,7 +83,7 @@ def _tell_readers(obj, names):
 
 
 def _formulas(sheet):
-    """(address, content) of the cells with formulas."""
+    """Returns (address, content) of the cells with formulas."""
     for cell in re.findall(r"<Cell [^>]*>", sheet.cells.Content):
         found = dict(re.findall(r'(\w+)="([^"]*)"', cell))
         if found.get("content", "").startswith("="):

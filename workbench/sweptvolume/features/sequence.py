@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sequence: parts that are installed one after the other, each on a motion of its own, clear of all that is
-there by then, kept in the document (core: docs/paths.md, "Sequences").
+"""Sequence: parts that are installed one after the other, each on its own motion, clear of all
+parts installed before; kept in the document (core: docs/paths.md, "Sequences").
 
-What is found becomes motions of ours; the object holds them in the order of the parts and says whether they
-still are what was certified. A computation of the object checks its motions again."""
+The paths that are found become motion objects. The sequence holds them in the order of the parts,
+and shows whether they are still the certified ones. Recomputing the object checks its motions
+again."""
 import json
 
 import numpy as np
@@ -18,10 +19,10 @@ from .sequence_plan import Plan
 from .sequence_properties import INPUT, RESULT
 
 TYPE = "App::FeaturePython"
-#: Of what was in the way of a part, the worst first.
+#: Number of obstacles named for a part, the worst first.
 MOST_NAMES = 3
 
-#: What is read of a stored report.
+#: The parts of a stored report that are used, with their shapes (base.fits()).
 REPORT = {
     "verdict": {"found", "not_found", "no_order"},
     "required": float,
@@ -57,8 +58,8 @@ def is_sequence(obj):
 
 
 class Outcome:
-    """report (dict, docs/paths.md), notes; order: numbers of the parts as they were given; found: Poses of
-    each part that was searched for and has a path, by its number."""
+    """report (dict, docs/paths.md), notes; order: indices of the parts in the order given; found:
+    {index: Poses} for each part that was searched for and has a path."""
 
     def __init__(self, report, notes, order, found):
         self.report, self.notes, self.order, self.found = report, notes, order, found
@@ -68,7 +69,7 @@ class Outcome:
 
 
 def work(request, control, seen=None):
-    """Any thread: the search itself. Raises core.CoreError, InputProblem."""
+    """Runs the search, in any thread. Raises core.CoreError, InputProblem."""
     rows = request.parts()
     options = dict(request.options, rules=request.asked())
     order = request.search["Order"]
@@ -95,7 +96,8 @@ def _keys(step):
 
 
 def make_motions(plan, outcome):
-    """Makes motions of what was found; the plan has the parts in the order that was found then."""
+    """Creates motions from the paths that were found, and puts the parts of the plan into the order
+    that was found."""
     motions = [
         motion or path_plan.make(plan.document, [pair], outcome.found[k])
         for k, (pair, motion) in enumerate(zip(plan.pairs, plan.motions))
@@ -104,7 +106,7 @@ def make_motions(plan, outcome):
 
 
 def apply(obj, outcome, hash_at_start):
-    """Writes the result of a search whose paths are all there."""
+    """Writes the result of a search that found all paths into the object."""
     report = dict(outcome.report, notes=outcome.notes)
     obj.Report = json.dumps(report)
     obj.Summary = summary(report)
@@ -115,7 +117,7 @@ def apply(obj, outcome, hash_at_start):
 
 
 def summary(report):
-    """The result in one line."""
+    """Returns the result in one line."""
     found = sum(step["verdict"] == "found" for step in report["steps"])
     if report["verdict"] != "found":
         text = translate("Messages", "{0} of {1} parts have a path")
@@ -129,7 +131,7 @@ def summary(report):
 
 
 def step_text(step):
-    """What is to be said of one part."""
+    """Returns the text about one part."""
     if step["verdict"] == "found":
         length = quantities.quantity(step["length"])
         if step.get("clearance") is None:
@@ -149,7 +151,7 @@ def step_text(step):
 
 
 def told(report):
-    """All that is to be said of a report."""
+    """Returns all texts about a report."""
     lines = [summary(report)]
     if report["verdict"] == "no_order":
         lines.append(
@@ -167,7 +169,8 @@ def told(report):
 
 
 def compute(obj, control=None):
-    """Checks the motions again in this thread (scripts, no GUI): one undo step. Raises core.CoreError."""
+    """Checks the motions again in this thread (for scripts without a GUI) as one undo step. Raises
+    core.CoreError."""
     import sys
 
     title = translate("Messages", "Check sequence")
@@ -175,8 +178,8 @@ def compute(obj, control=None):
 
 
 def find(plan, control=None):
-    """Searches in this thread (scripts, no GUI): (report, sequence or None), one undo step. Raises
-    core.CoreError, InputProblem."""
+    """Searches in this thread (for scripts without a GUI) as one undo step. Returns (report,
+    sequence or None). Raises core.CoreError, InputProblem."""
     outcome = work(plan.request(), control or core.Control())
     if not outcome.is_found():
         return outcome.report, None
@@ -187,7 +190,8 @@ def find(plan, control=None):
 
 
 def keep(plan, outcome, obj=None):
-    """The object (a new one unless given) with the motions of a search that found them all."""
+    """Returns the object (a new one unless given) with the motions of a search that found all
+    paths."""
     make_motions(plan, outcome)
     if obj is None:
         obj = make_sequence(plan.document)
@@ -198,7 +202,7 @@ def keep(plan, outcome, obj=None):
 
 
 def report_of(obj):
-    """The stored report (dict); None if there is none, or a damaged one."""
+    """Returns the stored report (dict), or None if there is none or it is damaged."""
     report = stored(obj.Report, REPORT)
     if report is not None and report["verdict"] == "found":
         return stored(obj.Report, dict(REPORT, steps=[dict(REPORT["steps"][0], **_TIMED)]))
@@ -206,7 +210,7 @@ def report_of(obj):
 
 
 def make_sequence(document, label=None, **settings):
-    """A sequence, not yet computed. `settings` are property names with values."""
+    """Creates a sequence, not yet computed. `settings`: property names with values."""
     obj = document.addObject(TYPE, "Sequence")
     Sequence(obj)
     obj.Label = label or translate("Messages", "Sequence")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a sequence looks at, read off an object or a panel: parts in their order, each with a motion or to be
-searched for, and what stands still -> the input of the core as plain values.
+"""Reads the inputs of a sequence from an object or a panel (parts in their order, each with a
+motion or a search, and parts that stand still), and converts them to plain values for the core.
 
-A part that is searched for belongs where it stands; its poses are placed by the middle of the part, as in
+The goal of a part without a motion is its present place. Its poses are those of its middle, as in
 path_plan."""
 import itertools
 import math
@@ -16,8 +16,8 @@ from .base import UP_TO_DATE
 from .mechanism_plan import Part
 from .moving import Moving, Seen, middle_of
 
-#: What a search needs besides the settings of the object. Out: mm that a part has to get out by; MostMoves:
-#: as the program has them, 0: no limit.
+#: Values of a search besides the settings of the object. Out: mm by which a part must be taken out.
+#: MostMoves: as in the program, 0: no limit.
 SEARCH = {
     "Order": "given",
     "Out": 100.0,
@@ -30,14 +30,14 @@ SEARCH = {
 
 
 class Row:
-    """One part. part: mechanism_plan.Part; pivot: of the poses to come, goal: (4,4), where it is searched for
-    (else None)."""
+    """One part. part: mechanism_plan.Part. pivot (of the new poses) and goal (4,4): None unless a
+    path is searched for."""
 
     def __init__(self, part, pivot=None, goal=None):
         self.part, self.pivot, self.goal = part, pivot, goal
 
     def row(self, out):
-        """Any thread: as the core takes it."""
+        """Returns the part in the form of the core. Any thread."""
         name, vertices, triangles, motion, interpolation, chord = self.part.row()
         extract = out if motion is None else None
         places = self.goal, None, extract, []
@@ -45,7 +45,8 @@ class Row:
 
 
 class Request:
-    """Input of one search, no document behind it. rows: Row of each part; still: Part of what stands."""
+    """Input of one search, independent of any document. rows: a Row for each part; still: a Part
+    for each part that stands still."""
 
     def __init__(self, rows, still, rules, search, options, notes):
         self.rows, self.still, self.rules = rows, still, rules
@@ -58,7 +59,7 @@ class Request:
         return [(p.name, p.body.vertices, p.body.triangles, p.chord) for p in self.still]
 
     def asked(self):
-        """(name, name, rule) of pairs that ask for something of their own. Raises InputProblem."""
+        """Returns (name, name, rule) for the pairs that have their own rule. Raises InputProblem."""
         found = []
         moving = [row.part for row in self.rows]
         pairs = itertools.chain(
@@ -72,9 +73,9 @@ class Request:
 
 
 class Plan(mechanism_plan.Plan):
-    """motions: one for each of pairs, None for what is searched for; search: values of SEARCH; steps: those
-    of the stored report in the order of the parts, none where it is not that of the document as it is; known:
-    hash of its inputs."""
+    """motions: one for each of pairs, None if a path is searched for; search: values of SEARCH;
+    steps: those of the stored report in the order of the parts, or none if the report is out of
+    date; known: hash of its inputs."""
 
     SETTINGS = ("RequiredDistance", "ReleaseDistance", "Accuracy", "MeshDeflection")
 
@@ -91,7 +92,7 @@ class Plan(mechanism_plan.Plan):
         return plan
 
     def groups(self):
-        """Moving of each part, None of those that are searched for. Raises InputProblem."""
+        """Returns the Moving of each part, or None if a path is searched for. Raises InputProblem."""
         if self.lost:
             raise InputProblem(self.lost)
         if not self.pairs:
@@ -124,7 +125,7 @@ class Plan(mechanism_plan.Plan):
         return groups
 
     def words(self):
-        """As clearance_plan.Plan.words(); the order of the parts counts."""
+        """As clearance_plan.Plan.words(), but the order of the parts matters."""
         if self._words is None:
             beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
             words = []
@@ -137,19 +138,20 @@ class Plan(mechanism_plan.Plan):
         return self._words
 
     def take(self, order, motions):
-        """The parts in the order (old numbers) that was found, with all their motions."""
+        """Puts the parts into the order that was found (old indices), with all their motions."""
         self.pairs = [self.pairs[k] for k in order]
         self.motions = [motions[k] for k in order]
         self._words = None
 
     def rename(self, report):
-        """The steps of a report, and what was in their way, get the names that their parts have now. Returns
-        whether any has another."""
+        """Updates the names in the steps of a report, and in their obstacles, to the present labels
+        of the parts. Returns whether a name changed."""
         found = row_names.placed(report, "parts", "places")
         there = {s["part"]: pair for s, pair in zip(report["steps"], self.pairs)}
         whole = len(there) == len(self.pairs) and set(there) == {known for known, _ in found}
         if whole and self.known and self.known == self.hash():
-            # The same contents in the same order: what took a part's place is told by its own name.
+            # The parts have the same content and order, so the part that now stands at a place
+            # gives the name.
             found = [(known, row_names.place_of(*there[known])) for known, _ in found]
             report["places"] = [place for _, place in found]
         new = self._renamed(found + row_names.placed(report, "still", "still_places"))
@@ -167,7 +169,7 @@ class Plan(mechanism_plan.Plan):
     # --- the run
 
     def request(self):
-        """The search as plain values. Raises InputProblem."""
+        """Returns the search as plain values. Raises InputProblem."""
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         straight = 0.5 * float(self.values["Accuracy"])
         names, rows, notes = self.names(), [], []
@@ -210,8 +212,9 @@ class Plan(mechanism_plan.Plan):
     # --- what is seen
 
     def seen(self):
-        """As mechanism_plan.Plan.seen(), on the timeline of the stored result: a part waits at its first key
-        and stays at its last one. Raises InputProblem."""
+        """As mechanism_plan.Plan.seen(), on the time axis of the stored result: before its motion a
+        part waits at its first key, and afterwards it stays at its last key. Raises
+        InputProblem."""
         found, deflection = [], self.seen_deflection()
         begins = [step["begin"] for step in self.steps] or [0.0] * len(self.pairs)
         for pair, group, begin in zip(self.pairs, self.groups(), begins):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a sequence: type, name, help, default; what it has as a mechanism check has it, is that
-one's."""
+"""The properties of a sequence: type, name, help, default. Those that it shares with the mechanism
+check are the same."""
 from ..texts import mark
 from . import mechanism_properties, path_plan
 
@@ -32,8 +32,8 @@ INPUT = [
         "ReleaseDistance",
         mark(
             "Properties",
-            "Close to its start or end, a part may touch the parts that it touches "
-            "there, until it has moved this far away",
+            "If a part touches another part at its start or end, it may keep touching that part "
+            "while no point of it is farther than this from that start or end",
         ),
         path_plan.DEFAULTS["ReleaseDistance"],
     ),

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shared volume: the space that two sides have in common, as a mesh in the document. A side is any number of
-parts, envelopes or their solids; a motion may put it where it is at a time (core: docs/overlap.md).
+"""Shared volume: the space that two sides have in common, as a mesh in the document. A side
+consists of parts, envelopes or their solids; a motion may move it to its place at a given time
+(core: docs/overlap.md).
 
-As with the envelope, `execute` only marks; a run is Plan.request() - work() - apply().
+As with the envelope, `execute` only updates the state. A run consists of Plan.request(), work() and
+apply().
 """
 import json
 
@@ -26,7 +28,7 @@ from .shared_properties import PROPERTIES
 from .still_parts import chord_of
 
 TYPE = "Mesh::FeaturePython"
-#: mm; nearer than this counts as contact.
+#: mm; smaller distances count as contact.
 TOLERANCE = 0.01
 
 containers.watch()
@@ -46,7 +48,7 @@ class Shared(Feature):
         obj.Status = NOT_COMPUTED
 
     def execute(self, obj):
-        """Marks the result stale or current; keeps the mesh."""
+        """Marks the result as stale or current, and keeps the mesh."""
         update_status(obj)
 
     look = execute
@@ -64,13 +66,13 @@ def is_shared(obj):
 
 
 class Request:
-    """Input of one run: two sides (name, body, chord error in mm), no document behind them."""
+    """Input of one run: two sides (name, body, chord error in mm), independent of any document."""
 
     def __init__(self, first, second):
         self.first, self.second = first, second
 
     def rows(self):
-        """Any thread: as core_overlap.shared() takes them. Raises InputProblem."""
+        """Returns the sides in the form of core_overlap.shared(). Any thread. Raises InputProblem."""
         return [
             (name, body.vertices, body.triangles, chord)
             for name, body, chord in (self.first, self.second)
@@ -78,15 +80,15 @@ class Request:
 
 
 class Plan:
-    """What is to be compared. Reads documents only in the thread of the GUI. motions: of both sides, None
-    where one stands."""
+    """The inputs of a run. Reads documents only in the GUI thread. motions: of both sides, None for
+    a side that stands still."""
 
     def __init__(self, document, first, second, motions=(None, None), time=0.0, deflection=0.05):
         self.document = document
         self.sides = list(first), list(second)
         self.motions = tuple(motions)
         self.time, self.deflection = float(time), float(deflection)
-        self.lost = ""  # what was deleted that the object needs
+        self.lost = ""  # text about a deleted input, or ""
         self._words = None
 
     @classmethod
@@ -98,7 +100,7 @@ class Plan:
         return plan
 
     def write(self, obj):
-        """Puts the plan into an object."""
+        """Writes the plan into an object."""
         missing.forget(obj)
         containers.set_pairs(obj, "MovingParts", self.sides[0])
         containers.set_pairs(obj, "Neighbours", self.sides[1])
@@ -108,21 +110,22 @@ class Plan:
         set_changed(obj, "MeshDeflection", self.deflection)
 
     def pairs(self):
-        """(root, sub) of both sides."""
+        """Returns (root, sub) of both sides."""
         return self.sides[0] + self.sides[1]
 
     def objects(self):
-        """Document objects that a run needs to its end."""
+        """Returns the document objects that a run needs until its end."""
         return [root for root, _ in self.pairs()] + [
             motion for motion in self.motions if motion is not None
         ]
 
     def names(self):
-        """What the tree calls both sides."""
+        """Returns the labels of both sides."""
         return [", ".join(convert.label_of(*pair) for pair in side) for side in self.sides]
 
     def hash(self):
-        """Short text that stands for all the result depends on; "" while inputs are unusable."""
+        """Returns a short text that identifies all inputs of the result, or "" if inputs are
+        unusable."""
         return status.hash_or_problem(self.checked_hash)[0]
 
     def words(self):
@@ -160,10 +163,10 @@ class Plan:
                 raise InputProblem(text.format(convert.label_of(*pair)))
 
     def request(self):
-        """Both sides as plain values. Raises InputProblem."""
+        """Returns both sides as plain values. Raises InputProblem."""
         self._check()
         names = self.names()
-        if names[0] == names[1]:  # two parts of one name
+        if names[0] == names[1]:  # two parts have the same name
             names[1] += " (2)"
         deflection = max(self.deflection, 1e-4)
         found = []
@@ -178,7 +181,7 @@ class Plan:
 
 
 class Outcome:
-    """row: what the core says of the pair (dict); what both share, as arrays."""
+    """row: the core's result for the pair (dict); the shared volume, as arrays."""
 
     def __init__(self, row, vertices, triangles):
         self.row, self.vertices, self.triangles = row, vertices, triangles
@@ -186,12 +189,12 @@ class Outcome:
 
 
 def work(request, control):
-    """Any thread: the run itself. Raises core.CoreError, InputProblem."""
+    """Runs the core, in any thread. Raises core.CoreError, InputProblem."""
     return Outcome(*core_overlap.shared(*request.rows(), {"tolerance": TOLERANCE}, control))
 
 
 def apply(obj, outcome, hash_at_start):
-    """Writes the result of a run."""
+    """Writes the result of a run into the object."""
     import Mesh
 
     mesh = outcome.mesh or Mesh.Mesh()
@@ -208,15 +211,15 @@ def apply(obj, outcome, hash_at_start):
 
 
 def notes_of(obj):
-    """What is to be said of the stored result."""
+    """Returns the notes to show for the stored result."""
     if not obj.InputHash or obj.Mesh.CountFacets:
         return ""
-    text = translate("Messages", "They share no volume; the smallest distance is {0}.")
+    text = translate("Messages", "The two sides share no volume. Their smallest distance is {0}.")
     return text.format(quantity(obj.Distance.Value, TABLE_DIGITS))
 
 
 def update_status(obj):
-    """Compares inputs and stored result."""
+    """Compares the present inputs with those of the stored result."""
     plan = Plan.of(obj)
     now, problem, waits = status.inputs_of(obj, plan.words, plan.checked_hash)
     if waits:
@@ -228,14 +231,15 @@ def update_status(obj):
 
 
 def fail(obj, text, tried, cancelled=False):
-    """Remembers a run that gave nothing; the stored mesh stays. tried: hash of its inputs."""
+    """Stores the error of a run without a result; the stored mesh is kept. tried: hash of the
+    inputs of the run."""
     status.mark_failure(obj, Plan.of(obj).hash, text, tried, cancelled)
     status.tell_users(obj)
 
 
 def compute(obj, control=None):
-    """Computes in this thread (scripts, no GUI): one undo step; returns the outcome. Raises
-    core.CoreError, InputProblem."""
+    """Computes in this thread (for scripts without a GUI) as one undo step, and returns the
+    outcome. Raises core.CoreError, InputProblem."""
     plan = Plan.of(obj)
     hash_at_start = plan.hash()
     try:
@@ -251,8 +255,8 @@ def compute(obj, control=None):
 
 
 def make_shared(document, first=(), second=(), label=None, **settings):
-    """A shared volume, not yet computed. first, second: (root, sub) pairs; `settings` are property names
-    with values."""
+    """Creates a shared volume, not yet computed. first, second: (root, sub) pairs; `settings`:
+    property names with values."""
     obj = document.addObject(TYPE, "SharedVolume")
     Shared(obj)
     obj.Label = label or translate("Messages", "Shared volume")

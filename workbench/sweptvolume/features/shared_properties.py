@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a shared volume, as Feature.properties() takes them: type, name, group, help, default,
+"""The properties of a shared volume for Feature.properties(): type, name, group, help, default,
 mode."""
 from ..texts import mark
 from . import missing
@@ -11,7 +11,10 @@ INPUT = [
         "App::PropertyLinkSubListGlobal",
         "MovingParts",
         "Input",
-        mark("Properties", "First side: parts, envelopes or other reserved spaces"),
+        mark(
+            "Properties",
+            "First of the two sides that are compared: parts, envelopes or other reserved spaces",
+        ),
         None,
         0,
     ),
@@ -19,7 +22,10 @@ INPUT = [
         "App::PropertyLinkSubListGlobal",
         "Neighbours",
         "Input",
-        mark("Properties", "Second side: parts, envelopes or other reserved spaces"),
+        mark(
+            "Properties",
+            "Second of the two sides that are compared: parts, envelopes or other reserved spaces",
+        ),
         None,
         0,
     ),
@@ -27,7 +33,7 @@ INPUT = [
         "App::PropertyLinkGlobal",
         "Motion",
         "Input",
-        mark("Properties", "Motion that moves the first side; none: it stands still"),
+        mark("Properties", "Motion of the first side. None: the first side stands still"),
         None,
         0,
     ),
@@ -35,7 +41,7 @@ INPUT = [
         "App::PropertyLinkGlobal",
         "NeighbourMotion",
         "Input",
-        mark("Properties", "Motion that moves the second side; none: it stands still"),
+        mark("Properties", "Motion of the second side. None: the second side stands still"),
         None,
         0,
     ),
@@ -51,7 +57,7 @@ INPUT = [
         "App::PropertyLength",
         "MeshDeflection",
         "Input",
-        mark("Properties", "How far the triangles of solids may deviate from them"),
+        mark("Properties", "How far the triangle mesh of a solid may deviate from the solid"),
         0.05,
         0,
     ),
@@ -61,16 +67,16 @@ RESULT = [
     for kind, name, text in (
         ("App::PropertyString", "Status", mark("Properties", "Whether the result is current")),
         ("App::PropertyString", "Message", mark("Properties", "Remarks about the result")),
-        ("App::PropertyVolume", "Volume", mark("Properties", "Volume that both share")),
+        ("App::PropertyVolume", "Volume", mark("Properties", "Volume that both sides share")),
         (
             "App::PropertyLength",
             "Distance",
-            mark("Properties", "Smallest distance, if they share no volume"),
+            mark("Properties", "Smallest distance between the sides, if they share no volume"),
         ),
         (
             "App::PropertyLength",
             "Depth",
-            mark("Properties", "How deep one side penetrates the other"),
+            mark("Properties", "How deep one of the two sides penetrates the other"),
         ),
     )
 ] + [

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Solid: the B-rep solid of an envelope, parametric on it.
+"""Solid: the B-rep solid of an envelope. It depends on the envelope as a parametric object.
 
-As with the envelope, `execute` only marks; a run is request() - core.write_solid() - apply().
+As with the envelope, `execute` only updates the state. A run consists of request(),
+core.write_solid() and apply().
 """
 import os
 import tempfile
@@ -29,17 +30,18 @@ from .solid_properties import MAX_FACES, PROPERTIES
 
 TYPE = "Part::FeaturePython"
 
-#: Coordinates of a FreeCAD mesh carry 24 bits; flat regions are found within a few units of the last.
+#: Relative accuracy of the coordinates of a FreeCAD mesh, which have 24 bits: a few units in the
+#: last place. Used to find flat regions.
 SINGLE_PRECISION = 2.0**-22
 
 
 missing.watch()
 
-#: Edges whose faces meet within this (mm) are as good as any: CAD systems take it for closed.
+#: mm: gaps at edges up to this are accepted, because CAD systems treat such edges as closed.
 LEAST_GAP = 1e-3
 
-#: What request_for() takes for a new one; max_megabytes: of a file, 0: any size; tessellated: the
-#: triangles as they are, in a STEP file.
+#: Default options of a new solid for request_for(). max_megabytes: limit of the file size (0: no
+#: limit); tessellated: write the triangles unchanged, as a STEP file.
 DEFAULTS = {
     "merge": True,
     "max_faces": MAX_FACES,
@@ -58,7 +60,7 @@ class Solid(Feature):
         return PROPERTIES
 
     def execute(self, obj):
-        """Marks the solid stale or current; keeps the shape."""
+        """Marks the solid as stale or current, and keeps the shape."""
         update_status(obj)
 
     look = execute
@@ -81,38 +83,39 @@ def is_solid(obj):
 
 
 def can_be_source(obj):
-    """Whether a solid can be made of an object: a mesh with triangles."""
+    """Returns whether an object can be converted to a solid: a mesh with triangles."""
     return obj.isDerivedFrom("Mesh::Feature") and obj.Mesh.CountFacets > 0
 
 
 def input_hash(obj):
-    """Short text that stands for all the result depends on; "" while inputs are unusable."""
+    """Returns a short text that identifies all inputs of the result, or "" if inputs are unusable."""
     return status.hash_or_problem(lambda: checked_hash(obj.Source, settings(obj)))[0]
 
 
 def checked_hash(source, wanted):
-    """The same, of a source and settings as DEFAULTS. Raises InputProblem."""
+    """Returns the hash for a source and settings in the form of DEFAULTS. Raises InputProblem."""
     return hash_of(words_of(source, wanted))
 
 
 def hash_of(words):
-    """Of what words_of() gives; any thread, where it was prepared for that."""
+    """Returns the hash for the result of words_of(). Any thread, if it was prepared() for that."""
     return status.VERSION + contents.short(contents.texts(words))
 
 
 def words_of(source, wanted):
-    """What goes into it, as contents.words(). Raises InputProblem."""
+    """Returns what identifies the inputs, as contents.words(). Raises InputProblem."""
     _check_source(source)
     return contents.words([convert.root_path(source)]) + _words(source, wanted)
 
 
 def hash_of_before(obj):
-    """As version 1 had it; raises InputProblem."""
+    """Returns the hash of version 1. Raises InputProblem."""
     _check_source(obj.Source)
     words = [contents.signature_of_before([(obj.Source, "")])]
     words += _words(obj.Source, settings(obj))
     if envelope_feature.is_envelope(obj.Source):
-        # Made while the envelope had a hash of before; it may have become one of today by now.
+        # The solid was made when its envelope had a hash of version 1; the envelope may have a
+        # present hash by now.
         plan = envelope_feature.Plan.of(obj.Source)
         if obj.Source.InputHash == plan.hash():
             words[-1] = plan.hash_of_before()
@@ -121,7 +124,8 @@ def hash_of_before(obj):
 
 def _words(source, wanted):
     words = [str(wanted["merge"])]
-    # With the defaults as before these properties: solids of older documents stay current.
+    # With default values the words are those of documents before these properties, so their solids
+    # stay current.
     if wanted["tolerance"] > 0:
         words.append(repr(contents.steady(wanted["tolerance"])))
     if wanted["max_faces"] != MAX_FACES:
@@ -137,7 +141,8 @@ def _check_source(source):
 
 
 def update_status(obj):
-    """Compares inputs and stored result; what is made of a stale envelope is stale as well."""
+    """Compares the present inputs with those of the stored result. A solid of a stale envelope is
+    stale, too."""
     lost = missing.text(obj)
     given = obj.Source, settings(obj)
     now, problem, waits = status.inputs_of(
@@ -152,19 +157,20 @@ def update_status(obj):
 
 
 def notes_of(obj):
-    """What is to be said of the stored result."""
+    """Returns the notes to show for the stored result."""
     asked = max(obj.Tolerance.Value, obj.Deviation.Value, LEAST_GAP)
     if obj.EdgeTolerance.Value <= asked:
         return ""
     return translate(
         "Messages",
-        "at one edge the faces of the solid have a gap of {0}, more than its deviation of {1} "
-        "from the mesh. A smaller Tolerance gives more faces and smaller gaps.",
+        "at one edge, the gap between two faces of the solid is {0}, which is more than the "
+        "tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and "
+        "smaller gaps.",
     ).format(quantity(obj.EdgeTolerance.Value), quantity(asked))
 
 
 class Request:
-    """A mesh and how it becomes a solid; no document behind it."""
+    """A mesh and the settings of its solid, independent of any document."""
 
     def __init__(self, vertices, triangles, name, exact, settings):
         self.vertices = vertices
@@ -174,7 +180,7 @@ class Request:
         self.settings = settings
 
     def but(self, given):
-        """The same mesh with other settings. Raises InputProblem."""
+        """Returns a request with the same mesh and other settings. Raises InputProblem."""
         wanted = dict(self.settings, **given)
         if self.exact and wanted["tolerance"] > 0 and not wanted["tessellated"]:
             raise InputProblem(
@@ -187,7 +193,7 @@ class Request:
         return Request(self.vertices, self.triangles, self.name, self.exact, wanted)
 
     def options(self):
-        """As the core takes them."""
+        """Returns the settings in the form of the core."""
         reach = float(np.abs(self.vertices).max()) if len(self.vertices) else 1.0
         if self.settings["tessellated"]:
             return {
@@ -204,8 +210,9 @@ class Request:
         }
 
     def estimates(self, suffix):
-        """Functions of a core.Control, for any thread, that tell what a file of this suffix takes: a quick
-        bound, then a trial. They give dicts as core.estimate_solid() and raise core.CoreError."""
+        """Returns functions of a core.Control, for any thread, that estimate a file with this
+        suffix: first a quick bound, then a trial. They return dicts as core.estimate_solid()
+        does, and raise core.CoreError."""
         if not core.has_solids():
             return [self._estimate_faceted]
 
@@ -219,7 +226,7 @@ class Request:
         )
 
     def _estimate_faceted(self, control):
-        count = len(self.triangles)  # of each a face
+        count = len(self.triangles)  # each triangle becomes a face
         return {
             "triangles": count,
             "faces": count,
@@ -230,7 +237,8 @@ class Request:
         }
 
     def write(self, path, control):
-        """Writes STEP or BREP by suffix; returns the core's report (dict). Raises core.CoreError."""
+        """Writes STEP or BREP; the suffix gives the type. Returns the core's report (dict). Raises
+        core.CoreError."""
         if not core.has_solids():
             return faceted.write(self.vertices, self.triangles, path, self.settings["max_faces"])
         return core.write_solid(
@@ -239,10 +247,11 @@ class Request:
 
 
 def request_for(source, world=False, **given):
-    """Reads a mesh object. `world`: vertices in world coordinates (export), else in its own frame;
-    given: what differs from DEFAULTS.
+    """Reads a mesh object. `world`: return vertices in world coordinates (for export), not in its
+    own frame. given: the settings that differ from DEFAULTS.
 
-    The solid of a conservative envelope is exact: simplified it could cut into the swept volume."""
+    The solid of a conservative envelope is exact, because a simplified one could cut into the swept
+    volume."""
     _check_source(source)
     exact = envelope_feature.is_envelope(source) and bool(source.Conservative)
     vertices, triangles = convert.arrays_from_mesh(source.Mesh)
@@ -253,7 +262,7 @@ def request_for(source, world=False, **given):
 
 
 def settings(obj):
-    """What a solid object says about solids, as request_for() takes it."""
+    """Returns the settings of a solid object in the form of request_for()."""
     return dict(
         DEFAULTS,
         merge=bool(obj.MergeCoplanar),
@@ -263,7 +272,7 @@ def settings(obj):
 
 
 def set_settings(obj, wanted):
-    """The way back: writes them into a solid object."""
+    """Writes settings into a solid object; the inverse of settings()."""
     set_changed(obj, "MergeCoplanar", wanted["merge"])
     set_changed(obj, "MaxFaces", wanted["max_faces"])
     if obj.Tolerance.Value != wanted["tolerance"]:
@@ -271,13 +280,13 @@ def set_settings(obj, wanted):
 
 
 def request(obj):
-    """Raises InputProblem."""
+    """Returns the request of a solid object. Raises InputProblem."""
     missing.check(obj)
     return request_for(obj.Source, **settings(obj))
 
 
 def work(req, control):
-    """Any thread: returns (BREP file, report). The caller removes the file."""
+    """Runs the conversion, in any thread. Returns (BREP file, report). The caller removes the file."""
     handle, path = tempfile.mkstemp(suffix=".brep")
     os.close(handle)
     try:
@@ -304,7 +313,7 @@ def apply(obj, value, hash_at_start):
     obj.Shape = shape
     status.remember_place(obj)
     obj.Faces = len(shape.Faces)
-    # The kernel's own figure is less exact where profiles were pushed along a direction.
+    # The core's volume is used, because the kernel's is less exact for extruded profiles.
     obj.Volume = report.get("volume") or shape.Volume
     obj.Deviation = report["deviation"]
     obj.EdgeTolerance = max((edge.Tolerance for edge in shape.Edges), default=0.0)
@@ -314,13 +323,14 @@ def apply(obj, value, hash_at_start):
 
 
 def fail(obj, text, tried, cancelled=False):
-    """Remembers a run that gave nothing; the stored shape stays as it is. tried: hash of its inputs."""
+    """Stores the error of a run without a result; the stored shape is kept. tried: hash of the
+    inputs of the run."""
     status.mark_failure(obj, lambda: input_hash(obj), text, tried, cancelled)
     status.tell_users(obj)
 
 
 def compute(obj, control=None):
-    """Makes the solid in this thread (scripts, no GUI): one undo step. Raises core.CoreError."""
+    """Converts in this thread (for scripts without a GUI) as one undo step. Raises core.CoreError."""
     hash_at_start = input_hash(obj)
     try:
         value = work(request(obj), control or core.Control())
@@ -335,7 +345,7 @@ def compute(obj, control=None):
 
 
 def make_solid(document, source, label=None, **settings):
-    """A solid object, not yet computed."""
+    """Creates a solid object, not yet computed."""
     obj = document.addObject(TYPE, "EnvelopeSolid")
     Solid(obj)
     obj.Label = label or translate("Messages", "{0} solid").format(source.Label)

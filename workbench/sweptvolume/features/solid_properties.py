@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a solid, as Feature.properties() takes them: type, name, group, help, default, mode."""
+"""The properties of a solid for Feature.properties(): type, name, group, help, default, mode."""
 from ..texts import mark
 from . import missing
 from .base import HIDDEN, NOT_COMPUTED, READ_ONLY
 from .envelope_properties import PLACED
 
-#: Budget of faces of a new solid.
+#: Limit of faces of a new solid.
 MAX_FACES = 20000
 PROPERTIES = [
     (
@@ -30,8 +30,8 @@ PROPERTIES = [
         "Solid",
         mark(
             "Properties",
-            "Largest number of faces; if Tolerance is 0, the smallest tolerance that stays within "
-            "it is chosen",
+            "Largest number of faces. If Tolerance is 0, the smallest tolerance that meets this "
+            "limit is chosen",
         ),
         MAX_FACES,
         0,
@@ -42,9 +42,9 @@ PROPERTIES = [
         "Solid",
         mark(
             "Properties",
-            "How far the solid may deviate from the mesh. Within it, cylinders, spheres and other "
-            "surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces needs "
-            "a tolerance",
+            "How far the solid may deviate from the mesh. Within this tolerance, cylinders, "
+            "spheres and other surfaces are recognised, and the rest is simplified. 0: exact, "
+            "unless MaxFaces requires a tolerance",
         ),
         0.0,
         0,

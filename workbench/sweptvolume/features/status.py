@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an object with InputHash and TriedHash says about its result: current, stale, failed.
+"""State of the result of an object with InputHash and TriedHash: current, stale or failed.
 
-It says what a fresh computation would justify. InputHash: of the inputs of the stored result; TriedHash:
-of those of the last run that gave nothing.
+The state is what a new run would justify. InputHash: hash of the inputs of the stored result.
+TriedHash: hash of the inputs of the last run without a result.
 """
 from .. import contents, convert
 from ..convert import InputProblem
@@ -18,17 +18,18 @@ from .base import (
     set_changed,
 )
 
-#: Before the hashes of today; those of before have none.
+#: Prefix of present hashes. Hashes of earlier versions have none.
 VERSION = "2:"
-#: In place of a hash that nothing stored could be compared with.
+#: Takes the place of a hash if there is no stored result to compare with.
 NOT_READ = "not read"
-#: Reads parts (apart.Apart) beside the window and lets an object look again then: function(obj, parts). None:
-#: there is no window, they are read at once.
+#: A function(obj, parts) that reads parts (apart.Apart) in the background and then lets an object
+#: compare its inputs again. None: there is no window, and parts are read at once.
 read_beside = None
 
 
 def hash_or_problem(make):
-    """(hash, ""), or ("", why the inputs are unusable). make: gives the hash or raises InputProblem."""
+    """Returns (hash, ""), or ("", why the inputs are unusable). make: returns the hash or raises
+    InputProblem."""
     try:
         return make(), ""
     except (InputProblem, RuntimeError, AttributeError) as problem:
@@ -36,9 +37,9 @@ def hash_or_problem(make):
 
 
 def inputs_of(obj, words, make):
-    """(hash, problem, False) as judge() takes them; (.., .., True): the parts are read first, and the object
-    looks again then, with a result that counts as stale until it is known to be current. words: gives
-    contents.words(); make: gives the hash; both raise InputProblem."""
+    """Returns (hash, problem, False) for judge(). Returns (.., .., True) if large parts must be
+    read first; the object then compares again later, and its result counts as stale until then.
+    words: returns contents.words(). make: returns the hash. Both raise InputProblem."""
     found, problem = hash_or_problem(words)
     if problem or not obj.InputHash and not obj.TriedHash:
         return "" if problem else NOT_READ, problem, False
@@ -54,9 +55,8 @@ def inputs_of(obj, words, make):
 
 
 def judge(obj, now, problem="", waiting=False, notes=""):
-    """Writes Status and Message. now, problem: as hash_or_problem() gives them; waiting: an input is itself
-    stale; notes: text that belongs to the stored result. A failure stays readable until the inputs
-    change."""
+    """Writes Status and Message. now, problem: from hash_or_problem(); waiting: an input is itself
+    stale; notes: text about the stored result. A failure stays visible until the inputs change."""
     tried = obj.Status in (FAILED, CANCELLED) and obj.TriedHash == now
     if problem:
         set_changed(obj, "TriedHash", "")
@@ -74,9 +74,9 @@ def judge(obj, now, problem="", waiting=False, notes=""):
 
 
 def mark_failure(obj, now, text, tried, cancelled):
-    """Remembers a run that gave nothing. now: gives the hash of the object's inputs; tried: hash of those of
-    the run ("": it did not come to read them), which may have had other settings: then a current result stays
-    what it is."""
+    """Stores that a run had no result. now: returns the hash of the object's inputs. tried: hash of
+    the inputs of the run ("": the run did not read them). The run may have had other settings;
+    then a current result stays current."""
     if obj.InputHash and tried and tried != obj.InputHash and obj.InputHash == now():
         return
     set_changed(obj, "TriedHash", tried)
@@ -85,19 +85,20 @@ def mark_failure(obj, now, text, tried, cancelled):
 
 
 def is_behind(obj):
-    """Whether an object of ours has a result that is not that of its present inputs."""
+    """Returns whether the result of one of our objects does not match its present inputs."""
     return kind_of(obj) != "" and getattr(obj, "Status", "") in (STALE, FAILED, CANCELLED)
 
 
 def look_again(obj):
-    """An object of ours compares its inputs with its result, beside a recompute of the document."""
+    """Lets one of our objects compare its inputs with its result, outside a recompute of the
+    document."""
     with quietly(obj):
         obj.Proxy.look(obj)
 
 
 def tell_users(obj):
-    """Objects of ours that use this one look again: it was changed beside a recompute of the document,
-    or the recompute stops at it."""
+    """Lets our objects that use this one compare their inputs again, because it was changed outside
+    a recompute of the document, or because the recompute stops at it."""
     seen, waiting = [obj], [obj]
     while waiting:
         for user in waiting.pop().InList:
@@ -108,8 +109,8 @@ def tell_users(obj):
 
 
 def renew(obj, before, now):
-    """A document of before has hashes of before: where they are those of the inputs as they are, they
-    become those of today. before, now: the hashes of the inputs, or "" where they are unusable."""
+    """Replaces hashes of version 1 by present ones if they match the present inputs. before, now:
+    hashes of the inputs in both forms, or "" if the inputs are unusable."""
     for name in ("InputHash", "TriedHash"):
         known = getattr(obj, name)
         if known and not known.startswith(VERSION) and before and known == before:
@@ -120,7 +121,7 @@ def renew(obj, before, now):
 
 
 def outer_inverse(obj):
-    """From the world to the frame in which an object's Placement counts."""
+    """Returns the transformation from the world to the frame of an object's Placement."""
     try:
         return obj.Placement.multiply(obj.getGlobalPlacement().inverse())
     except AttributeError:
@@ -128,18 +129,20 @@ def outer_inverse(obj):
 
 
 def remember_place(obj):
-    """Keeps where the result was put."""
+    """Stores the placement of the result."""
     set_place = convert.global_placement(*convert.root_path(obj))
     if not same_place(obj.Placed, set_place):
         obj.Placed = set_place
 
 
 def is_displaced(obj):
-    """Whether the result was moved away from where it was put: by hand, or with a group around it."""
+    """Returns whether the result was moved since it was stored, by itself or with a group around
+    it."""
     here = convert.global_placement(*convert.root_path(obj))
     return bool(obj.InputHash) and not same_place(obj.Placed, here)
 
 
 def same_place(a, b):
-    """Equal up to rounding (== of placements fails after a round trip)."""
+    """Returns whether two placements are equal up to rounding. (== of placements fails after saving
+    and loading.)"""
     return abs(convert.matrix_of(a) - convert.matrix_of(b)).max() <= 1e-9

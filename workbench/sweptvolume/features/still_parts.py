@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that stand still around moving ones: chosen, or all that are visible, each solid or mesh by itself,
-with what it asks for."""
+"""Parts that stand still around moving ones: chosen parts, or all visible parts. Each solid or mesh
+is a part of its own, with its rule."""
 from .. import convert
 from ..convert import InputProblem
 from ..texts import translate
@@ -9,9 +9,9 @@ from . import envelope as envelope_feature
 from .base import kind_of
 
 
-#: Solids that are only drawn, not measured, are meshed with this many times the mesh deflection.
+#: Factor on the mesh deflection for solids that are only drawn, not measured.
 DRAWN = 4
-#: Kinds of results that stand in the document as parts do.
+#: Kinds of result objects that are part of the document as parts are.
 _RESULTS = (envelope_feature.Envelope.KIND, "SweptVolume::Solid")
 
 
@@ -20,8 +20,8 @@ def _linked(root, path):
 
 
 def _parts(root, sub):
-    """(root, path) of all solids and meshes below a path; the object itself, where it is a single one,
-    whatever it is."""
+    """Returns (root, path) of all solids and meshes below a path. Returns the object itself if it
+    is a single one of any kind."""
     if root.getSubObject(sub, retType=1) is None:
         convert.leaves(root, sub)  # raises
     found = convert.leaves(root, sub)
@@ -31,8 +31,8 @@ def _parts(root, sub):
 
 
 class Neighbour:
-    """A part that stands still: name, convert.Body, how far its triangles may leave its surface (mm),
-    where it is in the document ((root, sub), and as a place of row_names), and its rule."""
+    """A part that stands still: name, convert.Body, deviation of its triangles from its surface
+    (mm), place in the document ((root, sub), and as a place of row_names), and rule."""
 
     def __init__(self, name, body, chord, pair, rule):
         self.name = name
@@ -42,12 +42,12 @@ class Neighbour:
         self.rule = rule  # neighbour_rules.Rule
 
 
-#: Names that one sentence tells.
+#: Largest number of names in one sentence.
 _MOST_NAMES = 12
 
 
 def listed(names):
-    """Names for a sentence, each in quotation marks."""
+    """Returns names for a sentence, each in quotation marks."""
     words = ['"{}"'.format(name) for name in names[:_MOST_NAMES]]
     return ", ".join(words + (["..."] if len(names) > _MOST_NAMES else []))
 
@@ -66,13 +66,13 @@ def no_neighbour():
 
 
 def has_surface(root, path):
-    """Whether something can come near to it: not to points, wires and axes."""
+    """Returns whether an object has a surface. Points, wires and axes have none."""
     linked = _linked(root, path)
     return linked.isDerivedFrom("Mesh::Feature") or bool(linked.Shape.Faces)
 
 
 def chord_of(pairs, deflection):
-    """How far (mm) the triangles of parts may leave them: meshes are what they are."""
+    """Returns how far (mm) the triangles of parts may deviate from them; 0 for meshes."""
     shapes = any(
         not linked.isDerivedFrom("Mesh::Feature")
         for root, sub in pairs
@@ -82,12 +82,13 @@ def chord_of(pairs, deflection):
 
 
 class StillParts:
-    """Half of a plan: it has `document`, `pairs` (what moves), `neighbours`, `all_visible`, `rules`
-    ({(root, sub): Rule}) and `values` (settings), and knows which results of ours are its own."""
+    """Base class of plans. A plan has `document`, `pairs` (the moving parts), `neighbours`,
+    `all_visible`, `rules` ({(root, sub): Rule}) and `values` (settings), and recognises its own
+    results."""
 
     def asked_of(self, obj, rules):
-        """The rules of an object, by rules.read(); notes in `lost` what was deleted that it needs, or is
-        damaged."""
+        """Returns the rules of an object from rules.read(). Stores in `lost` the text about deleted
+        or damaged inputs."""
         self.lost = missing.text(obj)
         try:
             return rules.read(obj)
@@ -96,12 +97,12 @@ class StillParts:
             return {}
 
     def is_own(self, obj):
-        """Whether an envelope is the sweep of the moving parts themselves."""
+        """Returns whether an envelope is the sweep of the moving parts themselves."""
         raise NotImplementedError
 
     def leaves(self):
-        """(root, path) of every neighbour, each solid or mesh by itself, without the moving parts.
-        Raises InputProblem where something was chosen that cannot be checked."""
+        """Returns (root, path) of every neighbour, each solid or mesh by itself, without the moving
+        parts. Raises InputProblem if a chosen neighbour cannot be checked."""
         found = self._all_visible() if self.all_visible else self._chosen()
         if not found:
             raise no_neighbour()
@@ -128,8 +129,8 @@ class StillParts:
         return found
 
     def pairs_named(self, names):
-        """(root, path) of each name of a report's rows, None where it stands there no more. Of parts that
-        have one name the first row is the first."""
+        """Returns (root, path) for each name in the rows of a report, or None if the part is not
+        there any more. If parts have the same name, the first row gets the first part."""
         by_name = {}
         for pair in self.leaves():
             if neighbour_rules.of(self.rules, *pair).kind != neighbour_rules.IGNORE:
@@ -137,11 +138,12 @@ class StillParts:
         return [by_name[name].pop(0) if by_name.get(name) else None for name in names]
 
     def seen_deflection(self):
-        """mm, how far the triangles of solids may leave them in pictures."""
+        """Returns the deflection (mm) of solids for pictures."""
         return DRAWN * max(float(self.values["MeshDeflection"]), 0.05)
 
     def left_out(self):
-        """Notes on results of ours that stand there: AllVisible does not take them, they may be chosen."""
+        """Returns notes on visible results of ours. AllVisible leaves them out, but the user may
+        choose them."""
         if not self.all_visible:
             return []
         labels = [
@@ -179,8 +181,8 @@ class StillParts:
         return any(root is r and path.startswith(s) for r, s in self.pairs)
 
     def still_parts(self, deflection):
-        """(neighbours as plain values, notes on what was left out, [name, place] of the ignored). Raises
-        InputProblem."""
+        """Returns (neighbours as plain values, notes on parts left out, [name, place] of ignored
+        neighbours). Raises InputProblem."""
         neighbours, notes, ignored = [], self.left_out(), []
         for pair in self.leaves():
             name = convert.label_of(*pair)

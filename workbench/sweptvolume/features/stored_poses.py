@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The poses that a motion object keeps, as arrays. Units: mm, s.
+"""The poses that a motion object stores, as arrays. Units: mm, s.
 
-FreeCAD writes a list of placements as numbers into its files in a twentieth of the time that Python takes to
-ask each placement for them: 0.15 ms for 1,000 poses. So they are read anew whenever they are asked for, and
-what was made of them is kept only for the very same numbers: nothing has to tell that a motion has changed.
+FreeCAD writes a list of placements to its files as numbers. This takes a twentieth of the time that
+Python needs to read each placement: 0.15 ms for 1,000 poses. So the numbers are read at each call,
+and derived values are kept as long as the numbers are the same. Thus no notification about changes
+is needed.
 """
 import io
 import zipfile
@@ -12,17 +13,18 @@ import numpy as np
 
 from .. import contents, convert
 
-#: Bytes of a pose in a file: three numbers for the place, four for the turn (a quaternion x, y, z, w).
+#: Bytes of a pose in a file: three numbers for the position, four for the rotation (a quaternion x,
+#: y, z, w).
 _BYTES = 7 * 8
-#: Where the check sum stands in the head of a file in an archive, behind the hour.
+#: Position of the checksum in the header of a file in an archive, after the time.
 _CHECK_SUM = 14
 
 
 class Stored:
-    """times (n,); translations (n,3); rotations (n,4) as x, y, z, w: none of them to be changed.
+    """times (n,); translations (n,3); rotations (n,4) as x, y, z, w. Callers must not change them.
 
-    times: those of the object; packed: as _packed() gives its placements; part: the slice of it by which it
-    is known again, None: there is none; numbers: place and turn of each placement (n,7)."""
+    times: those of the object. packed: result of _packed() for its placements. part: the slice of
+    packed that identifies them, or None. numbers: position and rotation of each placement (n,7)."""
 
     def __init__(self, times, packed, part, numbers):
         self._given, self._size, self._part = times, len(packed), part
@@ -32,12 +34,12 @@ class Stored:
         self._words = None
 
     def is_of(self, times, packed):
-        """Whether an object with this has the same poses."""
+        """Returns whether an object with these values has the same poses."""
         same = self._part and len(packed) == self._size and packed[self._part] == self._known
         return bool(same) and self._given == times
 
     def words(self):
-        """Texts that change with the times and with the placements."""
+        """Returns texts that identify the times and the placements."""
         if self._words is None:
             matrices = convert.matrices_from(self.translations, self.rotations)
             self._words = [contents.digest(np.round(self.times, 9)), contents.matrices(matrices)]
@@ -45,20 +47,21 @@ class Stored:
 
 
 def of(obj):
-    """The poses of a motion object as they are; kept in its proxy, which goes with it. Window's thread."""
+    """Returns the present poses of a motion object. Its proxy keeps them. Window's thread."""
     times, packed = obj.Times, _packed(obj)
     known = getattr(obj.Proxy, "_stored", None)
     if known is None or not known.is_of(times, packed):
         part, numbers = _unpacked(packed)
-        if numbers is None:  # there are no poses, or this FreeCAD writes them otherwise
+        # There are no poses, or this version of FreeCAD writes them in another form.
+        if numbers is None:
             part, numbers = None, np.hstack(convert.pose_arrays(obj.Placements))
         known = obj.Proxy._stored = Stored(times, packed, part, numbers)
     return known
 
 
 def _packed(obj):
-    """A small archive with what FreeCAD writes into a document's file for the placements; b"" where it has
-    none."""
+    """Returns a small archive with the placements in the form of FreeCAD's document files, or b""
+    if there are none."""
     try:
         return bytes(obj.dumpPropertyContent("Placements", Compression=0))
     except (AttributeError, TypeError):
@@ -66,8 +69,9 @@ def _packed(obj):
 
 
 def _unpacked(packed):
-    """(slice, numbers (n,7)) of an archive. The slice holds the numbers with their check sum, and not the
-    hour at which the archive was made. (None, None) where it is not built so."""
+    """Returns (slice, numbers (n,7)) of an archive. The slice covers the numbers and their
+    checksum, but not the time at which the archive was made. Returns (None, None) if the archive
+    has another form."""
     try:
         with zipfile.ZipFile(io.BytesIO(packed)) as file:
             data, begin = file.read("Placements"), file.getinfo("Placements").header_offset

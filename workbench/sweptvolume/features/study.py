@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Study: many runs, of a study file or of the document's own envelopes and clearance checks, with their rows
-kept in the document (docs/studies.md).
+"""Study: many runs, from a study file or from the document's own envelopes and clearance checks,
+with their rows kept in the document (docs/studies.md).
 
-`execute` only marks; a run is Plan.request() - work() - apply(). Results lie in a folder; the document has
-the rows. What was stopped keeps the rows that it had, and the next run goes on from there.
+`execute` only updates the state. A run consists of Plan.request(), work() and apply(). A folder
+holds the results; the document holds the rows. After a stop the study keeps its rows, and the next
+run continues from there.
 """
 import json
 import os
@@ -44,7 +45,7 @@ class Study(Feature):
         obj.Status = NOT_COMPUTED
 
     def execute(self, obj):
-        """Marks the result stale or current; keeps it."""
+        """Marks the result as stale or current, and keeps it."""
         update_status(obj)
 
     def look(self, obj):
@@ -59,13 +60,13 @@ def is_study(obj):
 
 
 def report_of(obj):
-    """The stored report (dict); None if there is none, or a damaged one."""
+    """Returns the stored report (dict), or None if there is none or it is damaged."""
     return stored(obj.Report, study_table.REPORT)
 
 
 def update_status(obj):
-    """Compares inputs and stored result. A study file cannot be read without the core: then the state stays
-    what it is."""
+    """Compares the present inputs with those of the stored result. Without the core a study file
+    cannot be read; then the state does not change."""
     plan = Plan.of(obj)
     if not plan.sources and plan.file and not core.available():
         return
@@ -73,7 +74,7 @@ def update_status(obj):
     if waits:
         return
     if not problem and now == status.NOT_READ and not plan.sources:
-        # What is wrong with a file that was never run.
+        # The fault of a study file that never ran.
         _, problem = status.hash_or_problem(plan.runs)
     report = report_of(obj) if obj.Report else None
     if not problem and report is not None and report.get("labels") is not None:
@@ -83,9 +84,9 @@ def update_status(obj):
 
 
 def work(request, control):
-    """Any thread: writes the study file, where it is of the document, and computes what is left. Returns the
-    report. Raises core.CoreError, InputProblem, OSError."""
-    from .. import studies  # brings what starts processes: not at FreeCAD's start
+    """Writes the study file, if its runs come from the document, and computes the remaining runs.
+    Any thread. Returns the report. Raises core.CoreError, InputProblem, OSError."""
+    from .. import studies  # imports modules that start processes, so not at FreeCAD's start
 
     request.prepare(control)
 
@@ -107,16 +108,16 @@ def _store(obj, report, request):
 
 
 def apply(obj, report, request, hash_at_start):
-    """Writes the result of a study."""
+    """Writes the result of a study into the object."""
     _store(obj, report, request)
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     update_status(obj)
 
 
 def written(obj):
-    """(study file, folder of the results), for a page. Raises InputProblem where they are gone, or where the
-    document has changed since: the page would tell of other parts. A page of a study file says by itself
-    which runs are to be computed again."""
+    """Returns (study file, folder of the results), for a page. Raises InputProblem if they are
+    gone, or if the document has changed since, because the page would describe other parts. A
+    page of a study file shows by itself which runs must be computed again."""
     update_status(obj)
     of_file = bool(obj.File) and not obj.Sources
     if not of_file and obj.Status not in (UP_TO_DATE, CANCELLED):
@@ -134,7 +135,8 @@ def written(obj):
 
 
 def unfinished(names, rows):
-    """The report of a study that was stopped. rows: of the runs that have ended, by name."""
+    """Returns the report of a study that was stopped. rows: rows of the runs that have ended, by
+    name."""
     from .. import studies
 
     found = [rows.get(name, {"run": name, "state": "not run"}) for name in names]
@@ -145,12 +147,12 @@ def unfinished(names, rows):
 
 
 def fail(obj, text, tried, cancelled=False):
-    """Remembers a run that gave nothing."""
+    """Stores the error of a run without a result."""
     status.mark_failure(obj, Plan.of(obj).hash, text, tried, cancelled)
 
 
 def stop(obj, names, request, tried):
-    """Remembers a run that was stopped, with the rows that it had."""
+    """Stores that a run was stopped, with the rows so far."""
     report = unfinished(names, request.rows)
     _store(obj, report, request)
     obj.InputHash = ""
@@ -158,8 +160,8 @@ def stop(obj, names, request, tried):
 
 
 def compute(obj, control=None):
-    """Runs in this thread (scripts, no GUI): one undo step; returns the report. Raises core.CoreError,
-    core.CoreMissing, InputProblem, OSError."""
+    """Runs in this thread (for scripts without a GUI) as one undo step, and returns the report.
+    Raises core.CoreError, core.CoreMissing, InputProblem, OSError."""
     plan = Plan.of(obj)
     hash_at_start = plan.hash()
     request = plan.request()
@@ -179,7 +181,7 @@ def compute(obj, control=None):
 
 
 def make_study(document, label=None, **settings):
-    """A study, not yet computed. `settings` are property names with values."""
+    """Creates a study, not yet computed. `settings`: property names with values."""
     obj = document.addObject(TYPE, "Study")
     Study(obj)
     obj.Label = label or translate("Messages", "Study")

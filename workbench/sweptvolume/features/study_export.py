@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Envelopes and clearance checks of a document as a study file (docs/studies.md): parts and neighbours as the
-triangles that are checked, motions as poses, rules, and what is computed. `run_of()` reads the document,
-`write()` may run in any thread.
+"""Writes envelopes and clearance checks of a document as a study file (docs/studies.md): parts and
+neighbours as the triangles that are checked, motions as poses, rules, and what is computed.
+`run_of()` reads the document; `write()` may run in any thread.
 
-Beside the file lies the folder inputs/ with a folder for each content, named after its hash: what is there is
-not written again, and what runs share is there once.
+The folder inputs/ beside the file has a subfolder for each content, named after its hash. Existing
+content is not written again, and runs share equal content.
 """
 import hashlib
 import json
@@ -20,23 +20,25 @@ from ..texts import language, translate
 from .clearance_plan import Plan as ClearancePlan
 
 INPUTS = "inputs"
-#: The page of all runs, in the folder for results.
+#: The page of all runs, in the folder of the results.
 PAGE = "study.html"
 _MOST_LETTERS = 50
-#: Options of an envelope that a study knows by the same names; 0 and False are left out.
+#: Options of an envelope that have the same names in studies. Values 0 and False are left out.
 _OPTIONS = ("tolerance", "offset", "conservative", "keep_cavities", "position_filter")
 
 
 def file_name(label):
-    """A label as the name of a run, of a part, of a file: letters, digits, blanks and ()+=,@.-_ stay."""
+    """Converts a label to the name of a run, a part or a file. Keeps letters, digits, blanks and
+    ()+,@.-_."""
     kept = "".join(c if c.isalnum() or c in "()+,@.-_ " else "_" for c in label)
     kept = kept[:_MOST_LETTERS].strip(" .")
-    taken = kept.casefold() in ("", "study.csv", "study.json", PAGE)  # files of the results
+    # Names of files in the folder of the results.
+    taken = kept.casefold() in ("", "study.csv", "study.json", PAGE)
     return kept + "_" if taken else kept
 
 
 def numbered(names, same=str):
-    """Names, with a number where one was there before. same: what is equal of two that count as one."""
+    """Numbers equal names. same: a function; names with the same value of it count as equal."""
     found, seen = [], set()
     for base in names:
         name, number = base, 1
@@ -49,19 +51,20 @@ def numbered(names, same=str):
 
 
 class Look:
-    """How the pages of a study look: name, language, template."""
+    """Title, language and template of the study's pages."""
 
     def __init__(self, name, language_code, template):
         self.name, self.language, self.template = name, language_code, template
 
     @classmethod
     def now(cls, name):
-        """As the preferences say."""
+        """Returns the Look from the preferences."""
         return cls(name, language(), settings.page_template())
 
 
 class Run:
-    """One run. body: core.Request; neighbours: clearance_plan.Request or None; options: of each stage."""
+    """One run. body: core.Request; neighbours: clearance_plan.Request or None; options: those of
+    each stage."""
 
     def __init__(self, name, part, motion, body, neighbours, options):
         self.name, self.part, self.motion = name, file_name(part), file_name(motion)
@@ -78,7 +81,7 @@ def _one_motion(label):
 
 
 def run_of(name, source, plan):
-    """The run of an envelope or a clearance check. Raises InputProblem."""
+    """Returns the run of an envelope or a clearance check. Raises InputProblem."""
     if isinstance(plan, ClearancePlan):
         moving, request = plan.moving(), plan.request()
         part = ", ".join(label_of(*pair) for pair in plan.pairs)
@@ -102,13 +105,14 @@ def run_of(name, source, plan):
 
 
 class _Inputs:
-    """The folder of inputs; `used`: what the study needs of it."""
+    """The folder of inputs. `used`: names of the content that the study needs."""
 
     def __init__(self, folder):
         self.folder, self.used = os.path.join(folder, INPUTS), set()
 
     def add(self, key, name, make):
-        """The file of a content (key: its bytes) below the study file's folder; make(path) writes it."""
+        """Returns the path, relative to the study file, of a content with these bytes as key.
+        make(path) writes the content if it does not exist yet."""
         place = hashlib.sha256(key).hexdigest()[:16]
         self.used.add(place)
         path = os.path.join(self.folder, place, name)
@@ -135,7 +139,7 @@ class _Inputs:
         return self.add(text.encode(), name + ".csv", write)
 
     def tidy(self):
-        """What an earlier export needed goes."""
+        """Removes content that only an earlier export needed."""
         if os.path.isdir(self.folder):
             for name in os.listdir(self.folder):
                 if name not in self.used and len(name) == 16:
@@ -143,7 +147,7 @@ class _Inputs:
 
 
 def _toml(value):
-    """A value as TOML has it."""
+    """Returns a value in TOML form."""
     if isinstance(value, dict):
         pairs = ("{} = {}".format(_text(k), _toml(v)) for k, v in value.items())
         return "{ " + ", ".join(pairs) + " }" if value else "{}"
@@ -161,7 +165,8 @@ def _text(value):
 
 
 def _neighbours(run, inputs, table):
-    """Adds the neighbours of a run, each with a name of its own, their rules and chord errors."""
+    """Adds the neighbours of a run to its table, with different names, their rules and chord
+    errors."""
     rows = run.neighbours.rows()
     files, rules, chords = [], {}, {}
     names = numbered(file_name(label) for label, *_ in rows)
@@ -176,7 +181,7 @@ def _neighbours(run, inputs, table):
 
 
 def _table(run, inputs):
-    """The table [[run]] as a dict."""
+    """Returns the table [[run]] as a dict."""
     body = run.body
     table = {
         "name": run.name,
@@ -192,7 +197,8 @@ def _table(run, inputs):
 
 
 def write(path, runs, look, control):
-    """Any thread: writes a study file and what it names. Raises InputProblem, core.CoreError, OSError."""
+    """Writes a study file and its input files, in any thread. Raises InputProblem, core.CoreError,
+    OSError."""
     folder = os.path.dirname(path)
     os.makedirs(folder, exist_ok=True)
     inputs, tables = _Inputs(folder), []

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A run of a study file as objects of a document: the part and its neighbours as meshes, the motion, and a
-clearance check, or an envelope, with the settings of the run. It is not computed: what the document then
-finds is its own."""
+"""Creates document objects from a run of a study file: the part and its neighbours as meshes, the
+motion, and a clearance check or an envelope with the settings of the run. The object is not
+computed, so its later result is that of the document."""
 import pathlib
 
 import FreeCAD as App
@@ -30,7 +30,8 @@ _ENVELOPE = {
 
 
 class Taken:
-    """A run that was read, in any thread; put() makes the objects. Raises core.CoreError, InputProblem."""
+    """A run that was read, in any thread. put() creates the objects. Raises core.CoreError,
+    InputProblem."""
 
     def __init__(self, run):
         self.run = run
@@ -42,7 +43,7 @@ class Taken:
         ]
 
     def put(self, document):
-        """The new check or envelope, with all that it needs in a group. In the thread of the GUI."""
+        """Creates the check or envelope, and all its inputs in a group. GUI thread."""
         group = document.addObject("App::DocumentObjectGroup", "Run")
         group.Label = translate("Messages", "Run {0}").format(self.run.name)
         body = self._shown(document, group, pathlib.PurePath(self.run.part).stem, self.mesh)
@@ -62,7 +63,8 @@ class Taken:
             self._set(made, _ENVELOPE, "envelope")
         else:
             made = self._check(document, group, body, path)
-        path.Label = pathlib.PurePath(self.run.motion).stem  # the run has its name before
+        # Set after the label of the run's object, so that the run keeps its name if both are equal.
+        path.Label = pathlib.PurePath(self.run.motion).stem
         group.addObject(made)
         return made
 
@@ -95,7 +97,7 @@ class Taken:
 
 
 def problem_text(name):
-    """What is said of a run that the study file does not have any more."""
+    """Returns the text about a run that the study file does not contain any more."""
     text = translate(
         "Messages", 'The study file no longer contains the run "{0}": run the study again.'
     )

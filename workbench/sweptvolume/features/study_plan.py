@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a study runs, read off its object or a panel: the runs of a study file, or envelopes and clearance
-checks of the document."""
+"""Reads the runs of a study from its object or a panel: those of a study file, or envelopes and
+clearance checks of the document."""
 import contextlib
 import hashlib
 import json
@@ -14,7 +14,7 @@ from .base import kind_of, set_changed
 
 
 def _plan_of(source):
-    """Raises InputProblem for what is no run of a study."""
+    """Returns the plan of a source. Raises InputProblem if it cannot be a run of a study."""
     if clearance.is_clearance(source):
         return clearance_plan.Plan.of(source)
     if envelope.is_envelope(source):
@@ -27,22 +27,24 @@ def _plan_of(source):
 
 
 def names_of(sources):
-    """Names of runs, which are names of folders: the labels, with a number where one is there twice."""
+    """Returns names of runs, which are also names of folders: the labels. Equal labels are
+    numbered."""
     names = (study_export.file_name(source.Label) for source in sources)
     return study_export.numbered(names, same=str.casefold)
 
 
 class Request:
-    """What one study computes, no document behind it: file and folder ("": that of the file), and the runs
-    that are written into the file first (None: it is there). labels: Plan.labels()."""
+    """Input of one study, independent of any document: file and folder ("": the one set in the
+    file), and the runs to be written into the file first (None: the file exists). labels:
+    Plan.labels()."""
 
     def __init__(self, file, output, jobs, runs, look, labels):
         self.file, self.output, self.jobs, self.runs, self.look = file, output, jobs, runs, look
         self.labels = labels
-        self.rows = {}  # name of a run -> its row, as they end
+        self.rows = {}  # name of a run -> its row, added when the run ends
 
     def prepare(self, control):
-        """Any thread: writes the study file. Raises InputProblem, core.CoreError, OSError."""
+        """Writes the study file, in any thread. Raises InputProblem, core.CoreError, OSError."""
         if self.runs is not None:
             study_export.write(self.file, self.runs, self.look, control)
         elif not self.output:
@@ -52,7 +54,7 @@ class Request:
 
 
 class Plan:
-    """Reads documents only in the thread of the GUI."""
+    """The inputs of a study. Reads documents only in the GUI thread."""
 
     def __init__(self, document, file="", sources=(), folder="", jobs=0):
         self.document, self.file, self.sources = document, file, list(sources)
@@ -67,18 +69,18 @@ class Plan:
         return plan
 
     def write(self, obj):
-        """Puts the plan into an object."""
+        """Writes the plan into an object."""
         missing.forget(obj)
         for name in ("File", "Sources", "Folder", "Jobs"):
             set_changed(obj, name, getattr(self, name.lower()))
 
     def objects(self):
-        """Document objects that a run needs to its end."""
+        """Returns the document objects that a run needs until its end."""
         return list(self.sources)
 
     def waits(self):
-        """Whether what a run is made of is itself stale: a motion. Results of the sources do not count, since
-        the study computes its own."""
+        """Returns whether an input of a run, such as a motion, is stale. Results of the sources do
+        not matter, because the study computes its own."""
         with contextlib.suppress(InputProblem):
             inputs = [obj for plan in self._read()[0] for obj in plan.objects()]
             return any(status.is_behind(obj) for obj in inputs if not envelope.is_envelope(obj))
@@ -87,7 +89,8 @@ class Plan:
     # --- runs
 
     def place(self):
-        """(study file, folder for results; "" for that of the file). Raises InputProblem."""
+        """Returns (study file, folder for results; "" for the one set in the file). Raises
+        InputProblem."""
         if self.lost:
             raise InputProblem(self.lost)
         if not self.sources:
@@ -113,26 +116,29 @@ class Plan:
         return os.path.join(folder, "study.toml"), os.path.join(folder, "results")
 
     def runs(self):
-        """Names of the runs. Raises InputProblem, core.CoreError, core.CoreMissing."""
+        """Returns the names of the runs. Raises InputProblem, core.CoreError, core.CoreMissing."""
         self.place()
         return self._read()[1] if self.sources else [run.name for run in self.study().runs]
 
     def study(self):
-        """The study file as it was when this was first asked (studies.read()); raises as that does."""
+        """Returns the study file in its state at the first call (studies.read(), with its
+        exceptions)."""
         if self._study is None:
-            from .. import studies  # brings what starts processes: not at FreeCAD's start
+            # Imports modules that start processes, so not at FreeCAD's start.
+            from .. import studies
 
             self._study = studies.read(*self.place())
         return self._study
 
     def source_of(self, name):
-        """The object behind a run; None where it comes from a file."""
+        """Returns the object of a run, or None if the run comes from a file."""
         return dict(zip(self._read()[1], self.sources)).get(name)
 
     # --- what the result depends on
 
     def _read(self):
-        """Plans of the sources, and names of their runs, as they were when this was first asked."""
+        """Returns the plans of the sources and the names of their runs, in their state at the first
+        call."""
         if self._plans is None:
             self._plans = [_plan_of(source) for source in self.sources]
             self._names = names_of(self.sources)
@@ -141,26 +147,26 @@ class Plan:
     def words(self):
         """As clearance_plan.Plan.words()."""
         if self._words is None:
-            self.place()  # says what is missing
+            self.place()  # raises InputProblem for missing inputs
             self._words = [word for plan in self._read()[0] for word in plan.words()]
         return self._words
 
     def checked_hash(self):
-        """As clearance_plan.Plan.checked_hash(). Files count by their sizes and the times of their last
-        change: their bytes are the business of the run, which computes only what is new."""
+        """As clearance_plan.Plan.checked_hash(). Files count by size and time of their last change.
+        The run itself compares their bytes and computes only new content."""
         if self.sources:
             plans, names = self._read()
             found = [plan.checked_hash() for plan in plans] + names
         else:
             try:
                 found = _stamps(self.study())
-            except OSError as problem:  # gone meanwhile
+            except OSError as problem:  # the file was deleted meanwhile
                 raise InputProblem(str(problem)) from None
         return status.VERSION + contents.short([json.dumps(found)])
 
     def labels(self):
-        """What parts, motions and neighbours are called: rows and pages tell of them by these names. None of
-        a study file. Raises InputProblem."""
+        """Returns the names of parts, motions and neighbours, for rows and pages. Empty for a study
+        file. Raises InputProblem."""
         found = []
         for plan in self._read()[0] if self.sources else []:
             beside = plan.leaves() if isinstance(plan, clearance_plan.Plan) else []
@@ -174,7 +180,7 @@ class Plan:
         return status.hash_or_problem(self.checked_hash)[0]
 
     def request(self):
-        """Raises InputProblem, core.CoreError, core.CoreMissing."""
+        """Returns the Request. Raises InputProblem, core.CoreError, core.CoreMissing."""
         path, output = self.place()
         if not self.sources:
             return Request(path, output, self.jobs, None, None, [])
@@ -188,7 +194,7 @@ class Plan:
 
 
 def _stamps(study):
-    """Text of a study file, and what tells a change of the files that it names."""
+    """Returns the text of a study file, with what shows a change of the files that it names."""
     with open(study.file, "rb") as file:
         stamps = [hashlib.sha256(file.read()).hexdigest(), study.template]
     for name in sorted({file for run in study.runs for file in run.files()}):
@@ -198,5 +204,5 @@ def _stamps(study):
 
 
 def can_run(obj):
-    """Whether an object may be a run."""
+    """Returns whether an object may be a run."""
     return kind_of(obj) in (clearance.Clearance.KIND, envelope.Envelope.KIND)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a study: type, name, help, default; of results type, name, help, mode."""
+"""The properties of a study. Inputs: type, name, help, default. Results: type, name, help, mode."""
 from ..texts import mark
 from . import clearance_properties
 from .base import HIDDEN, READ_ONLY
@@ -40,7 +40,7 @@ INPUT = [
         0,
     ),
 ]
-#: What it has as the clearance check has it.
+#: Properties that are the same as in the clearance check.
 _SAME = ("Status", "Message", "Summary", "Verdict", "Report", "InputHash", "TriedHash", "Missing")
 RESULT = [row for row in clearance_properties.RESULT if row[1] in _SAME] + [
     (

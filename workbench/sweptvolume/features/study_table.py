@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rows of a study for people: order, texts, one line."""
+"""The rows of a study for people: their order, their texts, and a summary line."""
 from ..quantities import TABLE_DIGITS, number, quantity
 from ..texts import mark, translate
 from .clearance import VERDICTS
 
-#: State of a run -> what people read.
+#: State of a run -> text for people.
 STATES = {
     "failed": mark("Messages", "Failed"),
     "not clear": mark("Messages", "Not clear"),
     "not run": mark("Messages", "Not run"),
     "done": mark("Messages", "Done"),
 }
-#: What is read of a stored report.
+#: The parts of a stored report that are used, with their shapes (base.fits()).
 REPORT = {"runs": [{"run": str, "state": set(STATES)}], "worst": str, "message": str}
 
 
@@ -24,7 +24,7 @@ def state_text(row):
 
 
 def verdict_text(row):
-    """The worst verdict of a run; "" where no clearance was computed."""
+    """Returns the worst verdict of a run, or "" if it computed no clearance."""
     verdict = row.get("verdict", "")
     if verdict == "contact" and row["state"] == "done":
         return translate("Messages", "Contact, allowed")
@@ -32,14 +32,14 @@ def verdict_text(row):
 
 
 def length_text(row):
-    """The smallest distance, or how deep the clash is; "" where there is none."""
+    """Returns the smallest distance, or the depth of a clash, or ""."""
     if row.get("verdict") == "clash" and row.get("depth"):
         return translate("Messages", "{0} deep").format(quantity(row["depth"], TABLE_DIGITS))
     return quantity(row["distance"], TABLE_DIGITS) if "distance" in row else ""
 
 
 def told(row):
-    """A run in one line."""
+    """Returns a run in one line."""
     words = [row["run"], state_text(row), verdict_text(row), length_text(row)]
     words.append(row.get("neighbour", ""))
     if "time_seconds" in row:
@@ -49,13 +49,13 @@ def told(row):
 
 
 def worst(report):
-    """The row to look at first; None where there is none."""
+    """Returns the row with the worst result, or None."""
     rows = report["runs"]
     return next((row for row in rows if row["run"] == report["worst"]), None)
 
 
 def verdict(report):
-    """As that of checks, for the icon: "failed" where a run failed; "" where all is well."""
+    """Returns the verdict as in checks, for the icon: "failed" if a run failed, "" if all is well."""
     row = worst(report)
     if row is None or row["state"] in ("done", "not run"):
         return ""
@@ -63,7 +63,7 @@ def verdict(report):
 
 
 def summary(report):
-    """The result in one line."""
+    """Returns the result in one line."""
     rows = report["runs"]
     words = [translate("Messages", "{0} runs").format(len(rows))]
     for state, text in (

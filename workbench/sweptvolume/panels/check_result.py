@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The result of a check of distances in its panel: table, graph, export."""
+"""The result of a distance check in its panel: table, graph, export."""
 from PySide import QtCore
 
 from .. import quantities
@@ -16,37 +16,38 @@ from .sorted_cell import SortedCell
 from .verdict_table import VerdictTable
 from .widgets import QtWidgets
 
-#: Letters of a neighbour's name that are seen beside a column of depths; more take a second line.
+#: Letters of a neighbour's name that fit beside a column of depths. Longer names take a second
+#: line.
 NAME_LETTERS = 18
 
 
 class ResultPanel(StayingPanel):
-    """The half of the panel that shows `obj`, the check, if there is one. `layout`, `message`, `document` are
-    the panel's. Subclasses say what a row is (NAME), how its result is written (TABLE, a module), and what is
-    done with a row that is chosen."""
+    """The half of the panel that shows the check `obj`, if there is one. The panel provides
+    `layout`, `message` and `document`. Subclasses define the name of a row (NAME), the module
+    that writes the result (TABLE), and what happens when a row is chosen."""
 
     NAME = ""
     TABLE = clearance_table
 
     def stored_report(self):
-        """The stored report of `obj`, None where there is none."""
+        """Returns the stored report of `obj`, or None if there is none."""
         raise NotImplementedError
 
     def rows_of(self, report):
-        """The same as clearance_table takes it."""
+        """Returns the report in the form of clearance_table."""
         return report
 
     def build_more(self, rows):
-        """What stands between graph and export."""
+        """Adds widgets between graph and export."""
 
     def shown(self):
-        """A result was shown."""
+        """Called after a result was shown."""
 
     def show_row(self, index):
-        """A row was chosen; None: none is."""
+        """Called when a row was chosen; None: no row."""
 
     def standing_rows(self):
-        """[((root, sub), row)] of the parts that stand still and are still there."""
+        """Returns [((root, sub), row)] for the parts that stand still and still exist."""
         raise NotImplementedError
 
     def leave(self):
@@ -104,8 +105,8 @@ class ResultPanel(StayingPanel):
         self.page = QtWidgets.QPushButton(translate("Panels", "Report..."))
         self.page.setObjectName("SweptVolumeReport")
         rows.addWidget(self.page)
-        self.layout.insertWidget(2, self.result)  # above the inputs: seen without scrolling
-        # The table's own: gone with it where the panel is closed at once.
+        self.layout.insertWidget(2, self.result)  # above the inputs, visible without scrolling
+        # A child of the table, so that it disappears with the table if the panel is closed at once.
         self._fit = QtCore.QTimer(self.table, singleShot=True, interval=0)
         self._fit.timeout.connect(self.table.resizeRowsToContents)
         self.table.itemSelectionChanged.connect(self._row_chosen)
@@ -114,21 +115,22 @@ class ResultPanel(StayingPanel):
         self.page.clicked.connect(lambda *ignored: self.export_page())
 
     def _build_worst(self):
-        """Buttons that go through the rows, the worst first, whatever the table is sorted by."""
+        """Builds buttons that go through the rows, the worst first, independent of the table's
+        order."""
         buttons = QtWidgets.QHBoxLayout()
         self.better, self.worse = (
             widgets.hint(QtWidgets.QPushButton(text), tip)
             for text, tip in (
                 (
                     translate("Panels", "Pre&vious place"),
-                    translate("Panels", "Goes back to the next worse place"),
+                    translate("Panels", "Goes to the previous place, which is worse than this one"),
                 ),
                 (
                     translate("Panels", "&Next worst place"),
                     translate(
                         "Panels",
-                        "Goes to the next place, from the worst to the best: first clashes by "
-                        "depth, then all others by distance",
+                        "Goes to the next place. Clashes come first, beginning with the deepest, "
+                        "then all other places, beginning with the closest",
                     ),
                 ),
             )
@@ -162,10 +164,11 @@ class ResultPanel(StayingPanel):
 
     @guard.told
     def paint_parts(self):
-        """The parts that stand have the colours of their rows, the worst one's where there are several."""
+        """Colours the parts that stand still by the verdicts of their rows. A part with several
+        rows gets the worst one."""
         try:
             rows = self.standing_rows() if self.paint.isChecked() else []
-        except InputProblem:  # the inputs lead nowhere now, which the message tells
+        except InputProblem:  # the message shows the problem of the inputs
             rows = []
         ranks = {}
         for pair, row in rows:
@@ -199,7 +202,7 @@ class ResultPanel(StayingPanel):
             self.table.put(r, cells, r, row)
         clashes = any(row["verdict"] == "clash" for row in self.report["neighbours"])
         self.table.setColumnHidden(4, not clashes)
-        # Names keep room where the numbers take it all: then the table is scrolled.
+        # Names keep a least width; if the numbers need more room, the table can be scrolled.
         modes = QtWidgets.QHeaderView
         self.table.horizontalHeader().setSectionResizeMode(
             0, modes.Interactive if clashes else modes.Stretch
@@ -212,7 +215,7 @@ class ResultPanel(StayingPanel):
     # --- choosing rows
 
     def chosen_row(self):
-        """Index of the row that is chosen, in the report; -1: none."""
+        """Returns the index, in the report, of the chosen row, or -1."""
         return self.table.chosen()
 
     def choose(self, index):
@@ -220,13 +223,14 @@ class ResultPanel(StayingPanel):
         self.table.choose(index)
 
     def go_through(self, by):
-        """To the row that is the next worst (1), or back (-1); from none to the worst."""
+        """Goes to the next row in the order from worst to best (1), or back (-1). Without a chosen
+        row, goes to the worst."""
         place = self._place_among_worst() + by
         if 0 <= place < len(self.worst_first):
             self.choose(self.worst_first[place])
 
     def _place_among_worst(self):
-        """Where the chosen row stands among the worst; -1: none is chosen."""
+        """Returns the position of the chosen row in the order from worst to best, or -1."""
         row = self.chosen_row()
         return self.worst_first.index(row) if row in self.worst_first else -1
 

@@ -1,27 +1,28 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The runs of a panel that checks distances: the check, and the look for what touches at first."""
+"""The runs of a panel for distance checks: the check, and the search for contacts at the first
+pose."""
 from .. import quantities
 from ..texts import translate
 from . import widgets
 
 
 class CheckRun:
-    """The panel has `check` and `touching` (its buttons), `asked` (its table of rules), plan(), and of what
-    it shows `table`, `form`, `box` and `message`. Subclasses name their tasks."""
+    """The panel has `check` and `touching` (its buttons), `asked` (its table of rules), plan(), and
+    the widgets `table`, `form`, `box` and `message`. Subclasses define their tasks."""
 
     TASK = None
     CONTACTS = None
 
     def label_of(self, pair):
-        """How people call what a rule is for."""
+        """Returns the text for what a rule applies to."""
         raise NotImplementedError
 
     def taken(self, plan):
-        """A check of this plan has ended well."""
+        """Called after a check of this plan succeeded."""
         raise NotImplementedError
 
     def start(self):
-        plans = []  # one for both: what it has read, it keeps
+        plans = []  # one plan for both steps, because it keeps what it has read
 
         def plan():
             plans[:] = plans or [self.plan()]
@@ -38,7 +39,7 @@ class CheckRun:
         return True
 
     def allow_touching(self):
-        """Looks for what touches at first, and allows it in the table."""
+        """Finds the contacts at the first pose and allows them in the table."""
         if self.begin(lambda: self.CONTACTS(self.plan()), self.ended):
             self._enable(False)
 

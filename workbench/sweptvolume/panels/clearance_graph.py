@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Graph of distance over time, one line a neighbour, with the distances asked for. The scale is linear near 0
-and logarithmic beyond (asinh, as in the report), so that 5 mm are seen beside 365 mm. A line tells its name
-when it is pointed at, and its row is chosen when it is clicked."""
+"""Graph of distance over time, with one line for each neighbour and the required distances. The
+scale is linear near 0 and logarithmic above (asinh, as in the report), so that 5 mm and 365 mm
+are both visible. Pointing at a line shows its name; a click on a line chooses its row."""
 import numpy as np
 from PySide import QtCore, QtGui
 
@@ -11,29 +11,31 @@ from ..texts import translate
 from .widgets import QtWidgets
 
 COLOURS = ("#1f77b4", "#d95f02", "#2ca02c", "#9467bd", "#8c564b", "#17becf", "#7f7f7f", "#bcbd22")
-#: The colour of all lines after those; they have no name at the side.
+#: Colour of all further lines, whose names are not listed at the side.
 OTHERS = "#609a9a9a"
 LEFT, RIGHT, TOP, BOTTOM = 46, 8, 8, 30
-#: The scale changes from linear to logarithmic at the smallest required distance divided by BEND, or
-#: without a required distance at the largest distance divided by SHARE.
+#: The scale changes from linear to logarithmic at the smallest required distance divided by BEND,
+#: or without a required distance at the largest distance divided by SHARE.
 BEND, SHARE, ABOVE = 1.5, 20.0, 1.2
-#: Pixels: between two numbers beside the scale; from a line to the mouse that points at it.
+#: In pixels: distance between two numbers of the scale; largest distance between a line and the
+#: mouse that points at it.
 TICK_GAP, NEAR = 15, 7
 
 
 class Scale:
-    """Distances in the unit of the preferences -> 0 (at 0) to 1 (at `most`)."""
+    """Maps distances in the unit of the preferences to 0 (at 0) to 1 (at `most`)."""
 
     def __init__(self, most, asked):
         self.most = max([most, 1e-3] + [ABOVE * value for value in asked])
         self.bend = min(asked) / BEND if asked else self.most / SHARE
 
     def share(self, distance):
-        """Of a number or an array."""
+        """Returns the position on the scale for a number or an array."""
         return np.arcsinh(np.asarray(distance) / self.bend) / np.arcsinh(self.most / self.bend)
 
     def ticks(self, gap):
-        """Round numbers that lie at least `gap` (of the whole) apart, from 0."""
+        """Returns round numbers from 0 whose positions differ by at least `gap` (as a fraction of
+        the scale)."""
         found, last = [0.0], 0.0
         for decade in range(-4, 10):
             for step in (1, 2, 5):
@@ -46,8 +48,8 @@ class Scale:
 
 
 class DistanceGraph(QtWidgets.QWidget):
-    """Draws curves [(name, times, distances)...], arrays; the chosen one is thick. `picked(index)`: a curve
-    was clicked."""
+    """Draws curves [(name, times, distances)...], arrays. The chosen curve is thick.
+    `picked(index)`: the user clicked a curve."""
 
     picked = QtCore.Signal(int)
 
@@ -76,14 +78,14 @@ class DistanceGraph(QtWidgets.QWidget):
         self._renew()
 
     def choose(self, index, moment):
-        """Makes one curve thick and marks a time."""
+        """Draws one curve thick and marks a time."""
         if index != self.chosen:
             self.chosen = index
             self._renew()
         self.mark(moment)
 
     def mark(self, moment):
-        """Marks a time (s), None: none."""
+        """Marks a time (s); None: no time."""
         self.moment = moment
         self.update()
 
@@ -92,7 +94,7 @@ class DistanceGraph(QtWidgets.QWidget):
         self.update()
 
     def colour(self, index):
-        """The name of a curve's colour."""
+        """Returns the colour of a curve."""
         place = self.order.index(index)
         return COLOURS[place] if place < len(COLOURS) else OTHERS
 
@@ -108,7 +110,7 @@ class DistanceGraph(QtWidgets.QWidget):
         self.scale = Scale(most, self.asked)
 
     def x_of(self, times):
-        """Pixels, of a number or an array."""
+        """Returns the x coordinates (pixels) for a time or an array of times."""
         box, span = self._box(), self.end - self.start
         part = (np.asarray(times) - self.start) / span if span > 0 else 0.5 + 0 * np.asarray(times)
         return box.left() + box.width() * part
@@ -150,7 +152,7 @@ class DistanceGraph(QtWidgets.QWidget):
         return self.devicePixelRatioF()
 
     def _draw_picture(self):
-        """All that stays while the mouse moves; hundreds of curves take some time."""
+        """Draws everything that does not depend on the mouse; hundreds of curves take some time."""
         self.picture = QtGui.QPixmap(self.size() * self._ratio())
         self.picture.setDevicePixelRatio(self._ratio())
         self.picture.fill(QtCore.Qt.transparent)
@@ -169,8 +171,8 @@ class DistanceGraph(QtWidgets.QWidget):
         painter.end()
 
     def _ink(self):
-        """The colour of the panel's own texts. What lies behind is left as it is: a style sheet may give a
-        panel other colours than its palette has."""
+        """Returns the text colour of the panel. The background stays unchanged, because a style
+        sheet may give a panel other colours than its palette."""
         return self.palette().color(QtGui.QPalette.WindowText)
 
     def _axes(self, painter):
@@ -221,7 +223,8 @@ class DistanceGraph(QtWidgets.QWidget):
     # --- pointing
 
     def _segments(self):
-        """(first ends (k,2), second ends, index of the curve (k,)), pixels; a single point is both ends."""
+        """Returns (first ends (k,2), second ends, index of the curve (k,)) in pixels. A curve with
+        a single point gives a segment of length 0."""
         if self.ends is None:
             parts = []
             for index in self.order:
@@ -233,7 +236,7 @@ class DistanceGraph(QtWidgets.QWidget):
         return self.ends
 
     def curve_at(self, x, y):
-        """Index of the curve that is pointed at; -1: none."""
+        """Returns the index of the curve at which the mouse points, or -1."""
         if not self.order:
             return -1
         self._measure()
@@ -246,7 +249,7 @@ class DistanceGraph(QtWidgets.QWidget):
         return int(of[nearest]) if off[nearest] <= NEAR else -1
 
     def text_at(self, index, x):
-        """What is told of a curve there: its name, distance and time."""
+        """Returns the text about a curve at the mouse: name, distance and time."""
         name, times, distances = self.curves[index]
         box = self._box()
         part = min(max((x - box.left()) / max(box.width(), 1.0), 0.0), 1.0)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel of a clearance check: inputs, run, table, graph, colours, export. Nothing is written to
-the document before a run has ended well."""
+"""Task panel of a clearance check: inputs, run, table, graph, colours, export. Writes nothing to
+the document before a run has succeeded."""
 import FreeCADGui as Gui
 
 from ..convert import InputProblem, label_of
@@ -20,7 +20,7 @@ DEFAULTS = {"RequiredDistance": 5.0, "Accuracy": 0.01, "MeshDeflection": 0.05}
 
 
 class ClearancePanel(CheckRun, ResultPanel):
-    """Makes a new check (obj None) or shows and repeats one."""
+    """Creates a new check (obj None), or shows and repeats an existing one."""
 
     TASK = ClearanceTask
     CONTACTS = FirstContactsTask
@@ -71,7 +71,7 @@ class ClearancePanel(CheckRun, ResultPanel):
             [o.Label for o in motions],
         )
         if self.obj is not None and self.motion is None and envelope is None:
-            self.path.setCurrentIndex(-1)  # what is missing is not filled in silently
+            self.path.setCurrentIndex(-1)  # a missing motion is not replaced silently
         self.moving = QtWidgets.QLabel(", ".join(label_of(*p) for p in self.pairs) or "-")
         rows.addRow(translate("Panels", "Moving parts"), self.moving)
         rows.addRow(translate("Panels", "Motion"), self.path)
@@ -94,7 +94,7 @@ class ClearancePanel(CheckRun, ResultPanel):
         rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
         self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
         self.check.setObjectName("SweptVolumeCheck")
-        self.check.setDefault(True)  # Enter
+        self.check.setDefault(True)  # Enter presses this button
         rows.addRow(self.check)
         self.check.clicked.connect(lambda *ignored: self.start())
         self.take.clicked.connect(lambda *ignored: self._take())
@@ -167,7 +167,7 @@ class ClearancePanel(CheckRun, ResultPanel):
 
     def taken(self, plan):
         self.rules = plan.rules
-        Gui.Selection.clearSelection()  # its green would hide the colours
+        Gui.Selection.clearSelection()  # the green of the selection would hide the colours
         self.required_band.setProperty("rawValue", self.obj.RequiredDistance.Value)
 
 

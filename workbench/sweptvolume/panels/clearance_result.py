@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The result of a clearance check in its panel: the moving part of a row, and the envelope in colours."""
+"""The result of a clearance check in its panel: the moving part at a row's time, and the coloured
+envelope."""
 from .. import convert
 from ..convert import InputProblem
 from ..features import clearance, clearance_table, shared
@@ -11,7 +12,7 @@ from .widgets import QtWidgets
 
 
 class ResultPanel(played_result.PlayedPanel):
-    """`hidden`: the envelope under its colours."""
+    """`hidden`: the envelope that is hidden while its coloured copy is shown."""
 
     NAME = mark("Panels", "Neighbour")
 
@@ -24,8 +25,8 @@ class ResultPanel(played_result.PlayedPanel):
             QtWidgets.QPushButton(translate("Panels", "Keep volume to cut awa&y")),
             translate(
                 "Panels",
-                "Makes an object of the volume that the envelope and the part of the "
-                "chosen row share",
+                "Creates an object from the volume that the envelope shares with the part of the "
+                "chosen row",
             ),
         )
         self.cut_away.setObjectName("SweptVolumeKeepCut")
@@ -69,7 +70,7 @@ class ResultPanel(played_result.PlayedPanel):
         return clearance.Plan.of(self.obj)
 
     def _neighbour(self, plan, index):
-        """(root, sub) of a row, None where it is there no more."""
+        """Returns (root, sub) of the neighbour of a row, or None if it does not exist any more."""
         names = [row["name"] for row in self.report["neighbours"]]
         return plan.pairs_named(names)[index]
 
@@ -97,7 +98,7 @@ class ResultPanel(played_result.PlayedPanel):
         return self._shared(plan, sides, (plan.motion, None), time)
 
     def cut_plan(self, index):
-        """shared.Plan of what the envelope shares with the part of a row."""
+        """Returns the shared.Plan of what the envelope shares with the part of a row."""
         plan = clearance.Plan.of(self.obj)
         sides = [convert.root_path(self.obj.Envelope)], [self._neighbour(plan, index)]
         return self._shared(plan, sides, (None, None), 0.0)
@@ -111,7 +112,7 @@ class ResultPanel(played_result.PlayedPanel):
         return self.obj.ViewObject.Proxy
 
     def _bands(self):
-        """The legend of the colour map; its borders can be changed."""
+        """Builds the legend of the colour map. The user can change the limits."""
         self.coloured = QtWidgets.QCheckBox(translate("Panels", "Colour the envelope by distance"))
         self.coloured.setObjectName("SweptVolumeColours")
         self.contact_band = widgets.length(0.1, 0.0, 0.1)

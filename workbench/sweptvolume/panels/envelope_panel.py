@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel of an envelope: parts, motion, accuracy, estimate, coarse preview, run, read-outs. Nothing
-is written to the document before a run has ended well."""
+"""Task panel of an envelope: parts, motion, accuracy, estimate, coarse preview, run, result. Writes
+nothing to the document before a run has succeeded."""
 import FreeCADGui as Gui
 from PySide import QtCore
 
@@ -19,12 +19,12 @@ from .run_panel import StartPanel
 from .tasks import EnvelopeTask
 from .widgets import QtWidgets
 
-#: ms after the last change before estimate and preview are made anew.
+#: Time (ms) from the last change to a new estimate and preview.
 ESTIMATE_DELAY = 250
-#: ms after a run until the panel goes: the window first draws what it has taken over.
+#: Time (ms) from the end of a run to closing the panel, so that the window draws the result first.
 CLOSE_DELAY = 150
-#: What can be typed for a number of cells; the core says how many it allows, where a field would cut
-#: digits off in silence.
+#: Largest number of cells that can be typed. The core reports its limit; a smaller limit of the
+#: field would silently cut off digits.
 MOST_TYPED = 999999999
 #: Steps of the quality slider, in cells along the longest side.
 QUALITIES = [32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024]
@@ -43,12 +43,12 @@ DEFAULTS = {
     "MadeBy": "Off",
 }
 
-#: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
+#: The panel opened last, for tests and macros. FreeCAD does not give access to it.
 opened = []
 
 
 class EnvelopePanel(StartPanel):
-    """Makes a new envelope (obj None) or changes one."""
+    """Creates a new envelope (obj None), or changes an existing one."""
 
     STARTERS = ("Ok", "Apply")
 
@@ -73,7 +73,7 @@ class EnvelopePanel(StartPanel):
         self.message = widgets.message_label()
         self.read_outs = ReadOuts()
         for widget in (self.box, self.message, self.read_outs):
-            self.layout.addWidget(widget)  # on top: visible without scrolling
+            self.layout.addWidget(widget)  # on top, visible without scrolling
         self.parts = PartsBox(document, plan, self.layout, obj is not None)
         self._build_accuracy(values)
         self._build_method(values)
@@ -207,7 +207,7 @@ class EnvelopePanel(StartPanel):
         self._accuracy_changed()
 
     def _show_quality(self, *ignored):
-        """The slider stands at the step nearest to the number of cells."""
+        """Moves the slider to the step nearest to the number of cells."""
         cells = self.resolution.value()
         nearest = min(range(len(QUALITIES)), key=lambda i: abs(QUALITIES[i] - cells))
         self.quality.blockSignals(True)
@@ -254,7 +254,7 @@ class EnvelopePanel(StartPanel):
         self.timer.start(ESTIMATE_DELAY)
 
     def settled(self):
-        """Nothing was changed for a moment: estimate and preview."""
+        """Called some time after the last change: updates estimate and preview."""
         if not widgets.alive(self.document):
             self._close()
             return
@@ -268,7 +268,7 @@ class EnvelopePanel(StartPanel):
         self.ask_preview()
 
     def ask_preview(self):
-        """Wishes for a coarse envelope with the present inputs, or takes it away."""
+        """Requests a coarse envelope for the present inputs, or removes it."""
         if not self.preview_box.isChecked() or self.run is not None:
             self.preview.stop()
             self._remove_coarse()
@@ -277,7 +277,8 @@ class EnvelopePanel(StartPanel):
         self.preview.want(plan.coarse_requests)
 
     def finest(self):
-        """Cells of the preview that follows the coarse one: those wanted, but a quick look is enough."""
+        """Returns the number of cells of the fine preview: the requested one, but limited for
+        speed."""
         by_cell = self.by.currentData() == "CellSize"
         return MOST_CELLS if by_cell else min(self.resolution.value(), MOST_CELLS)
 
@@ -295,7 +296,7 @@ class EnvelopePanel(StartPanel):
         widgets.show_message(self.preview_text, text)
 
     def estimate(self):
-        """Shows the grid, and a moment later memory and time, before anything is started."""
+        """Shows the grid at once, and memory and time a moment later, before a run starts."""
         if self.run is not None:
             return
         try:
@@ -317,8 +318,8 @@ class EnvelopePanel(StartPanel):
         if found.get("useful_filter"):
             hint = translate(
                 "Panels",
-                "Most poses are nearly equal: set a position filter of {0} to skip "
-                "them, and the run is much faster.",
+                "Most poses are nearly equal: a position filter of {0} skips them and makes the "
+                "run much faster.",
             )
             text += "\n" + hint.format(quantities.quantity(found["useful_filter"]))
         self._show_estimate(text)
@@ -336,7 +337,7 @@ class EnvelopePanel(StartPanel):
         return text.format(*cells, quantities.quantity(found["cell"]))
 
     def _one_pose(self):
-        """A hint where nothing moves."""
+        """Shows a hint if the motion has only one pose."""
         motion = self.parts.motion()
         if motion is None or len(motion.Placements) != 1:
             return ""
@@ -347,7 +348,7 @@ class EnvelopePanel(StartPanel):
     # --- run
 
     def start(self, close_when_done=True):
-        """Reads the document and starts the run; problems are shown in the panel."""
+        """Reads the document and starts the run. Problems are shown in the panel."""
         self.close_when_done = close_when_done
         if not self.begin(
             lambda: EnvelopeTask(self.document, self.plan(), self.obj),
@@ -375,7 +376,7 @@ class EnvelopePanel(StartPanel):
             self._close()
             return
         if self.obj is not None and not widgets.alive(self.obj):
-            self.obj = None  # deleted meanwhile: OK makes a new one
+            self.obj = None  # the object was deleted meanwhile, so OK creates a new one
         if run.state == "ok":
             self.obj = run.task.obj
             Gui.Selection.clearSelection()
@@ -396,7 +397,7 @@ class EnvelopePanel(StartPanel):
             self.start(close_when_done=False)
 
     def _close(self):
-        if self.closed:  # the document went, and a run or the timer told of it first
+        if self.closed:  # the document was closed, and a run or the timer already closed the panel
             return True
         self.closed = True
         self.timer.stop()
@@ -408,10 +409,10 @@ class EnvelopePanel(StartPanel):
 
 
 def show(document, pairs=(), motion_obj=None, obj=None, start=False):
-    """Opens the panel; `start`: begins at once (Recompute)."""
+    """Opens the panel. `start`: starts the run at once (Recompute)."""
     panel = EnvelopePanel(document, pairs, motion_obj, obj)
     opened[:] = [panel]
     focus.show(panel)
-    if start and not panel.message.text():  # else something is to be chosen first
+    if start and not panel.message.text():  # with a message, the user must first choose something
         panel.start()
     return panel

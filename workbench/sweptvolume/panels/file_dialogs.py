@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Dialogs that ask for a file."""
+"""Dialogs in which the user selects a file."""
 import os
 
 import FreeCAD as App
@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 from ..texts import translate
 from .widgets import QtWidgets
 
-#: Where FreeCAD keeps the folder of the last file.
+#: Parameter group in which FreeCAD keeps the folder of the last file.
 LAST = "User parameter:BaseApp/Preferences/General"
 _KINDS = [
     ("STEP", "*.step *.stp", ".step"),
@@ -22,7 +22,8 @@ _KINDS = [
 
 
 def folder_of(document):
-    """Where a file of a document belongs: beside it, or where the last one went; else the home folder."""
+    """Returns the default folder for files of a document: that of the document, that of the last
+    file, or the home folder."""
     last = App.ParamGet(LAST).GetString("FileOpenSavePath", "")
     own = os.path.dirname(document.FileName) if document is not None else ""
     return next((f for f in (own, last) if f and os.path.isdir(f)), os.path.expanduser("~"))
@@ -33,7 +34,7 @@ def _beside_document(name):
 
 
 def ask_export(name):
-    """File to write, with a suffix; "" when cancelled."""
+    """Asks for the file to export, with a suffix. Returns "" if cancelled."""
     filters = ["{} ({})".format(title, patterns) for title, patterns, _ in _KINDS]
     path, chosen = QtWidgets.QFileDialog.getSaveFileName(
         Gui.getMainWindow(),
@@ -47,7 +48,7 @@ def ask_export(name):
 
 
 def ask_report(name):
-    """HTML or PDF file to write; "" when cancelled."""
+    """Asks for the HTML or PDF file to write. Returns "" if cancelled."""
     path, chosen = QtWidgets.QFileDialog.getSaveFileName(
         Gui.getMainWindow(),
         translate("Panels", "Export report"),
@@ -60,7 +61,7 @@ def ask_report(name):
 
 
 def ask_table(name):
-    """CSV file to write; "" when cancelled."""
+    """Asks for the CSV file to write. Returns "" if cancelled."""
     path, _ = QtWidgets.QFileDialog.getSaveFileName(
         Gui.getMainWindow(),
         translate("Panels", "Export table"),
@@ -71,7 +72,7 @@ def ask_table(name):
 
 
 def ask_study():
-    """Study file to read; "" when cancelled."""
+    """Asks for the study file to read. Returns "" if cancelled."""
     path, _ = QtWidgets.QFileDialog.getOpenFileName(
         Gui.getMainWindow(),
         translate("Panels", "Study file"),
@@ -82,7 +83,7 @@ def ask_study():
 
 
 def ask_folder(now):
-    """Folder for results; "" when cancelled. now: the one so far, or ""."""
+    """Asks for the folder of the results. Returns "" if cancelled. now: the present folder, or ""."""
     return QtWidgets.QFileDialog.getExistingDirectory(
         Gui.getMainWindow(),
         translate("Panels", "Folder for results"),

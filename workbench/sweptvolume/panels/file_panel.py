@@ -18,8 +18,8 @@ from .widgets import QtWidgets
 
 
 class FilePanel:
-    """Shows what the file holds in the chosen unit before it is taken: by a new motion (obj None), or by one
-    that was read from a file before."""
+    """Shows the content of the file in the chosen unit before the motion takes it: a new motion
+    (obj None), or a motion that was read from a file before."""
 
     def __init__(self, document, path, obj=None):
         self.document, self.obj = document, obj
@@ -58,7 +58,7 @@ class FilePanel:
 
     @guard.told
     def look(self, *ignored):
-        """Reads the file and says what is in it."""
+        """Reads the file and describes its content."""
         poses = csv_file.read(self.path.text(), self.unit.currentData())
         points = pose_arrays(poses.placements)[0]
         size = points.max(axis=0) - points.min(axis=0)
@@ -96,7 +96,7 @@ class FilePanel:
 
 
 def ask_file():
-    """File dialog; "" when cancelled."""
+    """Asks for a file. Returns "" if cancelled."""
     kinds = translate("Panels", "Motions") + " (*.csv *.txt *.csv.gz *.csv.xz);;"
     kinds += translate("Panels", "All files") + " (*)"
     answer = QtWidgets.QFileDialog.getOpenFileName(

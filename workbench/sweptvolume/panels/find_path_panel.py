@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel: finds the way of a part to its place, shows how far the search came, makes a motion of it."""
+"""Task panel: searches for a path of a part to its place, shows the progress, and creates a motion.
+"""
 from PySide import QtCore
 
 from .. import convert
@@ -13,12 +14,12 @@ from .place_field import PlaceField
 from .search_panel import SearchPanel
 from .widgets import QtWidgets
 
-#: ms between two looks at where the search came to.
+#: Interval (ms) between two checks of the search's progress.
 LOOK = 100
 
 
 class FindPathPanel(SearchPanel):
-    """path: a motion whose ends are the start and the goal."""
+    """path: a motion whose ends become the start and the goal."""
 
     TITLE, ICON = mark("Panels", "Find path"), "SweptVolume_FindPath"
     BUTTON = mark("Panels", "&Find path")
@@ -79,7 +80,7 @@ class FindPathPanel(SearchPanel):
         return self.pairs[0] if self.pairs else None
 
     def _size(self):
-        """Diagonal of the part, rounded: so far it is out, as a rule."""
+        """Returns the diagonal of the part, rounded: usually the part is out after this distance."""
         try:
             corners = convert.box_corners(self.pairs) if self.pairs else None
         except InputProblem:
@@ -109,7 +110,7 @@ class FindPathPanel(SearchPanel):
             self.goal.show_placement(poses[-1])
 
     def plan(self):
-        """What is asked for. Raises InputProblem."""
+        """Returns the task of the search. Raises InputProblem."""
         return path_plan.PathPlan(
             self.document,
             self.pairs,
@@ -136,13 +137,14 @@ class FindPathPanel(SearchPanel):
         return True
 
     def _look(self):
-        """Shows where the search came to."""
+        """Shows the farthest placement that the search has reached."""
         farthest = self.run.task.seen.farthest() if self.run is not None else None
         if farthest is not None:
             self._show_at(self.run.task, path_plan.placement_of(farthest))
 
     def _show_at(self, task, placement):
-        """The part where the search came to. Its triangles are there: the search has them."""
+        """Shows the part at the farthest placement. Uses the triangles that the search has already
+        created."""
         if self.ghost is None:
             body = task.request.body
             self.ghost = MovingPart(self.document, body.vertices, body.triangles)

@@ -1,23 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the keyboard is: FreeCAD's 3D view keeps Tab for itself, so a panel takes the keyboard when it
-opens, and a command brings it to the tree and back."""
+"""Keyboard focus. FreeCAD's 3D view uses Tab itself, so a panel takes the focus when it opens, and
+a command moves the focus to the tree and back."""
 import FreeCADGui as Gui
 from PySide import QtCore
 
 from .widgets import QtWidgets, to_first_field
 
-#: What show() opened last: the form of a task panel, and its filter.
+#: The last result of show(): the form of a task panel, and its event filter.
 _shown = []
-#: ms after which a new panel takes the keyboard. With Qt 6 a menu that was opened by keys gives it back
-#: to the 3D view after the command has run.
+#: Times (ms) at which a new panel takes the focus. In Qt 6, a menu opened by keys returns the focus
+#: to the 3D view after the command has run, so one attempt is not enough.
 _WAITS = 0, 50, 200
-#: The tree that to_tree_or_panel() went to last, and its filter.
+#: The tree to which to_tree_or_panel() moved last, and its event filter.
 _tree = []
 
 
 class _Keys(QtCore.QObject):
-    """Keys that a widget wants itself, before FreeCAD's shortcuts have them: pairs of modifiers and key.
-    FreeCAD's shortcuts are of the whole window, so no other way leads a key to a panel. One call takes 1 us.
+    """Event filter for keys that a widget needs before FreeCAD's shortcuts get them: pairs of
+    modifiers and key. FreeCAD's shortcuts belong to the whole window, so keys reach a panel only
+    this way. One call takes 1 us.
     """
 
     def __init__(self, *wanted):
@@ -25,7 +26,7 @@ class _Keys(QtCore.QObject):
         self.wanted = wanted
 
     def eventFilter(self, watched, event):  # noqa: N802
-        # Fields that do not want a key hand it on to the form.
+        # A field that does not use a key passes it on to the form.
         if event.type() != QtCore.QEvent.ShortcutOverride:
             return False
         ours = (event.modifiers() & ~QtCore.Qt.KeypadModifier, event.key()) in self.wanted
@@ -35,22 +36,23 @@ class _Keys(QtCore.QObject):
 
 
 def _form_keys():
-    """Space presses the button or ticks the box, Home goes to the first entry; FreeCAD would hide what is
-    selected, and turn the view (without this keyboard.py and keyboard_panels.py fail)."""
+    """Returns the filter of a form. Space presses a button or ticks a box, and Home goes to the
+    first entry. Without the filter, FreeCAD hides the selection or turns the view (keyboard.py
+    and keyboard_panels.py test this)."""
     plain = QtCore.Qt.NoModifier
     return _Keys((plain, QtCore.Qt.Key_Space), (plain, QtCore.Qt.Key_Home))
 
 
 def _tree_keys():
-    """Ctrl and an arrow goes on without choosing; FreeCAD 1.0 would show and hide docks (without this
-    keyboard_panels.py fails there)."""
+    """Returns the filter of the tree. Ctrl with an arrow key moves without selecting. Without the
+    filter, FreeCAD 1.0 shows and hides docks (keyboard_panels.py tests this)."""
     held = QtCore.Qt.ControlModifier
     return _Keys((held, QtCore.Qt.Key_Up), (held, QtCore.Qt.Key_Down))
 
 
 class SortKeys(QtCore.QObject):
-    """Space sorts a table by the column of its current cell, as a click on the head does; no key of Qt's does
-    (keyboard_panels.py)."""
+    """Lets Space sort a table by the column of its current cell, like a click on the head. Qt has
+    no key for this (keyboard_panels.py tests it)."""
 
     def __init__(self, table):
         super().__init__()
@@ -70,9 +72,9 @@ class SortKeys(QtCore.QObject):
 
 
 def show(panel):
-    """Opens a task panel with the keyboard in its first field."""
+    """Opens a task panel with the focus in its first field."""
     Gui.Control.showDialog(panel)
-    form, keys = panel.form, _form_keys()  # a panel that was closed has no form
+    form, keys = panel.form, _form_keys()  # a closed panel has no form
     form.installEventFilter(keys)
     _shown[:] = [form, keys]
     for wait in _WAITS:
@@ -89,7 +91,7 @@ def _enter(form):
 
 
 def to_tree_or_panel():
-    """From the tree to the open panel, from anywhere else to the tree."""
+    """Moves the focus from the tree to the open panel, and from anywhere else to the tree."""
     trees = [
         tree
         for tree in Gui.getMainWindow().findChildren(QtWidgets.QTreeWidget)
@@ -112,7 +114,7 @@ def to_tree_or_panel():
 
 
 def _bring_up(widget):
-    """Makes a widget visible that lies behind another tab or in a closed dock."""
+    """Makes a widget visible that is behind another tab or in a closed dock."""
     try:
         inner, outer = widget, widget.parentWidget()
         while outer is not None:

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A driver or a simulation is run in front of a dialog with Cancel, one frame between two events of the
-window: the document belongs to the run meanwhile, and the dialog keeps everything else away from it."""
+"""Runs a driver or a simulation behind a dialog with Cancel, one frame between two events of the
+window. The run changes the document meanwhile; the dialog blocks all other input."""
 import FreeCADGui as Gui
 
 from ..features import joint_motions
 from ..texts import translate
 from .widgets import QtCore, QtWidgets
 
-#: ms after which the dialog is seen.
+#: Time (ms) until the dialog appears.
 SHOWN_AFTER = 400
 
 
 def recorded(document, settings):
-    """The run (moved_parts.Run) of a source of sources.FROM_JOINTS; None where it was cancelled: the document
-    is as before then. Raises InputProblem."""
+    """Returns the finished run (moved_parts.Run) of a source of sources.FROM_JOINTS, or None if it
+    was cancelled; then the document is as before. Raises InputProblem."""
     run = joint_motions.begin(document, settings)
     most = int(settings.get("count", 0))
     dialog = QtWidgets.QProgressDialog(Gui.getMainWindow())

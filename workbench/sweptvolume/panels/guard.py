@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whatever goes wrong in a panel is told in the panel: it stays open and keeps what was typed. FreeCAD
+"""Shows all errors of a panel in the panel, which stays open and keeps the typed values. FreeCAD
 itself closes a panel whose accept() raises."""
 import functools
 import math
@@ -13,14 +13,14 @@ from ..texts import translate
 from . import widgets
 from .widgets import QtCore, QtWidgets
 
-#: What is wrong with the input or the machine; anything else is a fault of the workbench.
+#: Exceptions caused by the input or the machine. All others are faults of the workbench.
 EXPECTED = (InputProblem, core.CoreError, core.CoreMissing, OSError)
-#: A typed length is taken as understood if the field's own value agrees with it up to rounding.
+#: A typed length counts as understood if it agrees with the field's own value up to rounding.
 AGREES = 1e-6
 
 
 def tell(label, problem):
-    """Shows a problem in a panel; a fault of the workbench stands in full in the report view."""
+    """Shows a problem in a panel. The report view gets the full text of a fault of the workbench."""
     if isinstance(problem, EXPECTED):
         widgets.show_message(label, str(problem))
         return
@@ -30,7 +30,8 @@ def tell(label, problem):
 
 
 def told(method):
-    """A method of a panel with a `message` label: problems are shown there, and it returns False."""
+    """Decorator for a method of a panel with a `message` label: shows problems there and then
+    returns False."""
 
     @functools.wraps(method)
     def run(self, *given, **named):
@@ -44,8 +45,8 @@ def told(method):
 
 
 def check_fields(form):
-    """Raises InputProblem for a field whose text is not what its value says: it was typed, and not
-    understood."""
+    """Raises InputProblem for a field whose text does not match its value, because the typed text
+    was not understood."""
     for field in form.findChildren(QtWidgets.QAbstractSpinBox):
         if not field.isVisible() or not field.isEnabled():
             continue
@@ -61,8 +62,8 @@ def check_fields(form):
 
 
 def name_of(field, form):
-    """What stands beside a field. What lies around the form is FreeCAD's own and never asked for
-    (widgets.forget_with)."""
+    """Returns the label beside a field. Does not look at widgets around the form, which belong to
+    FreeCAD (widgets.forget_with())."""
     widget = field
     while widget is not form:
         layout = widget.parentWidget().layout()
@@ -75,7 +76,7 @@ def name_of(field, form):
 
 
 def _label_of_line(layout, widget):
-    """The label of the row in which several fields stand side by side."""
+    """Returns the label of a row with several fields side by side."""
     for row in range(layout.rowCount()):
         item = layout.itemAt(row, QtWidgets.QFormLayout.FieldRole)
         line = item.layout() if item is not None else None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel: makes a motion better. The motion stays; what comes out is another one beside it."""
+"""Task panel: improves a motion. The result is another motion; the given one does not change."""
 from PySide import QtCore
 
 from ..features.improve_plan import ImprovePlan
@@ -12,7 +12,7 @@ from .widgets import QtWidgets
 
 
 class ImprovePanel(SearchPanel):
-    """motion: the one to be improved."""
+    """motion: the motion to improve."""
 
     TITLE, ICON = mark("Panels", "Improve path"), "SweptVolume_ImprovePath"
     BUTTON = mark("Panels", "&Improve path")
@@ -38,7 +38,7 @@ class ImprovePanel(SearchPanel):
         for k, time in enumerate(self.motion.Times):
             item = QtWidgets.QListWidgetItem(text.format(k + 1, number(time, TABLE_DIGITS)))
             free = QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable
-            end = k in (0, last)  # they stay in any case
+            end = k in (0, last)  # the ends never change
             item.setFlags(free if end else free | QtCore.Qt.ItemIsUserCheckable)
             item.setCheckState(QtCore.Qt.Checked if end else QtCore.Qt.Unchecked)
             self.keys.addItem(item)
@@ -57,7 +57,7 @@ class ImprovePanel(SearchPanel):
         rows.addRow(self.more)
 
     def locked(self):
-        """Indices of the keys that stay."""
+        """Returns the indices of the locked keys."""
         items = [self.keys.item(k) for k in range(self.keys.count())]
         return [k for k, item in enumerate(items) if item.checkState() == QtCore.Qt.Checked]
 
@@ -75,7 +75,7 @@ class ImprovePanel(SearchPanel):
         )
 
     def ended(self, run):
-        """The motion as it was comes first in the table, so that they can be compared."""
+        """Lists the given motion first in the table, for comparison."""
         if run.state == "ok" and not self.measured and run.task.obj is not None:
             self.measured = True
             self.paths.add(self.motion, run.task.outcome.report["before"])

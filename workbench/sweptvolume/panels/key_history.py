@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Undo and Redo inside the path editor: while it is open, their keys mean its keys, not the document's."""
+"""Undo and Redo in the motion editor. While it is open, their keys apply to its keys, not to the
+document."""
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
@@ -7,9 +8,9 @@ from ..texts import translate
 from ..trajectory.edit import Keys
 from .widgets import Action, QtWidgets, actions_of, shiboken
 
-#: Steps that are kept: more than anybody goes back, and some megabytes with a thousand keys.
+#: Number of steps that are kept: enough for any use, and some megabytes with a thousand keys.
 MOST_STEPS = 200
-#: Qt 6 has it among what belongs to no widget.
+#: In Qt 6, QShortcut is in QtGui.
 _Shortcut = getattr(QtGui, "QShortcut", None) or QtWidgets.QShortcut
 
 
@@ -19,21 +20,21 @@ def copy_of(keys):
 
 
 def content(keys):
-    """What can be told apart: times, placements, tangents."""
+    """Returns what distinguishes two states of the keys: times, placements, tangents."""
     numbers = [tuple(p.toMatrix().A) for p in keys.placements]
     tangents = [(kind, tuple(v) if v is not None else ()) for kind, v in keys.tangents]
     return list(keys.times), numbers, tangents
 
 
 class History:
-    """States of the keys: what was before, what was undone."""
+    """Earlier states of the keys, and states that were undone."""
 
     def __init__(self, keys, row):
         self.now = copy_of(keys), row
         self.before, self.undone = [], []
 
     def note(self, keys, row):
-        """A change is done; nothing happens if there is none."""
+        """Stores a change. Does nothing if the keys have not changed."""
         if content(keys) == content(self.now[0]):
             self.now = self.now[0], row
             return
@@ -42,7 +43,8 @@ class History:
         self.now = copy_of(keys), row
 
     def step(self, back):
-        """(keys, row) before the last change, or after the one undone last; None where there is none."""
+        """Returns (keys, row) of the state before the last change (back), or of the state undone
+        last, or None."""
         source, target = (self.before, self.undone) if back else (self.undone, self.before)
         if not source:
             return None
@@ -52,8 +54,8 @@ class History:
 
 
 class UndoKeys(QtCore.QObject):
-    """Undo and Redo of keyboard, menu and toolbar call a function (back: True, False) until stop():
-    FreeCAD's own are hidden and without their keys meanwhile."""
+    """Makes Undo and Redo of keyboard, menu and toolbar call a function (argument back: True or
+    False) until stop(). FreeCAD's own entries are hidden and have no shortcuts meanwhile."""
 
     def __init__(self, step):
         window = Gui.getMainWindow()
@@ -72,8 +74,8 @@ class UndoKeys(QtCore.QObject):
                 self.keys.append(key)
 
     def _replace(self, name, back, step):
-        """An entry of ours in the place of FreeCAD's, in menus and toolbars. The one in the toolbar has no
-        name, but the text of the other."""
+        """Puts one of our entries in the place of FreeCAD's, in menus and toolbars. The entry in
+        the toolbar has no name, but the text of the other."""
         texts = {action.text() for action in actions_of(name)}
         window = self.parent()
         for holder in window.findChildren(QtWidgets.QToolBar) + window.findChildren(
@@ -97,7 +99,7 @@ class UndoKeys(QtCore.QObject):
         return self.ours[back]
 
     def show(self, history):
-        """What can be undone and done again."""
+        """Enables Undo and Redo depending on the history."""
         for back, steps in ((True, history.before), (False, history.undone)):
             if back in self.ours:
                 self.ours[back].setEnabled(bool(steps))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table of key placements with its buttons and keys of the keyboard; what they do is the panel's."""
+"""Table of key placements, with its buttons and keyboard shortcuts. The panel carries out the
+actions."""
 from PySide import QtCore
 
 from ..quantities import length_unit
@@ -22,12 +23,12 @@ KEYS = {
     (QtCore.Qt.Key_C, True): "Copy",
 }
 _ENTER = QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter
-#: What a number begins with.
+#: First characters of a number.
 _NUMBERS = set("0123456789+-.,")
 
 
 def actions():
-    """(name, text, what it does) of each button, in order."""
+    """Returns (name, text, tool tip) of each button, in order."""
 
     def t(text):
         return translate("Panels", text)
@@ -54,19 +55,21 @@ def actions():
 
 
 def short(number):
-    """A number that fits a narrow column; the tool tip and the key have all digits."""
+    """Formats a number for a narrow column. The tool tip and the key have all digits."""
     digits = max(0, 4 - len(str(int(abs(number)))) - (number < 0))
     return "{:g}".format(round(number, digits) + 0.0)
 
 
 def units():
-    """(name, what one of it is in s, mm or degrees) of each column, as FreeCAD's preferences have it."""
+    """Returns (name, size of the unit in s, mm or degrees) of each column, from FreeCAD's
+    preferences."""
     one, name = length_unit()
     return [("s", 1.0)] + [(name, one)] * 3 + [("deg", 1.0)] * 3
 
 
 class KeyTable(QtCore.QObject):
-    """`wanted(name)`: an action; `typed(row, column, text)`: a cell; `chosen(row)`: the current key."""
+    """Signals: `wanted(name)`: an action; `typed(row, column, text)`: a cell; `chosen(row)`: the
+    current key."""
 
     wanted = QtCore.Signal(str)
     typed = QtCore.Signal(int, int, str)
@@ -85,7 +88,7 @@ class KeyTable(QtCore.QObject):
         self.table.setMinimumHeight(150)
         self.table.setTabKeyNavigation(
             False
-        )  # Tab leaves the table: the panel works without a mouse
+        )  # Tab leaves the table, so that the panel works without a mouse
         self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
         self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 8)
         font = self.table.font()
@@ -111,13 +114,14 @@ class KeyTable(QtCore.QObject):
         return self.table.currentRow()
 
     def fill(self, keys, current):
-        """Shows all keys and makes one the current."""
+        """Shows all keys and makes one of them current."""
         self.filling = True
         self.table.setRowCount(len(keys))
         for row in range(len(keys)):
             self._fill(keys, row)
         if len(keys):
-            # Alone, also while Ctrl is held, with which a view would add it to what is chosen.
+            # Selects only this row, even if Ctrl is held, with which a view would extend the
+            # selection.
             alone = QtCore.QItemSelectionModel.ClearAndSelect | QtCore.QItemSelectionModel.Rows
             self.table.setCurrentCell(max(0, min(current, len(keys) - 1)), 1, alone)
         self.filling = False
@@ -138,7 +142,7 @@ class KeyTable(QtCore.QObject):
             self.table.setItem(row, column, item)
 
     def copy(self, keys):
-        """The chosen rows go to the clipboard, as a spreadsheet takes them."""
+        """Copies the chosen rows to the clipboard, in the form of spreadsheets."""
         lines = []
         for row in sorted({index.row() for index in self.table.selectedIndexes()}):
             numbers = (keys.times[row],) + keys.numbers(row)
@@ -148,7 +152,7 @@ class KeyTable(QtCore.QObject):
         QtWidgets.QApplication.clipboard().setText("\n".join(lines))
 
     def pasted(self):
-        """Rows of numbers (s, mm, degrees) on the clipboard. Raises InputProblem."""
+        """Returns the rows of numbers (s, mm, degrees) on the clipboard. Raises InputProblem."""
         return rows_from(QtWidgets.QApplication.clipboard().text(), self.units)
 
     def _edited(self, item):
@@ -160,26 +164,27 @@ class KeyTable(QtCore.QObject):
             self.chosen.emit(row)
 
     def eventFilter(self, watched, event):  # noqa: N802
-        """Keys that act on the table come before FreeCAD's own shortcuts, which are of the whole window
-        (without this keyboard.py fails)."""
+        """Handles keys for the table before FreeCAD's shortcuts, which belong to the whole window
+        (keyboard.py tests this)."""
         if event.type() not in (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress):
             return super().eventFilter(watched, event)
         pressed = event.type() == QtCore.QEvent.KeyPress
         if self.table.state() == QtWidgets.QTableWidget.EditingState:
-            # Enter ends the typing, and would press the panel's OK as well.
+            # Enter ends the typing. Without this, it would also press the panel's OK.
             return pressed and event.key() in _ENTER
         control = bool(event.modifiers() & QtCore.Qt.ControlModifier)
         name = KEYS.get((event.key(), control))
         if name and pressed:
             self.wanted.emit(name)
         if name or not pressed and event.text() in _NUMBERS:
-            event.accept()  # a number begins the typing; FreeCAD would turn the view
+            event.accept()  # a digit starts typing; FreeCAD would turn the view
             return True
         return super().eventFilter(watched, event)
 
 
 def add_to(layout, part, source=""):
-    """The table in its titled box, with the names of the part and of what the keys come from above."""
+    """Adds the table in a box with a title, below the names of the part and of the source of the
+    keys."""
     rows = widgets.group(translate("Panels", "Key placements"), layout)
     button = QtWidgets.QPushButton(translate("Panels", "&Pick"))
     button.setObjectName("SweptVolumeChoosePart")
@@ -194,7 +199,7 @@ def add_to(layout, part, source=""):
         rows.addRow(translate("Panels", "Source"), _name(source))
     table = KeyTable(rows)
     table.part = button
-    # The panel opens with the keyboard on the keys.
+    # The first field of the panel is the list of keys.
     QtWidgets.QWidget.setTabOrder(list(table.buttons.values())[-1], button)
     return table
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the path editor has in the 3D view: the part at its keys, the dragger, the coarse envelope."""
+"""The drawing of the motion editor in the 3D view: the part at its keys, the dragger, the coarse
+envelope."""
 import time
 
 import FreeCAD as App
@@ -15,17 +16,17 @@ from ..views.surface import LightParts
 from . import widgets
 from .preview import request_for
 
-#: Deflection of the part for ghosts and preview, of its box diagonal; most keys that get a ghost;
-#: triangles of a mesh as it is drawn meanwhile.
+#: Deflection of the part for ghosts and preview, as a fraction of its box diagonal; largest number
+#: of keys with a ghost; triangles of the simplified mesh that is drawn during editing.
 GHOST_DEFLECTION, MOST_GHOSTS, PART_TRIANGLES = 0.003, 60, 15000
 
-#: s between two pictures while a key is dragged: they wait for the envelope that belongs to them, but not
-#: longer than LATEST. A picture of its own for each would leave the envelopes no time.
+#: Time (s) between two pictures while a key is dragged. A picture waits for its envelope, but not
+#: longer than LATEST. If each picture came at once, the envelopes would get no time.
 SOONEST, LATEST = 0.07, 0.16
 
 
 class KeysInView:
-    """The half of the path editor (motion_panel.MotionPanel) that draws."""
+    """The half of the motion editor (motion_panel.MotionPanel) that draws."""
 
     def _make_ghosts(self):
         if self.pair is None:
@@ -39,16 +40,16 @@ class KeysInView:
             return
         self.body = body
         self._begin_pivot(middle_of([self.pair], body.placement))
-        self.coarse = CoarseEnvelope(self.document)  # first: the ghosts are drawn over it
+        self.coarse = CoarseEnvelope(self.document)  # first, so that the ghosts are drawn over it
         self.ghosts = Ghosts(self.document, body.vertices, body.triangles)
         self.light = LightParts(self.pair, PART_TRIANGLES)
-        self._show_own_path(False)  # the edited one is drawn in its place
+        self._show_own_path(False)  # the edited path replaces it
         self.dragger = PoseDragger(self.document, size, self.dragged, self.dropped)
         self._set_snap()
         self.live.begin(self.pair, body)
 
     def _begin_pivot(self, middle):
-        """As the motion has it; a new one has the middle of the part."""
+        """Sets the pivot to that of the motion. A new motion gets the middle of the part."""
         point = middle if self.obj is None else None
         if self.obj is not None and self.obj.Pivot.Length and len(self.keys):
             place = self.body.placement.inverse()
@@ -57,7 +58,8 @@ class KeysInView:
         self.renew_pivot()
 
     def renew_pivot(self):
-        """The pivot in the coordinates that the keys place, which change with what a pose means."""
+        """Updates the pivot in the coordinates to which the keys apply; they depend on the pose
+        type."""
         self.keys.displaces = self.frame.currentData() == "Relative"
         if self.body is None or not len(self.keys):
             return
@@ -66,12 +68,12 @@ class KeysInView:
             self.keys.pivot = App.Vector()
         else:
             self.keys.pivot = base.inverse().multVec(self.body.placement.multVec(point))
-        # The dragger stands at the pivot, turned as the part.
+        # The dragger is at the pivot, with the orientation of the part.
         here = base.multVec(self.keys.pivot)
         self.handle = shift_to(self.body.placement.inverse().multVec(here))
 
     def _show_own_path(self, on):
-        """The path of the document, as it was seen before (on), or hidden."""
+        """Shows the path of the document as before (on), or hides it."""
         if self.obj is not None and widgets.alive(self.obj):
             view = self.obj.ViewObject
             if not on:
@@ -86,17 +88,17 @@ class KeysInView:
             self.dragger.snap(*self._snap_steps())
 
     def base(self):
-        """The frame in which the body stands for the poses (poses.base_of)."""
-        # The ghosts' points are those of the body as it stood when they were made.
+        """Returns the frame that the poses move (poses.base_of())."""
+        # The points of the ghosts are those of the body when they were made.
         poses, frame = self.world_poses(), self.frame.currentData()
         return base_of(poses, frame, self.body.placement, self.container)
 
     def world_poses(self):
-        """The keys as they are seen from the document."""
+        """Returns the keys in world coordinates."""
         return motion.seen_from_document(self.keys.poses(), self.container)
 
     def show_dragger(self):
-        """The dragger at the chosen key."""
+        """Shows the dragger at the chosen key."""
         row = self.keyboard.row()
         if self.dragger is None:
             return
@@ -106,12 +108,12 @@ class KeysInView:
         self.dragger.show(self._standing_at(row).multiply(self.handle))
 
     def dragged(self, placement):
-        """The dragger moves: the chosen key follows, where it may."""
+        """Handles a move of the dragger: the chosen key follows, as far as allowed."""
         row = self.keyboard.row()
         if not 0 <= row < len(self.keys):
             return
         if self.frame.currentData() == "RelativeToFirst" and row == 0:
-            return  # the first pose is where the part stands
+            return  # the first pose is fixed at the present place of the part
         world, self.let_go = placement.multiply(self.handle.inverse()), False
         if self.live.stops():
             self.live.reach(row, self._standing_at(row), world, placement.Base)
@@ -120,7 +122,7 @@ class KeysInView:
         self._move_key(row, world)
 
     def reached(self, row, world, last):
-        """As far as the part comes on the way to where its key was dragged."""
+        """Moves the key to where the part can get on the way to the dragged placement."""
         if row != self.keyboard.row() or row >= len(self.keys):
             return
         self._move_key(row, world)
@@ -132,12 +134,12 @@ class KeysInView:
             self.ghosts.show_clash(on)
 
     def _standing_at(self, row):
-        """Where the part stands at a key, seen from the document."""
+        """Returns the placement of the part at a key, in world coordinates."""
         there = self.container.multiply(self.keys.placements[row]).multiply(self.base().inverse())
         return there.multiply(self.body.placement)
 
     def _move_key(self, row, world):
-        """The part stands there at a key."""
+        """Moves a key so that the part is at a placement in world coordinates."""
         place = world.multiply(self.body.placement.inverse()).multiply(self.base())
         self.keys.update(row, self.container.inverse().multiply(place))
         self.undrawn = row
@@ -150,7 +152,7 @@ class KeysInView:
         self.draw_dragged()
 
     def draw_dragged(self):
-        """Draws what was dragged since the last picture."""
+        """Draws all drag movements since the last picture."""
         row, self.undrawn, self.drawn = self.undrawn, None, time.perf_counter()
         if row is not None and row < len(self.keys):
             self.keyboard.show_row(self.keys, row)
@@ -163,14 +165,14 @@ class KeysInView:
             self._settle()
 
     def _settle(self):
-        """The key has come to where it stays."""
+        """Called when the dragged key has its final place."""
         self.let_go = False
         self.draw_dragged()
         self.noted()
         self.show_dragger()
 
     def _applied(self, placements):
-        """Placements that take the body to each pose (seen from the document)."""
+        """Returns the placements that move the body to each pose (world coordinates)."""
         back = self.base().inverse()
         return [p.multiply(back) for p in placements]
 
@@ -198,12 +200,12 @@ class KeysInView:
             kind = self.interpolation.currentData()
             try:
                 here = at_time(self.world_poses(), kind, now)
-            except InputProblem:  # of a spline; its preview tells
+            except InputProblem:  # an invalid spline; its preview shows the problem
                 here = at_time(self.world_poses(), "Linear", now)
             self.ghosts.show_moving(self._applied([here])[0])
 
     def ask_preview(self, take=True):
-        """Wishes for a coarse envelope of the keys as they are now; take: as Preview.want()."""
+        """Requests a coarse envelope of the present keys. take: as in Preview.want()."""
         if self.ghosts is None:
             return
         if not self.preview_box.isChecked() or not len(self.keys):

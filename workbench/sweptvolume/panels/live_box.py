@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The path editor's live clearance: how near the dragged part is to its neighbours, and whether it stops at
-them."""
+"""Live clearance in the motion editor: the distance of the dragged part from its neighbours, and
+whether it stops at them."""
 import time
 
 from PySide import QtCore
@@ -18,24 +18,25 @@ from .live_clearance import LiveClearance, VisibleScene
 from .widgets import QtWidgets
 
 
-#: s between two questions: nobody changes the neighbours while the mouse drags a key.
+#: Time (s) for which the neighbours are not compared again, because nobody changes them during a
+#: drag.
 PAUSE = 0.5
 
 
 class LiveBox(QtCore.QObject):
-    """`reached(row, placement, last)`: where the part of a key may go that was asked for with reach(); last:
-    there is no newer question."""
+    """Signal `reached(row, placement, last)`: how far the part of a key may go, the answer to
+    reach(). last: there is no newer request."""
 
     reached = QtCore.Signal(int, object, bool)
-    #: Whether the part clashes where it stands now.
+    #: Whether the part clashes at its present place.
     clashes = QtCore.Signal(bool)
 
     def __init__(self, document, rows):
         super().__init__()
         self.document, self.live, self.drawn = document, None, None
         self.pair, self.body, self.row, self.failed = None, None, -1, False
-        self._read = None  # what stood there when it was read
-        self._asked = 0.0  # when it was last asked
+        self._read = None  # contents of the neighbours when they were read
+        self._asked = 0.0  # time of the last request
         self.show_box = QtWidgets.QCheckBox(
             translate("Panels", "Show the clearance while dragging")
         )
@@ -59,30 +60,31 @@ class LiveBox(QtCore.QObject):
             box.toggled.connect(lambda *ignored: self._forget())
 
     def begin(self, pair, body):
-        """The part (convert.Body as it stands) whose keys are dragged."""
+        """Sets the part (convert.Body in its present place) whose keys are dragged."""
         self.pair, self.body = pair, body
         self.middle = shift_to(middle_of([pair], body.placement))
         for widget in (self.show_box, self.stop_box, self.text):
             widget.setEnabled(True)
 
     def stops(self):
-        """Whether the part goes only where reach() answers."""
+        """Returns whether the part moves only to where reach() allows."""
         return self.stop_box.isEnabled() and self.stop_box.isChecked() and self._begun()
 
     def follow(self, world, at):
-        """The part stands there now (Placement seen from the document); at: where the number is written."""
+        """Measures the part at a placement (world coordinates). at: position of the number in the
+        view."""
         if self.show_box.isEnabled() and self.show_box.isChecked() and self._begun():
             self.at = at
             self.live.want(None, self._matrix(world))
 
     def reach(self, row, before, world, at):
-        """Where may the part of a key go on its way from `before`?"""
+        """Asks how far the part of a key may move from `before` towards `world`."""
         self.row, self.at = row, at
         self.live.want(self._matrix(before), self._matrix(world), stop=True)
 
     def _begun(self):
-        """Whether there is something to measure; reads it from the document where that was not done, or where
-        something else stands there by now."""
+        """Returns whether there is something to measure. Reads the neighbours if they were not read
+        or have changed."""
         if self.pair is not None and time.monotonic() - self._asked > PAUSE:
             stands = self._stands()
             if stands != self._read:
@@ -94,12 +96,13 @@ class LiveBox(QtCore.QObject):
             try:
                 scene = VisibleScene(self.document, self.pair, frame)
                 self.live = LiveClearance(self.document, scene, self._answered, self._failed)
-            except InputProblem as problem:  # no neighbour
+            except InputProblem as problem:  # there is no neighbour
                 self._failed(str(problem))
         return self.live is not None
 
     def _stands(self):
-        """What the neighbours are and where they stand, to be compared; None: there are none."""
+        """Returns what identifies the neighbours and their places, for comparison, or None if there
+        are none."""
         try:
             return contents.words(path_plan.beside(self.document, [self.pair]).leaves())
         except InputProblem:
@@ -131,10 +134,10 @@ class LiveBox(QtCore.QObject):
 
     def _failed(self, text):
         widgets.show_message(self.text, text)
-        self.failed = True  # asked once
+        self.failed = True  # do not ask again
 
     def quiet(self):
-        """No key is dragged: nothing is drawn."""
+        """Removes the drawing when no key is dragged."""
         self.row = -1
         self.clashes.emit(False)
         if self.drawn is not None:
@@ -142,7 +145,7 @@ class LiveBox(QtCore.QObject):
         widgets.show_message(self.text, "")
 
     def _forget(self):
-        """Another question: what stands there is read anew."""
+        """Forgets the neighbours, so that they are read again."""
         if self.live is not None:
             self.live.stop()
             self.live = None

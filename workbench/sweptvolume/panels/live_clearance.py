@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The distance to the nearest neighbour while a part is dragged, measured beside the window."""
+"""Measures the distance from the nearest neighbour while a part is dragged, in a background
+thread."""
 import threading
 
 from PySide import QtCore
@@ -9,15 +10,16 @@ from ..features import clearance_plan, path_plan, still_parts
 from ..features.moving import Seen
 from .newest import NewestTask
 
-#: mm by which the triangles of solids may leave them, here.
+#: Deflection (mm) of solids for this measurement.
 DEFLECTION = 0.05
-#: ms between two looks for an answer, if no wish comes meanwhile.
+#: Interval (ms) between two checks for an answer, if no request comes meanwhile.
 LOOK = 20
 
 
 class Answer:
-    """number: of the wish; matrix: where the part may stand (4x4); distance (mm, 0: clash) and name of the
-    nearest neighbour; points: two (mm, world), both None where one part lies inside the other."""
+    """number: that of the request; matrix: where the part may be (4x4); distance (mm, 0: clash) and
+    name of the nearest neighbour; points: two (mm, world), both None if one part lies inside the
+    other."""
 
     def __init__(self, number, matrix, distance, name, points):
         self.number = number
@@ -28,20 +30,21 @@ class Answer:
 
 
 class Scene:
-    """What is asked about, read in the window's thread; made ready for questions when the first is asked.
-    chord: mm; nearer than this cannot be told from contact. Subclasses give make()."""
+    """The parts to measure, read in the window's thread and prepared at the first request. chord:
+    mm; a distance below it counts as contact. Subclasses define make()."""
 
     def __init__(self, chord):
         self.chord = chord
         self.live, self.names, self._lock = None, [], threading.Lock()
 
     def make(self, control):
-        """Any thread: (what core_paths.live_clearance() gives, names of the neighbours). Raises CoreError,
-        InputProblem."""
+        """Returns (result of core_paths.live_clearance(), names of the neighbours). Any thread.
+        Raises CoreError, InputProblem."""
         raise NotImplementedError
 
     def ready(self, control):
-        """Any thread. Raises CoreError, InputProblem."""
+        """Returns the result of make(), which is called only once. Any thread. Raises CoreError,
+        InputProblem."""
         with self._lock:
             if self.live is None:
                 self.live, self.names = self.make(control)
@@ -49,8 +52,8 @@ class Scene:
 
 
 class VisibleScene(Scene):
-    """A part and all that is seen round it. matrix: 4x4 from the world to the coordinates that the wishes
-    place."""
+    """A part and all visible parts around it. matrix: 4x4 from the world to the coordinates of the
+    requests."""
 
     def __init__(self, document, pair, matrix):
         body = convert.body_from([pair], DEFLECTION)
@@ -67,7 +70,8 @@ class VisibleScene(Scene):
 
 
 class _LiveTask(NewestTask):
-    """Wishes are (number, from, to, apart): from and to 4x4, apart None where the part may go anywhere."""
+    """Requests are (number, from, to, apart): from and to 4x4; apart: None if the part need not
+    stop."""
 
     def __init__(self, document, scene, wish):
         super().__init__(document, "Clearance", wish)
@@ -84,7 +88,8 @@ class _LiveTask(NewestTask):
 
 
 class LiveClearance:
-    """Keeps at most one run under way. show(answer) and report(text) are called in the window's thread."""
+    """Keeps at most one run in progress. Calls show(answer) and report(text) in the window's
+    thread."""
 
     def __init__(self, document, scene, show, report):
         self.document, self.show, self.report = document, show, report
@@ -94,12 +99,13 @@ class LiveClearance:
         self.looks.timeout.connect(self.take)
 
     def apart(self):
-        """mm that a part which stops at contact keeps between the triangles: the parts may then touch, and
-        no more."""
+        """Returns the distance (mm) between the triangles at which a part stops: the largest one
+        that still counts as contact."""
         return self.scene.chord + 0.01
 
     def want(self, before, to, stop=False):
-        """A question; returns its number. stop: how far the part gets on the straight way from `before`."""
+        """Sends a request and returns its number. stop: how far the part gets on the straight way
+        from `before`."""
         self.number += 1
         wish = (self.number, before, to, self.apart() if stop else None)
         self.take()
@@ -116,7 +122,7 @@ class LiveClearance:
         self.looks.start(LOOK)
 
     def take(self):
-        """Shows the newest answer since the last look."""
+        """Shows the newest answer since the last check."""
         made = self.run.task.take() if self.run is not None else None
         if made is not None:
             self.answers += 1

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a panel finds out beside the window before a run is started: what the run would take."""
+"""Estimates for a panel, in the background and before a run starts."""
 from .. import runner
 from .widgets import alive
 
 
 class _LookTask(runner.Task):
-    """Changes no document."""
+    """A task that does not change the document."""
 
     writes = False
 
@@ -21,17 +21,18 @@ class _LookTask(runner.Task):
 
 
 class Look:
-    """Keeps at most one look under way; the newest wish counts.
+    """Keeps at most one estimate in progress. Only the newest request counts.
 
-    show(found) and report(text) of a failure are called in the window's thread."""
+    Calls show(found), and report(text) after a failure, in the window's thread."""
 
     def __init__(self, document, show, report):
         self.document, self.show, self.report = document, show, report
         self.run, self._next, self._later = None, (), ()
 
     def want(self, *finds):
-        """find(control): in a thread beside the window's, plain values only. Of several each is shown when
-        it is found, then the next is looked for: the quick ones first."""
+        """Starts the functions find(control), one after the other, in a background thread.
+        They may use only plain values. Each result is shown when it is ready; give the quickest
+        function first."""
         self._next = finds
         if self.run is None:
             self._start()
@@ -55,7 +56,7 @@ class Look:
             self.report(run.message)
 
     def stop(self):
-        """Drops what is under way."""
+        """Drops the estimates in progress."""
         self._next = self._later = ()
         if self.run is not None:
             self.run.ended.disconnect(self._ended)

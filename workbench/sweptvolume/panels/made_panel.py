@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel "What made this?": colours of an envelope, and for a click on it the face of the part that
-made the place, with the part at that moment. Nothing but the view is changed."""
+"""Task panel "What made this?": colours an envelope. After a click on the envelope, shows the face
+of the part that made the place, and the part at that moment. Changes nothing but the view."""
 import FreeCADGui as Gui
 from PySide import QtCore
 
@@ -20,7 +20,7 @@ from .run_panel import StayingPanel
 from .tasks import EnvelopeTask
 from .widgets import QtWidgets
 
-#: Deflection of the parts for the ghost, of their box diagonal.
+#: Deflection of the parts for the ghost, as a fraction of their box diagonal.
 GHOST_DEFLECTION = 0.003
 
 #: The panel opened last, for tests and macros.
@@ -30,13 +30,13 @@ opened = []
 def _of_before():
     return translate(
         "Panels",
-        "The envelope is stale: the information shown is about the earlier parts and "
-        "motion. Recompute the envelope to see the present ones.",
+        "The envelope is stale: the information shown belongs to its earlier parts and motion. "
+        "Recompute the envelope to update the information.",
     )
 
 
 class _MovingParts:
-    """The parts of one motion as a ghost."""
+    """Draws the parts of one motion as a ghost."""
 
     def __init__(self, document, group, cell):
         self.poses, kind = group.trajectory(STRAIGHT * cell)
@@ -72,7 +72,7 @@ class MadePanel(StayingPanel):
         self.player.moved.connect(self.show_moving)
         layout.addWidget(self.player)
         layout.addStretch(1)
-        Gui.Selection.clearSelection()  # its colour would lie over the others
+        Gui.Selection.clearSelection()  # the colour of the selection would cover the others
         self.picker = PlacePicker(document, self.found)
         self.watch = widgets.DocumentWatch(document, self.reject)
         self.renew()
@@ -108,7 +108,7 @@ class MadePanel(StayingPanel):
     # --- what is known
 
     def renew(self):
-        """Shows whether anything is remembered."""
+        """Shows whether there is a record."""
         known = made_by.find(self.obj) is not None
         self.by.setEnabled(known)
         self.again.setVisible(not known)
@@ -119,9 +119,8 @@ class MadePanel(StayingPanel):
             if known
             else translate(
                 "Panels",
-                "For this envelope there is no record of what made it. Either it was "
-                "not recorded, or the record ended when the document was closed: "
-                "press Compute and record.",
+                "This envelope has no record of what made it. Either nothing was recorded, or "
+                "the record was lost when the document was closed: press Compute and record.",
             )
         )
         self.player.setEnabled(False)
@@ -131,7 +130,7 @@ class MadePanel(StayingPanel):
 
     @guard.told
     def remember(self):
-        """Computes the envelope once more, as it is, and remembers what made it."""
+        """Computes the envelope again with the same inputs, and records what made it."""
         if self.obj.Offset.Value > 0 or self.obj.Conservative:
             raise InputProblem(
                 translate(
@@ -161,7 +160,7 @@ class MadePanel(StayingPanel):
 
     @guard.told
     def found(self, obj, answer):
-        """A place of an envelope was clicked."""
+        """Handles a click on a place of an envelope."""
         if obj.Name != self.obj.Name or made_by.find(self.obj) is None:
             return
         self.answer = answer
@@ -203,7 +202,7 @@ class MadePanel(StayingPanel):
 
     @guard.told
     def select(self):
-        """Selects the face, or the two beside the edge, on the part where it stands."""
+        """Selects the face, or the two faces at the edge, on the part in its present place."""
         Gui.Selection.clearSelection()
         for part, number in self.answer.faces:
             element = "" if part["facets"] else "Face{}".format(number)

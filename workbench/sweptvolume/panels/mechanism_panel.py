@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel of a mechanism check: parts with their motions, parts that stand, rules of pairs, run, result.
-But for the motions of a driver or a simulation, nothing is written to the document before a run has ended
-well."""
+"""Task panel of a mechanism check: parts with their motions, parts that stand still, rules of
+pairs, run, result. Writes nothing to the document before a run has succeeded, except motions
+from a driver or a simulation."""
 import FreeCADGui as Gui
 
 from ..convert import InputProblem, label_of
@@ -16,12 +16,12 @@ from .tasks import MechanismTask, PairContactsTask
 from .widgets import QtWidgets
 
 DEFAULTS = {"RequiredDistance": 5.0, "Accuracy": 0.01, "MeshDeflection": 0.05, "Range": 0.0}
-#: More pairs than this and only those that came near, or have a rule, are listed.
+#: With more pairs than this, the table lists only those that came close or have a rule.
 MOST_PAIRS = 300
 
 
 class MechanismPanel(CheckRun, ResultPanel):
-    """Makes a new check (obj None) or shows and repeats one."""
+    """Creates a new check (obj None), or shows and repeats an existing one."""
 
     TASK = MechanismTask
     CONTACTS = PairContactsTask
@@ -99,7 +99,7 @@ class MechanismPanel(CheckRun, ResultPanel):
         widgets.hint(self.fields["Range"], tip)
         self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
         self.check.setObjectName("SweptVolumeCheckMechanism")
-        self.check.setDefault(True)  # Enter
+        self.check.setDefault(True)  # Enter presses this button
         rows.addRow(self.check)
         self.check.clicked.connect(lambda *ignored: self.start())
         self.touching.clicked.connect(lambda *ignored: self.allow_touching())
@@ -124,7 +124,7 @@ class MechanismPanel(CheckRun, ResultPanel):
 
     @guard.told
     def show_inputs(self):
-        """What stands, and the pairs with their rules."""
+        """Shows the parts that stand still, and the pairs with their rules."""
         try:
             plan = self.plan()
             standing, pairs = plan.leaves(), self._listed(plan)
@@ -139,7 +139,7 @@ class MechanismPanel(CheckRun, ResultPanel):
         self.asked.show_pairs(pairs, {p: pair_rules.of(self.rules, *p) for p in new})
 
     def _listed(self, plan):
-        """The pairs that are listed with their rules."""
+        """Returns the pairs that the table lists."""
         if plan.count_pairs() <= MOST_PAIRS:
             return plan.asked_pairs()
         near, rules = self._near(plan), self.rules
@@ -147,7 +147,7 @@ class MechanismPanel(CheckRun, ResultPanel):
         return [p for p in found if p in near or rules and pair_rules.of(rules, *p).asks()]
 
     def _near(self, plan):
-        """Keys of the pairs of the stored result."""
+        """Returns the keys of the pairs in the stored result."""
         report = mechanism.report_of(self.obj) if self.obj is not None else None
         parts = {name: pair for pair, name in plan.names().items()}
         rows = report["pairs"] if report else []

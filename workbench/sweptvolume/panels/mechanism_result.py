@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The result of a mechanism check in its panel: a player shows all moving parts at a time, a row of the
-table its two parts when they are nearest, with the line between them."""
+"""The result of a mechanism check in its panel. A player shows all moving parts at a time. A row of
+the table shows its two parts at their smallest distance, with the line between them."""
 import numpy as np
 
 from .. import convert
@@ -12,7 +12,7 @@ from .played_result import RowScene, gone
 
 
 class ResultPanel(played_result.PlayedPanel):
-    """`obj`, `document`, `message` are the panel's."""
+    """The panel provides `obj`, `document` and `message`."""
 
     NAME = mark("Panels", "Pair")
     TABLE = mechanism_table
@@ -24,7 +24,7 @@ class ResultPanel(played_result.PlayedPanel):
         return mechanism_table.as_rows(report)
 
     def build_more(self, rows):
-        self.wanted = None  # what is to be shown once the parts are read: a row, or nothing
+        self.wanted = None  # what to show after the parts are read: a row, or nothing
         self.build_played(rows)
         self.table.itemDoubleClicked.connect(lambda *ignored: self._look())
 
@@ -40,7 +40,7 @@ class ResultPanel(played_result.PlayedPanel):
         return plan
 
     def show_row(self, index):
-        """All parts at the time of a row, its two in another colour, and the line."""
+        """Shows all parts at the time of a row, its two parts in another colour, and the line."""
         self.wanted = index
         self.show_buttons(index)
         if index is None:
@@ -58,14 +58,14 @@ class ResultPanel(played_result.PlayedPanel):
 
     @guard.told
     def _look(self):
-        """The camera goes to the row."""
+        """Moves the camera to the place of the row."""
         if self.chosen_row() >= 0 and self.wanted is not None and self.ghosts is not None:
             marked = self.marked(self.wanted)
             points = np.vstack([self.points[k] for k in marked])
             zoom_to(points, self.report["neighbours"][self.wanted])
 
     def marked(self, index):
-        """Which of the moving parts a row is about."""
+        """Returns the indices of the moving parts of a row."""
         pair = self.whole["pairs"][index]
         return [k for k, name in enumerate(self.names) if name in (pair["first"], pair["second"])]
 
@@ -81,7 +81,7 @@ class ResultPanel(played_result.PlayedPanel):
     # --- the two parts of a row
 
     def _two(self, plan, index):
-        """((root, sub) of both, the motions of both). Raises InputProblem."""
+        """Returns ((root, sub) of both parts, the motions of both). Raises InputProblem."""
         parts = {name: pair for pair, name in plan.names().items()}
         sides = [parts.get(self.whole["pairs"][index][side]) for side in ("first", "second")]
         if None in sides:

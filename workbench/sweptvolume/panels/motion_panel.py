@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel: the path editor. Table of keys, capture, drag, play; the document changes only with OK,
-in one step, and Cancel puts the part back."""
+"""Task panel: the motion editor. OK changes the document in one step; Cancel undoes all."""
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -23,12 +22,12 @@ from .preview import MOST_CELLS, Preview
 from .tangent_box import TangentBox
 from .widgets import QtWidgets
 
-#: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
+#: The panel opened last, for tests and macros. FreeCAD does not give access to it.
 opened = []
 
 
 class MotionPanel(KeysInView):
-    """Makes a new motion (obj None) or changes one."""
+    """Creates a new motion (obj None), or changes an existing one."""
 
     def __init__(self, document, obj=None, pair=None):
         self.document, self.obj = document, obj
@@ -37,7 +36,8 @@ class MotionPanel(KeysInView):
         if obj:
             self.keys = Keys(obj.Times, obj.Placements, motion.tangents_of(obj), pivot=obj.Pivot)
         self.before, self.history = content(self.keys), History(self.keys, 0)
-        # Keys count in the group that holds the motion; all that is drawn stands in the world.
+        # Keys are in coordinates of the group that holds the motion; the drawing is in world
+        # coordinates.
         self.container = motion.container_of(obj) if obj else App.Placement()
         self.body, self.ghosts, self.coarse, self.dragger = None, None, None, None
         self.light, self.undrawn, self.drawn, self.path_seen = None, None, 0.0, True
@@ -144,7 +144,7 @@ class MotionPanel(KeysInView):
     # --- keys
 
     def standing(self):
-        """Where the part stands now, by which a captured key is meant."""
+        """Returns the present placement of the part, which Capture uses."""
         if self.pair is None or not widgets.alive(self.pair[0]):
             raise InputProblem(
                 translate(
@@ -156,7 +156,7 @@ class MotionPanel(KeysInView):
         return convert.global_placement(*self.pair)
 
     def _do(self, name, row):
-        """Carries out an action on a row; returns the row that is the current one then."""
+        """Carries out an action on a row. Returns the row that is then current."""
         keys = self.keys
         if name in ("Capture", "Update") and self.frame.currentData() != "Absolute":
             raise InputProblem(
@@ -194,7 +194,7 @@ class MotionPanel(KeysInView):
 
     @guard.told
     def act(self, name):
-        """An action of a button or a key; problems are shown."""
+        """Carries out the action of a button or a key, and shows problems."""
         widgets.show_message(self.message, "")
         row = self.keyboard.row()
         if name == "Copy":
@@ -204,18 +204,17 @@ class MotionPanel(KeysInView):
 
     @guard.told
     def step_back(self, back):
-        """Undo of the last change of the keys (back), or Redo."""
+        """Undoes the last change of the keys (back), or redoes it."""
         widgets.show_message(self.message, "")
         found = self.history.step(back)
         if found is None:
-            text = translate("Messages", "The keys have no change to undo or redo.")
+            text = translate("Messages", "There is no change of the keys to undo or redo.")
             raise InputProblem(text)
         self.keys, row = found
         self.fill(row)
 
     def refuse_edit(self):
-        """FreeCAD's Transform was called meanwhile. Its end would close this panel, so that is closed
-        first and opened again with its keys."""
+        """Ends FreeCAD's Transform, whose end would close this panel, and opens the panel again."""
         self._close()
         Gui.getDocument(self.document.Name).resetEdit()
         panel = show(self.document, self.obj, self.pair)
@@ -229,7 +228,7 @@ class MotionPanel(KeysInView):
 
     @guard.told
     def choose_part(self):
-        """The selected part is the one that moves from now on."""
+        """Makes the selected part the moving part."""
         chosen = selection.parts()
         if not chosen:
             text = translate("Messages", "Select the moving part in the tree or in the 3D view.")
@@ -241,7 +240,7 @@ class MotionPanel(KeysInView):
         panel.take_over(self)
 
     def take_over(self, before, text=""):
-        """Goes on where another panel was."""
+        """Continues with the keys of an earlier panel."""
         self.keys, self.history = before.keys, before.history
         self.before, self.cut = before.before, before.cut
         for box, other in (
@@ -255,7 +254,7 @@ class MotionPanel(KeysInView):
         widgets.show_message(self.message, text)
 
     def _refused(self):
-        """Whether a change of the keys of a motion with a source is taken back: asked at the first one."""
+        """Returns whether a change of the keys is refused. Asks the user if the motion has a source."""
         kept = self.history.now[0]
         if self.cut or content(self.keys)[:2] == content(kept)[:2]:
             return False
@@ -267,7 +266,7 @@ class MotionPanel(KeysInView):
         return True
 
     def noted(self):
-        """The keys were changed: one step of Undo."""
+        """Stores a change of the keys as one step of Undo."""
         if self._refused():
             return
         self.history.note(self.keys, self.keyboard.row())
@@ -275,7 +274,7 @@ class MotionPanel(KeysInView):
         self.few.setVisible(len(self.keys) < 2)
 
     def fill(self, current):
-        """Shows the keys everywhere."""
+        """Shows the keys in all widgets and in the view."""
         self.renew_pivot()
         self.keyboard.fill(self.keys, current)
         self.player.set_times(self.keys.times)
@@ -284,7 +283,7 @@ class MotionPanel(KeysInView):
         self.noted()
 
     def edited(self, row, column, text):
-        """A number was typed; units are understood ("2 in")."""
+        """Handles a typed number, which may have a unit ("2 in")."""
         widgets.show_message(self.message, "")
         try:
             unit, one = self.keyboard.units[column]
@@ -305,7 +304,7 @@ class MotionPanel(KeysInView):
         self.show_ghosts()
 
     def chosen(self, row):
-        """The moving ghost, the dragger and the tangent are those of the chosen key."""
+        """Shows ghost, dragger and tangent of the chosen key."""
         self.live.quiet()
         if 0 <= row < len(self.keys):
             self.player.go_to(self.keys.times[row])
@@ -313,7 +312,7 @@ class MotionPanel(KeysInView):
         self.show_tangent()
 
     def place_clicked(self, envelope, answer):
-        """A place of an envelope along this motion was clicked: to the moment that made it."""
+        """Handles a click on an envelope along this motion: goes to the moment that made the place."""
         if answer is not None and self.obj is not None and answer.motion == self.obj.Name:
             self.player.go_to(answer.time)
 
@@ -324,7 +323,8 @@ class MotionPanel(KeysInView):
         if smooth and self.tangent.isEnabled():
             poses = self.keys.poses().carried()
             if len(set(poses.times)) < len(poses.times):
-                self.tangent.setEnabled(False)  # two keys at one time: the preview tells
+                # Two keys at one time; the preview shows the problem.
+                self.tangent.setEnabled(False)
                 return
             spline = Spline(poses.times, poses.placements, poses.tangents)
             velocity = spline.velocity(row, after=row + 1 < len(self.keys))[0]
@@ -365,7 +365,7 @@ class MotionPanel(KeysInView):
     def accept(self):
         guard.check_fields(self.form)
         with runner.transaction(self.document, translate("Messages", "Edit motion")):
-            if self.obj is None or not widgets.alive(self.obj):  # deleted meanwhile
+            if self.obj is None or not widgets.alive(self.obj):  # the object was deleted meanwhile
                 self.obj = motion.make_motion(
                     self.document, motion.label_for([self.pair] if self.pair else [])
                 )
@@ -382,7 +382,7 @@ class MotionPanel(KeysInView):
         return self._close()
 
     def reject(self):
-        """Cancel: the part goes back to where it stood when the panel was opened."""
+        """Cancel: moves the part back to its place when the panel was opened."""
         self._put_back()
         return self._close()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A table of moving parts, each with a box to choose its motion."""
+"""A table of moving parts, each with a combo box for its motion."""
 from PySide import QtCore
 
 from ..features import motion
@@ -8,15 +8,16 @@ from ..texts import translate
 from . import widgets
 from .widgets import QtWidgets
 
-#: More rows than this are not measured one by one.
+#: With more rows than this, the heights of the rows are not measured.
 MOST_MEASURED = 200
-#: Boxes made before the window goes on: more than are seen at first.
+#: Number of combo boxes created before the window handles events; more than are visible at first.
 BOXES_AT_ONCE = 6
 
 
 class MotionTable(QtCore.QObject):
-    """Base of the boxes around such a table. `changed`: parts or motions are others now. pairs: (root, sub)
-    of the parts; motions: the motion of each, or None. `add` is the button behind the table."""
+    """Base of the boxes with such a table. Signal `changed`: other parts or motions. pairs: (root,
+    sub) of the parts; motions: the motion of each part, or None. `add`: the button after the
+    table."""
 
     changed = QtCore.Signal()
 
@@ -26,7 +27,7 @@ class MotionTable(QtCore.QObject):
         self.motions = list(motions) + [None] * (len(self.pairs) - len(motions))
 
     def build_table(self, name, head, height):
-        """head: above the motions."""
+        """head: title of the column of motions."""
         self.table = QtWidgets.QTableWidget(0, 2)
         self.table.setObjectName(name)
         self.table.setHorizontalHeaderLabels([translate("Panels", "Part"), head])
@@ -39,11 +40,12 @@ class MotionTable(QtCore.QObject):
         return self.table
 
     def known(self):
-        """The motions of the document."""
+        """Returns the motions of the document."""
         return objects_of_kind(self.document, motion.Motion.KIND)
 
     def fill(self, texts, name, empty):
-        """texts: of the parts; name: of the boxes, with a number; empty: what stands for no motion."""
+        """texts: those of the parts; name: name of the combo boxes, followed by a number; empty:
+        text for no motion."""
         known = self.known()
         names, labels = [""] + [m.Name for m in known], [empty] + [m.Label for m in known]
         self.table.setRowCount(len(self.pairs))
@@ -57,13 +59,14 @@ class MotionTable(QtCore.QObject):
         self.changed.emit()
 
     def _fill_on(self, filling):
-        """The next boxes of the table; the others follow between the events of the window."""
+        """Creates the next combo boxes of the table. The others follow between events of the
+        window."""
         if filling is self._filling and widgets.shiboken.isValid(self.table):
             if next(filling, None) is not None:
                 QtCore.QTimer.singleShot(0, lambda: self._fill_on(filling))
 
     def _boxes(self, name, names, labels):
-        """Makes the boxes; a generator, which yields between some of them."""
+        """A generator that creates the combo boxes and yields after some of them."""
         before = self.table
         for row, now in enumerate(list(self.motions)):
             box = widgets.choice(names, now.Name if motion.is_motion(now) else "", labels)
@@ -71,7 +74,8 @@ class MotionTable(QtCore.QObject):
             box.setObjectName("{}{}".format(name, row + 1))
             box.currentIndexChanged.connect(lambda i, row=row, box=box: self._chose(row, box))
             self.table.setCellWidget(row, 1, box)
-            QtWidgets.QWidget.setTabOrder(before, box)  # else they come last of the whole window
+            # Without this, Tab would reach the boxes last of all in the window.
+            QtWidgets.QWidget.setTabOrder(before, box)
             before = box
             if row % BOXES_AT_ONCE == BOXES_AT_ONCE - 1:
                 yield row
@@ -89,7 +93,7 @@ class MotionTable(QtCore.QObject):
         self.pairs = [self.pairs[k] for k in kept]
         self.motions = [self.motions[k] for k in kept]
         self.show_parts()
-        self.table.setFocus()  # the box that may have had the keyboard is gone
+        self.table.setFocus()  # the combo box that had the focus may be gone
 
     def _chose(self, row, box):
         name = box.currentData()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that move at the same time, each with its motion: chosen, or all that a driver or a simulation
-moves."""
+"""Parts that move at the same time, each with its motion: chosen parts, or all parts that a driver
+or a simulation moves."""
 import FreeCADGui as Gui
 
 from .. import convert, runner
@@ -50,7 +50,7 @@ class MovingBox(MotionTable):
         return button
 
     def _build_source(self, rows):
-        """Whatever moves several parts at once can give all of them."""
+        """Builds the row to choose a source that moves several parts, and to add all of them."""
         self.sources = joint_motions.sources_in(self.document)
         if not self.sources:
             return
@@ -74,7 +74,7 @@ class MovingBox(MotionTable):
 
     @guard.told
     def take_all(self):
-        """All parts of the chosen source, with motions; one undo step."""
+        """Adds all parts of the chosen source, with motions, as one undo step."""
         settings = self.sources[self.source.currentData()]
         widgets.show_message(self.message, "")
         with runner.transaction(self.document, translate("Messages", "Motions of all parts")):
@@ -88,7 +88,7 @@ class MovingBox(MotionTable):
         widgets.show_message(self.message, "\n".join(notes))
 
     def take_motions(self, found):
-        """Adds the parts of motions. Raises InputProblem for one that knows none."""
+        """Adds the parts of motions. Raises InputProblem for a motion without parts."""
         for path in found:
             pairs = motion.parts_of(path)
             if not pairs:
@@ -124,6 +124,6 @@ class MovingBox(MotionTable):
 
 
 def _text_of(settings):
-    """How people call a source."""
+    """Returns the text for a source."""
     label, name = settings.objects[0].Label, settings.get("property", "")
     return "{}: {}".format(label, name) if name else label

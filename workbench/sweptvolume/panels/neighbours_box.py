@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that stand still, each with what it asks for: a table with its buttons."""
+"""Parts that stand still, each with its rule: a table with its buttons."""
 from ..convert import InputProblem
 from ..features import path_plan
 from ..features.neighbour_rules import IGNORE, REQUIRED
@@ -10,7 +10,7 @@ from .widgets import QtCore, QtWidgets
 
 
 class NeighboursBox(QtCore.QObject):
-    """`moving`: a function that gives the parts that move, which are no neighbours."""
+    """`moving`: a function that returns the moving parts, which cannot be neighbours."""
 
     def __init__(self, document, moving, layout):
         super().__init__()
@@ -50,19 +50,19 @@ class NeighboursBox(QtCore.QObject):
 
     @property
     def pairs(self):
-        """The parts of the table."""
+        """Returns the parts of the table."""
         return self.table.pairs
 
     def take_visible(self):
-        """All that is visible beside the moving parts."""
+        """Adds all visible parts except the moving ones."""
         try:
             found = path_plan.beside(self.document, self.moving()).leaves()
-        except InputProblem:  # nothing stands there
+        except InputProblem:  # there is no other part
             found = []
         self._show(found)
 
     def take(self, pairs):
-        """These, each solid or mesh by itself. Raises InputProblem."""
+        """Adds these parts, each solid or mesh by itself. Raises InputProblem."""
         self._show(path_plan.beside(self.document, self.moving(), pairs).leaves())
 
     def add_selected(self):
@@ -77,20 +77,20 @@ class NeighboursBox(QtCore.QObject):
         self.table.setFocus()
 
     def drop_moving(self):
-        """Another part moves now: it is no neighbour of itself."""
+        """Removes the moving part after it has changed, because it is not its own neighbour."""
         moving = self.moving()
         self._show(
             [p for p in self.pairs if not any(p[0] is r and p[1].startswith(s) for r, s in moving)]
         )
 
     def _show(self, pairs):
-        """Shows these; what was given for those that stay is kept."""
+        """Shows these parts. Parts that were listed before keep their rules."""
         self.table.show_pairs(pairs)
 
     def rules(self):
-        """{pair: Rule} of those that ask for something of their own. Raises InputProblem."""
+        """Returns {pair: Rule} for the parts with their own rule. Raises InputProblem."""
         return self.table.rules()
 
     def mark(self, names):
-        """Writes the names of these neighbours in bold: they are in the way."""
+        """Writes the names of these neighbours in bold, because they are obstacles."""
         self.table.mark(names)

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work beside the window on wishes that come quicker than they can be met: the newest counts."""
+"""Work in the background for requests that come faster than they can be handled. Only the newest
+request counts."""
 import threading
 
 from ..runner import Task
 
 
 class NewestTask(Task):
-    """Meets wishes, the newest each time, until none is left; what was made waits to be taken. It changes no
-    document. Subclasses give make(wish, control), any thread, and may give rest(wish, control), what is done
-    after each."""
+    """Handles requests, always the newest one, until none is left. Results wait until take() is
+    called. Does not change the document. Subclasses define make(wish, control), which runs in
+    any thread, and may define rest(wish, control), which runs after each request."""
 
     writes = False
 
@@ -23,18 +24,19 @@ class NewestTask(Task):
         pass
 
     def offer(self, wish):
-        """A newer wish, from the window's thread; False if it comes too late."""
+        """Offers a newer request, from the window's thread. Returns False if the task has already
+        ended."""
         with self._lock:
             if not self._over:
                 self._next = wish
             return not self._over
 
     def has_made(self):
-        """Whether take() has something; without waiting."""
+        """Returns whether take() has a result. Does not wait."""
         return self._made is not None
 
     def take(self):
-        """The newest of what was made since the last call, or None."""
+        """Returns the newest result since the last call, or None."""
         with self._lock:
             made, self._made = self._made, None
         return made

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel "Reserved spaces": envelopes, solids and parts that stand still, each with each. A row shows
-what its two share; the document is changed only where somebody keeps that."""
+"""Task panel "Reserved spaces": compares all pairs of envelopes, solids and parts that stand still.
+A row shows what its two objects share. The document changes only if the user keeps a shared
+volume."""
 import FreeCADGui as Gui
 from PySide import QtCore
 
@@ -22,7 +23,7 @@ DEFAULTS = {"RequiredDistance": 0.0, "MeshDeflection": 0.05}
 
 
 class OverlapPanel(StayingPanel):
-    """Compares what is chosen."""
+    """Compares the chosen objects."""
 
     def __init__(self, document, pairs=()):
         self.document, self.run, self.pairs = document, None, list(pairs)
@@ -53,7 +54,7 @@ class OverlapPanel(StayingPanel):
         self.deflection.setObjectName("SweptVolumeSpacesDeflection")
         self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
         self.check.setObjectName("SweptVolumeCheckSpaces")
-        self.check.setDefault(True)  # Enter
+        self.check.setDefault(True)  # Enter presses this button
         for widget in (self.chosen, self.take):
             rows.addRow(widget)
         rows.addRow(translate("Panels", "Required distance"), self.required)
@@ -80,7 +81,8 @@ class OverlapPanel(StayingPanel):
             QtWidgets.QPushButton(translate("Panels", "Keep s&hared volume")),
             translate(
                 "Panels",
-                "Adds the volume that both share as an object, which shows when it is out of date",
+                "Adds the shared volume of the two objects to the document. The new object shows "
+                "when it is stale",
             ),
         )
         self.keep.setObjectName("SweptVolumeKeepShared")
@@ -121,7 +123,7 @@ class OverlapPanel(StayingPanel):
             self._enable(False)
 
     def keep_shared(self):
-        """An object of what the chosen two share."""
+        """Creates an object from the shared volume of the chosen pair."""
         row = self.chosen_row()
         if row < 0:
             return
@@ -147,13 +149,13 @@ class OverlapPanel(StayingPanel):
             self.show_result()
         else:
             self.box.leave(self.table)
-            self._clear_view()  # the object is seen now
+            self._clear_view()  # the new object shows the volume now
         self._enable(True)
 
     # --- result
 
     def two_of(self, row):
-        """(root, sub) of both parts of a row."""
+        """Returns (root, sub) of both parts of a row."""
         pair, names = self.report["pairs"][row], self.plan.names()
         return [self.plan.pairs[names.index(pair[side])] for side in ("first", "second")]
 
@@ -202,7 +204,7 @@ class OverlapPanel(StayingPanel):
         return quantities.number(pair["volume"] / one**3, quantities.TABLE_DIGITS)
 
     def chosen_row(self):
-        """Index of the chosen pair in the report; -1: none."""
+        """Returns the index, in the report, of the chosen pair, or -1."""
         return self.table.chosen()
 
     def _can_keep(self):
@@ -223,7 +225,7 @@ class OverlapPanel(StayingPanel):
 
     @guard.told
     def _look(self):
-        """The camera goes to the row."""
+        """Moves the camera to the place of the row."""
         row = self.chosen_row()
         if row < 0:
             return

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of the worst places of a check, as the document's 3D view shows them, for pages without a 3D view
-of their own.
+"""Pictures of the worst places of a check in the document's 3D view, for pages without their own 3D
+view.
 
-The view belongs to the window's thread: what is done there is cut into steps, between which the window
-answers. The parts of a mechanism are read, and the pictures are packed, in other threads.
+The view belongs to the window's thread. Work in this thread is divided into steps, between which
+the window handles events. Other threads read the parts of a mechanism and compress the pictures.
 """
 import os
 import shutil
@@ -23,7 +23,7 @@ from .tasks import ShapesTask
 
 MOST = 3
 SIZE = (1200, 750)
-#: ms between two looks whether the parts are read.
+#: Interval (ms) between two checks whether the parts have been read.
 _POLL = 20
 
 
@@ -38,7 +38,7 @@ class _Places:
         return iter(())
 
     def rows(self):
-        """The report as clearance_table takes it."""
+        """Returns the report in the form of clearance_table."""
         raise NotImplementedError
 
     def show(self, index):
@@ -49,7 +49,7 @@ class _Places:
 
 
 class ClearancePlaces(_Places):
-    """The moving part at the time of a row, with the line to its neighbour."""
+    """Shows the moving part at the time of a row, with the line to its neighbour."""
 
     def prepare(self, control):
         self.shown = self.obj.ViewObject.Visibility
@@ -68,7 +68,7 @@ class ClearancePlaces(_Places):
 
 
 class _Reading(threading.Thread):
-    """The work of a task beside the window."""
+    """Work of a task in a background thread."""
 
     def __init__(self, task, control):
         super().__init__(daemon=True)
@@ -82,7 +82,8 @@ class _Reading(threading.Thread):
 
 
 class MechanismPlaces(_Places):
-    """All moving parts at the time of a row, its two in another colour, with the line between them."""
+    """Shows all moving parts at the time of a row, its two parts in another colour, with the line
+    between them."""
 
     def __init__(self, obj, report):
         super().__init__(obj, report)
@@ -127,7 +128,7 @@ class MechanismPlaces(_Places):
 
 
 class Pictures:
-    """The pictures of a check. `steps()` fills `found`, `packed()` may be called in any thread then."""
+    """The pictures of a check. First steps() fills `found`; then any thread may call packed()."""
 
     def __init__(self, obj, report):
         kind = MechanismPlaces if mechanism.is_mechanism(obj) else ClearancePlaces
@@ -135,14 +136,14 @@ class Pictures:
         self.found = []  # (caption, bytes of a bitmap)
 
     def steps(self, control):
-        """A generator, as Task.steps(). Without a 3D view there are no pictures."""
+        """A generator, as Task.steps(). Without a 3D view it makes no pictures."""
         gui = Gui.getDocument(self.document.Name)
         view = gui.ActiveView if gui is not None else None
         if view is None or not hasattr(view, "saveImage"):
             return
         rows, camera = self.places.rows(), view.getCamera()
         folder = tempfile.mkdtemp()
-        path = os.path.join(folder, "view.bmp")  # PNG takes the window three times as long
+        path = os.path.join(folder, "view.bmp")  # PNG would block the window three times as long
         try:
             yield from self.places.prepare(control)
             for index in clearance_table.worst_rows(rows)[:MOST]:
@@ -159,12 +160,12 @@ class Pictures:
                 view.setCamera(camera)
 
     def packed(self):
-        """[(caption, media type, bytes)]."""
+        """Returns [(caption, media type, bytes)]."""
         return [(caption, "image/png", _png(data)) for caption, data in self.found]
 
 
 def _png(data):
-    """Any thread."""
+    """Compresses a bitmap to PNG, in any thread."""
     image, content = QtGui.QImage.fromData(data), QtCore.QByteArray()
     target = QtCore.QBuffer(content)
     target.open(QtCore.QIODevice.WriteOnly)

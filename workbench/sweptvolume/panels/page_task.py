@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reports of checks, written beside the window: HTML by the core, PDF through Qt."""
+"""Writes reports of checks in the background: HTML through the core, PDF through Qt."""
 import re
 
 import FreeCAD as App
@@ -14,13 +14,13 @@ from .page_pictures import SIZE, Pictures
 
 try:
     from PySide import QtSvg
-except ImportError:  # then the PDF has no graph
+except ImportError:  # without this module, the PDF has no graph
     QtSvg = None
 
-#: Widths of the graph and of pictures on A4 with its margins, in pixels of Qt's text documents.
+#: Widths of the graph and of pictures on A4 within the margins, in pixels of Qt's text documents.
 WIDTH, PICTURE_WIDTH = 600, 460
 _GRAPH = re.compile(r'<svg class="graph".*?</svg>', re.S)
-#: What only a screen can do.
+#: Parts of the page that work only on a screen.
 _SCREEN = re.compile(r'<span class="screen">.*?</span>', re.S)
 
 
@@ -35,8 +35,8 @@ def _graph_image(svg):
 
 
 def _for_qt(text, document):
-    """The HTML that Qt's text documents know. Graphs become pictures of the document; the workbench's own
-    pictures need both sides."""
+    """Converts HTML to the subset of Qt's text documents. Graphs become pictures of the document.
+    Pictures get both width and height, which Qt needs."""
     text = _SCREEN.sub("", text)
     sides = (PICTURE_WIDTH, PICTURE_WIDTH * SIZE[1] // SIZE[0])
     text = text.replace("<figure><img ", '<figure><img width="{}" height="{}" '.format(*sides))
@@ -60,27 +60,27 @@ def _for_qt(text, document):
 
 
 def pdf_of(text):
-    """Any thread: the bytes of a PDF on A4 from the page of the template "print"."""
+    """Returns the bytes of a PDF (A4) for a page from the template "print". Any thread."""
     document = QtGui.QTextDocument()
     document.setHtml(_for_qt(text, document))
     content = QtCore.QByteArray()
     target = QtCore.QBuffer(content)
     target.open(QtCore.QIODevice.WriteOnly)
     writer = QtGui.QPdfWriter(target)
-    margins = QtCore.QMarginsF()  # the text document has some of its own
+    margins = QtCore.QMarginsF()  # the text document has its own margins
     size = QtGui.QPageSize(QtGui.QPageSize.A4)
     upright, unit = QtGui.QPageLayout.Portrait, QtGui.QPageLayout.Millimeter
     writer.setPageLayout(QtGui.QPageLayout(size, upright, margins, unit))
     writer.setCreator("Swept Volume")
     writer.setTitle(document.metaInformation(QtGui.QTextDocument.DocumentTitle))
     document.print_(writer)
-    del writer  # what is not yet written is
+    del writer  # writes the rest of the file
     target.close()
     return bytes(content.data())
 
 
 class WritingTask(Task):
-    """Writes the bytes that work() gives to the file `path`; the document stays as it is."""
+    """Writes the bytes from work() to the file `path`. The document does not change."""
 
     writes = False
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Moving parts of an envelope, each with its motion, and the part from which they are seen."""
+"""Moving parts of an envelope, each with its motion, and the reference part."""
 import FreeCADGui as Gui
 
 from .. import convert
@@ -10,10 +10,11 @@ from .widgets import QtWidgets
 
 
 class PartsBox(MotionTable):
-    """`changed`: parts, motions or reference are others now. Of `motions`, None: the common one."""
+    """Signal `changed`: other parts, motions or reference. None in `motions` means the common
+    motion."""
 
     def __init__(self, document, plan, layout, chosen=False):
-        """chosen: the plan is that of an object; what is missing there is not filled in silently."""
+        """chosen: the plan is that of an object, so missing inputs are not filled in silently."""
         own = [None if m is plan.motion else m for m in plan.motions]
         super().__init__(document, plan.pairs, own)
         self.chosen = chosen
@@ -44,7 +45,7 @@ class PartsBox(MotionTable):
         self.common.currentIndexChanged.connect(lambda *ignored: self.changed.emit())
 
     def _motion_box(self, now):
-        """Combo box of the document's motions."""
+        """Returns a combo box with the document's motions."""
         known = self.known()
         names, texts = [o.Name for o in known], [o.Label for o in known]
         box = widgets.choice(names, now.Name if now is not None else "", texts)
@@ -123,13 +124,13 @@ class PartsBox(MotionTable):
         return self.document.getObject(name) if name else None
 
     def own_motions(self):
-        """One motion for each part, or none at all."""
+        """Returns one motion for each part, or an empty list."""
         if not any(self.motions):
             return []
         return [own or self.motion() for own in self.motions]
 
     def seen_from(self):
-        """(reference, its motion); both None where the box is off."""
+        """Returns (reference part, its motion); both are None if the box is not ticked."""
         name = self.reference_motions.currentData()
         if not self.reference_box.isChecked():
             return None, None

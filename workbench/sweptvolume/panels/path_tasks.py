@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Searches for paths as the runner takes them."""
+"""Tasks that search for paths in the runner."""
 from .. import contents, core_paths
 from ..features import improve_plan, path_plan, sequence
 from ..runner import Task
@@ -7,8 +7,8 @@ from ..texts import translate
 
 
 class FindPathTask(Task):
-    """Finds a path and makes a motion of it; one undo step. `outcome`: what was found (path_plan.Outcome),
-    `obj`: the motion, or None; seen: what a view may look at meanwhile (core_paths.watch())."""
+    """Finds a path and creates its motion as one undo step. `outcome`: result (path_plan.Outcome);
+    `obj`: the motion, or None; seen: what a view may show meanwhile (core_paths.watch())."""
 
     def __init__(self, plan):
         self.title = translate("Commands", "Find path")
@@ -29,7 +29,8 @@ class FindPathTask(Task):
 
 
 class ImproveTask(Task):
-    """Makes a better motion beside one; one undo step. outcome, obj: as FindPathTask has them."""
+    """Improves a motion and creates the result as another motion, as one undo step. outcome, obj:
+    as in FindPathTask."""
 
     def __init__(self, plan):
         self.title = translate("Commands", "Improve path")
@@ -48,9 +49,9 @@ class ImproveTask(Task):
 
 
 class SequenceTask(Task):
-    """Finds the ways of a sequence, makes motions of them and keeps the sequence; one undo step. seen:
-    core_paths.sequence_watch(); outcome: sequence.Outcome; obj: the sequence, None where not all ways were
-    found: nothing is written then."""
+    """Finds the paths of a sequence, creates their motions and stores the sequence, as one undo
+    step. seen: core_paths.sequence_watch(); outcome: sequence.Outcome; obj: the sequence, or
+    None if a path is missing; then nothing is written."""
 
     def __init__(self, plan, obj=None):
         self.title = translate("Commands", "Sequence")

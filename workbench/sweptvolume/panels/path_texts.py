@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a search for a path says of its end, as users read it."""
+"""Texts about the result of a search for a path."""
 from .. import quantities
 from ..core_texts import said
 from ..texts import translate
 
-#: Neighbours that are named; those after them are only few moves' business.
+#: Number of neighbours that are named. Further neighbours stop only few moves.
 MOST_NAMES = 3
 
 
@@ -14,7 +14,7 @@ def _names(names):
 
 
 def told(report):
-    """All that is to be said of a report (docs/paths.md)."""
+    """Returns the text about a report of a search (docs/paths.md)."""
     lines = _found(report) if report["verdict"] == "found" else _not_found(report)
     lines += [said(w["code"], w["text"]) for w in report["warnings"]]
     return "\n".join(lines)
@@ -54,8 +54,8 @@ def _not_found(report):
         lines = [translate("Messages", "No path was found.")]
     text = translate(
         "Messages",
-        "The part came {0} away from its goal before it was blocked. The 3D view "
-        "shows it there.",
+        "The search moved the part at most {0} away from its goal before the part was blocked. "
+        "The 3D view shows the part at that place.",
     )
     lines.append(text.format(quantities.quantity(escape["distance"])))
     if escape["blockers"]:
@@ -79,7 +79,7 @@ def _not_found(report):
 
 
 def improved(report):
-    """All that is to be said of a motion that was improved."""
+    """Returns the text about a motion that was improved."""
     if report["verdict"] != "found":
         lines = [
             translate(

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Paths that were found, side by side: each is a motion of the document; the chosen one is seen."""
+"""Table of the paths that were found. Each path is a motion of the document; only the chosen one is
+visible."""
 from .. import quantities
 from ..texts import translate
 from . import widgets
@@ -7,7 +8,7 @@ from .widgets import QtCore, QtWidgets
 
 
 class PathsTable(QtCore.QObject):
-    """`chosen(obj)`: another motion was chosen. Hidden while there is none."""
+    """Signal `chosen(obj)`: another motion was chosen. The table is hidden while it is empty."""
 
     chosen = QtCore.Signal(object)
 
@@ -46,7 +47,7 @@ class PathsTable(QtCore.QObject):
         self.table.itemSelectionChanged.connect(self._chosen)
 
     def add(self, obj, report):
-        """A motion with the figures of its report; it becomes the chosen one."""
+        """Adds a motion with the figures of its report, and chooses it."""
         row = self.table.rowCount()
         self.table.setRowCount(row + 1)
         self.names.append(obj.Name)
@@ -68,12 +69,12 @@ class PathsTable(QtCore.QObject):
         self.table.selectRow(row)
 
     def motion(self):
-        """The chosen motion; None where there is none, or it was deleted."""
+        """Returns the chosen motion, or None if there is none or it was deleted."""
         row = self.table.currentRow()
         return self.document.getObject(self.names[row]) if 0 <= row < len(self.names) else None
 
     def _chosen(self):
-        """The chosen path is seen, the others of the table are hidden."""
+        """Shows the chosen path and hides the others of the table."""
         now = self.motion()
         for name in self.names:
             obj = self.document.getObject(name)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The choice of the point that goes straight between two keys: a line of the path editor."""
+"""Choice of the pivot, the point that moves in a straight line between two keys: a row of the
+motion editor."""
 import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore
@@ -10,16 +11,16 @@ from ..texts import translate
 from . import widgets
 from .widgets import QtWidgets
 
-#: That count, of a coordinate.
+#: Significant digits of a coordinate.
 PLACE_DIGITS = 6
 
-#: mm by which a point may miss the middle of the part and is it still.
+#: mm: a point this close to the middle of the part counts as the middle.
 SAME = 1e-6
 
 
 class PivotBox(QtWidgets.QWidget):
-    """Origin, middle of the part or a selected point; `changed()` where another was chosen, `failed(text)`
-    where none can be taken."""
+    """Origin of the poses, middle of the part, or a selected point. Signals: `changed()`: another
+    point was chosen; `failed(text)`: no point could be taken."""
 
     changed = QtCore.Signal()
     failed = QtCore.Signal(str)
@@ -50,10 +51,10 @@ class PivotBox(QtWidgets.QWidget):
         self.kind.currentIndexChanged.connect(lambda *ignored: self._chosen())
         self.take.clicked.connect(lambda *ignored: self._take())
         self._explain()
-        self.setEnabled(False)  # until begin(): without a part there is nothing to choose
+        self.setEnabled(False)  # without a part there is no choice, so disabled until begin()
 
     def begin(self, middle, point):
-        """middle, point: in the coordinates of the part (mm); point None: the origin of the poses."""
+        """middle, point: in coordinates of the part (mm). point None: the origin of the poses."""
         self.middle = middle
         near = point is not None and (point - middle).Length <= SAME
         self.point = middle if point is None or near else point
@@ -61,16 +62,16 @@ class PivotBox(QtWidgets.QWidget):
         self.setEnabled(True)
 
     def follow(self, kind, point):
-        """The choice of another box for the same part."""
+        """Copies the choice of another box for the same part."""
         self.point = point
         self._set(kind)
 
     def show_fixed(self, pivot):
-        """What a motion without a part has."""
+        """Shows the pivot of a motion without a part."""
         self._set("Point" if pivot.Length else "Origin")
 
     def in_part(self):
-        """The pivot in the coordinates of the part (mm); None: the origin of the poses."""
+        """Returns the pivot in coordinates of the part (mm), or None for the origin of the poses."""
         return None if self.kind.currentData() == "Origin" else self.point
 
     def _set(self, kind):
@@ -108,7 +109,7 @@ class PivotBox(QtWidgets.QWidget):
 
 
 def selected_point():
-    """The point that was selected last, seen from the document (mm). Raises InputProblem."""
+    """Returns the point that was selected last, in world coordinates (mm). Raises InputProblem."""
     for item in reversed(Gui.Selection.getSelectionEx("", 0)):
         for sub in reversed(item.SubElementNames):
             shape = item.Object.getSubObject(sub) if sub and not sub.endswith(".") else None
@@ -124,7 +125,7 @@ def selected_point():
 
 
 def _centre_of_edge(edge):
-    """Of a circle or ellipse its centre, of any other edge the middle of its length."""
+    """Returns the centre of a circle or ellipse, and the middle of any other edge."""
     try:
         return edge.Curve.Center
     except AttributeError:

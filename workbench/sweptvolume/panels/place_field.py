@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a part is to go or to come from: a choice, with the numbers that belong to it."""
+"""Start or goal of a part: a combo box, with the numbers that belong to the choice."""
 import re
 
 import FreeCAD as App
@@ -12,7 +12,8 @@ from ..trajectory.edit import as_numbers, from_numbers, number_from
 from . import selection, widgets
 from .widgets import QtCore, QtWidgets
 
-#: What the part does: Now (where it stands), Place (a placement), Out (so many mm), Along (a direction).
+#: What the part does: Now (its present placement), Place (a given placement), Out (out by a
+#: distance in mm), Along (out in a direction).
 TEXTS = {
     "Now": lambda: translate("Panels", "Current placement"),
     "Place": lambda: translate("Panels", "Given placement"),
@@ -22,8 +23,8 @@ TEXTS = {
 
 
 def numbers_from(text, units):
-    """Numbers between blanks or semicolons, with units or without; InputProblem unless there are as many as
-    units ((name, what one is in mm or degrees))."""
+    """Reads numbers, with or without units, separated by blanks or semicolons. units: (name, size
+    of the unit in mm or degrees) of each number. Raises InputProblem if their count differs."""
     parts = [part for part in re.split(r"\s*;\s*|\s+", text.strip()) if part]
     if len(parts) != len(units):
         raise InputProblem(
@@ -35,13 +36,13 @@ def numbers_from(text, units):
 
 
 class PlaceField(QtWidgets.QWidget):
-    """A combo box of kinds, and below it what belongs to the chosen one; `failed(text)` where nothing can be
-    taken."""
+    """A combo box of kinds, and the fields of the chosen kind below it. Signal `failed(text)`: the
+    selection could not be used."""
 
     failed = QtCore.Signal(str)
 
     def __init__(self, name, kinds, part, distance=0.0):
-        """part(): (root, sub) of the part, or None."""
+        """part(): returns (root, sub) of the part, or None."""
         super().__init__()
         self.part = part
         one, unit = quantities.length_unit()
@@ -89,7 +90,7 @@ class PlaceField(QtWidgets.QWidget):
             field.setToolTip(tip)
 
     def show_placement(self, placement):
-        """A placement, seen from the document."""
+        """Shows a placement in world coordinates."""
         self.kind.setCurrentIndex(self.kind.findData("Place"))
         self._write(as_numbers(placement), self.units)
 
@@ -118,13 +119,13 @@ class PlaceField(QtWidgets.QWidget):
         return global_placement(*pair)
 
     def placement(self):
-        """The placement, None for another kind. Raises InputProblem."""
+        """Returns the placement, or None for another kind. Raises InputProblem."""
         if self.kind.currentData() != "Place":
             return None
         return from_numbers(numbers_from(self.numbers.text(), self.units))
 
     def extract(self):
-        """mm or a direction; None for another kind. Raises InputProblem."""
+        """Returns a distance (mm) or a direction, or None for another kind. Raises InputProblem."""
         kind = self.kind.currentData()
         if kind == "Out":
             return float(self.distance.property("rawValue"))
@@ -134,7 +135,8 @@ class PlaceField(QtWidgets.QWidget):
 
 
 def selected_direction():
-    """Normal of the face, or direction of the edge, that was selected last. Raises InputProblem."""
+    """Returns the normal of the face, or the direction of the edge, that was selected last. Raises
+    InputProblem."""
     for item in reversed(Gui.Selection.getSelectionEx("", 0)):
         for sub in reversed(item.SubElementNames):
             shape = item.Object.getSubObject(sub) if sub and not sub.endswith(".") else None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A click on an envelope in the 3D view: which of its triangles, and what made it."""
+"""Handles clicks on an envelope in the 3D view: finds the triangle, and what made it."""
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
@@ -11,8 +11,8 @@ from ..features.envelope import is_envelope
 
 
 def nearest_triangle(point, vertices, triangles, towards=None):
-    """Number of the triangle nearest to a point (3,). towards: direction of looking; triangles that are
-    seen from behind are passed over, unless all are."""
+    """Returns the index of the triangle nearest to a point (3,). towards: direction of view;
+    triangles seen from behind are skipped, unless all are."""
     corners = vertices[triangles]
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     which = np.arange(len(triangles))
@@ -27,7 +27,7 @@ def nearest_triangle(point, vertices, triangles, towards=None):
 
 
 def _distances(p, a, b, c):
-    """Of a point to triangles (n,3) each."""
+    """Returns the distances of a point from triangles with corners a, b, c, (n,3) each."""
     normal = np.cross(b - a, c - a)
     normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
     off = np.einsum("nk,nk->n", p - a, normal)
@@ -44,7 +44,7 @@ def _distances(p, a, b, c):
 
 
 class Places:
-    """The places of one envelope as it is now; its mesh is read at the first question."""
+    """The places of one envelope in its present state. Reads its mesh at the first call."""
 
     def __init__(self, obj):
         self.obj, self.record = obj, made_by.find(obj)
@@ -54,7 +54,8 @@ class Places:
         return made_by.find(self.obj) is self.record
 
     def answer(self, point, towards=None):
-        """What made the place at a point of the document (3,); None: not known."""
+        """Returns what made the envelope at a point in world coordinates (3,), or None if it is not
+        known."""
         if self.record is None:
             return None
         if self._arrays is None:
@@ -67,9 +68,9 @@ class Places:
 
 
 class PlacePicker:
-    """Calls found(envelope, answer) for each click on an envelope of a document in its 3D view, until stop().
-    answer None: it is not remembered what made this place. The envelope does not stay selected, so that
-    the next click is heard as well and its colours are seen."""
+    """Calls found(envelope, answer) for each click on an envelope of a document in its 3D view,
+    until stop(). answer is None if there is no record of what made this place. The envelope is
+    deselected, so that FreeCAD reports the next click and its colours are visible."""
 
     def __init__(self, document, found):
         self.document, self.found, self._places = document.Name, found, {}
@@ -79,14 +80,15 @@ class PlacePicker:
         Gui.Selection.removeObserver(self)
 
     def addSelection(self, document, name, sub, point):  # noqa: N802
-        """FreeCAD tells what was selected, and where; from the tree it tells no place."""
+        """Called by FreeCAD with the selected object and the point. Selections in the tree have no
+        point."""
         if document != self.document or not any(point):
             return
         obj = App.getDocument(document).getObject(name)
         target = obj.getSubObject(sub, retType=1) if obj is not None and sub else obj
         if target is None or not is_envelope(target):
             return
-        # From the loop: FreeCAD is not done with the selection yet.
+        # Called later from the event loop, because FreeCAD has not finished the selection yet.
         QtCore.QTimer.singleShot(0, lambda: self._tell(target, (document, name, sub), point))
 
     def _tell(self, obj, selected, point):
@@ -95,7 +97,7 @@ class PlacePicker:
             view = Gui.getDocument(self.document).activeView()
             towards = view.getViewDirection() if hasattr(view, "getViewDirection") else None
             answer = self.places(obj).answer(point, towards)
-        except (ReferenceError, NameError):  # the object or its document went meanwhile
+        except (ReferenceError, NameError):  # the object or its document was deleted meanwhile
             return
         self.found(obj, answer)
 

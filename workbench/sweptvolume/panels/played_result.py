@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the result of a check shows of its motion: a player moves the parts, the shortest line between the two
-parts of a row follows it, and so does a section through that place; a clash is kept as a body."""
+"""Shows the motion in the result of a check. A player moves the parts. The shortest line between
+the two parts of a row follows, and so does a section through that place. The user can keep the
+volume of a clash as an object."""
 import numpy as np
 
 from .. import convert, core_paths, quantities, runner
@@ -17,15 +18,16 @@ from .widgets import QtWidgets
 
 
 class RowScene(Scene):
-    """The two parts of a row. first, second: bodies in the frames that their courses place (Placement at a
-    time; None: it stands where it is)."""
+    """The two parts of a row. first, second: bodies, in the frames that their courses move. A
+    course returns the Placement at a time; None: the part stands still."""
 
     def __init__(self, first, second, courses, chord):
         super().__init__(chord)
         self.first, self.second, self.courses = first, second, courses
 
     def at(self, time):
-        """(4x4 of the first part as seen from the second one's frame, 4x4 of that frame in the world)."""
+        """Returns (4x4 of the first part relative to the frame of the second one, 4x4 of that frame
+        in the world)."""
         first, second = (
             np.eye(4) if course is None else convert.matrix_of(course(time))
             for course in self.courses
@@ -39,18 +41,18 @@ class RowScene(Scene):
 
 
 class PlayedPanel(check_result.ResultPanel):
-    """Subclasses say what moves and what a row's two parts are."""
+    """Subclasses define what moves, and the two parts of a row."""
 
     def plan_shown(self):
-        """The plan of `obj`; its seen() is drawn."""
+        """Returns the plan of `obj`, whose seen() is drawn."""
         raise NotImplementedError
 
     def row_scene(self, index):
-        """RowScene of a row. Raises InputProblem."""
+        """Returns the RowScene of a row. Raises InputProblem."""
         raise NotImplementedError
 
     def clash_plan(self, index):
-        """shared.Plan of what the two parts of a row share at its time. Raises InputProblem."""
+        """Returns the shared.Plan of the two parts of a row at its time. Raises InputProblem."""
         raise NotImplementedError
 
     def build_played(self, rows):
@@ -72,25 +74,25 @@ class PlayedPanel(check_result.ResultPanel):
             QtWidgets.QPushButton(translate("Panels", "Keep clas&h volume")),
             translate(
                 "Panels",
-                "Makes an object of the volume that the two parts of the chosen row "
-                "share at the time of that row",
+                "Creates an object from the volume that the two parts of the chosen row share at "
+                "the time of that row",
             ),
         )
         self.clash.setObjectName("SweptVolumeKeepClash")
         self.clash.setEnabled(False)
         self.clash.clicked.connect(lambda *ignored: self.keep(self.clash_plan))
-        self.ends = None  # of the line that is shown
+        self.ends = None  # ends of the line that is shown
         for widget in (self.player, self.section, self.clash):
             rows.addWidget(widget)
 
     def set_span(self, times):
-        """The player goes through these times; nothing is drawn before somebody asks for it."""
+        """Sets the time span of the player. Nothing is drawn until the user moves it."""
         self.player.blockSignals(True)
         self.player.set_times(sorted(times))
         self.player.blockSignals(False)
 
     def go_to(self, time):
-        """The player stands there, and nothing follows from that."""
+        """Moves the player to a time without further effects."""
         self.player.blockSignals(True)
         self.player.go_to(time)
         self.player.blockSignals(False)
@@ -98,13 +100,13 @@ class PlayedPanel(check_result.ResultPanel):
     # --- a row
 
     def show_buttons(self, index):
-        """What can be kept of a row (None: none is chosen)."""
+        """Enables the buttons that can keep something of a row; None: no row is chosen."""
         row = self.report["neighbours"][index] if index is not None else None
         self.clash.setEnabled(row is not None and row["verdict"] == "clash")
 
     @guard.told
     def keep(self, make):
-        """An object of the shared volume that make(index of the chosen row) tells."""
+        """Creates the shared volume whose plan make(index of the chosen row) returns."""
         index = self.chosen_row()
         if index >= 0 and self.run is None:
             plan = make(index)
@@ -114,7 +116,7 @@ class PlayedPanel(check_result.ResultPanel):
 
     @guard.told
     def _moved(self):
-        """The player stands at another time."""
+        """Handles a move of the player to another time."""
         if getattr(self, "report", None) is None or not self.result.isVisible():
             return
         self.left_row()
@@ -123,14 +125,15 @@ class PlayedPanel(check_result.ResultPanel):
             self._follow(self.player.now())
 
     def left_row(self):
-        """What is seen is no longer the moment of a row; the line goes on to the next answer."""
+        """Called when the view no longer shows the moment of a row. The line stays until the next
+        answer."""
 
     def place(self, time, marked=()):
         self.ghosts.show([course(time) for course in self.courses], marked)
         self.graph.mark(time)
 
     def _follow(self, time):
-        """The line between the parts of the chosen row, or of the worst one."""
+        """Measures the line between the parts of the chosen row, or of the worst one."""
         index = self.chosen_row() if self.chosen_row() >= 0 else self.worst_first[0]
         if index != self.followed:
             self._stop_following()
@@ -156,7 +159,7 @@ class PlayedPanel(check_result.ResultPanel):
         self.draw_line(ends, text, clash)
 
     def draw_line(self, ends, text, clash):
-        """The line and the section through it."""
+        """Draws the line and the section through it."""
         self.ends = ends
         self.line.show_between(ends, text, clash)
         self._cut_again()
@@ -182,10 +185,10 @@ class PlayedPanel(check_result.ResultPanel):
             self.cut = SectionPlane(self.document)
         self.cut.show(self.ends)
 
-    # --- the parts, read beside the window
+    # --- the parts, read in the background
 
     def ready(self):
-        """Whether the parts are drawn; else they are read, and shown() follows."""
+        """Returns whether the parts can be drawn. If not, they are read, and shown() follows."""
         if self.ghosts is not None:
             return True
         if self.shapes is None and self.obj is not None:
@@ -205,11 +208,11 @@ class PlayedPanel(check_result.ResultPanel):
         self.parts_read()
 
     def parts_read(self):
-        """The parts can be drawn now."""
+        """Called when the parts can be drawn."""
         self._moved()
 
     def clear_view(self):
-        """Nothing is drawn any more; the parts are read again when they are wanted."""
+        """Removes all drawings. The parts are read again when needed."""
         self.player.stop()
         self._stop_following()
         if self.shapes is not None:
@@ -228,7 +231,7 @@ class PlayedPanel(check_result.ResultPanel):
 
 
 def gone():
-    """A part that a row of the report names does not stand there any more."""
+    """Returns the InputProblem for a part in the report that does not exist any more."""
     return InputProblem(
         translate("Messages", "A part of this row no longer exists: run the check again.")
     )

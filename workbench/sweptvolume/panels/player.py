@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Play, pause, step and scrub through a motion: the slider of the path editor."""
+"""Player of a motion: play, pause, step, and slider. Part of the motion editor."""
 from PySide import QtCore
 
 from ..texts import translate
 from . import widgets
 from .widgets import QtWidgets
 
-#: ms between two pictures while playing; steps of the slider.
+#: Interval (ms) between two pictures during play; number of steps of the slider.
 FRAME_TIME, SLIDER = 40, 1000
-#: How many seconds of the motion pass in one second.
+#: Seconds of the motion for each second of playing.
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0)
 
 
 class Player(QtWidgets.QGroupBox):
-    """A time (s) between the first and the last of some keys; `moved` tells that it changed."""
+    """A time (s) between the first and the last key. Signal `moved`: the time has changed."""
 
     moved = QtCore.Signal()
 
@@ -50,7 +50,7 @@ class Player(QtWidgets.QGroupBox):
         column.setContentsMargins(*widgets.MARGINS)
         column.setSpacing(4)
         above, middle, below = (QtWidgets.QHBoxLayout() for _ in range(3))
-        # The slider has a line of its own, and so have the buttons: those of some themes are wide.
+        # Slider and buttons have separate rows, because the buttons of some themes are wide.
         above.addWidget(self.slider, 1)
         above.addWidget(self.time)
         for button in (self.back, self.forth):
@@ -78,12 +78,12 @@ class Player(QtWidgets.QGroupBox):
         return button
 
     def set_times(self, times):
-        """The times of the keys (s)."""
+        """Sets the times of the keys (s)."""
         self.times = list(times)
         self._show_time()
 
     def now(self):
-        """The time that is shown (s)."""
+        """Returns the time that is shown (s)."""
         if not self.times:
             return 0.0
         return min(max(self.moment, self.times[0]), self.times[-1])
@@ -97,7 +97,7 @@ class Player(QtWidgets.QGroupBox):
         self._show_time()
 
     def step(self, by):
-        """To the next key before or after the time that is shown."""
+        """Goes to the next key (1) or the previous key (-1)."""
         now = self.now()
         half = 0.5 * (self.times[-1] - self.times[0]) / SLIDER if self.times else 0.0
         ahead = [t for t in self.times if (t - now) * by > half]
@@ -105,7 +105,7 @@ class Player(QtWidgets.QGroupBox):
             self.go_to(min(ahead) if by > 0 else max(ahead))
 
     def _slid(self, value):
-        """The slider was moved by hand."""
+        """Handles a move of the slider by the user."""
         if not self.moving and self.times:
             first, last = self.times[0], self.times[-1]
             self.moment = first + (last - first) * value / SLIDER
@@ -127,7 +127,7 @@ class Player(QtWidgets.QGroupBox):
             self.play.setChecked(False)
 
     def _advance(self):
-        """As far as the clock went: pictures that come late change nothing about the time."""
+        """Advances by the time that has passed, so that slow pictures do not slow down the motion."""
         first, last = self.times[0], self.times[-1]
         after = self.now() + self.clock.restart() / 1000.0 * self.speed.currentData()
         if after < last:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The envelope that follows a panel: coarse while something changes, then fine; computed beside the GUI
-and drawn in the view only."""
+"""The envelope that follows a panel: coarse during changes, then fine. Computed in the background and
+only drawn in the view."""
 import numpy as np
 from PySide import QtCore
 
@@ -13,23 +13,29 @@ from .newest import NewestTask
 from .widgets import alive
 
 OPTIONS = {"components": "consistent", "backend": "auto"}
-#: Triangles that are drawn: each new one has to reach the view, and is seen for a moment.
+#: Largest number of triangles drawn, because each envelope must be sent to the view and is visible
+#: only briefly.
 MOST_TRIANGLES = 30000
-#: Cells of the fine envelope at most; more would keep the cores busy without being asked.
+#: Largest number of cells of the fine envelope. More would occupy the processor without a request
+#: by the user.
 MOST_CELLS = 192
-#: ms without a change before the fine envelope is computed.
+#: Time (ms) without a change until the fine envelope is computed.
 REST = 300
-#: ms between two looks for what a run has made, if no wish comes meanwhile: with a wish the view is
-#: drawn anyway, and each picture takes time. Longer than between two wishes of a dragger (its POLL).
+#: Interval (ms) between two checks for results, if no request comes meanwhile. With a request the
+#: view is drawn anyway, and each drawing takes time. Longer than the interval between two requests
+#: of a dragger (its POLL).
 LOOK = 100
-#: s that a coarse run may take, and below which the next one may be finer by the factor STEP.
+#: Times (s): above SLOW the next coarse run is coarser, below QUICK it is finer, by the factor
+#: STEP; smallest number of cells.
 SLOW, QUICK, STEP, LEAST_CELLS = 0.12, 0.04, 0.7, 32
-#: Straight pieces of a smooth motion leave it by at most this part of the path's size.
+#: Largest deviation of the straight pieces that replace a smooth motion, as a fraction of the
+#: path's size.
 STRAIGHT = 1e-3
 
 
 def request_for(body, poses, base, interpolation, resolution):
-    """Run for a body as it stands now (convert.Body), no document behind it. base: as poses.base_of()."""
+    """Returns a run for a body in its present place (convert.Body), independent of any document.
+    base: as poses.base_of()."""
     base = base.multiply(shift_to(poses.pivot))
     poses = poses.carried()
     vertices = body.seen(convert.matrix_of(base.inverse()))
@@ -49,10 +55,10 @@ def request_for(body, poses, base, interpolation, resolution):
 
 
 class _PreviewTask(NewestTask):
-    """Envelopes of wishes (requests for the core): (drawn, seconds) each.
+    """Computes envelopes for requests. Each result is (drawn, seconds).
 
-    compute: core.compute, or that of sessions which know the body already. settle(request, control): what
-    is done after each, in the same thread."""
+    compute: core.compute(), or that of a session that already knows the body. settle(request,
+    control): called after each run, in the same thread."""
 
     def __init__(self, document, requests, compute, settle=None):
         super().__init__(document, "Preview", requests)
@@ -69,13 +75,13 @@ class _PreviewTask(NewestTask):
 
 
 class Preview:
-    """Keeps at most one run under way. While wishes come, it makes coarse envelopes one after the other,
-    each of the newest wish, and does not wait for the window to show them; when no wish came for a
-    moment, a fine one follows and replaces what is shown.
+    """Keeps at most one run in progress. While requests come, it computes coarse envelopes one
+    after the other, each for the newest request, without waiting for the window to draw. After a
+    pause it computes a fine envelope, which replaces the coarse one.
 
-    A wish is a function: cells along the longest side -> requests for the core. show(drawn) draws
-    (views/surface.py), report(text) tells of a failure ("": none), finest() gives the cells of the
-    fine run.
+    A wish is a function: number of cells along the longest side -> requests for the core.
+    show(drawn) draws (views/surface.py). report(text) shows a failure ("": none). finest() returns
+    the number of cells of the fine run.
     """
 
     def __init__(self, document, show, report, finest):
@@ -93,7 +99,7 @@ class Preview:
         self.looks.timeout.connect(self.take)
 
     def want(self, wish, take=True):
-        """take False: whoever wishes calls take() as often as it draws."""
+        """Requests an envelope. take=False: the caller calls take() whenever it draws."""
         self.wish = wish
         self.timer.stop()
         if self.run is None:
@@ -104,20 +110,21 @@ class Preview:
         else:
             if take:
                 self.take()
-            self.looks.start(LOOK)  # a picture is drawn anyway: not one more in between
+            self.looks.start(LOOK)  # the next picture is drawn anyway, so no extra one is needed
             requests = self._requests(min(self.cells, self.finest()))
             self.waiting = requests is not None and not self.run.task.offer(requests)
 
     def has_made(self):
-        """Whether take() has something to show."""
+        """Returns whether take() has something to show."""
         return self.run is not None and self.run.task.has_made()
 
     def settled(self):
-        """Whether nothing is under way and nothing is to follow."""
+        """Returns whether no run is in progress and none will follow."""
         return self.run is None and not self.timer.isActive()
 
     def _requests(self, cells):
-        """The wish for the core; None, and a report, if it cannot be had."""
+        """Returns the requests for the core. If they cannot be made, reports the problem and
+        returns None."""
         try:
             return self.wish(cells)
         except (InputProblem, core.CoreMissing, core.CoreError) as problem:
@@ -149,7 +156,7 @@ class Preview:
             self._start(fine=True)
 
     def take(self):
-        """Shows what was made since the last look."""
+        """Shows the newest result since the last check."""
         made = self.run.task.take() if self.run is not None else None
         if made is None:
             return
@@ -172,9 +179,10 @@ class Preview:
             self.timer.start(REST)
 
     def _adapt(self, seconds):
-        """Coarser while runs take too long, finer again up to what the preferences want."""
+        """Makes the envelopes coarser while runs are slow, and finer again up to the number of
+        cells in the preferences."""
         if self.cells != self.warm_cells:
-            self.warm_cells = self.cells  # the first run with a number of cells is a slow one
+            self.warm_cells = self.cells  # the first run with a new number of cells is slower
         elif self.adapts and seconds > SLOW:
             self.cells = max(LEAST_CELLS, int(self.cells * STEP))
         elif self.adapts and seconds < QUICK:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is known of an envelope that was computed: numbers and warnings, to be read and copied."""
+"""Numbers and warnings of a computed envelope, which the user can read and copy."""
 from PySide import QtCore
 
 from .. import quantities
@@ -34,7 +34,7 @@ class ReadOuts(QtWidgets.QGroupBox):
 
 
 def lines_of(obj, report):
-    """The read-outs of an envelope, a line each."""
+    """Returns the lines of text about an envelope."""
     box = obj.Mesh.BoundBox
     sides = " x ".join(quantities.quantity(v) for v in (box.XLength, box.YLength, box.ZLength))
     deviation = report["simplification_deviation"]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Neighbours and what each asks for: a table with a length and a rule a row, typed or chosen in its cells."""
+"""Table of neighbours with their rules. Each row has a length and a kind of rule, which the user
+edits in the cells."""
 from .. import convert, quantities
 from ..convert import InputProblem
 from ..features.neighbour_rules import CONTACT, IGNORE, KINDS, REQUIRED, Rule
@@ -27,12 +28,13 @@ def _item(text, data):
 
 
 def _state(item):
-    """Text and data of a cell, for another."""
+    """Returns text and data of a cell, for another cell."""
     return item.text(), item.data(QtCore.Qt.UserRole)
 
 
 class _KindDelegate(QtWidgets.QStyledItemDelegate):
-    """A choice of kinds, made when a cell is edited: a table of thousands of rows stays light."""
+    """A combo box of kinds, created only while a cell is edited, so that tables of thousands of
+    rows stay fast."""
 
     def __init__(self, kinds, parent):
         super().__init__(parent)
@@ -54,8 +56,8 @@ class _KindDelegate(QtWidgets.QStyledItemDelegate):
 
 
 class RulesTable(QtWidgets.QTableWidget):
-    """kinds: those that may be chosen. head: of the column of lengths, without the unit. label: how people
-    call what has a rule; title: what such a thing is."""
+    """kinds: those that can be chosen. head: title of the column of lengths, without the unit.
+    label: function that returns the text for a row; title: title of the first column."""
 
     def __init__(self, name, head, kinds=KINDS, height=110, label=None, title=""):
         super().__init__(0, 3)
@@ -73,14 +75,14 @@ class RulesTable(QtWidgets.QTableWidget):
         self.horizontalHeaderItem(LENGTH).setToolTip(
             translate(
                 "Panels",
-                "The required distance for this row. Empty: the common required "
-                "distance below. If contact is allowed: how deep the parts may "
-                "overlap. Empty: no measurable overlap",
+                "Required distance for this row (empty: the common required distance below). If "
+                "contact is allowed: how deep the parts may overlap (empty: no measurable "
+                "overlap)",
             )
             if CONTACT in kinds
             else translate(
                 "Panels",
-                "The required distance for this row. Empty: the common required distance below",
+                "Required distance for this row (empty: the common required distance below)",
             )
         )
         self.horizontalHeaderItem(KIND).setToolTip(
@@ -99,7 +101,8 @@ class RulesTable(QtWidgets.QTableWidget):
             )
 
     def show_pairs(self, pairs, rules=None):
-        """Shows these; what was given for those that stay is kept. rules: {pair: Rule} instead."""
+        """Shows these rows. Rows that were shown before keep their rules. rules: {pair: Rule} to
+        show instead."""
         given = {
             pair: [self.item(row, column) for column in (LENGTH, KIND)]
             for row, pair in enumerate(self.pairs)
@@ -122,7 +125,7 @@ class RulesTable(QtWidgets.QTableWidget):
             choice = _item(*kind_state)
             for column, item in ((NEIGHBOUR, name), (LENGTH, length), (KIND, choice)):
                 self.setItem(row, column, item)
-        if len(self.pairs) <= 200:  # each row is measured
+        if len(self.pairs) <= 200:  # each row is measured, which is slow for many rows
             self.resizeRowsToContents()
 
     def _length_text(self, rule):
@@ -131,14 +134,15 @@ class RulesTable(QtWidgets.QTableWidget):
         return quantities.number(rule.length / self.one, quantities.TABLE_DIGITS)
 
     def rules(self):
-        """{pair: Rule} of those that ask for something of their own. Raises InputProblem."""
+        """Returns {pair: Rule} for the rows with their own rule. Raises InputProblem."""
         found = {}
         for row, pair in enumerate(self.pairs):
             text = self.item(row, LENGTH).text().strip()
             rule = Rule(self.item(row, KIND).data(QtCore.Qt.UserRole))
             if text and rule.kind != IGNORE:
                 shown = self.item(row, LENGTH).data(QtCore.Qt.UserRole)
-                if shown and shown[0] == text:  # not touched: all its digits
+                # The text was not edited, so the length keeps all its digits.
+                if shown and shown[0] == text:
                     rule.length = shown[1]
                 else:
                     rule.length = number_from(text, self.unit) * self.one
@@ -154,7 +158,7 @@ class RulesTable(QtWidgets.QTableWidget):
         return found
 
     def mark(self, names):
-        """Writes the names of these neighbours in bold: they are in the way."""
+        """Writes the names of these neighbours in bold, because they are obstacles."""
         for row in range(self.rowCount()):
             item = self.item(row, NEIGHBOUR)
             font = QtGui.QFont(self.font())

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What task panels with a run share, and the one that shows nothing else: progress, stop, what went
-wrong."""
+"""Base of the task panels with a run, and a panel that shows only a run: progress, stop, errors."""
 import FreeCADGui as Gui
 
 from .. import reading, runner
@@ -10,8 +9,8 @@ from .widgets import QtWidgets
 
 
 class StartPanel:
-    """Buttons of a panel that starts a run and stays open until its end. The panel has `run` (None: none
-    is under way), start(), ended(run) and _close()."""
+    """Buttons of a panel that starts a run and stays open until its end. The panel defines `run`
+    (None: no run), start(), ended(run) and _close()."""
 
     #: Names of the buttons that start the run.
     STARTERS = ("Ok",)
@@ -21,15 +20,15 @@ class StartPanel:
         return widgets.standard_buttons(*kinds, QtWidgets.QDialogButtonBox.Cancel)
 
     def modifyStandardButtons(self, box):
-        """FreeCAD hands over the buttons of the open panel."""
+        """Called by FreeCAD with the buttons of the open panel."""
         widgets.forget_with(box)
         self.buttons = [
             box.button(getattr(QtWidgets.QDialogButtonBox, name)) for name in self.STARTERS
         ]
-        self._button_box = box  # keeps the wrappers of the buttons alive
+        self._button_box = box  # keeps the Python wrappers of the buttons alive
 
     def close_dialog(self):
-        """The buttons go with the dialog."""
+        """Forgets the buttons, which disappear with the dialog."""
         self.buttons, self._button_box = [], None
         Gui.Control.closeDialog()
 
@@ -39,8 +38,9 @@ class StartPanel:
 
     @guard.told
     def begin(self, task, ended, words=list, again=None):
-        """Starts task() and follows it; ended(run) is called at its end. Returns whether it runs. words:
-        gives contents.words() of the parts; where those are large, again() follows when they are read.
+        """Starts task() and calls ended(run) at its end. Returns whether the run has started.
+        words: returns contents.words() of the parts. If the parts are large, they are read
+        first, and again() is called afterwards.
         """
         widgets.show_message(self.message, "")
         guard.check_fields(self.form)
@@ -65,7 +65,7 @@ class StartPanel:
         return False
 
     def reject(self):
-        """Cancel: stops a run first; nothing was written before it ended."""
+        """Cancel: first stops a run, which writes nothing before its end."""
         if self.run is not None:
             self.run.ended.disconnect(self.ended)
             self.run.cancel()
@@ -73,21 +73,21 @@ class StartPanel:
 
 
 class StayingPanel(StartPanel):
-    """A panel with Close alone, whose runs are started by a button of the form. It has `watch`, of its
-    document, besides."""
+    """A panel whose only dialog button is Close. Buttons of the form start its runs. The panel also
+    has `watch`, the observer of its document."""
 
     def getStandardButtons(self):
         return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)
 
     def modifyStandardButtons(self, box):
-        """The button that starts is one of the form."""
+        """Keeps no buttons, because the button that starts a run belongs to the form."""
         widgets.forget_with(box)
 
     def leave(self):
-        """What else ends with the panel."""
+        """Subclasses end further work of the panel here."""
 
     def reject(self):
-        """Close: stops what still runs; results stay."""
+        """Close: stops a run in progress. Results stay."""
         self.watch.stop()
         if self.run is not None:
             self.run.ended.disconnect(self.ended)
@@ -99,7 +99,7 @@ class StayingPanel(StartPanel):
 
 
 class RunPanel:
-    """Starts a task at once and closes itself when the task ends well."""
+    """Starts a task at once, and closes itself when the task succeeds."""
 
     def __init__(self, task, icon_name):
         self.form, layout = widgets.window(task.title, icon_name)
@@ -124,7 +124,7 @@ class RunPanel:
         return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)
 
     def reject(self):
-        """Close: stops what still runs."""
+        """Close: stops a run in progress."""
         self.run.ended.disconnect(self.ended)
         self.run.cancel()
         Gui.Control.closeDialog()

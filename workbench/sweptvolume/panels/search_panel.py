@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the panels share that search for a way between neighbours: neighbours, rules, run, the paths that were
-found. Each path is a motion and one step of Undo; nothing else is written."""
+"""Base of the panels that search for a path between neighbours: neighbours, rules, run, and the
+paths found. Each path is a motion and one undo step. Nothing else is written."""
 from .. import convert
 from ..features import path_plan
 from ..texts import translate
@@ -11,8 +11,8 @@ from .widgets import QtWidgets
 
 
 class SearchPanel(StayingPanel):
-    """Subclasses give TITLE, ICON, BUTTON (texts and names), build_way(), build_rules(rows), task(), and
-    found(task), what else is done with what was found."""
+    """Subclasses define TITLE, ICON, BUTTON (texts and names), build_way(), build_rules(rows),
+    task(), and found(task), which handles the result."""
 
     def __init__(self, document, pairs):
         self.document, self.pairs, self.run = document, list(pairs), None
@@ -20,9 +20,9 @@ class SearchPanel(StayingPanel):
         self.box, self.message = widgets.RunBox(), widgets.message_label()
         self.begins = QtWidgets.QPushButton(translate("Panels", self.BUTTON))
         self.begins.setObjectName("SweptVolumeFind")
-        self.begins.setDefault(True)  # Enter
+        self.begins.setDefault(True)  # Enter presses this button
         self.begins.clicked.connect(lambda *ignored: self.start())
-        for widget in (self.begins, self.box, self.message):  # seen without scrolling
+        for widget in (self.begins, self.box, self.message):  # visible without scrolling
             self.layout.addWidget(widget)
         self.paths = paths_table.PathsTable(document, self.layout)
         self.build_way()
@@ -41,9 +41,9 @@ class SearchPanel(StayingPanel):
             widgets.length(now["ReleaseDistance"], 0.0, 5.0),
             translate(
                 "Panels",
-                "If a neighbour is closer than the required distance at the start or "
-                "the goal, it may stay closer until some point of the part has moved "
-                "this far from there",
+                "If the part is closer to a neighbour than the required distance at its start or "
+                "goal, it may stay that close while no point of the part is farther than this "
+                "from its position at that end",
             ),
         )
         self.release.setObjectName("SweptVolumeRelease")
@@ -70,7 +70,7 @@ class SearchPanel(StayingPanel):
         rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
 
     def rules(self):
-        """What the fields say that all searches have."""
+        """Returns the values of the fields that all searches have."""
         return {
             "RequiredDistance": float(self.required.property("rawValue")),
             "ReleaseDistance": float(self.release.property("rawValue")),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is selected, sorted by what our commands can use. Sub paths through groups and links stay."""
+"""The selection, sorted by what the commands can use. Keeps sub paths through groups and links."""
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -18,7 +18,8 @@ from ..texts import translate
 
 
 def paths():
-    """Selected (root, sub path) without element names, each once, in order of selection."""
+    """Returns the selected (root, sub path) without element names, each once, in order of
+    selection."""
     found = []
     for item in Gui.Selection.getSelectionEx("", 0):
         for sub in item.SubElementNames or [""]:
@@ -49,12 +50,12 @@ def _ours(obj):
 
 
 def parts():
-    """Selected solids and meshes that can move."""
+    """Returns the selected solids and meshes that can move."""
     return _with_geometry(lambda target: not _ours(target))
 
 
 def spaces():
-    """Selected solids and meshes, those of ours as well."""
+    """Returns the selected solids and meshes, including results of ours."""
     return _with_geometry(lambda target: True)
 
 
@@ -73,8 +74,8 @@ def _with_geometry(test):
 
 
 def moved_part(obj):
-    """The part that a motion (None: a new one) moves: the selected one, else the motion's own, else the
-    first of an envelope that uses it."""
+    """Returns the part that a motion moves (None: a new motion): the selected part, the motion's
+    own part, or the first part of an envelope that uses the motion."""
     chosen = parts() or [pair for pair in (parts_of(obj) if obj else []) if targets([pair])]
     if chosen:
         return chosen[0]
@@ -86,12 +87,12 @@ def moved_part(obj):
 
 
 def ours():
-    """Whether an object of ours is selected."""
+    """Returns whether one of our objects is selected."""
     return _first(_ours) is not None
 
 
 def motion():
-    """The selected motion, or None."""
+    """Returns the selected motion, or None."""
     return _first(is_motion)
 
 
@@ -104,63 +105,63 @@ def solid():
 
 
 def shared():
-    """The selected shared volume, or None."""
+    """Returns the selected shared volume, or None."""
     return _first(is_shared)
 
 
 def clearance():
-    """The selected clearance check, or None."""
+    """Returns the selected clearance check, or None."""
     return _first(is_clearance)
 
 
 def mechanism():
-    """The selected mechanism check, or None."""
+    """Returns the selected mechanism check, or None."""
     return _first(is_mechanism)
 
 
 def sequence():
-    """The selected sequence, or None."""
+    """Returns the selected sequence, or None."""
     return _first(is_sequence)
 
 
 def has_report(obj):
-    """Whether an object is a check or a study, of which there are reports."""
+    """Returns whether an object is a check or a study, for which there are reports."""
     return is_clearance(obj) or is_mechanism(obj) or is_study(obj)
 
 
 def reported():
-    """The selected check or study, or None."""
+    """Returns the selected check or study, or None."""
     return _first(has_report)
 
 
 def study():
-    """The selected study, or None."""
+    """Returns the selected study, or None."""
     return _first(is_study)
 
 
 def runs():
-    """The selected envelopes and clearance checks, which can be runs of a study."""
+    """Returns the selected envelopes and clearance checks, which can be runs of a study."""
     return list(_targets(can_run))
 
 
 def motions():
-    """All selected motions."""
+    """Returns all selected motions."""
     return list(_targets(is_motion))
 
 
 def source():
-    """The selected envelope or other mesh of which a solid can be made."""
+    """Returns the selected envelope or other mesh from which a solid can be made."""
     return _first(can_be_source)
 
 
 def placed():
-    """Selected objects that have a placement and are not ours."""
+    """Returns the selected objects that have a placement and are not ours."""
     return list(_targets(lambda target: hasattr(target, "Placement") and not _ours(target)))
 
 
 def of_kind(document, kind):
-    """What a command acts on: the selected object of a kind (KIND of its proxy), else the only one of
-    the document. Returns (object or None, how many there are)."""
+    """Returns (object, count). object is the selected object of a kind (KIND of its proxy), or the
+    only one of the document, or None. count is the number of such objects in the document."""
     found = _first(lambda obj: kind_of(obj) == kind)
     known = objects_of_kind(document, kind)
     if found is None and len(known) == 1:
@@ -169,8 +170,9 @@ def of_kind(document, kind):
 
 
 def _wanting(document, kind, none, several):
-    """Texts for a command that acts on one object of a kind: none where there is none in the document,
-    several (with their number) where one has to be selected; "" where it is clear."""
+    """Returns the text about what is missing for a command that acts on one object of a kind.
+    `none`: the text if the document has none; `several`: the text (with their number) if one
+    must be selected. Returns "" if nothing is missing."""
     found, count = of_kind(document, kind)
     if found is not None:
         return ""
@@ -178,7 +180,7 @@ def _wanting(document, kind, none, several):
 
 
 def the_envelope(document):
-    """What a command that acts on one envelope takes. Raises InputProblem."""
+    """Returns the envelope for a command that acts on one. Raises InputProblem."""
     found = of_kind(document, Envelope.KIND)[0]
     if found is None:
         raise InputProblem(translate("Messages", "Select an envelope first."))
@@ -186,7 +188,7 @@ def the_envelope(document):
 
 
 def the_motion(document):
-    """What a command that acts on one motion takes. Raises InputProblem."""
+    """Returns the motion for a command that acts on one. Raises InputProblem."""
     found = of_kind(document, Motion.KIND)[0]
     if found is None:
         raise InputProblem(translate("Messages", "Select a motion first."))
@@ -194,7 +196,7 @@ def the_motion(document):
 
 
 def wanting_envelope(document):
-    """Why a command that acts on one envelope cannot; "" where it can."""
+    """Returns why a command that acts on one envelope cannot run, or ""."""
     return _wanting(
         document,
         Envelope.KIND,
@@ -206,7 +208,7 @@ def wanting_envelope(document):
 
 
 def wanting_motion(document):
-    """Why a command that acts on one motion cannot; "" where it can."""
+    """Returns why a command that acts on one motion cannot run, or ""."""
     return _wanting(
         document,
         Motion.KIND,
@@ -216,13 +218,15 @@ def wanting_motion(document):
 
 
 def moving_parts(document):
-    """The selected parts, else the only visible one of the document."""
+    """Returns the selected parts. Without a selection, returns the only visible part of the
+    document."""
     chosen = parts()
     return chosen if chosen or plain() else _only_part(document)
 
 
 def _only_part(document):
-    """The only visible solid or mesh of a document, in a list; empty if there are several."""
+    """Returns the only visible solid or mesh of a document in a list, or an empty list if there are
+    several."""
     found = []
     for obj in document.Objects:
         if not getattr(obj, "Visibility", False) or kind_of(obj) or obj.InList:
@@ -239,7 +243,7 @@ def _first(test):
 
 
 def _targets(test):
-    """The selected objects that pass a test, one after the other."""
+    """Yields the selected objects that pass a test."""
     for pair in paths():
         target = _target(pair)
         if target is not None and test(target):
@@ -247,5 +251,5 @@ def _targets(test):
 
 
 def plain():
-    """Selected objects that are not ours, with or without a placement."""
+    """Returns the selected objects that are not ours, with or without a placement."""
     return list(_targets(lambda target: not _ours(target)))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel of a sequence: parts in their order with their motions, what stands still, rules; finds the ways
-in this order or finds an order, and plays what was found as one. Nothing is written before a search has found
-all ways: then their motions and the sequence, one step of Undo."""
+"""Task panel of a sequence: parts in their order with their motions, parts that stand still, rules.
+Finds the paths in this order, or finds an order, and plays all paths as one motion. Writes
+nothing before a search has found all paths. Then it writes their motions and the sequence as one
+undo step."""
 from PySide import QtCore
 
 from .. import runner
@@ -17,14 +18,14 @@ from .sequence_rows import SequenceRows
 from .tasks import ShapesTask
 from .widgets import QtWidgets
 
-#: ms between two looks at where the search is.
+#: Interval (ms) between two checks of the search's progress.
 LOOK = 200
-#: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
+#: The panel opened last, for tests and macros. FreeCAD does not give access to it.
 opened = []
 
 
 class SequencePanel(SearchPanel):
-    """Makes a new sequence (obj None) or shows one and searches again."""
+    """Creates a new sequence (obj None), or shows an existing one and searches again."""
 
     TITLE, ICON = mark("Panels", "Sequence"), "SweptVolume_Sequence"
     BUTTON = mark("Panels", "&Find paths in this order")
@@ -32,7 +33,8 @@ class SequencePanel(SearchPanel):
     def __init__(self, document, pairs=(), obj=None):
         self.obj, self.ghost, self.ghosts, self.shapes, self.courses = obj, None, None, None, []
         self.looked = -1
-        # What an object has and no field shows stays: tolerance, and rules of the parts among each other.
+        # Settings of an object that no field shows are kept: accuracy, and rules of the parts among
+        # each other.
         self.tolerance, self.own_rules = path_plan.DEFAULTS["Accuracy"], {}
         self.looks = QtCore.QTimer()
         self.looks.timeout.connect(self._look)
@@ -109,7 +111,7 @@ class SequencePanel(SearchPanel):
         self.clear_view()
 
     def plan(self, order):
-        """What is asked for. Raises InputProblem."""
+        """Returns the plan from the fields. Raises InputProblem."""
         values = {
             "RequiredDistance": float(self.required.property("rawValue")),
             "ReleaseDistance": float(self.release.property("rawValue")),
@@ -161,7 +163,7 @@ class SequencePanel(SearchPanel):
         return True
 
     def _look(self):
-        """Shows which part is looked at, and where it came to."""
+        """Shows the current part of the search, and its farthest placement."""
         if self.run is None:
             return
         row, found, farthest = self.run.task.seen.seen()
@@ -252,7 +254,7 @@ class SequencePanel(SearchPanel):
         self.ghost = None
 
     def clear_view(self):
-        """Nothing is drawn any more."""
+        """Removes all drawings."""
         self.player.stop()
         self._forget_ghost()
         if self.shapes is not None:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parts of a sequence in their order: a table with the motion of each, or that it is to be found, and how
-far the search is."""
+"""The parts of a sequence in their order: a table with the motion of each part (or "find a path"),
+and the progress of the search."""
 from .. import convert
 from ..features import motion as motion_feature
 from ..features.base import objects_of_kind
@@ -10,7 +10,7 @@ from .widgets import QtCore, QtWidgets
 
 
 class SequenceRows(QtCore.QObject):
-    """`changed`: other parts, another order or another motion."""
+    """Signal `changed`: other parts, another order or another motion."""
 
     changed = QtCore.Signal()
 
@@ -70,7 +70,8 @@ class SequenceRows(QtCore.QObject):
         rows.addRow(line)
 
     def show_rows(self, pairs, motions=None, states=None):
-        """motions, states: of each part; none: to be found, nothing to say."""
+        """motions, states: one for each part. No motion: a path is searched for. No state: the cell
+        is empty."""
         self.pairs = list(pairs)
         self.motions = list(motions or [None] * len(self.pairs))
         self.states = list(states or [""] * len(self.pairs))
@@ -88,7 +89,7 @@ class SequenceRows(QtCore.QObject):
         self.table.setItem(row, column, item)
 
     def _choice(self, row):
-        """Of the motions that know the part, or that it is found."""
+        """Returns a combo box with "find a path" and the motions that list the part."""
         pair, now = self.pairs[row], self.motions[row]
         known = [
             m
@@ -126,7 +127,7 @@ class SequenceRows(QtCore.QObject):
             self.changed.emit()
 
     def move(self, by):
-        """The marked part one step earlier (-1) or later (1)."""
+        """Moves the marked part one step earlier (-1) or later (1)."""
         row = self.table.currentRow()
         if row < 0 or not 0 <= row + by < len(self.pairs):
             return

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel: what a solid may cost, before it is made or written to a file. Tolerance, budget of faces
-and of megabytes; an estimate; the run."""
+"""Task panel of a solid, before it is made or written to a file: tolerance, limits of faces and
+megabytes, estimate, run."""
 import os
 
 from PySide import QtCore
@@ -13,15 +13,15 @@ from .look import Look
 from .run_panel import StartPanel
 from .widgets import QtWidgets
 
-#: ms after the last change before the estimate is made anew.
+#: Time (ms) from the last change to a new estimate.
 ESTIMATE_DELAY = 250
 
-#: The panel opened last (FreeCAD keeps it, but does not hand it out); for tests and macros.
+#: The panel opened last, for tests and macros. FreeCAD does not give access to it.
 opened = []
 
 
 class SolidPanel(StartPanel):
-    """Makes the solid of `source` (again: obj), or with a path writes it there."""
+    """Creates the solid of `source` (or converts obj again), or writes it to a path."""
 
     def __init__(self, source, obj=None, path=""):
         self.mesh = solid.request_for(source, world=bool(path))
@@ -50,7 +50,7 @@ class SolidPanel(StartPanel):
         self.merge = QtWidgets.QCheckBox(translate("Panels", "Merge coplanar"))
         self.merge.setChecked(values["merge"])
         widgets.hint(
-            self.merge, translate("Panels", "Merges coplanar triangles into single flat faces")
+            self.merge, translate("Panels", "Merges adjacent coplanar triangles into one flat face")
         )
         self.tolerance = widgets.length(values["tolerance"])
         self.tolerance.setObjectName("SweptVolumeSolidTolerance")
@@ -58,8 +58,8 @@ class SolidPanel(StartPanel):
             self.tolerance,
             translate(
                 "Panels",
-                "How far the solid may deviate from the mesh; 0: exact, unless Max faces forces a "
-                "tolerance",
+                "How far the solid may deviate from the mesh. 0: exact, unless Max faces "
+                "requires a tolerance",
             ),
         )
         self.faces = QtWidgets.QSpinBox()
@@ -72,7 +72,7 @@ class SolidPanel(StartPanel):
             self.faces,
             translate(
                 "Panels",
-                "If the tolerance is 0, the smallest tolerance that stays within this limit is chosen",
+                "If the tolerance is 0, the smallest tolerance that meets this limit is chosen",
             ),
         )
         self.megabytes = QtWidgets.QDoubleSpinBox()
@@ -86,8 +86,9 @@ class SolidPanel(StartPanel):
             self.tessellated,
             translate(
                 "Panels",
-                "Writes the triangles themselves instead of faces: exact, fast and of any size. Only "
-                "programs that read tessellated STEP can open it; FreeCAD 0.20 cannot",
+                "Writes the triangles themselves instead of faces. This is exact and fast, and "
+                "there is no limit on the number of triangles. Only programs that read "
+                "tessellated STEP can open the file; FreeCAD 0.20 cannot",
             ),
         )
         step = self.path.lower().endswith((".step", ".stp"))
@@ -111,7 +112,7 @@ class SolidPanel(StartPanel):
             field.valueChanged.connect(self._changed)
 
     def settings(self):
-        """As features.solid takes them."""
+        """Returns the settings in the form of features.solid."""
         return {
             "merge": self.merge.isChecked(),
             "tolerance": float(self.tolerance.property("rawValue")),
@@ -128,13 +129,13 @@ class SolidPanel(StartPanel):
         self._changed()
 
     def _changed(self, *ignored):
-        """What was found is of other settings."""
+        """Removes an estimate that belongs to other settings."""
         self.look.stop()
         widgets.show_message(self.expected, translate("Panels", "Estimating the solid ..."))
         self.timer.start(ESTIMATE_DELAY)
 
     def estimate(self):
-        """Asks what the solid would take."""
+        """Starts the estimate."""
         if self.run is not None or not widgets.alive(self.document):
             return
         try:
@@ -173,7 +174,7 @@ class SolidPanel(StartPanel):
         return tasks.SolidTask(self.document, self.source, self.obj, self.settings())
 
     def start(self):
-        # A trial would do the run's work beside it.
+        # The estimate would do the same work beside the run.
         self.timer.stop()
         self.look.stop()
         if self.begin(self.task, self.ended):
@@ -203,7 +204,7 @@ class SolidPanel(StartPanel):
 
 
 def show(source, obj=None, path=""):
-    """Opens the panel. obj: the solid that is made again; path: a STEP or BREP file to be written.
+    """Opens the panel. obj: the solid to convert again; path: the STEP or BREP file to write.
     Raises InputProblem."""
     if path:
         export.check_target(path)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cells of tables that people sort."""
+"""Cells of sortable tables."""
 from .widgets import QtWidgets
 
 
 class SortedCell(QtWidgets.QTableWidgetItem):
-    """A cell that sorts by a key and shows a text."""
+    """A cell that shows a text and sorts by a key."""
 
     def __init__(self, text, key):
         super().__init__(text)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel: a motion from a path object."""
+"""Task panel: a motion from an object."""
 import FreeCADGui as Gui
 
 from .. import runner
@@ -16,7 +16,7 @@ from .widgets import QtWidgets
 
 
 class SourcePanel:
-    """Asks what the kind of source needs: for a new motion (obj None), or for one that has it already."""
+    """Shows the settings of the kind of source, for a new motion (obj None) or for an existing one."""
 
     def __init__(self, document, kind, objects, obj=None):
         self.document, self.kind, self.objects, self.obj = document, kind, objects, obj
@@ -34,14 +34,14 @@ class SourcePanel:
         build = getattr(self, "_build_" + kind.lower(), None)
         if build is not None:
             build(rows)
-        self.told = ""  # what was said of the poses before they are taken
+        self.told = ""  # notes about the poses that were already shown
         now = (obj.Interpolation, obj.PoseType) if obj else (interpolation_of(kind), frame_of(kind))
         self.interpolation = widgets.choice(list(INTERPOLATIONS), now[0])
         self.frame = widgets.choice(FRAMES, now[1])
         self.frame.setToolTip(translate("Properties", FRAME_HELP))
         rows.addRow(translate("Panels", "Interpolation"), self.interpolation)
         rows.addRow(translate("Panels", "Pose type"), self.frame)
-        if self._all_parts():  # poses of joints are where the parts are
+        if self._all_parts():  # absolute, because poses of joints are the true places of the parts
             self.frame.setEnabled(False)
             text = translate("Panels", "No part is selected: every part that moves gets a motion.")
             widgets.show_message(self.message, text)
@@ -140,11 +140,11 @@ class SourcePanel:
             fields.append(field)
 
         def show_range(*ignored):
-            """From the chosen value as it is now, in its unit."""
+            """Starts the range at the present value, in its unit."""
             widgets.show_message(self.message, "")
             try:
                 handle = driven.Handle(self.objects[0], name.currentData())
-            except InputProblem as problem:  # it follows an expression
+            except InputProblem as problem:  # an expression sets the value
                 widgets.show_message(self.message, str(problem))
                 return
             kept = self.given.get("property") == handle.name
@@ -187,19 +187,19 @@ class SourcePanel:
         return True
 
     def _say_first(self, text):
-        """Raises InputProblem where the poses give something to be said that was not said yet: nothing of
-        them is taken then."""
+        """Raises InputProblem if there are notes about the poses that were not shown yet. The
+        motion is then not created."""
         if text != self.told:
             self.told = text
             once_more = translate("Panels", "Press OK again to use the motion as it is.")
             raise InputProblem("{} {}".format(text, once_more))
 
     def _all_parts(self):
-        """Whether no part is chosen: all that the source moves are taken."""
+        """Returns whether no part is chosen, so that all parts that the source moves get motions."""
         return self.obj is None and self.kind in FROM_JOINTS and len(self.objects) == 1
 
     def _take_all(self, values):
-        """Motions of all parts that the source moves. Raises InputProblem."""
+        """Creates motions of all parts that the source moves. Raises InputProblem."""
         settings = Settings(self.kind, objects=self.objects, **values)
         with runner.transaction(self.document, self.title):
             run = frames_run.recorded(self.document, settings)
@@ -215,7 +215,7 @@ class SourcePanel:
         return True
 
     def _written(self, values):
-        """The motion with these settings."""
+        """Writes these settings to the motion and returns it."""
         rules = self.interpolation.currentData(), self.frame.currentData()
         if self.obj is None:
             obj = motion.motion_from_source(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A motion with a source in the panels: what it comes from, its settings, and whether to cut the link."""
+"""Motions with a source in the panels: name and settings of the source, and removing the link."""
 import os
 
 import FreeCADGui as Gui
@@ -9,12 +9,12 @@ from .widgets import QtWidgets
 
 
 def is_sourced(obj):
-    """Whether the poses of a motion are those of something else."""
+    """Returns whether the poses of a motion come from a source."""
     return obj is not None and obj.SourceType != "Stored"
 
 
 def name_of(obj):
-    """Of what the poses come from, for people."""
+    """Returns the name of the source, for people."""
     if obj.SourceType == "File":
         return os.path.basename(obj.SourceFile)
     return ", ".join(source.Label for source in obj.SourceObjects)
@@ -31,7 +31,7 @@ def edit(obj):
 
 
 def may_cut(obj):
-    """Asks whether the poses of a motion may become its own."""
+    """Asks the user whether to remove the link of a motion to its source."""
     text = translate(
         "Panels",
         'The poses of "{0}" are linked to {1}. To edit a key, you must remove the '

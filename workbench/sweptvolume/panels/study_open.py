@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Opens a run of a study: the panel of its check, with the moving part at its worst place, or of its
-envelope. A check that is not up to date is computed first."""
+"""Opens a run of a study: the panel of its check, with the moving part at its worst place, or of
+its envelope. A check that is not up to date is computed first."""
 from PySide import QtCore
 
 from ..features import clearance, clearance_table
@@ -8,13 +8,14 @@ from . import clearance_panel, envelope_panel, widgets
 
 
 class Opener:
-    """panel: the panel of the study, which makes room."""
+    """panel: the panel of the study, which closes first."""
 
     def __init__(self, panel):
         self.panel = panel
 
     def show(self, source):
-        """From the loop: the panel of the study is closed first."""
+        """Opens the source of a run. Called from the event loop, after the panel of the study has
+        closed."""
         self.panel.reject()
         QtCore.QTimer.singleShot(0, lambda: _open(source))
 
@@ -33,6 +34,6 @@ def _open(source):
 
 
 def _worst(panel):
-    """Chooses the row that meets its rule least: the part is shown at its worst place."""
+    """Chooses the worst row, so that the part is shown at its worst place."""
     for index in clearance_table.worst_rows(panel.report)[:1]:
         panel.choose(index)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel of a study: what is run, the rows with their state while they end, the worst one opened. Nothing
-is written to the document before a run has ended well or was stopped."""
+"""Task panel of a study: the runs, and their rows with the state as they end. Opens the worst run.
+Writes nothing to the document before a run has succeeded or was stopped."""
 import os
 
 from PySide import QtCore, QtGui
@@ -18,7 +18,8 @@ from .widgets import QtWidgets
 
 
 class StudyPanel(StayingPanel):
-    """Makes a new study (obj None) or shows and repeats one. sources: what is ticked at first."""
+    """Creates a new study (obj None), or shows and repeats an existing one. sources: ticked at
+    first."""
 
     def __init__(self, document, obj=None, sources=()):
         self.document, self.obj, self.run = document, obj, None
@@ -76,14 +77,14 @@ class StudyPanel(StayingPanel):
         rows.addRow(translate("Panels", "Runs at once"), self.jobs)
         self.start_button = QtWidgets.QPushButton()
         self.start_button.setObjectName("SweptVolumeRunStudy")
-        self.start_button.setDefault(True)  # Enter
+        self.start_button.setDefault(True)  # Enter presses this button
         rows.addRow(self.start_button)
         self.start_button.clicked.connect(lambda *ignored: self.start())
         self.kind.currentIndexChanged.connect(lambda *ignored: self._show_kind())
         self._show_kind()
 
     def _file_row(self, rows, label, name, text, ask):
-        """A field with a button that asks for what belongs there."""
+        """Builds a field with a button that opens the dialog `ask`."""
         line = QtWidgets.QWidget()
         box = QtWidgets.QHBoxLayout(line)
         box.setContentsMargins(0, 0, 0, 0)
@@ -231,7 +232,8 @@ class StudyPanel(StayingPanel):
         self._chosen()
 
     def _chosen(self):
-        """What the chosen row tells; the button opens it, or the worst one."""
+        """Shows the text of the chosen row. The button opens that run, or the worst one if no row
+        is chosen."""
         row = self.table.chosen()
         self.open_button.setText(
             translate("Panels", "&Open worst") if row is None else translate("Panels", "&Open run")
@@ -240,7 +242,7 @@ class StudyPanel(StayingPanel):
 
     @guard.told
     def open_run(self):
-        """The chosen run, or the worst one."""
+        """Opens the chosen run, or the worst one."""
         if self.run is not None or self.obj is None:
             return
         report = study.report_of(self.obj)
@@ -273,7 +275,7 @@ class StudyPanel(StayingPanel):
 
 
 def show(document, obj=None, sources=()):
-    core.module()  # says how to get it before anything is asked
+    core.module()  # raises early, with the text how to get the core
     panel = StudyPanel(document, obj, sources)
     focus.show(panel)
     return panel

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of a study's panel: a row for each run, with its state. Texts are made for the rows that are
-seen: a study may have thousands."""
+"""The table of a study's panel: a row for each run, with its state. Texts are created only for
+visible rows, because a study may have thousands."""
 from PySide import QtCore, QtGui
 
 from ..features import study_table
@@ -10,10 +10,10 @@ from . import focus
 from .shades import ShadedCells
 from .widgets import QtWidgets
 
-#: State of a run -> colour behind it (of BANDS); others have none.
+#: State of a run -> index of its background colour in BANDS. Other states have none.
 _COLOURS = {"failed": 0, "not clear": 1, "done": 3}
 _ORDER = list(study_table.STATES)
-#: Rows that tell how wide a column is to be.
+#: Number of rows that determine the width of a column.
 _LOOKED_AT = 50
 _TEXTS = (
     lambda row: row["run"],
@@ -24,7 +24,7 @@ _TEXTS = (
 
 
 def _length_key(row):
-    """Clashes first, the deepest before all others."""
+    """Returns the sort key: clashes first, the deepest before all others."""
     if row.get("verdict") == "clash":
         return -row.get("depth", 0.0)
     return row.get("distance", float("inf"))
@@ -86,7 +86,7 @@ class _Rows(QtCore.QAbstractTableModel):
         self.endResetModel()
 
     def take(self, found):
-        """found: {name of a run: its row}."""
+        """Stores rows. found: {name of a run: its row}."""
         for name, row in found.items():
             place = self.places.get(name)
             if place is not None and self.rows[place] != row:
@@ -98,7 +98,7 @@ class _Rows(QtCore.QAbstractTableModel):
 
 
 class RowTable(QtWidgets.QTableView):
-    """Rows in the order of the study until somebody sorts them. `chose` tells that another row is
+    """Rows in the order of the study until the user sorts them. Signal `chose`: another row is
     selected."""
 
     chose = QtCore.Signal()
@@ -108,7 +108,7 @@ class RowTable(QtWidgets.QTableView):
         self.setObjectName("SweptVolumeStudyTable")
         self.rows = _Rows()
         self.setModel(self.rows)
-        self.shades = ShadedCells()  # the table does not keep it
+        self.shades = ShadedCells()  # the table does not keep a reference to it
         self.setItemDelegateForColumn(1, self.shades)
         self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
@@ -122,7 +122,7 @@ class RowTable(QtWidgets.QTableView):
         header.setSectionResizeMode(0, modes.Stretch)
         header.setHighlightSections(False)
         header.setResizeContentsPrecision(_LOOKED_AT)
-        header.setSortIndicator(-1, QtCore.Qt.AscendingOrder)  # as the study has them
+        header.setSortIndicator(-1, QtCore.Qt.AscendingOrder)  # no sorting: the order of the study
         self.setSortingEnabled(True)
         self.setMinimumHeight(180)
         self.setTabKeyNavigation(False)  # Tab leaves the table
@@ -136,11 +136,11 @@ class RowTable(QtWidgets.QTableView):
         self.sortByColumn(column, order)
 
     def begin(self, names):
-        """A run of these begins: nothing has ended yet."""
+        """Clears the rows when a run of these names begins."""
         self._fill([{"run": name, "state": "not run"} for name in names])
 
     def take(self, found):
-        """found: {name of a run: its row} of those that have ended."""
+        """Shows rows. found: {name of a run: its row} of the runs that have ended."""
         self.rows.take(found)
 
     def show_report(self, report):
@@ -150,7 +150,7 @@ class RowTable(QtWidgets.QTableView):
             self.scrollTo(self.rows.index(place, 0))
 
     def chosen(self):
-        """The row that is selected; None: none is."""
+        """Returns the selected row, or None."""
         places = self.selectionModel().selectedRows()
         return self.rows.rows[places[0].row()] if places else None
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The runs of a study's panel: the study itself, its report, a run of a study file as objects."""
+"""Tasks of a study's panel: the study itself, its report, and a run of a study file as document
+objects."""
 import FreeCAD as App
 
 from .. import page, settings, studies, targets
@@ -13,12 +14,12 @@ from .tasks import PlanTask
 
 
 class StudyTask(PlanTask):
-    """Runs what is left of a study; one that is stopped keeps its rows."""
+    """Computes the remaining runs of a study. If it is stopped, its rows are kept."""
 
     TITLE = mark("Messages", "Run study")
     FEATURE = study
 
-    names = None  # of its runs, once they are known
+    names = None  # names of the runs, when they are known
 
     def read(self):
         return self.plan.request()
@@ -59,7 +60,7 @@ class StudyPageTask(WritingTask):
 
     def work(self, control):
         pdf = page.is_pdf(self.path)
-        page.template(pdf)  # says what is wrong with it
+        page.template(pdf)  # raises if the template is faulty
         template = settings.page_template(pdf) or ("print" if pdf else "")
         given = self.study, self.results, self.path, template, control.is_cancelled
         text = studies.page(*given)
@@ -67,8 +68,8 @@ class StudyPageTask(WritingTask):
 
 
 class TakeRunTask(Task):
-    """Reads a run of a study file into the document: part, motion, neighbours, and its check or envelope,
-    which is not computed. One undo step. found: the check or envelope."""
+    """Reads a run of a study file into the document, as one undo step: part, motion, neighbours,
+    and its check or envelope, which is not computed. found: the check or envelope."""
 
     def __init__(self, obj, name):
         self.title = translate("Messages", "Open run")

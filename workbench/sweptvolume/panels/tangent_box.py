@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tangent of one key of a smooth motion: how it passes, and with what velocity."""
+"""The tangent of one key of a spline motion: its kind and velocity."""
 import FreeCAD as App
 from PySide import QtCore
 
@@ -10,7 +10,7 @@ from .widgets import QtWidgets
 
 
 class TangentBox(QtWidgets.QGroupBox):
-    """`changed(kind, velocity)`: somebody chose another tangent for the key shown."""
+    """Signal `changed(kind, velocity)`: the user chose another tangent for the key shown."""
 
     changed = QtCore.Signal(str, object)
 
@@ -54,7 +54,7 @@ class TangentBox(QtWidgets.QGroupBox):
         self._enable()
 
     def show_tangent(self, kind, velocity):
-        """Shows a key's tangent; velocity: the one it has now (mm/s), whatever its kind."""
+        """Shows a key's tangent. velocity: the present one (mm/s), whatever its kind."""
         self.showing = True
         self.kind.setCurrentIndex(TANGENTS.index(kind))
         for field, value in zip(self.speeds, velocity):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The long tasks of the workbench as the runner takes them."""
+"""The long tasks of the workbench for the runner."""
 import contextlib
 import os
 import shutil
@@ -14,13 +14,14 @@ from ..runner import Task
 from ..texts import mark, translate
 from ..views import surface
 
-#: s that parts may be read at one go: a third of what a window may stand.
+#: Time (s) for which parts may be read without a pause: a third of an acceptable delay of the
+#: window.
 AT_ONCE = 0.015
 
 
 class PlanTask(Task):
-    """Carries out a plan (of FEATURE) and keeps the result in an object; makes the object if there is
-    none yet. One undo step."""
+    """Carries out a plan (of FEATURE) and stores the result in an object, as one undo step. Creates
+    the object if there is none yet."""
 
     TITLE = ""
     FEATURE = None
@@ -38,11 +39,11 @@ class PlanTask(Task):
         ]
 
     def read(self):
-        """The plan as plain values for work(). Raises InputProblem."""
+        """Returns the plan as plain values for work(). Raises InputProblem."""
         return self.plan.request()
 
     def make(self):
-        """The object, where there is none yet."""
+        """Creates the object if there is none yet."""
         raise NotImplementedError
 
     def work(self, control):
@@ -50,7 +51,7 @@ class PlanTask(Task):
         return self.carry_out(control)
 
     def carry_out(self, control):
-        """Any thread: the run itself."""
+        """Computes the result, in any thread."""
         return self.FEATURE.work(self.request, control)
 
     def finish(self, value):
@@ -61,8 +62,8 @@ class PlanTask(Task):
             self.apply(value)
 
     def undoable(self, value):
-        """Whether the result is one that Undo keeps; else Undo brings back the inputs alone, and the
-        result is stale then."""
+        """Returns whether Undo keeps the result. Otherwise Undo restores only the inputs, and the
+        result is then stale."""
         return True
 
     def after(self, value):
@@ -71,13 +72,13 @@ class PlanTask(Task):
             self.apply(value)
 
     def apply(self, value):
-        """Writes the result."""
+        """Writes the result into the object."""
         self.FEATURE.apply(self.obj, value, self.hash)
         self.obj.purgeTouched()
         App.Console.PrintMessage("{}: {}\n".format(self.obj.Label, self.summary(value)))
 
     def summary(self, value):
-        """One line for the report view."""
+        """Returns one line for the report view."""
         raise NotImplementedError
 
     def fail(self, text, cancelled=False):
@@ -86,8 +87,8 @@ class PlanTask(Task):
 
 
 def read_in_pieces(plan):
-    """Task.steps(): returns a plan's request, and the window goes on between its pieces. Raises
-    InputProblem, also where the document was changed meanwhile."""
+    """A generator for Task.steps() that returns a plan's request. The window handles events between
+    its pieces. Raises InputProblem, also if the document was changed meanwhile."""
     plan.words()
     pieces, began = plan.reading(), 0.0
     while True:
@@ -140,7 +141,7 @@ class EnvelopeTask(PlanTask):
 
 
 class ClearanceTask(PlanTask):
-    """Checks clearances."""
+    """Runs a clearance check."""
 
     TITLE = mark("Messages", "Check clearance")
     FEATURE = clearance
@@ -153,7 +154,8 @@ class ClearanceTask(PlanTask):
 
 
 class FirstContactsTask(Task):
-    """What touches at the first pose of a check's motion. found: {(root, sub): Rule} that would allow it."""
+    """Finds the contacts at the first pose of a check's motion. found: {(root, sub): Rule}, the
+    rules that would allow them."""
 
     writes = False
 
@@ -173,13 +175,13 @@ class FirstContactsTask(Task):
 
 
 class MechanismTask(PlanTask):
-    """Checks a mechanism."""
+    """Runs a mechanism check."""
 
     TITLE = mark("Messages", "Check mechanism")
     FEATURE = mechanism
 
     def read(self):
-        return None  # in steps()
+        return None  # steps() has read the plan
 
     def steps(self, control):
         self.request = yield from read_in_pieces(self.plan)
@@ -205,7 +207,8 @@ class SharedTask(PlanTask):
 
 
 class OverlapTask(Task):
-    """Compares what stands still. found: (report, what is drawn of each pair's shared volume or None)."""
+    """Compares parts that stand still. found: (report, the drawing of each pair's shared volume, or
+    None)."""
 
     writes = False
 
@@ -223,8 +226,8 @@ class OverlapTask(Task):
 
 
 class PairContactsTask(Task):
-    """What touches when the common time of a mechanism begins. found: {key of pair_rules: Rule} that would
-    allow it."""
+    """Finds the contacts at the beginning of the common time of a mechanism. found: {key of
+    pair_rules: Rule}, the rules that would allow them."""
 
     writes = False
 
@@ -245,8 +248,8 @@ class PairContactsTask(Task):
 
 
 class ShapesTask(Task):
-    """The moving parts of a mechanism as they are drawn. found: (as surface.drawn(), whether it is solid,
-    placement at a time) of each."""
+    """Prepares the moving parts of a mechanism for drawing. found: for each part (result of
+    surface.drawn(), whether it is solid, function that returns the placement at a time)."""
 
     writes = False
 
@@ -269,15 +272,15 @@ class ShapesTask(Task):
 
 
 def warn_of(report, label):
-    """What was given up to get a solid."""
+    """Prints what was given up to get a valid solid."""
     if report.get("note"):
         App.Console.PrintMessage("{}: {}\n".format(label, report["note"]))
 
 
 class SolidTask(Task):
-    """Makes the solid of an envelope; makes the object if there is none yet. One undo step.
+    """Converts an envelope to a solid, as one undo step. Creates the object if there is none yet.
 
-    settings: as features.solid.DEFAULTS; else those of the object."""
+    settings: as in features.solid.DEFAULTS; if None, those of the object."""
 
     def __init__(self, document, source=None, obj=None, settings=None):
         self.title = translate("Messages", "Make solid")
@@ -314,8 +317,8 @@ class SolidTask(Task):
 
 
 class ExportTask(Task):
-    """Writes an envelope to a file; the document stays as it is. The file is written in a folder beside
-    its place and moved there at the end: a run that is stopped leaves nothing."""
+    """Writes an envelope to a file; the document does not change. The file is written in a folder
+    beside its place and then moved there, so a stopped run leaves no file."""
 
     def __init__(self, source, path, settings=None):
         self.title = translate("Messages", "Export envelope")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A table of the rows of a report with their verdicts in colour."""
+"""A table of the rows of a report, with coloured verdicts."""
 from PySide import QtCore, QtGui
 
 from ..features import clearance_table
@@ -9,14 +9,14 @@ from .widgets import QtWidgets
 
 
 class VerdictTable(QtWidgets.QTableWidget):
-    """The first column names the row, the second tells its verdict. Every cell keeps the index of its row in
-    the report, whatever the table is sorted by."""
+    """The first column shows the name of a row, the second its verdict. Each cell keeps the index
+    of its row in the report, so the table can be sorted."""
 
     def __init__(self, name, heads):
         super().__init__(0, len(heads))
         self.setObjectName(name)
         self.setHorizontalHeaderLabels(heads)
-        self.shades = ShadedCells()  # the table does not keep it
+        self.shades = ShadedCells()  # the table does not keep a reference to it
         self.setItemDelegateForColumn(1, self.shades)
         self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
@@ -25,12 +25,13 @@ class VerdictTable(QtWidgets.QTableWidget):
         self.setTabKeyNavigation(False)  # Tab leaves the table
         self.setMinimumHeight(140)
         modes = QtWidgets.QHeaderView
-        for column in range(len(heads)):  # long names take two lines, the numbers all their digits
+        # Long names may take two lines; numbers show all their digits.
+        for column in range(len(heads)):
             mode = modes.ResizeToContents if column else modes.Stretch
             self.horizontalHeader().setSectionResizeMode(column, mode)
 
     def put(self, line, cells, index, row):
-        """Fills a line with the cells of a row of the report; row: as clearance_table has it."""
+        """Fills a line with the cells of a row of the report. row: in the form of clearance_table."""
         rank = clearance_table.WORST_FIRST.index(clearance_table.judged(row))
         cells[0].setToolTip(cells[0].text())
         cells[1].setBackground(QtGui.QColor.fromRgbF(*BANDS[rank]))
@@ -39,7 +40,7 @@ class VerdictTable(QtWidgets.QTableWidget):
             self.setItem(line, column, cell)
 
     def chosen(self):
-        """Index of the chosen row in the report; -1: none."""
+        """Returns the index, in the report, of the chosen row, or -1."""
         items = self.selectedItems()
         return items[0].data(QtCore.Qt.UserRole) if items else -1
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Small pieces that every panel uses, built from FreeCAD's own widgets."""
+"""Small widgets and functions for all panels, built from FreeCAD's own widgets."""
 import importlib
 import time
 
@@ -9,25 +9,26 @@ from PySide import QtCore, QtGui
 
 try:
     from PySide import QtWidgets
-except ImportError:  # FreeCAD 0.20: its shim keeps the widgets in QtGui
+except ImportError:  # in FreeCAD 0.20, the module PySide has the widgets in QtGui
     QtWidgets = QtGui
 
 from .. import icon
 from ..texts import mark, translate
 
-#: The half of PySide that keeps its wrappers: shiboken2 or shiboken6.
+#: The module that manages the Python wrappers of PySide: shiboken2 or shiboken6.
 shiboken = importlib.import_module("shiboken" + QtCore.qVersion()[0].replace("5", "2"))
 
-#: Qt 6 has it among what belongs to no widget.
+#: In Qt 6, QAction is in QtGui.
 Action = getattr(QtGui, "QAction", None) or QtWidgets.QAction
-#: s in which the bar goes half of what is left up to MOST_CREPT while a run tells nothing new.
+#: If a run reports nothing new, the progress bar moves on its own: half of the rest up to
+#: MOST_CREPT in this time (s).
 CREEP, MOST_CREPT = 30.0, 0.98
-#: Left, top, right, bottom inside a titled box: the title stands on the upper border.
+#: Margins inside a box with a title: left, top, right, bottom. The title is on the upper border.
 MARGINS = (6, 10, 6, 6)
 
 
 def window(title, icon_name):
-    """The form of a task panel."""
+    """Returns the form of a task panel."""
     form = QtWidgets.QWidget()
     form.setWindowTitle(title)
     form.setWindowIcon(Gui.getIcon(icon(icon_name)))
@@ -37,7 +38,7 @@ def window(title, icon_name):
 
 
 def group(title, parent_layout):
-    """A titled box with label-field rows."""
+    """Returns a box with a title and rows of label and field."""
     box = QtWidgets.QGroupBox(title)
     rows = QtWidgets.QFormLayout(box)
     rows.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
@@ -47,12 +48,12 @@ def group(title, parent_layout):
 
 
 def length(value, minimum=0.0, step=None):
-    """FreeCAD's own field for lengths: units, expressions."""
+    """Returns FreeCAD's field for lengths, with units and expressions."""
     return _quantity("mm", value, minimum, step)
 
 
 def angle(value, minimum=0.0, step=None):
-    """FreeCAD's own field for angles (degrees)."""
+    """Returns FreeCAD's field for angles (degrees)."""
     return _quantity("deg", value, minimum, step)
 
 
@@ -67,27 +68,28 @@ def _quantity(unit, value, minimum, step):
 
 
 def forget_with(widget):
-    """PySide finds wrappers by address and forgets those of deleted widgets, but not those that FreeCAD
-    makes: while anybody holds one, whatever comes to stand at that address gets it, of whatever kind.
+    """Makes PySide forget the wrapper of a widget. PySide finds wrappers by address. It forgets
+    those of deleted widgets, but not those of widgets that FreeCAD created. While such a wrapper
+    exists, a new widget of any type at that address would get it.
     """
     widget.destroyed.connect(lambda: shiboken.invalidate(widget))
     return widget
 
 
 def _quantity_field():
-    """A field that Python can use: not one with the dead wrapper of another that stood at its address,
-    which another workbench may still hold (forget_with)."""
+    """Returns a field that Python can use. A new field may get the wrapper of a deleted widget at
+    the same address, which another workbench still holds (forget_with())."""
     for attempt in range(10):
         field = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
         try:
             field.objectName()
             return forget_with(field)
-        except RuntimeError:  # it stays, unused, so that the next one gets another address
+        except RuntimeError:  # kept and unused, so that the next field gets another address
             if attempt == 9:
                 raise
 
 
-#: Values of properties, and stages of a run as the core names them, that panels show.
+#: Values of properties and names of the core's stages that panels show, marked for translation.
 _NAMES = [
     mark("Panels", "None"),
     mark("Panels", "Linear"),
@@ -122,9 +124,10 @@ _NAMES = [
 
 
 def choice(names, now, texts=None):
-    """Combo box; the data of an entry is its untranslated name."""
+    """Returns a combo box. The data of an entry is its untranslated name."""
     box = QtWidgets.QComboBox()
-    # The task view is narrow: long entries may be cut in the closed box, not in the open list.
+    # The task view is narrow: the closed box may cut off long entries, the open list shows them
+    # fully.
     box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     box.setMinimumContentsLength(8)
     for i, name in enumerate(names):
@@ -140,12 +143,13 @@ def hint(field, text):
 
 
 def number_of(flag):
-    """The number behind a constant of Qt: PySide2's is one, PySide6's has one."""
+    """Returns the number of a Qt constant: in PySide2 the constant is a number, in PySide6 it has
+    one."""
     return int(getattr(flag, "value", flag))
 
 
 def standard_buttons(*buttons):
-    """PySide2 wants an int, PySide6 the flags themselves."""
+    """Returns the buttons as PySide requires: an int in PySide2, flags in PySide6."""
     value = buttons[0]
     for button in buttons[1:]:
         value = value | button
@@ -156,12 +160,12 @@ def standard_buttons(*buttons):
 
 
 def actions_of(name):
-    """What stands in menu and toolbar for a command of FreeCAD."""
+    """Returns the entries in menus and toolbars for a command of FreeCAD."""
     return Gui.getMainWindow().findChildren(Action, name)
 
 
 def alive(thing):
-    """Whether a document or object still exists behind its Python face."""
+    """Returns whether a document or object still exists behind its Python wrapper."""
     try:
         return bool(thing.Name)
     except (ReferenceError, RuntimeError):
@@ -169,7 +173,7 @@ def alive(thing):
 
 
 def to_first_field(form):
-    """The keyboard goes to the first field of a form that takes it."""
+    """Moves the focus to the first field of a form that accepts it."""
     try:
         field = form.nextInFocusChain()
         while form.isAncestorOf(field):
@@ -183,7 +187,7 @@ def to_first_field(form):
 
 
 class DocumentWatch:
-    """Calls gone() soon after a document was closed, unless stop() came first."""
+    """Calls gone() soon after a document was closed, unless stop() was called first."""
 
     def __init__(self, document, gone):
         self.name, self.gone = document.Name, gone
@@ -205,13 +209,13 @@ class DocumentWatch:
 
 
 def show_message(label, text):
-    """Text for people below a panel; hidden when empty."""
+    """Shows a message in a panel; hides the label if the text is empty."""
     label.setText(text)
     label.setVisible(bool(text))
 
 
 def show_failure(label, run):
-    """What is told of a run that ended without a result."""
+    """Shows the text about a run that ended without a result."""
     cancelled = translate("Messages", "Cancelled. Nothing was changed.")
     show_message(label, cancelled if run.state == "cancelled" else run.message)
 
@@ -225,7 +229,7 @@ def message_label():
 
 
 class RunBox(QtWidgets.QGroupBox):
-    """Progress of a run with the button that stops it; hidden while nothing runs."""
+    """Progress of a run, with the button that stops it. Hidden while nothing runs."""
 
     def __init__(self):
         super().__init__(translate("Panels", "Progress"))
@@ -250,10 +254,12 @@ class RunBox(QtWidgets.QGroupBox):
         run.progress.connect(self._progress)
         self.stop.clicked.connect(run.cancel)
         self.show()
-        self.stop.setFocus()  # fields that are switched off now would lose the keyboard to the 3D view
+        # Otherwise the 3D view would get the focus from fields that are disabled now.
+        self.stop.setFocus()
 
     def leave(self, field):
-        """Nothing runs any more: the keyboard, if it was here, goes to a field or to the first of a form."""
+        """Called when no run is in progress: moves the focus, if it is in this box, to a field or
+        to the first field of a form."""
         here = self.stop.hasFocus()
         self.hide()
         if here and number_of(field.focusPolicy()) & number_of(QtCore.Qt.TabFocus):
@@ -263,8 +269,8 @@ class RunBox(QtWidgets.QGroupBox):
 
     def _progress(self, part, phase):
         now = time.monotonic()
-        # A stage that tells nothing has to be seen to be at work all the same; the farther the bar is
-        # ahead of what is known, the slower it goes.
+        # A stage without reports must still look active. The farther the bar is ahead of the
+        # reported progress, the slower it moves.
         half = CREEP * (1.0 + 10.0 * max(0.0, self._shown - part))
         crept = max(0.0, MOST_CREPT - self._shown) * (1.0 - 0.5 ** ((now - self._looked) / half))
         self._shown, self._looked = max(part, self._shown + crept), now
@@ -274,5 +280,5 @@ class RunBox(QtWidgets.QGroupBox):
 
 
 def warn(title, text):
-    """A modal message, where no panel is open to show it."""
+    """Shows a modal message if no panel is open to show it."""
     QtWidgets.QMessageBox.warning(Gui.getMainWindow(), title, text)

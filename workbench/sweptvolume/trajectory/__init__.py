@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motions as plain values and where they come from. No GUI, no document objects made here."""
+"""Motions as plain values, and their sources. No GUI; creates no document objects."""

@@ -10,12 +10,12 @@ def is_array(obj):
 
 
 def poses(objects, step):
-    """One pose an element; `step`: s between two."""
+    """Returns one pose for each element. `step`: time (s) between two poses."""
     if len(objects) != 1 or not is_array(objects[0]):
         raise InputProblem(translate("Messages", "Select one link array or Draft array."))
     obj = objects[0]
     outer = global_placement(*root_path(obj))
-    # Elements shown in the tree own their placements; PlacementList is then out of date.
+    # Elements shown in the tree have their own placements; PlacementList is then out of date.
     elements = getattr(obj, "ElementList", None)
     inner = [e.Placement for e in elements] if elements else list(obj.PlacementList)
     return Poses(even_times(len(inner), step), [outer.multiply(p) for p in inner])

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Poses of a part in a simulation of the built-in Assembly (FreeCAD 1.1 and later).
+"""Poses of a part in a simulation of the built-in Assembly workbench (FreeCAD 1.1 and later).
 
-The simulation is run by FreeCAD; frame 0 is the assembly as it stands, the motion begins with frame 1
-at the simulation's start and goes on by its output step. The parts are put back afterwards.
+FreeCAD runs the simulation. Frame 0 is the present state of the assembly. The motion begins with
+frame 1 at the start time of the simulation and continues with its output step. Afterwards the parts
+are moved back.
 """
 import math
 
@@ -15,13 +16,14 @@ _CALLS = ("generateSimulation", "numberOfFrames", "updateForFrame")
 
 
 def is_simulation(obj):
-    """Whether an object is a simulation (told by its properties: its class is Python)."""
+    """Returns whether an object is a simulation. Its properties show it, because its class is a
+    Python class."""
     names = getattr(obj, "PropertiesList", [])
     return {"aTimeStart", "bTimeEnd", "cTimeStepOutput"}.issubset(names)
 
 
 def assembly_of(simulation):
-    """The assembly that runs a simulation."""
+    """Returns the assembly of a simulation."""
     seen, waiting = set(), [simulation]
     while waiting:
         obj = waiting.pop()
@@ -40,7 +42,7 @@ def assembly_of(simulation):
 
 
 def pair(objects):
-    """(the simulation, the part to watch). Raises InputProblem."""
+    """Returns (the simulation, the part to record). Raises InputProblem."""
     if len(objects) != 2 or not is_simulation(objects[0]):
         raise InputProblem(
             translate(
@@ -56,13 +58,13 @@ def _seconds(value):
 
 
 def poses(objects):
-    """objects: the simulation, the part to watch."""
+    """Returns the poses. objects: the simulation, the part to record."""
     simulation, part = pair(objects)
     return poses_of(frames(simulation), part)
 
 
 def frames(simulation):
-    """A run, as frames.py has them."""
+    """Runs the simulation; a generator as in frames.py."""
     assembly = assembly_of(simulation)
     start, step = _seconds(simulation.aTimeStart), _seconds(simulation.cTimeStepOutput)
     try:
@@ -79,8 +81,8 @@ def frames(simulation):
 
 
 def shortfall(label, start, end, step, frames):
-    """What is to be said where a simulation from start to end by step (s) gave so many frames; "" where
-    those are all."""
+    """Returns the note if a simulation from start to end by step (s) gave only this number of
+    frames, or "" if it is complete."""
     expected = int(math.floor((end - start) / step + 1e-6)) + 1 if step > 0 else frames
     if frames >= expected:
         return ""
@@ -95,7 +97,7 @@ def shortfall(label, start, end, step, frames):
 
 
 def signature(objects):
-    """Text that changes when the simulation or the place of the part does."""
+    """Returns a text that changes when the simulation or the place of the part changes."""
     simulation, part = pair(objects)
     words = [repr(_seconds(getattr(simulation, n))) for n in ("aTimeStart", "bTimeEnd")]
     words.append(repr(_seconds(simulation.cTimeStepOutput)))

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Poses of a cutter from CAM (Path) commands: G0 to G3 with X Y Z I J K R and A B C words.
 
-Convention: the pose is that of the tool seen from the workpiece, its tip at the programmed point.
-A, B, C are degrees. Head: they turn the tool about the fixed axes x, then y, then z (R = Rz Ry Rx);
-X Y Z are in the workpiece. Table: they turn the workpiece with its coordinates about the machine's
-axes in that order; X Y Z are in the machine, the tool keeps its direction.
-G2 and G3 lie in the plane of G17 (xy), G18 (zx) or G19 (yz), with the centre relative to the start
-(G91.1, as Path has it) or a radius R, also as helix. G90 and G91 are followed. Feed is in mm/s as
-Path stores it; G0 goes at `rapid` mm/s.
+Convention: a pose is that of the tool relative to the workpiece, with its tip at the programmed
+point. A, B, C are in degrees. Head: they turn the tool about the fixed axes x, then y, then z (R =
+Rz Ry Rx); X Y Z are coordinates of the workpiece. Table: they turn the workpiece with its
+coordinates about the axes of the machine, in that order; X Y Z are coordinates of the machine, and
+the tool keeps its direction.
+G2 and G3 lie in the plane of G17 (xy), G18 (zx) or G19 (yz). The centre is relative to the start
+(G91.1, as in Path), or a radius R is given; helices are possible. G90 and G91 are supported. Feed
+is in mm/s, as Path stores it; G0 moves at `rapid` mm/s.
 """
 import math
 
@@ -17,10 +18,11 @@ from ..convert import InputProblem
 from ..texts import translate
 from .poses import Poses
 
-#: Arcs are cut into pieces of at most this angle (rad); shortest time of a command (s).
+#: Largest angle (rad) of the pieces into which arcs are divided; shortest time of a command (s).
 ARC_STEP, SHORTEST = math.radians(10), 1e-4
 MOVES = {"G0": 0, "G00": 0, "G1": 1, "G01": 1, "G2": 2, "G02": 2, "G3": 3, "G03": 3}
-#: Plane word -> (first axis, second axis, first centre word, second centre word).
+#: Word for the plane -> (first axis, second axis, first word for the centre, second word for the
+#: centre).
 PLANES = {
     "G17": ("X", "Y", "I", "J"),
     "G18": ("Z", "X", "K", "I"),
@@ -34,7 +36,7 @@ def is_path(obj):
 
 
 def poses(objects, rapid=100.0, convention="Head"):
-    """All moves of one CAM object."""
+    """Returns all moves of one CAM object."""
     if len(objects) != 1 or not is_path(objects[0]):
         raise InputProblem(translate("Messages", "Select one CAM (Path) operation."))
     place = {"Head": _by_head, "Table": _by_table}[convention]
@@ -49,7 +51,7 @@ def poses(objects, rapid=100.0, convention="Head"):
 
 
 class _Reader:
-    """Follows commands; the words that stay in force are its state."""
+    """Follows commands. Its state holds the words that remain in force."""
 
     def __init__(self, rapid, place):
         self.rapid, self.place, self.feed = rapid, place, rapid
@@ -74,7 +76,8 @@ class _Reader:
         for axis in target:
             if axis in words:
                 target[axis] = words[axis] + (self.state[axis] if self.relative else 0.0)
-        if not self.found:  # where the tool comes from is not known: the first target begins
+        # The position before is not known, so the motion begins at the first target.
+        if not self.found:
             self._arrive(target, 0.0)
             return
         for step in _steps(self.state, target, words, kind, self.plane):
@@ -103,7 +106,7 @@ def _distance(a, b):
 
 
 def _centre(state, target, words, kind, plane):
-    """Centre of an arc in its plane, or None where the words give none."""
+    """Returns the centre of an arc in its plane, or None if the words do not define it."""
     first, second, i, j = plane
     if i in words or j in words:
         return state[first] + words.get(i, 0.0), state[second] + words.get(j, 0.0)
@@ -114,14 +117,15 @@ def _centre(state, target, words, kind, plane):
     if chord < 1e-12:
         return None
     height = math.sqrt(max(words["R"] ** 2 - chord**2 / 4, 0.0))
-    # Clockwise and the short way: the centre lies to the right; R < 0 asks for the long way.
+    # For a clockwise arc of less than half a circle, the centre lies to the right. R < 0 means the
+    # longer arc.
     side = (1.0 if kind == 3 else -1.0) * (1.0 if words["R"] > 0 else -1.0)
     x, y = (state[first] + target[first]) / 2, (state[second] + target[second]) / 2
     return x - side * height * dy / chord, y + side * height * dx / chord
 
 
 def _steps(state, target, words, kind, plane):
-    """The states on the way, the target last."""
+    """Returns the states along the move, the target last."""
     centre = _centre(state, target, words, kind, plane) if kind >= 2 else None
     if centre is None:
         return [target]

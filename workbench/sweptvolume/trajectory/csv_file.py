@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion files, read by the core: the same reader as the command line, the same messages."""
+"""Motion files, read by the core, with the same messages as the command line."""
 import os
 
 from .. import core
@@ -9,7 +9,8 @@ from .poses import Poses
 
 
 def read(path, unit):
-    """CSV `t,tx,ty,tz,qx,qy,qz,qw` or 16 matrix numbers a row, also .gz and .xz. Unit: mm|cm|m|in."""
+    """Reads a CSV file with `t,tx,ty,tz,qx,qy,qz,qw` or 16 matrix numbers in each row, also .gz and
+    .xz. Unit: mm|cm|m|in."""
     if not path or not os.path.isfile(path):
         raise InputProblem(
             translate(

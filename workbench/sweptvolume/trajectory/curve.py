@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Poses along a wire, edge, sketch or Draft wire: position by arc length; orientation fixed, along the
-tangent with the least turn, or by a second curve. None of them flips.
+"""Poses along a wire, edge, sketch or Draft wire. The position follows the arc length. The
+orientation is fixed, follows the tangent with the least turn, or follows a second curve. It
+never flips.
 
-The ends of all edges are poses; between them there are as many as an accuracy asks for. At a corner a part
-that follows the tangent turns in place."""
+The ends of all edges are poses; between them there are as many poses as the accuracy requires. At a
+corner, a part that follows the tangent turns in place."""
 import bisect
 import math
 
@@ -15,36 +16,40 @@ from ..quantities import count, quantity
 from ..texts import translate
 from .poses import Poses, even_times
 
-#: Fixed: none. Tangent: x of the part stays on the tangent. SecondCurve: x on the tangent, z towards
-#: the point of a second curve at the same part of its length.
+#: Fixed: the part does not turn. Tangent: the x axis of the part follows the tangent. SecondCurve:
+#: x follows the tangent, and z points to the point of a second curve at the same fraction of its
+#: length.
 ORIENTATIONS = ["Fixed", "Tangent", "SecondCurve"]
-#: How far (mm) the straight way between two poses may leave the curve where nothing else is asked for: the
-#: least that FreeCAD's fields show in mm; a number typed into a field of micrometres would be one of those.
+#: Default (mm) for how far the straight line between two poses may deviate from the curve. It is
+#: the smallest value that FreeCAD's fields show in mm; a smaller one would be shown in micrometres,
+#: and a number typed then would be in micrometres, too.
 ACCURACY = 0.1
-#: A motion of more takes the window's time for seconds at every recompute.
+#: A motion with more poses would block the window for seconds at each recompute.
 MAX_POSES = 20_000
-#: An edge is halved at most this often; its pieces are then about as near as points can be told apart.
+#: An edge is halved at most this often. Its pieces are then about as short as points can be
+#: distinguished.
 MAX_HALVINGS = 24
-#: Smaller turns (rad) between two edges are none: half a millimetre at a distance of 500 m.
+#: Turns (rad) between two edges below this are ignored: half a millimetre at a distance of 500 m.
 CORNER = 1e-6
-#: Fractions between two poses at which the deviation of the curve is measured. They are irrational: at
-#: simple fractions a helix of several turns looks straight.
+#: Fractions between two poses at which the deviation of the curve is measured. They are irrational,
+#: because at simple fractions a helix of several turns looks straight.
 LOOK_AT = (math.sqrt(5) - 2, 0.5, math.sqrt(0.5))
-#: A whole turn in place takes as long as this share of the path.
+#: Duration of a full turn in place, as a fraction of the duration of the path.
 TURN_SHARE = 0.25
-#: Below this share of a length, two points are one and two directions parallel.
+#: Below this fraction of a length, two points count as equal and two directions as parallel.
 SMALL = 1e-9
 
 
 def is_curve(obj):
-    """Whether an object is a line of edges (no faces)."""
+    """Returns whether an object consists of edges only (no faces)."""
     shape = getattr(obj, "Shape", None)
     return shape is not None and bool(shape.Edges) and not shape.Faces
 
 
 def poses(objects, count, orientation, duration):
-    """`count` poses evenly by arc length over `duration` s, corners or not: motions of older documents.
-    objects: the path, then for SecondCurve the curve that orients."""
+    """Returns `count` poses at equal arc lengths over `duration` s, regardless of corners, for
+    motions of older documents. objects: the path, then for SecondCurve the curve that sets the
+    orientation."""
     edges = _path(objects, orientation)
     if count < 2:
         raise InputProblem(
@@ -61,9 +66,10 @@ def poses(objects, count, orientation, duration):
 
 
 def poses_within(objects, accuracy, orientation, duration):
-    """Poses over `duration` s; the straight way between two leaves the curve by at most `accuracy` (mm). For
-    a part that turns and is about as large as the path that holds for all its points.
-    objects: the path, then for SecondCurve the curve that orients."""
+    """Returns poses over `duration` s. The straight line between two poses deviates from the curve
+    by at most `accuracy` (mm). For a part that turns and is about as large as the path, this
+    holds for all its points. objects: the path, then for SecondCurve the curve that sets the
+    orientation."""
     edges = _path(objects, orientation)
     if not accuracy > 0:
         raise InputProblem(
@@ -80,7 +86,7 @@ def poses_within(objects, accuracy, orientation, duration):
 
 
 def _path(objects, orientation):
-    """The edges of the path. Raises InputProblem."""
+    """Returns the edges of the path. Raises InputProblem."""
     wanted = 2 if orientation == "SecondCurve" else 1
     if len(objects) < wanted or not all(is_curve(obj) for obj in objects[:wanted]):
         raise InputProblem(
@@ -95,7 +101,7 @@ def _path(objects, orientation):
 
 
 class _Track:
-    """Edges one after the other, by arc length (mm)."""
+    """Successive edges, parametrised by arc length (mm)."""
 
     def __init__(self, edges):
         self.edges = edges
@@ -105,7 +111,8 @@ class _Track:
         self.total = self.ends[-1]
 
     def sample(self, length):
-        """(point, unit tangent) at a length; at a corner those of the edge before it."""
+        """Returns (point, unit tangent) at a length. At a corner they are those of the edge before
+        it."""
         k = bisect.bisect_left(self.ends, length, 1, len(self.edges)) - 1
         return self.on_edge(k, length - self.ends[k])
 
@@ -117,13 +124,14 @@ class _Track:
         return self._there(edge, parameter, back)
 
     def at_part(self, k, part):
-        """(point, unit tangent) on edge k, by the part of its range of parameters: quicker by far."""
+        """Returns (point, unit tangent) on edge k at a fraction of its parameter range. Much faster
+        than sample()."""
         return self._there(
             self.edges[k], self._parameter(k, part), self.edges[k].Orientation == "Reversed"
         )
 
     def length_between(self, k, a, b):
-        """Arc length (mm) between two parts of edge k."""
+        """Returns the arc length (mm) between two fractions of edge k."""
         ends = sorted((self._parameter(k, a), self._parameter(k, b)))
         return self.edges[k].Curve.length(*ends)
 
@@ -140,8 +148,8 @@ class _Track:
 
 
 def _adaptive(track, accuracy, turning):
-    """Samples (point, tangent), their lengths on the track, and a clock that goes with the length and, for
-    a part that is turning, goes on at corners."""
+    """Returns samples (point, tangent), their lengths on the track, and a clock. The clock follows
+    the length; for a part that turns, it also advances at corners."""
     box = Part.Compound(track.edges).BoundBox
     reach = box.DiagonalLength if turning else 0.0
     samples, lengths, clock = [track.at_part(0, 0.0)], [0.0], [0.0]
@@ -183,13 +191,13 @@ def _adaptive(track, accuracy, turning):
 
 
 def _leaves(track, k, a, here, b, there, reach):
-    """How far (mm) the straight way between two samples leaves edge k, at a distance `reach` from it with
-    the turn between their tangents, looked at at three points."""
+    """Returns how far (mm) the straight line between two samples deviates from edge k. Also
+    accounts for the turn between their tangents at a distance `reach`. Measured at three points."""
     turn, way, most = _least_turn(here[1], there[1]), there[0] - here[0], 0.0
     for u in LOOK_AT:
         point, tangent = track.at_part(k, a + (b - a) * u)
         share = (point - here[0]).dot(way) / max(way.dot(way), 1e-300)
-        share = min(max(share, 0.0), 1.0)  # where the straight way is nearest
+        share = min(max(share, 0.0), 1.0)  # the nearest point of the straight line
         off = (point - here[0] - way * share).Length
         if reach:
             part = App.Rotation(turn.Axis, math.degrees(turn.Angle) * share)
@@ -199,8 +207,8 @@ def _leaves(track, k, a, here, b, there, reach):
 
 
 def _turn_in_place(before, behind):
-    """(part of a whole turn, tangent) of each step of the turn between two directions; at most a right
-    angle each, so that the way round is never in doubt."""
+    """Returns (fraction of a full turn, tangent) for each step of the turn between two directions.
+    Each step is at most a right angle, so that the sense of rotation is unambiguous."""
     turn = _least_turn(before, behind)
     steps = 2 if turn.Angle > math.pi / 2 else 1
     part = turn.Angle / (2 * math.pi) / steps
@@ -209,12 +217,14 @@ def _turn_in_place(before, behind):
 
 
 def _turns(samples, shares, orientation, objects):
-    """Rotation of the part at each sample. shares: how far along the path each is, 0 to 1."""
+    """Returns the rotation of the part at each sample. shares: position of each sample along the
+    path, 0 to 1."""
     if orientation == "SecondCurve":
         track = _Track(_edges(objects[1]))
         ends, start = [track.sample(x)[0] for x in (0.0, track.total)], samples[0][0]
         if (ends[0] - start).Length > (ends[1] - start).Length:
-            shares = [1.0 - share for share in shares]  # it was drawn the other way round
+            # The second curve runs in the opposite direction.
+            shares = [1.0 - share for share in shares]
         others = [track.sample(track.total * share)[0] for share in shares]
         return _turns_by_second(samples, others, objects)
     if orientation == "Tangent":
@@ -223,7 +233,8 @@ def _turns(samples, shares, orientation, objects):
 
 
 def _turns_by_tangent(samples):
-    """The first tangent from x with the least turn, then from tangent to tangent."""
+    """Turns from x to the first tangent, and then from tangent to tangent, always by the least
+    turn."""
     turns, turn, before = [], App.Rotation(), App.Vector(1, 0, 0)
     for _, tangent in samples:
         turn = _least_turn(before, tangent).multiply(turn)
@@ -233,8 +244,8 @@ def _turns_by_tangent(samples):
 
 
 def _turns_by_second(samples, others, objects):
-    """x along the tangent, z as near as possible to the point of the second curve. Where that point
-    lies on the tangent line, z is carried on from the pose before."""
+    """x points along the tangent, z as closely as possible to the point of the second curve. If
+    that point lies on the line of the tangent, z is carried on from the pose before."""
     turns, before = [], None
     for (point, tangent), other in zip(samples, others):
         up = other - point
@@ -258,7 +269,7 @@ def _turns_by_second(samples, others, objects):
 
 
 def _edges(obj):
-    """The edges of an object in order, seen from the document."""
+    """Returns the edges of an object in order, in world coordinates."""
     shape = obj.Shape.copy()
     shape.Placement = global_placement(*root_path(obj))
     groups = Part.sortEdges(shape.Edges)
@@ -273,16 +284,18 @@ def _edges(obj):
 
 
 def _angle(a, b):
-    """Between two directions (rad). FreeCAD's own is 0 for small angles."""
+    """Returns the angle between two directions (rad). FreeCAD's own function returns 0 for small
+    angles."""
     return math.atan2(a.cross(b).Length, a.dot(b))
 
 
 def _least_turn(a, b):
-    """Smallest rotation from direction a to b; half a turn about any normal where they are opposite."""
+    """Returns the smallest rotation from direction a to b. For opposite directions it is half a
+    turn about any normal."""
     angle = _angle(a, b)
     if angle > math.pi - SMALL:
         other = App.Vector(0, 0, 1) if abs(a.z) < 0.9 else App.Vector(0, 1, 0)
         return App.Rotation(a.cross(other), 180)
-    if angle < SMALL:  # FreeCAD's own rotation between such two has no numbers
+    if angle < SMALL:  # FreeCAD's own rotation would be NaN here
         return App.Rotation()
     return App.Rotation(a.cross(b), math.degrees(angle))

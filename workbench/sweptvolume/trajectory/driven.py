@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Poses of a part while a value of the document runs through a range: spreadsheets, variable sets,
-sketch constraints, Assembly4 variables, any property that moves a mechanism. The document is
-recomputed for each value and put back afterwards."""
+"""Poses of a part while a value of the document changes over a range: a spreadsheet cell, a
+variable set, a sketch constraint, an Assembly4 variable, or any property that moves a mechanism.
+The document is recomputed for each value; afterwards the value is restored."""
 import math
 import re
 
@@ -12,9 +12,9 @@ from ..texts import translate
 from .frames import check_valid
 from .poses import even_times
 
-#: Types of properties that hold one number.
+#: Types of properties with one number.
 _NUMBERS = ("App::PropertyFloat", "App::PropertyInteger", "App::PropertyPercent")
-#: Properties of every object that drive nothing.
+#: Properties of every object that move nothing.
 _IDLE = {"MapPathParameter"}
 CONSTRAINT = "Constraints."
 #: Numbers of a placement (mm, degrees), such as an attachment offset.
@@ -22,7 +22,7 @@ _PLACEMENT = ("Base.x", "Base.y", "Base.z", "Rotation.Angle")
 
 
 class Handle:
-    """A value that can be read, set and put back: property, sketch constraint or cell."""
+    """A value that can be read, set and restored: property, sketch constraint or cell."""
 
     def __init__(self, driver, name):
         self.driver, self.name = driver, name
@@ -49,11 +49,11 @@ class Handle:
         return self.driver.getCellFromAlias(self.name) or self.name
 
     def _raw(self):
-        """What restore() writes back."""
+        """Returns what restore() writes back."""
         return self.driver.getContents(self._cell()) if self._cell() else self.value()
 
     def value(self):
-        """The number as it is now."""
+        """Returns the present number."""
         if self.name.startswith(CONSTRAINT):
             value = self.driver.getDatum(self.name[len(CONSTRAINT) :])
         elif "." in self.name:
@@ -63,7 +63,7 @@ class Handle:
         return float(getattr(value, "Value", value))
 
     def unit(self):
-        """Unit of the number: "mm", "deg" or ""."""
+        """Returns the unit of the number: "mm", "deg" or ""."""
         if self.name.startswith(CONSTRAINT):
             value = self.driver.getDatum(self.name[len(CONSTRAINT) :])
         elif "." in self.name:
@@ -112,7 +112,7 @@ class Handle:
 
 
 def names_of(driver):
-    """Values of an object that can be driven, by the names that expressions use."""
+    """Returns the values of an object that can be driven, by their names in expressions."""
     if driver.isDerivedFrom("Spreadsheet::Sheet"):
         cells = [c for c in driver.PropertiesList if re.fullmatch("[A-Z]{1,2}[0-9]+", c)]
         cells = [c for c in cells if not driver.getContents(c).startswith("=")]
@@ -138,12 +138,14 @@ def _is_number(value):
 
 
 def is_driver(obj):
-    """Whether an object has a value that moves others: a sheet, a variable set, a named constraint."""
+    """Returns whether an object has a value that moves others: a spreadsheet, a variable set, a
+    named constraint."""
     return bool(names_of(obj))
 
 
 def frames(driver, name, start, end, count, duration, watched):
-    """A run, as frames.py has them. watched: objects that have to recompute in every frame."""
+    """Runs the driver; a generator as in frames.py. watched: objects that must recompute in every
+    frame."""
     handle, document = Handle(driver, name), driver.Document
     try:
         for i, time in enumerate(even_times(count, duration / max(count - 1, 1))):
@@ -163,7 +165,7 @@ def frames(driver, name, start, end, count, duration, watched):
 
 
 def pair(objects):
-    """(the object with the value, the part to watch). Raises InputProblem."""
+    """Returns (the object with the value, the part to record). Raises InputProblem."""
     if len(objects) != 2:
         raise InputProblem(
             translate(
@@ -174,7 +176,8 @@ def pair(objects):
 
 
 def signature(objects, name):
-    """Text that changes when the mechanism does: the value and where it puts the part."""
+    """Returns a text that changes when the mechanism changes. It contains the value and the present
+    place of the part."""
     driver, part = pair(objects)
     place = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
     return "{!r} {}".format(Handle(driver, name).value(), place.tolist())

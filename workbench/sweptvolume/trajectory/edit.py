@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Editing a list of key poses: pure operations, undone by not taking the result."""
+"""Edits a list of key poses. The operations work on copies, so an edit is undone by discarding its
+result."""
 import bisect
 import math
 import re
@@ -11,15 +12,15 @@ from ..texts import translate
 from .poses import Poses, at_time, shift_to
 
 
-#: Beyond it no number of a key is a length, an angle or a time; the core takes up to 1e9 mm.
+#: Larger numbers are not valid in a key; the core accepts up to 1e9 mm.
 LARGEST = 1e9
 AUTO = ("Auto", None)
 
 
 class Keys:
     """Times (s), placements and tangents (spline.py) under edit. Indices count from 0; times always
-    grow. pivot: as Poses have it; displaces: a key is a displacement, and its numbers are zero where it
-    leaves the part."""
+    increase. pivot: as in Poses. displaces: the keys are displacements, whose numbers are zero
+    if the part does not move."""
 
     def __init__(self, times=(), placements=(), tangents=(), step=1.0, pivot=None, displaces=False):
         self.pivot = App.Vector(pivot) if pivot is not None else App.Vector()
@@ -36,14 +37,15 @@ class Keys:
         return Poses(self.times, self.placements, self.tangents, pivot=self.pivot)
 
     def numbers(self, index):
-        """x, y, z (mm) of the pivot at a key, or how far it went; yaw, pitch, roll (degrees)."""
+        """Returns x, y, z (mm) of the pivot at a key, or its displacement; yaw, pitch, roll
+        (degrees)."""
         shown = self.placements[index].multiply(shift_to(self.pivot))
         if self.displaces:
             shown = shift_to(-self.pivot).multiply(shown)
         return as_numbers(shown)
 
     def placed(self, numbers):
-        """The way back from numbers()."""
+        """Returns the placement for numbers from numbers()."""
         placement = from_numbers(numbers).multiply(shift_to(-self.pivot))
         return shift_to(self.pivot).multiply(placement) if self.displaces else placement
 
@@ -58,7 +60,8 @@ class Keys:
         return self._put(len(self), time, placement)
 
     def insert_after(self, index, interpolation="Linear", placement=None):
-        """A key half-way to the next one, where the part then is; behind the last: one step later."""
+        """Adds a key halfway to the next one, at the place of the part then. After the last key:
+        one time step later."""
         if index + 1 >= len(self):
             return self.append(
                 placement or (self.placements[-1] if self.placements else App.Placement())
@@ -69,7 +72,7 @@ class Keys:
         return self._put(index + 1, time, placement)
 
     def insert_at(self, time, interpolation="Linear"):
-        """A key at a time between two others, where the part then is."""
+        """Adds a key at a time between two others, at the place of the part then."""
         index = bisect.bisect(self.times, time)
         if not 0 < index < len(self) or time in self.times:
             raise InputProblem(
@@ -84,7 +87,7 @@ class Keys:
         self.placements[index] = App.Placement(placement)
 
     def set_tangent(self, index, kind, velocity=None):
-        """kind: one of spline.TANGENTS; velocity (mm/s) for Given."""
+        """kind: one of spline.TANGENTS; velocity (mm/s): for Given."""
         self.tangents[index] = (kind, App.Vector(velocity) if kind == "Given" else None)
 
     def delete(self, index):
@@ -93,7 +96,7 @@ class Keys:
         del self.tangents[index]
 
     def move(self, index, by):
-        """Moves a key up or down; the times keep their order."""
+        """Moves a key up or down. The times stay in their rows."""
         target = index + by
         if not 0 <= target < len(self):
             return index
@@ -102,7 +105,7 @@ class Keys:
         return target
 
     def reverse(self):
-        """The way back: last key first, the same pauses between keys."""
+        """Reverses the motion: the last key comes first, with the same time intervals between keys."""
         if not self.times:
             return
         first, last = self.times[0], self.times[-1]
@@ -111,20 +114,21 @@ class Keys:
         self.tangents = [(k, -v if v is not None else None) for k, v in reversed(self.tangents)]
 
     def paste(self, index, rows):
-        """Rows of numbers (s, mm, degrees) take the place of the keys from an index on, and go on behind
-        them, as in a spreadsheet; returns the last one. Raises InputProblem, and changes nothing then.
+        """Replaces the keys from an index on by rows of numbers (s, mm, degrees), and adds further
+        keys, as in a spreadsheet. Returns the index of the last one. Raises InputProblem, and
+        then changes nothing.
         """
         begin = max(index, 0)
         times, placements = list(self.times), list(self.placements)
         times[begin : begin + len(rows)] = [row[0] for row in rows]
         placements[begin : begin + len(rows)] = [self.placed(row[1:]) for row in rows]
-        Poses(times, placements)  # times may not go back
+        Poses(times, placements)  # times must not decrease
         self.times, self.placements = times, placements
         self.tangents = (self.tangents + [AUTO] * len(times))[: len(times)]
         return begin + len(rows) - 1
 
     def set_time(self, index, time):
-        """Changes one time; it must stay between its neighbours."""
+        """Changes one time. It must stay between its neighbours."""
         before = self.times[index - 1] if index else None
         after = self.times[index + 1] if index + 1 < len(self) else None
         if (before is not None and time <= before) or (after is not None and time >= after):
@@ -138,34 +142,35 @@ class Keys:
         self.times[index] = float(time)
 
     def even(self, step):
-        """Even times, one key a step (s)."""
+        """Sets the times evenly, one key for each step (s)."""
         first = self.times[0] if self.times else 0.0
         self.times = [first + k * step for k in range(len(self))]
         self.step = step
 
 
 def rounded(numbers, millimetres, degrees):
-    """Numbers of a key rounded to steps of position and of yaw, pitch, roll; a step of 0 leaves them."""
+    """Rounds the numbers of a key to steps of position and of yaw, pitch, roll. A step of 0 does
+    not round."""
     steps = (millimetres,) * 3 + (degrees,) * 3
     return [round(n / s) * s if s > 0 else n for n, s in zip(numbers, steps)]
 
 
 def as_numbers(placement):
-    """x, y, z (mm), yaw, pitch, roll (degrees)."""
+    """Returns x, y, z (mm), yaw, pitch, roll (degrees)."""
     base, angles = placement.Base, placement.Rotation.toEuler()
     return (base.x, base.y, base.z) + tuple(angles)
 
 
 def from_numbers(numbers):
-    """The way back from as_numbers."""
+    """Returns the placement for numbers from as_numbers()."""
     x, y, z, yaw, pitch, roll = numbers
     return App.Placement(App.Vector(x, y, z), App.Rotation(yaw, pitch, roll))
 
 
 def rows_from(text, units):
-    """Text of a spreadsheet -> rows of t, x, y, z, yaw, pitch, roll (s, mm, degrees); angles may be left
-    out, and the first line may be a head. units: (name, what one of it is) of each column. Raises
-    InputProblem, which names the row."""
+    """Converts text from a spreadsheet to rows of t, x, y, z, yaw, pitch, roll (s, mm, degrees).
+    Angles may be missing, and the first line may contain titles. units: (name, size of the unit)
+    of each column. Raises InputProblem, which names the row."""
     lines = [line for line in text.splitlines() if line.strip()]
     rows = []
     for number, line in enumerate(lines):
@@ -195,7 +200,7 @@ def rows_from(text, units):
 
 
 def _quantity_from(text, unit):
-    """A quantity as a number of units; NaN where it is none."""
+    """Returns a quantity as a number of units, or NaN if the text is not a quantity."""
     try:
         quantity, one = App.Units.Quantity(text), App.Units.Quantity("1 " + unit)
         if quantity.Unit == one.Unit:
@@ -206,7 +211,7 @@ def _quantity_from(text, unit):
 
 
 def number_from(text, unit):
-    """A number with or without a unit: "12.5", "2 in", "1 rad". `unit`: "mm", "deg" or "s"."""
+    """Parses a number with or without a unit: "12.5", "2 in", "1 rad". `unit`: "mm", "deg" or "s"."""
     text = text.strip()
     try:
         number = float(text.replace(",", "."))
@@ -217,7 +222,7 @@ def number_from(text, unit):
     raise InputProblem(
         translate(
             "Messages",
-            '"{0}" is not a number, nor a quantity that can be converted to {1}, or '
-            "it is too large: correct the entry.",
+            '"{0}" is too large, or is neither a number nor a quantity that can be converted to '
+            "{1}: correct the entry.",
         ).format(text, unit)
     )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One run of a driver or a simulation, and where parts of the document stand in each of its frames.
+"""One run of a driver or a simulation, and the places of parts in each of its frames.
 
-Whatever runs gives its frames as a generator: it brings the document into a frame and yields the time (s);
-it puts the document back when it ends or is closed, and returns what is to be said of the run.
+A source gives its frames as a generator. It brings the document into a frame and yields the time
+(s). When it ends or is closed, it restores the document and returns a note about the run.
 """
 import numpy as np
 
@@ -11,25 +11,27 @@ from ..quantities import count
 from ..texts import translate
 from .poses import Poses
 
-#: A part moves where its placement changes by more than this (mm, or of a matrix).
+#: A part counts as moving if its placement changes by more than this (mm, or entries of the
+#: rotation matrix).
 STILL = 1e-6
 
 
 def change(matrices):
-    """How far 4x4 matrices (k, 4, 4) are from the first of them."""
+    """Returns the largest difference of 4x4 matrices (k, 4, 4) from the first of them."""
     return float(abs(matrices - matrices[0]).max()) if len(matrices) else 0.0
 
 
 class Recording:
-    """places: (root, sub) of what is watched. times (s); placements: a list for each place, one for each
-    time; note: what is to be said of the run, once it has ended."""
+    """places: (root, sub) of the recorded parts. times (s). placements: a list for each place, with
+    one placement for each time. note: the note about the run, when it has ended."""
 
     def __init__(self, frames, places):
         self.frames, self.places = frames, list(places)
         self.times, self.placements, self.note = [], [[] for _ in self.places], ""
 
     def advance(self):
-        """One frame on; False at the end. Raises InputProblem, and the document is as before then."""
+        """Advances by one frame. Returns False at the end. Raises InputProblem, and then the
+        document is as before."""
         try:
             time = next(self.frames)
         except StopIteration as end:
@@ -45,17 +47,17 @@ class Recording:
         return True
 
     def run(self):
-        """All frames at once; returns itself."""
+        """Runs all frames at once. Returns self."""
         while self.advance():
             pass
         return self
 
     def close(self):
-        """Ends the run early: the document is as before."""
+        """Ends the run early. The document is as before."""
         self.frames.close()
 
     def poses(self, k):
-        """Of one place, as they stand in the document."""
+        """Returns the poses of one place, in world coordinates."""
         notes = [self.note] if self.note else []
         if change(np.array([matrix_of(p) for p in self.placements[k]])) <= STILL:
             text = translate(
@@ -68,18 +70,18 @@ class Recording:
 
 
 def poses_of(frames, part):
-    """Poses of one part over a whole run."""
+    """Returns the poses of one part over a whole run."""
     return Recording(frames, [root_path(part)]).run().poses(0)
 
 
 def check_valid(objects, text):
-    """Raises InputProblem with a text where one of the objects could not be recomputed."""
+    """Raises InputProblem with a text if one of the objects could not be recomputed."""
     if any("Invalid" in obj.State for obj in objects):
         raise InputProblem(text)
 
 
 def no_frames(label):
-    """What is to be said of a run without frames."""
+    """Returns the InputProblem for a run without frames."""
     return InputProblem(
         translate(
             "Messages", 'The simulation "{0}" gave no frames: open it and check that it runs.'

@@ -6,7 +6,7 @@ from .poses import Poses, even_times
 
 
 def placements(objects, step):
-    """One pose an object, in the order given; `step`: s between two."""
+    """Returns one pose for each object, in the order given. `step`: time (s) between two poses."""
     found = []
     for obj in objects:
         if not hasattr(obj, "Placement"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A motion as a plain value: times (s) and placements (mm), with the rules for using it."""
+"""A motion as a plain value: times (s) and placements (mm), with checks and interpolation."""
 import FreeCAD as App
 import numpy as np
 
@@ -7,12 +7,12 @@ from ..convert import InputProblem, matrices_from, pose_arrays
 from ..texts import mark, translate
 from .spline import Spline, rotation_vector
 
-#: Name in the property -> name the core knows. A spline goes to the core as many straight pieces.
+#: Name in the property -> name in the core. The core gets a spline as many straight pieces.
 INTERPOLATIONS = {"None": "none", "Linear": "linear", "Screw": "screw", "Spline": "linear"}
-#: A curved way is halved until its straight pieces are near enough, at most this often.
+#: A curved way is halved until its straight pieces are accurate enough, at most this often.
 MOST_HALVINGS = 10
 
-#: What a pose of the motion means for the part (property PoseType).
+#: Values of the property PoseType: what a pose means for the part.
 FRAMES = ["Absolute", "Relative", "RelativeToFirst"]
 FRAME_HELP = mark(
     "Properties",
@@ -30,10 +30,11 @@ FRAME_HELP = mark(
 
 
 class Poses:
-    """Times and placements, checked. `tangents` (spline.py) count for the interpolation Spline; note: what is
-    to be known of how they were read; pivot: the point (mm, in the coordinates that are placed) that goes
-    straight or along the spline between two poses, and whose velocities the tangents give. `moved`: objects
-    that the source moves besides, where it was looked for."""
+    """Times and placements, checked. `tangents` (spline.py) are used by the interpolation Spline.
+    note: a note from reading the poses. pivot: the point (mm, in the coordinates to which the
+    placements apply) that moves along the straight line or spline between two poses, and whose
+    velocities the tangents give. `moved`: other objects that the source moves, if that was
+    recorded."""
 
     def __init__(self, times, placements, tangents=(), note="", pivot=None):
         self.note, self.moved = note, []
@@ -70,16 +71,18 @@ class Poses:
         return len(self.times)
 
     def know_arrays(self, translations, rotations):
-        """What arrays() is to give, from whoever has it already."""
+        """Sets the result of arrays(), if the caller already knows it."""
         self._arrays = translations, rotations
 
     def arrays(self):
-        """Translations (n,3) in mm and quaternions (n,4) as x, y, z, w, as convert.pose_arrays()."""
+        """Returns translations (n,3) in mm and quaternions (n,4) as x, y, z, w, as
+        convert.pose_arrays() does."""
         return self._arrays or pose_arrays(self.placements)
 
     def check_function(self):
-        """Raises InputProblem where two poses have one time. The part then goes on between them all the
-        same, but its place is no function of time, of which splines and moving references are made.
+        """Raises InputProblem if two poses have the same time. The part then still moves between
+        them, but its place is not a function of time, which splines and moving reference parts
+        need.
         """
         for i in range(1, len(self.times)):
             if self.times[i] == self.times[i - 1]:
@@ -87,12 +90,12 @@ class Poses:
                     translate(
                         "Messages",
                         "Poses {0} and {1} have the same time ({2:g} s): give them different "
-                        "times. A spline and a motion with a reference part need this.",
+                        "times, because the motion is a spline or has a reference part.",
                     ).format(i, i + 1, self.times[i])
                 )
 
     def carried(self):
-        """The placements of the pivot: the same motion for coordinates whose origin it is."""
+        """Returns the same motion for coordinates with the pivot as origin."""
         if not self.pivot.Length:
             return self
         shift = shift_to(self.pivot)
@@ -100,19 +103,21 @@ class Poses:
 
 
 def shift_to(pivot):
-    """From coordinates with the pivot as their origin to those in which it is given."""
+    """Returns the transformation from coordinates with the pivot as origin to those in which the
+    pivot is given."""
     return App.Placement(pivot, App.Rotation())
 
 
 def even_times(count, step=1.0):
-    """Times for poses that come without any: one a step (s)."""
+    """Returns evenly spaced times for poses without times; step in s."""
     return [i * step for i in range(count)]
 
 
 def base_of(poses, frame, standing, container=None):
-    """The frame in which the body is to be given: x_world(t) = placement(t) * base^-1 * x_world(now).
-    standing: where the first part stands now; container: of the group that holds the motion, in which
-    displacements count, none where it stands in the document itself."""
+    """Returns the frame in which the body must be given: x_world(t) = placement(t) * base^-1 *
+    x_world(now). standing: present placement of the first part. container: placement of the
+    group that holds the motion, in whose coordinates displacements are given; None for a motion
+    outside groups."""
     if not poses.placements:
         raise InputProblem(translate("Messages", "The motion has no poses: add at least one."))
     if frame == "Absolute":
@@ -129,20 +134,22 @@ def base_of(poses, frame, standing, container=None):
 
 
 def swept_box(points, poses):
-    """Lower and upper corner (mm) of points (k,3) moved to every pose: the size of the sweep."""
+    """Returns the lower and upper corner (mm) of points (k,3) moved to every pose: the size of the
+    sweep."""
     matrices = matrices_from(*poses.arrays())
     moved = np.einsum("nij,kj->nki", matrices[:, :3, :3], points) + matrices[:, None, :3, 3]
     return moved.min(axis=(0, 1)), moved.max(axis=(0, 1))
 
 
 def at_time(poses, interpolation, time):
-    """Placement at a time, as the core interpolates (none: the last pose reached)."""
+    """Returns the placement at a time, interpolated as in the core (none: the last pose reached)."""
     return course(poses, interpolation)(time)
 
 
 def course(poses, interpolation):
-    """The motion as a function time -> Placement; before the first and after the last pose it rests; of
-    poses with one time the last counts. Raises InputProblem for a spline through such."""
+    """Returns the motion as a function time -> Placement. It is constant before the first and after
+    the last pose. Of several poses with the same time, the last one counts. Raises InputProblem
+    for a spline through such poses."""
     if poses.pivot.Length:
         carried, back = course(poses.carried(), interpolation), shift_to(-poses.pivot)
         return lambda time: carried(time).multiply(back)
@@ -167,17 +174,19 @@ def course(poses, interpolation):
 
 
 def between(a, b, u, interpolation):
-    """Placement between two others, u: from 0 to 1. interpolation: Linear or Screw."""
+    """Returns the placement between two others. u: 0 to 1. interpolation: Linear or Screw."""
     if interpolation == "Screw":
         return a.sclerp(b, u)
     return App.Placement(a.Base + (b.Base - a.Base) * u, a.Rotation.slerp(b.Rotation, u))
 
 
 def straightened(at, knots, reach, tolerance):
-    """A function time -> Placement as poses between which the core may go straight (Linear).
+    """Converts a function time -> Placement to poses that the core may connect by straight pieces
+    (Linear).
 
-    knots: times (s) that stay; reach: largest distance of a point of the part from the poses' origin;
-    tolerance: mm by which such a point may leave its way, tested at three points a piece.
+    knots: times (s) that must be poses. reach: largest distance of a point of the part from the
+    origin of the poses. tolerance: mm by which such a point may deviate from its way, tested at
+    three points of each piece.
     """
     times, placements = [knots[0]], [at(knots[0])]
     for last in knots[1:]:
@@ -197,7 +206,8 @@ def straightened(at, knots, reach, tolerance):
 
 
 def _leaves(at, a, here, b, there, reach):
-    """How far (mm) the way from a to b leaves the straight one at most, bounded at three times."""
+    """Returns a bound (mm) on the deviation of the way from a to b from the straight one, evaluated
+    at three times."""
     most = 0.0
     for u in (0.25, 0.5, 0.75):
         true = at(a + (b - a) * u)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Poses from a Robot trajectory (Robot::TrajectoryObject and its relatives)."""
+"""Poses from a Robot trajectory (Robot::TrajectoryObject and similar objects)."""
 from ..convert import InputProblem
 from ..texts import translate
 from .poses import Poses
@@ -10,7 +10,7 @@ def is_trajectory(obj):
 
 
 def poses(objects, count):
-    """`count` poses evenly in time, as the Robot workbench interpolates (with its ramps)."""
+    """Returns `count` poses at equal times, interpolated by the Robot workbench (with its ramps)."""
     if len(objects) != 1 or not is_trajectory(objects[0]):
         raise InputProblem(translate("Messages", "Select one Robot trajectory."))
     obj = objects[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the poses of a motion come from. Each kind is one function Settings -> Poses."""
+"""The sources of motions. Each kind is a function Settings -> Poses."""
 import hashlib
 import json
 import os
@@ -9,12 +9,12 @@ from ..texts import translate
 from . import array, assembly, cam, csv_file, curve, driven, frames, objects, robot
 from .poses import Poses
 
-#: Each takes a step of Python or a recompute of the document.
+#: Limit for sources where each pose takes a step of Python or a recompute of the document.
 MOST_POSES = 100_000
 
 
 class Settings:
-    """A source as a plain value: kind, file, unit, objects and the values that its kind asks for."""
+    """A source as a plain value: kind, file, unit, objects, and the values that its kind needs."""
 
     def __init__(self, kind="Stored", file="", unit="mm", objects=(), **values):
         self.kind = kind
@@ -27,13 +27,13 @@ class Settings:
         return self.values.get(name, default)
 
     def with_values(self, values):
-        """The same source with other values."""
+        """Returns the same source with other values."""
         return Settings(
             self.kind, self.file, self.unit, self.objects, **dict(self.values, **values)
         )
 
     def count(self, default, least=2):
-        """How many poses to read. Raises InputProblem."""
+        """Returns the number of poses to read. Raises InputProblem."""
         value = int(self.get("count", default))
         if not least <= value <= MOST_POSES:
             raise InputProblem(
@@ -45,7 +45,7 @@ class Settings:
 
 
 def damaged():
-    """What is to be said where settings cannot be understood."""
+    """Returns the InputProblem for settings that cannot be read."""
     return InputProblem(
         translate(
             "Messages",
@@ -56,7 +56,8 @@ def damaged():
 
 
 def values_from(text):
-    """Values of a source from older documents, which kept them as JSON. Raises InputProblem."""
+    """Returns the values of a source in documents of earlier versions, which stored JSON. Raises
+    InputProblem."""
     try:
         values = json.loads(text)
     except ValueError:
@@ -86,7 +87,7 @@ def _placements(settings):
 
 def _curve(settings):
     how = settings.get("orientation", "Fixed"), float(settings.get("duration", 10.0))
-    if settings.get("count", 0):  # older documents
+    if settings.get("count", 0):  # documents of earlier versions
         return curve.poses(settings.objects, settings.count(32), *how)
     accuracy = float(settings.get("accuracy", curve.ACCURACY))
     return curve.poses_within(settings.objects, accuracy, *how)
@@ -109,7 +110,7 @@ def _cam(settings):
 
 
 def watched(settings):
-    """The part that a source of FROM_JOINTS is read for. Raises InputProblem."""
+    """Returns the part whose motion is read from a source of FROM_JOINTS. Raises InputProblem."""
     pair = assembly.pair if settings.kind == "Simulation" else driven.pair
     return pair(settings.objects)[1]
 
@@ -120,8 +121,8 @@ def _watched(settings):
 
 
 def run(settings, watched=()):
-    """A run of a source of FROM_JOINTS, which moves parts of the document together: as frames.py has it.
-    watched: objects that have to recompute in every frame. Raises InputProblem."""
+    """Returns a run, as in frames.py, of a source of FROM_JOINTS, which moves several parts of the
+    document. watched: objects that must recompute in every frame. Raises InputProblem."""
     if settings.kind == "Simulation":
         return assembly.frames(settings.objects[0])
     return driven.frames(
@@ -136,7 +137,7 @@ def run(settings, watched=()):
 
 
 def kind_for(found):
-    """The kind of source that selected objects are, "" for none."""
+    """Returns the kind of source of the selected objects, or ""."""
     if len(found) == 2 and all(curve.is_curve(obj) for obj in found):
         return "Curve"
     if len(found) == 2 and assembly.is_simulation(found[0]):
@@ -155,7 +156,7 @@ def kind_for(found):
     return ""
 
 
-#: What a source is asked for where nothing else is said.
+#: Default values of sources.
 DEFAULTS = {"Robot": {"count": 32}, "Driven": {"count": 16}}
 #: kind -> (reader, live). Live sources are read at every recompute of the motion.
 KINDS = {
@@ -166,30 +167,31 @@ KINDS = {
     "Robot": (_robot, True),
     "Array": (_array, True),
     "CAM": (_cam, True),
-    # Driving recomputes the document and so cannot happen inside a recompute.
+    # A driver recomputes the document, so it cannot run inside a recompute.
     "Driven": (_watched, False),
     "Simulation": (_watched, False),
 }
 
 
-#: Frames of parts that turn about joints: between two of them they go on turning.
+#: Sources whose parts turn about joints, also between two frames.
 FROM_JOINTS = ("Driven", "Simulation")
 
 
 def interpolation_of(kind):
-    """What a part does between two poses of such a source, where nothing else is asked for."""
+    """Returns the default interpolation for such a source."""
     return "Screw" if kind in FROM_JOINTS else "Linear"
 
 
 def frame_of(kind):
-    """What a pose of such a source means where a user asks for nothing else: a part follows a wire from where
-    it stands."""
+    """Returns the default pose type for such a source: a part follows a wire from its present
+    place."""
     return "RelativeToFirst" if kind == "Curve" else "Absolute"
 
 
 def in_order(found):
-    """Two selected objects as a source wants them: a simulation, or a value, before the part to watch. As
-    they are where both may be either."""
+    """Returns two selected objects in the order that a source needs: the simulation or the object
+    with the value, then the part to record. Does not change the order if both objects could be
+    either."""
     if len(found) == 2:
         first, second = found
         if assembly.is_simulation(second) or _is_part(first) and not _is_part(second):
@@ -198,19 +200,19 @@ def in_order(found):
 
 
 def _is_part(obj):
-    """Whether an object has a body that can be seen to move."""
+    """Returns whether an object has a visible body, whose motion can be recorded."""
     shape = getattr(obj, "Shape", None)
     return hasattr(obj, "Mesh") or bool(shape is not None and shape.Faces) or hasattr(obj, "Group")
 
 
 def is_live(kind):
-    """Whether the motion follows its source by itself."""
+    """Returns whether the motion follows its source automatically."""
     return KINDS[kind][1]
 
 
 def signature(settings):
-    """Text that stands for the state of a source that is not live, so that a change is noticed; ""
-    where there is none. A source that is gone or broken is a changed one."""
+    """Returns a text that identifies the state of a source that is not live, so that a change is
+    noticed, or "". A deleted or broken source counts as changed."""
     try:
         if settings.kind == "File":
             return _file_hash(settings.file)
@@ -234,7 +236,7 @@ def _file_hash(path):
 
 
 def read(settings):
-    """Poses of a source; raises InputProblem."""
+    """Returns the poses of a source. Raises InputProblem."""
     poses = KINDS[settings.kind][0](settings)
     if not isinstance(poses, Poses):
         raise TypeError("a source returns Poses")

@@ -2,8 +2,8 @@
 """Smooth motion through keys: cubic, with a velocity at each key.
 
 Positions are cubic Hermite pieces. Rotations are cumulative cubic pieces on the unit quaternions
-(Kim, Kim and Shin 1995): q(u) = q0 exp(w0 b1) exp(w b2) exp(w1 b3), so that the angular velocity is
-continuous as well. Both velocities are those of one `Tangent` a key.
+(Kim, Kim and Shin 1995): q(u) = q0 exp(w0 b1) exp(w b2) exp(w1 b3). So the angular velocity is
+continuous, too. Each key has one `Tangent`, which gives both velocities.
 """
 import math
 
@@ -12,14 +12,14 @@ import FreeCAD as App
 from ..convert import InputProblem
 from ..texts import translate
 
-#: What a key's velocity is. Auto: from its neighbours; Stop: none; Corner: each side its own
-#: straight way; Given: the velocity stored with the key, the turn as for Auto.
+#: Velocity at a key. Auto: from the adjacent keys. Stop: zero. Corner: that of the straight line on
+#: each side. Given: the velocity stored with the key; the rotation is as for Auto.
 TANGENTS = ["Auto", "Stop", "Corner", "Given"]
 _SMALL = 1e-12
 
 
 def rotation_vector(rotation):
-    """Axis times angle (rad), angle at most pi."""
+    """Returns axis times angle (rad); the angle is at most pi."""
     x, y, z, w = rotation.Q
     if w < 0:
         x, y, z, w = -x, -y, -z, -w
@@ -30,7 +30,7 @@ def rotation_vector(rotation):
 
 
 def rotation_of(vector):
-    """The way back from rotation_vector."""
+    """Returns the rotation for a vector from rotation_vector()."""
     angle = vector.Length
     if angle < _SMALL:
         return App.Rotation(vector.x / 2, vector.y / 2, vector.z / 2, 1.0)
@@ -39,8 +39,8 @@ def rotation_of(vector):
 
 
 class Spline:
-    """A smooth curve of placements through keys. `tangents`: (kind, velocity in mm/s) a key, or
-    fewer: the rest is Auto."""
+    """A smooth curve of placements through keys. `tangents`: (kind, velocity in mm/s) for each key;
+    missing entries are Auto."""
 
     def __init__(self, times, placements, tangents=()):
         self.times, self.placements = times, placements
@@ -48,7 +48,7 @@ class Spline:
         self._pieces = {}
 
     def at(self, time):
-        """Placement at a time between the first and the last key."""
+        """Returns the placement at a time between the first and the last key."""
         k = self._piece_of(time)
         a, b = self.placements[k], self.placements[k + 1]
         if k not in self._pieces:
@@ -74,7 +74,8 @@ class Spline:
         return low
 
     def _piece(self, k):
-        """Velocities at both ends (mm/s) and the three turns of a piece (rad)."""
+        """Returns the velocities at both ends (mm/s) and the three rotation vectors of a piece
+        (rad)."""
         v0, w0 = self.velocity(k, after=True)
         v1, w1 = self.velocity(k + 1, after=False)
         third = (self.times[k + 1] - self.times[k]) / 3.0
@@ -82,8 +83,8 @@ class Spline:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "The spline from pose {0} to pose {1} exceeds the range of numbers: "
-                    "check their times, placements and given velocities.",
+                    "The spline from pose {0} to pose {1} gives numbers that are too large: "
+                    "check the times, placements and given velocities of these poses.",
                 ).format(k + 1, k + 2)
             )
         first, last = rotation_of(w0 * third), rotation_of(w1 * third)
@@ -92,8 +93,8 @@ class Spline:
         return v0, v1, (w0 * third, rotation_vector(middle), w1 * third)
 
     def velocity(self, k, after):
-        """Velocity (mm/s) and angular velocity (rad/s, in the frame of the part) at key k, seen from
-        the piece after or before it."""
+        """Returns the velocity (mm/s) and angular velocity (rad/s, in the frame of the part) at key
+        k, on the piece after or before it."""
         kind, given = self.tangents[k] if k < len(self.tangents) else ("Auto", None)
         if kind == "Stop":
             return App.Vector(), App.Vector()
@@ -103,8 +104,8 @@ class Spline:
         return straight, spin
 
     def _mean(self, k, after, alone):
-        """Velocities as the parabola through the neighbours has them; at the ends, and at a corner,
-        those of the straight way."""
+        """Returns the velocities of the parabola through the adjacent keys. At the ends and at a
+        corner, returns those of the straight line."""
         last = len(self.times) - 1
         if k == 0 or (alone and after and k < last):
             return self._straight(k)
@@ -116,7 +117,7 @@ class Spline:
         return tuple(a * share + b * (1 - share) for a, b in zip(before, behind))
 
     def _straight(self, k):
-        """Velocities of the straight way from key k to the next."""
+        """Returns the velocities of the straight line from key k to the next."""
         span = self.times[k + 1] - self.times[k]
         a, b = self.placements[k], self.placements[k + 1]
         turn = rotation_vector(a.Rotation.inverted().multiply(b.Rotation))

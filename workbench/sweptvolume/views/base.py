@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What our view providers share."""
+"""Base of the view providers."""
 import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore
@@ -8,7 +8,7 @@ from .. import icon, reading, runner
 from ..features.base import kind_of
 from ..features.envelope import CANCELLED, FAILED, NOT_COMPUTED, STALE
 
-#: State -> ending of the icon's name.
+#: State -> suffix of the icon's name.
 _MARKS = {STALE: "_stale", CANCELLED: "_cancelled", FAILED: "_failed", NOT_COMPUTED: "_empty"}
 
 
@@ -16,22 +16,24 @@ reading.watch()
 
 
 def shown_icon(name):
-    """The path of an icon, which FreeCAD has drawn by itself before: Qt 6 alone draws no SVG where its
-    plug-in for them is missing, and the tree would show what any object has."""
+    """Returns the path of an icon after FreeCAD has drawn it once. Qt 6 draws no SVG files if its
+    plug-in for them is missing; the tree would then show a default icon."""
     path = icon(name)
     Gui.getIcon(path)
     return path
 
 
 def state_icon(name, obj):
-    """Icon of an object with a result: running, stale, cancelled, failed, never computed are marked."""
+    """Returns the icon of an object with a result. It marks the states running, stale, cancelled,
+    failed and never computed."""
     if runner.is_running(obj):
         return shown_icon(name + "_running")
     return shown_icon(name + _MARKS.get(getattr(obj, "Status", ""), ""))
 
 
 def verdict_icon(name, obj, verdict=None):
-    """Icon of a check: its state; where that is current, what is worst. verdict: in place of the object's."""
+    """Returns the icon of a check: its state or, if the result is current, its worst verdict.
+    verdict: used in place of the object's verdict."""
     found = state_icon(name, obj)
     if found != icon(name) or not obj.Checked:
         return found
@@ -52,38 +54,38 @@ def _is_ours(obj):
     try:
         return bool(kind_of(obj))
     except ReferenceError:
-        return False  # deleted meanwhile
+        return False  # the object was deleted meanwhile
 
 
 def _show_children(holder):
-    """The tree asks an object for its children when one of its own properties was set: a number does
-    so that stays what it is (texts do not)."""
+    """Makes the tree ask an object for its children. The tree does so when a property of the object
+    is set; a number that keeps its value is enough (a text is not)."""
     try:
         name, touched = holder.ViewObject.Proxy.COUNTER, "Touched" in holder.State
         setattr(holder, name, getattr(holder, name))
         if not touched:
             holder.purgeTouched()
-        Gui.getDocument(holder.Document.Name).toggleTreeItem(holder, 2)  # opened
+        Gui.getDocument(holder.Document.Name).toggleTreeItem(holder, 2)  # 2: expand
     except (AttributeError, ReferenceError, RuntimeError):
-        pass  # the object or its document went meanwhile
+        pass  # the object or its document was deleted meanwhile
 
 
 class View:
-    """Base of the view provider proxies."""
+    """Base of the proxies of view providers."""
 
     def __init__(self, view):
         view.Proxy = self
 
     def attach(self, view):
         self.Object = view.Object
-        for name in self.PARENTS:  # set before there was a view
+        for name in self.PARENTS:  # they may have been set before there was a view
             self._tell_parents(view.Object, name)
 
-    #: Links of the object, by name, to those that hold it in the tree.
+    #: Names of the object's links to objects that show it as a child in the tree.
     PARENTS = ()
-    #: A whole number of an object that holds others.
+    #: Name of a whole-number property of an object with children in the tree.
     COUNTER = ""
-    #: The command that edits one of them.
+    #: Name of the command that edits such an object.
     EDITOR = ""
 
     def updateData(self, obj, name):
@@ -98,14 +100,15 @@ class View:
         above = self.__dict__.setdefault("_above", {})
         before, above[name] = above.get(name, []), now
         if getattr(obj.Document, "Restoring", False):
-            return  # the tree asks everybody then
+            return  # during restore the tree asks all objects anyway
         for holder in now + [h for h in before if h not in now]:
             if _is_ours(holder):
-                # From the loop: not while an object is being made, or the document undone.
+                # Called later from the event loop, not while an object is created or Undo runs.
                 QtCore.QTimer.singleShot(0, lambda holder=holder: _show_children(holder))
 
     def claimChildren(self):
-        """What is made of this object stands below it in the tree: motion, envelope, solid and check."""
+        """Returns the objects made from this one, which the tree shows below it: motion, envelope,
+        solid and check."""
         try:
             users = self.Object.InList
         except (AttributeError, ReferenceError):
@@ -125,11 +128,12 @@ class View:
         return True
 
     def setEdit(self, view, mode=0):
-        """FreeCAD's Edit of the tree: opens the panel, and FreeCAD is not in edit: its end would close
-        whatever panel is open. Other modes (Transform, colours) are FreeCAD's own."""
+        """Handles FreeCAD's Edit in the tree: opens the panel, but does not enter FreeCAD's edit
+        mode, whose end would close any open panel. Other modes (Transform, colours) are left to
+        FreeCAD."""
         if mode != 0:
             return None
-        # From the loop: the panel opens when FreeCAD has done with the menu.
+        # Called later from the event loop, when FreeCAD has finished with the menu.
         QtCore.QTimer.singleShot(0, lambda: run_command(view.Object, self.EDITOR))
         return False
 
@@ -141,7 +145,7 @@ class View:
         entry.triggered.connect(lambda *ignored: action())
 
     def add_commands(self, menu, obj, commands):
-        """Entries of the menu: (text, name of the command that runs on the object) of each."""
+        """Adds entries to the menu. commands: (text, name of the command that runs on the object)."""
         for text, name in commands:
             self.add_menu(menu, text, name, lambda name=name: run_command(obj, name))
 
@@ -158,8 +162,8 @@ class View:
 
 
 def set_if_there(view, **values):
-    """View properties differ between versions of FreeCAD: sets those that exist. A ShapeColor is asked
-    for by its attribute: FreeCAD 1.1 has it no more among the properties, but in the ShapeAppearance.
+    """Sets those view properties that exist in this version of FreeCAD. ShapeColor is checked as an
+    attribute: in FreeCAD 1.1 it is not in the list of properties, but part of ShapeAppearance.
     """
     for name, value in values.items():
         if name not in view.PropertiesList and not (name == "ShapeColor" and hasattr(view, name)):
@@ -173,7 +177,7 @@ def set_if_there(view, **values):
 
 
 def _set_appearance(view, colour):
-    """The diffuse colour of the first material, where the view has materials."""
+    """Sets the diffuse colour of the first material, if the view has materials."""
     materials = getattr(view, "ShapeAppearance", None)
     if not materials:
         return

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a clearance check looks: one row at a time as the moving part at that moment with the shortest
-line, and the distances as colours on the envelope."""
+"""Drawing of a clearance check: the moving part at the moment of one row with the shortest line,
+and the distances as colours on the envelope."""
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
@@ -17,7 +17,7 @@ GHOST, LINE = (0.20, 0.70, 0.30), (0.85, 0.0, 0.6)
 
 
 def band_of(distance, contact, required):
-    """Which of BANDS a distance (mm) falls in."""
+    """Returns the index in BANDS of a distance (mm)."""
     if distance <= 0:
         return 0
     if distance <= contact:
@@ -53,7 +53,7 @@ class ClearanceView(View):
 
     def getIcon(self):
         verdict = self.Object.Verdict
-        if not verdict:  # computed before there were rules
+        if not verdict:  # computed by a version without rules
             near = self.Object.Smallest.Value < self.Object.RequiredDistance.Value
             verdict = "below" if near else "clear"
             verdict = "clash" if self.Object.Smallest.Value <= 0 else verdict
@@ -67,13 +67,13 @@ class ClearanceView(View):
         self.add_commands(menu, view.Object, commands)
 
     def clear(self):
-        """Nothing drawn: as after opening a document."""
+        """Removes the drawing, as after opening a document."""
         if hasattr(self, "row"):
             self.row.removeAllChildren()
             self.colours.removeAllChildren()
 
     def show_row(self, obj, index, zoom=True):
-        """The moving part as a ghost at the moment of a row, with the shortest line."""
+        """Shows the moving part as a ghost at the moment of a row, with the shortest line."""
         self.row.removeAllChildren()
         found = clearance.report_of(obj)["neighbours"][index]
         plan = clearance.Plan.of(obj)
@@ -92,7 +92,7 @@ class ClearanceView(View):
             zoom_to(points, found)
 
     def show_colours(self, obj, contact, required):
-        """The envelope in bands of distance; False if there is nothing to colour."""
+        """Shows the envelope in bands of distance. Returns False if there is nothing to colour."""
         self.colours.removeAllChildren()
         if obj.Envelope is None or not obj.MapDistances:
             return False
@@ -111,7 +111,7 @@ class ClearanceView(View):
 
 
 def _surface(points, triangles, colours, which, transparency):
-    """A surface in one colour, or with one of `colours` at each point."""
+    """Returns a surface in one colour, or with one of `colours` at each point."""
     from pivy import coin
 
     group = coin.SoSeparator()
@@ -128,7 +128,8 @@ def _surface(points, triangles, colours, which, transparency):
     flat = indices.ravel().tolist()
     faces.coordIndex.setValues(0, len(flat), flat)
     if which is None:
-        nearer = coin.SoPolygonOffset()  # a ghost lies before the colours where both are
+        # Draws the ghost in front of the colours where both coincide.
+        nearer = coin.SoPolygonOffset()
         nearer.factor, nearer.units = -1.0, -1.0
         group.addChild(nearer)
     else:
@@ -144,7 +145,7 @@ def _surface(points, triangles, colours, which, transparency):
 def _line(a, b):
     from pivy import coin
 
-    group = coin.SoAnnotation()  # in front of everything: the line often lies inside a gap
+    group = coin.SoAnnotation()  # in front of everything, because the line often lies inside a gap
     light, shade, style = coin.SoLightModel(), coin.SoBaseColor(), coin.SoDrawStyle()
     light.model = coin.SoLightModel.BASE_COLOR
     shade.rgb = LINE
@@ -158,7 +159,7 @@ def _line(a, b):
 
 
 def zoom_to(points, found):
-    """Looks at the shortest line, with about the body's size round it."""
+    """Moves the camera to the shortest line, and shows about the size of the body around it."""
     middle = [(p + q) / 2.0 for p, q in zip(found["point_on_body"], found["point_on_neighbour"])]
     size = max(float((points.max(axis=0) - points.min(axis=0)).max()) * 1.8, 4 * found["distance"])
     _look_at(middle, size)
@@ -166,14 +167,14 @@ def zoom_to(points, found):
 
 
 def zoom_to_box(points):
-    """Looks at the box of some points (k,3), with as much round it."""
+    """Moves the camera to the box of points (k,3), with as much space around it."""
     points = np.asarray(points, dtype=float)
     low, high = points.min(axis=0), points.max(axis=0)
     _look_at(0.5 * (low + high), max(2.5 * float((high - low).max()), 1e-3))
 
 
 def _look_at(middle, size):
-    """Puts the camera before a point, so that `size` (mm) is seen of what is round it."""
+    """Moves the camera in front of a point so that a length `size` (mm) around it is visible."""
     from pivy import coin
 
     document = Gui.ActiveDocument

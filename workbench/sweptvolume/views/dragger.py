@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's own dragger (arrows and arcs) for one placement in the 3D view, part of no document."""
+"""FreeCAD's own dragger (arrows and arcs) for one placement in the 3D view. Not part of any
+document."""
 import math
 
 import FreeCAD as App
@@ -8,21 +9,21 @@ from PySide import QtCore, QtGui
 
 try:
     from PySide import QtWidgets
-except ImportError:  # FreeCAD 0.20: its shim keeps the widgets in QtGui
+except ImportError:  # in FreeCAD 0.20, the module PySide has the widgets in QtGui
     QtWidgets = QtGui
 
-#: Names of FreeCAD's dragger, newest first; Coin's stands in where there is none.
+#: Names of FreeCAD's dragger, newest first. Without it, Coin's dragger is used.
 _NAMES = ("SoTransformDragger", "SoFCCSysDragger")
-#: Share of the diagonal of the part that the dragger takes: its arrows end a little outside a cube.
+#: Size of the dragger as a fraction of the part's diagonal: its arrows end a little outside a cube.
 SIZE = 0.4
-#: ms between two looks at where the dragger is. It follows the mouse by itself; how often what follows
-#: it is drawn is the panel's business.
+#: Interval (ms) between two checks of the dragger's place. The dragger itself follows the mouse;
+#: the panel decides how often its own drawing is updated.
 POLL = 30
 
 
 class PoseDragger:
-    """Shows a dragger at a placement; calls moved(placement) while it is dragged and dropped(placement)
-    when it is let go."""
+    """Shows a dragger at a placement. Calls moved(placement) while the user drags it, and
+    dropped(placement) at the end."""
 
     def __init__(self, document, size, moved, dropped):
         from pivy import coin
@@ -32,15 +33,16 @@ class PoseDragger:
         self.switch = coin.SoSwitch()
         self.node = _make(coin)
         self.own = self.node.getField("translationIncrement") is not None
-        #: Where an arrow can be grasped (mm from the middle): FreeCAD's own are 9 to 10 units long.
+        #: Distance from the middle (mm) at which the user can grasp an arrow; FreeCAD's arrows are
+        #: 9 to 10 units long.
         self.arrow = SIZE * size * 0.93
         if self.node.getField("draggerSize") is not None:
             self.node.getField("draggerSize").setValue(SIZE * size / 10.0)
         self.switch.addChild(self.node)
         self.root.addChild(self.switch)
         self.graph.addChild(self.root)
-        # Looked at, not called back: pivy calls Python from the mouse's events without the
-        # interpreter's lock, which ends the program.
+        # Polled by a timer without callbacks: pivy would call Python from mouse events without the
+        # interpreter lock, which crashes the program.
         self.moved, self.dropped, self.last, self.dragging = moved, dropped, None, False
         self.timer = QtCore.QTimer()
         self.timer.timeout.connect(self._look)
@@ -60,7 +62,7 @@ class PoseDragger:
         return [tuple(self.node.getField(n).getValue().getValue()) for n in names]
 
     def snap(self, millimetres, degrees):
-        """Steps of the arrows and arcs; 0: nearly none."""
+        """Sets the steps of arrows and arcs; 0: almost continuous."""
         if self.own:
             self.node.getField("translationIncrement").setValue(max(millimetres, 1e-3))
             self.node.getField("rotationIncrement").setValue(math.radians(max(degrees, 1e-2)))
@@ -83,7 +85,7 @@ class PoseDragger:
         self.timer.stop()
 
     def placement(self):
-        """Where the dragger is now."""
+        """Returns the present placement of the dragger."""
         at, turn = self._fields()
         return App.Placement(App.Vector(*at), App.Rotation(*turn))
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How an envelope looks: translucent, so that the parts inside stay visible; a heavy one is drawn by a
-thinned copy."""
+"""Drawing of an envelope: translucent, so that the parts inside are visible. A large envelope is
+drawn by a simplified copy."""
 from PySide import QtCore
 
 from .. import runner
@@ -13,7 +13,7 @@ COLOUR = (0.35, 0.60, 0.90)
 
 
 class _Recut(runner.Task):
-    """A new tolerance: the kept surface is cut again, the other properties stay as they are."""
+    """Simplifies the kept surface to a new tolerance; other properties do not change."""
 
     def __init__(self, obj):
         self.title = translate("Messages", "Compute envelope")
@@ -47,13 +47,13 @@ class _Recut(runner.Task):
 
 
 def recut(obj):
-    """Cuts an envelope at its new tolerance at once, if that takes no sampling."""
+    """Simplifies an envelope to its new tolerance at once, if no sampling is needed."""
     try:
         if not runner.is_running(obj) and envelope.can_recut(obj):
             run = runner.start(_Recut(obj))
             run.ended.connect(lambda ended: recut(obj) if ended.state == "ok" else None)
     except ReferenceError:
-        pass  # the object went meanwhile
+        pass  # the object was deleted meanwhile
 
 
 class EnvelopeView(View):
@@ -105,7 +105,7 @@ class EnvelopeView(View):
         if name in ("Mesh", "InputHash", "MadeByData"):
             self.colour_later(obj)
         if name == "Tolerance" and not getattr(obj.Document, "Transacting", False):
-            # From the loop, when all that changes with it has been written.
+            # Called later from the event loop, when all related properties have been written.
             QtCore.QTimer.singleShot(0, lambda: recut(obj))
 
     def onChanged(self, view, name):
@@ -115,13 +115,13 @@ class EnvelopeView(View):
             self.colour_later(view.Object)
 
     def colour_later(self, obj):
-        """From the loop: when all that belongs to a result has been written."""
+        """Colours the envelope from the event loop, when the whole result has been written."""
         if not getattr(self, "_asked", False):
             self._asked = True
             QtCore.QTimer.singleShot(0, lambda: self._colour(obj))
 
     def _colour(self, obj):
-        """Colours as ColourBy says; its own colour where nothing is remembered."""
+        """Colours the envelope as ColourBy says. Without a record, the envelope has its own colour."""
         self._asked = False
         try:
             record, by = made_colours.record_to_show(obj.ViewObject)
@@ -133,14 +133,15 @@ class EnvelopeView(View):
 
             def show(coloured):
                 if self.__dict__.get("_coloured") is now:
-                    # Colours that shine through one another cannot be told apart.
+                    # Less transparent, because colours behind each other could not be
+                    # distinguished.
                     transparency = made_colours.CLEARER * obj.ViewObject.Transparency / 100.0
                     self.display.show_nodes(made_colours.nodes_of(coloured, transparency))
 
             most = obj.ViewObject.DrawnTriangles
             runner.start(made_colours.Colouring(obj, record, by, most, show))
         except (ReferenceError, RuntimeError):
-            pass  # the object went meanwhile, or there is no core
+            pass  # the object was deleted meanwhile, or there is no core
 
     def getIcon(self):
         return state_icon("SweptVolume_Envelope", self.Object)

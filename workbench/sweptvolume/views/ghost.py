@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the panels draw in the 3D view that belongs to no document: the part at each key and on the way,
-the way itself, a coarse envelope."""
+"""Drawings of the panels in the 3D view that belong to no document: the part at each key and on its
+way, the way itself, a coarse envelope."""
 import FreeCADGui as Gui
 import numpy as np
 
@@ -10,13 +10,13 @@ from . import path, surface
 
 KEY_COLOUR, MOVING_COLOUR = (0.95, 0.75, 0.20), (0.20, 0.70, 0.30)
 ENVELOPE_COLOUR, CLASH_COLOUR = (0.35, 0.60, 0.90), (0.90, 0.10, 0.10)
-#: Triangles of the part where it moves, and at its keys, where it is drawn many times.
+#: Triangles of the part in motion, and at its keys, where it is drawn many times.
 MOVING_TRIANGLES, KEY_TRIANGLES = 6000, 1500
 
 
 def view_of(document):
-    """The 3D view of a document that is active, else its first: a spreadsheet may lie before it. Raises
-    InputProblem where there is none."""
+    """Returns the active 3D view of a document, or its first one if another window, such as a
+    spreadsheet, is active. Raises InputProblem if there is none."""
     gui = Gui.getDocument(document.Name)
     active = gui.activeView()
     views = [active] if hasattr(active, "getSceneGraph") else []
@@ -30,7 +30,7 @@ def view_of(document):
 
 
 class Overlay:
-    """Nodes in the active view of a document until removed; the mouse does not see them."""
+    """Nodes in the active view of a document, until remove(). The mouse cannot pick them."""
 
     def __init__(self, document):
         from pivy import coin
@@ -72,7 +72,7 @@ class CoarseEnvelope(Overlay):
         self.add(ENVELOPE_COLOUR, 0.5, self.surface)
 
     def show(self, drawn):
-        """Draws one of surface.drawn()."""
+        """Draws a result of surface.drawn()."""
         if self.root is not None:
             self.clear()
             self.surface.addChild(surface.group_of(drawn, solid=True))
@@ -82,7 +82,7 @@ class CoarseEnvelope(Overlay):
 
 
 class MovingPart(Overlay):
-    """A part (vertices, triangles) at one placement, not drawn before the first."""
+    """A part (vertices, triangles) at one placement. Not drawn before the first show()."""
 
     def __init__(self, document, vertices, triangles):
         from pivy import coin
@@ -97,12 +97,12 @@ class MovingPart(Overlay):
 
     def show(self, placement):
         self.moving.matrix = _matrix(placement)
-        self.shown.whichChild = -3  # all
+        self.shown.whichChild = -3  # -3: all children
 
 
 class MovingParts(Overlay):
-    """Parts that move at the same time, each at a placement of its own; not drawn before the first. parts:
-    (as surface.drawn() gives it, whether it is solid) of each."""
+    """Parts that move at the same time, each with its own placement. Not drawn before the first
+    show(). parts: for each part (result of surface.drawn(), whether it is solid)."""
 
     def __init__(self, document, parts):
         from pivy import coin
@@ -118,11 +118,11 @@ class MovingParts(Overlay):
             self.shown.append(shown)
 
     def show(self, placements, marked=()):
-        """marked: numbers of those that are seen in another colour."""
+        """marked: indices of the parts that are shown in another colour."""
         for k, placement in enumerate(placements):
             self.places[k].matrix = _matrix(placement)
             self.paints[k].diffuseColor = MOVING_COLOUR if k in marked else KEY_COLOUR
-            self.shown[k].whichChild = -3  # all
+            self.shown[k].whichChild = -3  # -3: all children
 
     def hide(self):
         for shown in self.shown:
@@ -130,7 +130,7 @@ class MovingParts(Overlay):
 
 
 class Ghosts(Overlay):
-    """A part (vertices, triangles) at its keys and on the way, and the way with its frames."""
+    """A part (vertices, triangles) at its keys and on its way, and the way with its frames."""
 
     def __init__(self, document, vertices, triangles):
         from pivy import coin
@@ -143,23 +143,23 @@ class Ghosts(Overlay):
         )
         self.copies, self.moving = coin.SoMultipleCopy(), coin.SoMatrixTransform()
         self.copies.addChild(at_keys)
-        self.way, seen = path.Way(), coin.SoAnnotation()  # seen through the parts
+        self.way, seen = path.Way(), coin.SoAnnotation()  # visible through the parts
         seen.addChild(self.way.root)
         self.root.addChild(seen)
         self.add(KEY_COLOUR, 0.6, self.copies)
         self.paint = self.add(MOVING_COLOUR, 0.35, self.moving, shape)
 
     def show_clash(self, on):
-        """The part on the way red, or as it was."""
+        """Shows the part on its way in red, or in its usual colour."""
         self.paint.diffuseColor = CLASH_COLOUR if on else MOVING_COLOUR
 
     def show_keys(self, placements):
-        # Coin multiplies rows: the transposes.
+        # Coin multiplies row vectors, so it needs the transposes.
         rows = [matrix_of(p).T.ravel() for p in placements]
         surface.fill(self.copies.matrix, np.array(rows, np.float32).reshape(-1, 16))
 
     def show_path(self, poses, interpolation):
-        """The way as a line with frames."""
+        """Draws the way as a line with frames."""
         self.way.show(poses, interpolation)
 
     def show_moving(self, placement):
@@ -167,7 +167,7 @@ class Ghosts(Overlay):
 
 
 def _matrix(placement):
-    """Coin multiplies rows: the transpose."""
+    """Converts a placement for Coin, which multiplies row vectors and needs the transpose."""
     from pivy import coin
 
     return coin.SbMatrix(*[float(x) for x in matrix_of(placement).T.ravel()])

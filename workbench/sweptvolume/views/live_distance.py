@@ -5,9 +5,10 @@ import numpy as np
 from .ghost import Overlay
 from .surface import fill
 
-#: Where parts are apart, and where they clash: line and text.
+#: Colours of line and text: for parts that are apart, and for a clash.
 APART, CLASH = ((0.85, 0.0, 0.6), (1.0, 0.95, 0.45)), ((0.95, 0.05, 0.1), (1.0, 1.0, 1.0))
-#: Pixels: of the text and of the line. Blanks keep the text off the dragger.
+#: In pixels: size of the text and width of the line. The blanks keep the text away from the
+#: dragger.
 TEXT, LINE, BESIDE = 17, 3.0, "     "
 
 
@@ -18,7 +19,7 @@ class LiveDistance(Overlay):
         from pivy import coin
 
         super().__init__(document)
-        self.shown, seen = coin.SoSwitch(), coin.SoAnnotation()  # seen through the parts
+        self.shown, seen = coin.SoSwitch(), coin.SoAnnotation()  # visible through the parts
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR
         self.line_colour, self.text_colour = coin.SoBaseColor(), coin.SoBaseColor()
@@ -38,7 +39,7 @@ class LiveDistance(Overlay):
         self.root.addChild(self.shown)
 
     def show(self, at, text, points, clash):
-        """text (lines) at a point; a line between two points (None: none)."""
+        """Shows text (lines) at a point, and a line between two points (None: no line)."""
         line, letters = CLASH if clash else APART
         self.line_colour.rgb, self.text_colour.rgb = line, letters
         self.place.translation = tuple(at)
@@ -46,10 +47,10 @@ class LiveDistance(Overlay):
         drawn = points[0] is not None
         fill(self.ends.point, np.array(points if drawn else np.zeros((0, 3)), np.float32))
         fill(self.lines.numVertices, np.array([2] if drawn else [0], np.int32))
-        self.shown.whichChild = -3  # all
+        self.shown.whichChild = -3  # -3: all children
 
     def show_between(self, ends, text, clash):
-        """A line with a text ("": none) at its middle."""
+        """Shows a line with a text ("": no text) at its middle."""
         middle = [(a + b) / 2.0 for a, b in zip(*ends)]
         self.show(middle, [text] if text else [], ends, clash)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours that tell what made each place of an envelope."""
+"""Colours that show what made each place of an envelope."""
 import colorsys
 
 import numpy as np
@@ -10,7 +10,7 @@ from ..features.made_by import CAP, EDGE, GRAZE
 from ..texts import mark
 from . import surface
 
-#: What an envelope can be coloured by; the first: its own colour.
+#: What the colours of an envelope can show; the first entry: its own colour.
 CHOICES = [
     mark("Panels", "Nothing"),
     mark("Panels", "Part"),
@@ -18,16 +18,17 @@ CHOICES = [
     mark("Panels", "Kind"),
     mark("Panels", "Time"),
 ]
-#: Colours of faces (neighbours in number lie far apart), and of times from blue to red.
+#: Number of hues for faces (faces with adjacent numbers differ clearly), and for times (from blue
+#: to red).
 FACE_HUES, TIME_HUES = 24, 24
-#: By kind: cap, edge, graze. Where nothing is known.
+#: Colours by kind: cap, edge, graze; colour of unknown places.
 OF_KIND = ((0.25, 0.55, 0.95), (0.95, 0.55, 0.15), (0.30, 0.75, 0.40))
 UNKNOWN = (0.5, 0.5, 0.5)
-#: Brightness of faces where they lie at one pose, of edges, of faces that graze.
+#: Brightness of faces, by the kind of source: cap, edge, graze.
 VALUE = {CAP: 0.95, EDGE: 0.55, GRAZE: 0.75}
-#: Of the envelope's transparency.
+#: Factor on the transparency of the envelope.
 CLEARER = 0.25
-#: Triangles up to which a coloured surface is drawn as it is.
+#: A coloured surface with more triangles than this is simplified for drawing.
 MOST_WHOLE = 300000
 
 
@@ -37,7 +38,7 @@ def _hue(number, count):
 
 
 def _tables(record, by):
-    """(number of a colour for each triangle, those colours)."""
+    """Returns (index of a colour for each triangle, those colours)."""
     known, face = record.kind >= 0, record.faces[:, 0]
     if by == "Kind":
         return record.kind.astype(int), list(OF_KIND)
@@ -65,8 +66,8 @@ def _tables(record, by):
 
 
 def pieces(record, by, vertices, triangles, most):
-    """Any thread: the surface in parts of one colour: [(colour, surface.drawn())]. most: triangles drawn
-    of it, about, where it is heavy; 0: all."""
+    """Returns the surface in pieces of one colour: [(colour, surface.drawn())]. Any thread. most:
+    approximate number of triangles drawn of a large surface; 0: all."""
     of, colours = _tables(record, by)
     found = []
     if len(triangles) <= max(MOST_WHOLE, most) or not most:
@@ -90,7 +91,7 @@ def _colour(number, colours):
 
 
 def nodes_of(coloured, transparency):
-    """Coin nodes that draw pieces(); those that share points have one node for them."""
+    """Returns Coin nodes that draw pieces(). Pieces with the same points share their node."""
     from pivy import coin
 
     nodes, last = [], None
@@ -110,7 +111,7 @@ def nodes_of(coloured, transparency):
 
 
 class Colouring(runner.Task):
-    """Makes the coloured surface of an envelope beside the window; show(nodes) is called at its end."""
+    """Makes the coloured surface of an envelope in the background, and then calls show(nodes)."""
 
     writes = False
 
@@ -128,7 +129,7 @@ class Colouring(runner.Task):
 
 
 def record_to_show(view):
-    """What an envelope is to be coloured by: (record, choice); (None, "") for its own colour."""
+    """Returns (record, choice) for the colours of an envelope, or (None, "") for its own colour."""
     by = getattr(view, "ColourBy", CHOICES[0])
     if by == CHOICES[0]:
         return None, ""

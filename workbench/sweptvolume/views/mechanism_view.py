@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a mechanism check looks in the tree; what it shows in the 3D view belongs to its panel."""
+"""A mechanism check in the tree. Its panel draws in the 3D view."""
 from ..texts import translate
 from .base import View, verdict_icon
 
@@ -13,7 +13,7 @@ class MechanismView(View):
         return verdict_icon("SweptVolume_Mechanism", self.Object)
 
     def claimChildren(self):
-        """The motions of its parts stand below it in the tree."""
+        """Returns the motions of its parts, which the tree shows below it."""
         try:
             found = [motion for motion in self.Object.Motions if motion is not None]
         except (AttributeError, ReferenceError):

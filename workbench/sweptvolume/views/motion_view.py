@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a motion looks: the path of its poses as a line, with a small frame at each pose."""
+"""Drawing of a motion: the path of its poses as a line, with a small frame at each pose."""
 from ..convert import InputProblem
 from ..features.motion import STALE, poses_of
 from ..features.motion_source import has_settings

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A motion drawn: the way of its pivot as a line, with a small frame at each pose."""
+"""Draws a motion: the way of its pivot as a line, with a small frame at each pose."""
 import numpy as np
 
 from ..convert import InputProblem, matrix_of, pose_arrays
@@ -8,7 +8,8 @@ from .surface import fill
 
 LINE = (0.85, 0.45, 0.05)
 AXES = ((0.85, 0.15, 0.15), (0.15, 0.65, 0.15), (0.20, 0.35, 0.90))
-#: Points drawn between two poses, the most poses that get a frame, and that are drawn smoothly.
+#: Points drawn between two poses; largest number of poses that get a frame; largest number of poses
+#: that are drawn smoothly.
 BETWEEN, MOST_FRAMES, MOST_SMOOTH = 8, 200, 2000
 
 
@@ -25,9 +26,9 @@ class Way:
         self.root.addChild(self.shown)
 
     def show(self, poses, interpolation, width=3.0, size=0.0):
-        """Draws Poses. width: pixels; size: mm of the frames' axes, 0: from the path."""
+        """Draws Poses. width: pixels; size: mm of the frames' axes, 0: depends on the path."""
         poses = poses.carried()
-        self.shown.whichChild = -3 if len(poses) else -1  # all, none
+        self.shown.whichChild = -3 if len(poses) else -1  # -3: all children, -1: none
         if not len(poses):
             return
         points = points_of(poses, interpolation)
@@ -42,13 +43,13 @@ class Way:
 
 
 def points_of(poses, interpolation):
-    """Points (n,3) of the way of the poses' origin."""
+    """Returns the points (n,3) of the way of the poses' origin."""
     straight = interpolation in ("None", "Linear")
     if straight or not 2 <= len(poses) <= MOST_SMOOTH:
         return pose_arrays(poses.placements)[0]
     try:
         at, fine = course(poses, interpolation), []
-    except InputProblem:  # of a spline, which is told where it is asked for
+    except InputProblem:  # an invalid spline; other code reports it
         return pose_arrays(poses.placements)[0]
     for a, b in zip(poses.times, poses.times[1:]):
         fine += [a + (b - a) * k / BETWEEN for k in range(BETWEEN)]
@@ -57,7 +58,7 @@ def points_of(poses, interpolation):
 
 
 def frame_size(poses):
-    """Length of the axes that suits a path (mm)."""
+    """Returns a suitable length of the axes for a path (mm)."""
     points = pose_arrays(poses.placements)[0]
     size = float((points.max(axis=0) - points.min(axis=0)).max()) if len(points) else 0.0
     return size * 0.05 or 1.0
@@ -81,7 +82,7 @@ class _Lines:
         self.lengths = []
 
     def fill(self, points, lengths, width):
-        """points (n,3), so many in each line."""
+        """points (n,3); lengths: number of points in each line."""
         fill(self.where.point, np.asarray(points, np.float32))
         if lengths != self.lengths:
             self.lengths = lengths

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a sequence looks in the tree; what it shows in the 3D view belongs to its panel."""
+"""A sequence in the tree. Its panel draws in the 3D view."""
 from ..texts import translate
 from .base import verdict_icon
 from .mechanism_view import MechanismView

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a shared volume looks: red, and seen through what shares it."""
+"""Drawing of a shared volume: red, and visible through the parts that share it."""
 from ..texts import translate
 from . import surface
 from .base import View, set_if_there, state_icon
@@ -9,7 +9,7 @@ COLOUR = (0.90, 0.10, 0.10)
 
 
 class SharedBody(Overlay):
-    """What two parts share, seen through them; of no document."""
+    """The shared volume of two parts, visible through them. Not part of any document."""
 
     def __init__(self, document):
         from pivy import coin
@@ -23,7 +23,7 @@ class SharedBody(Overlay):
         self.root.addChild(seen)
 
     def show(self, drawn):
-        """Draws one of surface.drawn(); None: nothing."""
+        """Draws a result of surface.drawn(); None: draws nothing."""
         self.surface.removeAllChildren()
         if drawn is not None:
             self.surface.addChild(surface.group_of(drawn, solid=True))

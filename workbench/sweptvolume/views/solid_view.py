@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How the solid of an envelope looks."""
+"""The solid of an envelope in the tree."""
 from ..texts import translate
 from .base import View, set_if_there, state_icon
 

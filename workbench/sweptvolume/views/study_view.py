@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a study looks in the tree."""
+"""A study in the tree."""
 from ..features.base import UP_TO_DATE
 from ..texts import translate
 from .base import View, shown_icon, verdict_icon
@@ -16,7 +16,7 @@ class StudyView(View):
         return verdict_icon("SweptVolume_Study", self.Object)
 
     def claimChildren(self):
-        return []  # its sources stand with their parts
+        return []  # the tree shows its sources below their parts
 
     def setupContextMenu(self, view, menu):
         commands = (

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Surfaces for the 3D view, light enough that the window never stands still for them.
+"""Surfaces for the 3D view, simplified so that the window never freezes.
 
-drawn() is made in any thread, group_of() and FreeCAD's own display are changed in the window's. A
-picture of a million triangles takes the window 0.18 s of CPU where no graphics card helps, and one of a
-thinned copy that nobody can tell from it 0.03 s: each turn of the view costs as much.
+drawn() may run in any thread; group_of() and changes of FreeCAD's own display must run in the
+window's thread. Without a graphics card, a picture of a million triangles takes the window 0.18 s
+of CPU. A picture of a simplified copy that looks the same takes 0.03 s. Each rotation of the view
+costs as much.
 """
 import ctypes
 
@@ -15,12 +16,13 @@ from .. import convert, core, runner
 from ..features import envelope
 from ..features.base import kind_of, objects_of_kind
 
-#: Triangles that are drawn of one surface, about; edges that turn by more (rad) are drawn sharp.
+#: Approximate number of triangles drawn of one surface; edges where the surface turns by more than
+#: CREASE (rad) are drawn sharp.
 MOST, CREASE = 40000, 0.6
 
 
 def drawn(vertices, triangles, most=MOST):
-    """A mesh as group_of() takes it: points, normals (may be none), indices."""
+    """Returns a mesh in the form of group_of(): points, normals (may be None), indices."""
     try:
         return core.drawable(vertices, triangles, most, CREASE)
     except core.CoreMissing:
@@ -29,7 +31,7 @@ def drawn(vertices, triangles, most=MOST):
         return np.array(vertices, np.float32), np.zeros((0, 3), np.float32), indices.ravel()
 
 
-#: Field of Coin -> what one of its values is in an array.
+#: Field of Coin -> type and shape of one of its values in an array.
 _VALUES = {
     "MFVec3f": (np.float32, (3,)),
     "MFMatrix": (np.float32, (16,)),
@@ -38,10 +40,11 @@ _VALUES = {
 
 
 def fill(field, values):
-    """Puts an array into a field of Coin, bit by bit.
+    """Copies an array into a field of Coin.
 
-    Coin's own call makes an object of Python of each number: 8 ms of CPU for 40,000 triangles, in which no
-    other thread gets to run, at each step of a drag that has a preview. This takes 0.1 ms."""
+    Coin's own function makes a Python object of each number. For 40,000 triangles this takes 8 ms
+    of CPU, blocks all other threads, and happens at each step of a drag with a preview. This
+    function takes 0.1 ms."""
     values = np.ascontiguousarray(values)
     kind = field.getTypeId().getName().getString()
     if (values.dtype, values.shape[1:]) != _VALUES[kind]:
@@ -50,14 +53,15 @@ def fill(field, values):
     if not len(values):
         return
     start = field.startEditing()
-    # What Coin hands out is a pointer: of numbers as it is, of vectors and matrices behind the face of
+    # Coin returns a pointer: for numbers directly, for vectors and matrices inside the wrapper of
     # the first one.
     ctypes.memmove(int(getattr(start, "this", start)), values.ctypes.data, values.nbytes)
     field.finishEditing()
 
 
 def is_solid(vertices, triangles):
-    """Whether a mesh shows its outside only: as far as its area and volume tell, closed and outward."""
+    """Returns whether only the outside of a mesh is visible: its area and volume suggest that it is
+    closed and oriented outwards."""
     corners = vertices[triangles] - vertices[:1]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     open_area = np.linalg.norm(normals.sum(axis=0))
@@ -68,7 +72,8 @@ def is_solid(vertices, triangles):
 
 
 def nodes_of(points, normals, indices, solid=False):
-    """Coin nodes that draw one of drawn(). solid: without the insides, which takes half the time."""
+    """Returns Coin nodes that draw a result of drawn(). solid: leaves out the insides, which halves
+    the time."""
     from pivy import coin
 
     where, faces, hints = coin.SoCoordinate3(), coin.SoIndexedFaceSet(), coin.SoShapeHints()
@@ -88,7 +93,7 @@ def nodes_of(points, normals, indices, solid=False):
 
 
 def group_of(surface, solid=False):
-    """The same as one group."""
+    """Returns the nodes of nodes_of() as one group."""
     from pivy import coin
 
     group = coin.SoGroup()
@@ -98,7 +103,8 @@ def group_of(surface, solid=False):
 
 
 def unsorted_blending():
-    """Coin node: transparent triangles in any order. To sort a million takes seconds a picture."""
+    """Returns a Coin node that draws transparent triangles in any order. Sorting a million
+    triangles would take seconds for each picture."""
     from pivy import coin
 
     blend = coin.SoTransparencyType()
@@ -107,7 +113,7 @@ def unsorted_blending():
 
 
 def most_of(obj):
-    """Triangles drawn at most of an envelope (None: of a new one); 0: all."""
+    """Returns the largest number of triangles drawn of an envelope (None: of a new one); 0: all."""
     import Mesh  # noqa: F401 (a module of FreeCAD is loaded in the window's thread, ready() needs it)
 
     if not App.GuiUp:
@@ -116,7 +122,7 @@ def most_of(obj):
 
 
 def ready(outcome, most):
-    """Any thread: adds to an envelope (core.Outcome) what takes long of taking it over."""
+    """Prepares the slow steps of storing an envelope (core.Outcome) in its object. Any thread."""
     outcome.mesh = convert.mesh_from_arrays(outcome.vertices, outcome.triangles, beside=True)
     if 0 < most < len(outcome.triangles):
         local = outcome.vertices - np.array(tuple(outcome.mesh.Placement.Base))
@@ -124,22 +130,23 @@ def ready(outcome, most):
     return outcome
 
 
-#: Bytes that FreeCAD takes for a facet and for a point of a mesh, in the document and in the view.
+#: Bytes that FreeCAD needs for a facet and for a point of a mesh, in the document and in the view.
 _FACET, _POINT = 64 + 16, 24 + 12
 
 
-#: Triangles of an envelope up to which Undo keeps it: FreeCAD copies a mesh several times for each Undo,
-#: with 23 million triangles the window stood still for 10 to 20 s, with these for about one.
+#: Largest number of triangles of an envelope that Undo keeps. FreeCAD copies a mesh several times
+#: for each Undo: with 23 million triangles the window froze for 10 to 20 s, with this number for
+#: about one second.
 MOST_UNDONE = 2000000
 
 
 def undoable(outcome):
-    """Whether a result is light enough to be kept for Undo."""
+    """Returns whether a result is small enough to be kept for Undo."""
     return len(outcome.triangles) <= MOST_UNDONE
 
 
 def room(obj, outcome):
-    """Bytes that it takes to write an envelope to its object (None: a new one)."""
+    """Returns the bytes needed to write an envelope to its object (None: a new one)."""
     meshes = [outcome.mesh]
     if obj is not None and obj.Document.UndoMode and undoable(outcome):
         meshes.append(obj.Mesh)  # kept for Undo
@@ -147,13 +154,13 @@ def room(obj, outcome):
 
 
 def show(obj, outcome):
-    """Draws the thinned copy of an envelope that was just written to its object."""
+    """Draws the simplified copy of an envelope that was just written to its object."""
     if outcome.drawn is not None:
         obj.ViewObject.Proxy.display.show(outcome.drawn)
 
 
 class _Undone:
-    """Undo has brought back the inputs of results that it does not keep: are they still theirs?"""
+    """Compares the inputs of results that Undo does not keep, after Undo has restored the inputs."""
 
     def slotUndoDocument(self, document):  # noqa: N802
         for obj in objects_of_kind(document, envelope.Envelope.KIND):
@@ -166,15 +173,15 @@ _undone = []
 
 
 def watch_undo():
-    """From now on states are looked at after each Undo."""
+    """From now on, compares states after each Undo."""
     if not _undone:
         _undone.append(_Undone())
         App.addDocumentObserver(_undone[0])
 
 
 class LightDisplay:
-    """Puts a thinned copy in the place of what FreeCAD draws of a heavy mesh; the mesh itself, its
-    colour and its display modes stay as they are. most(): triangles drawn at most; 0: all of them.
+    """Replaces FreeCAD's drawing of a large mesh by a simplified copy. The mesh itself, its colour
+    and its display modes do not change. most(): largest number of triangles drawn; 0: all.
     """
 
     def __init__(self, obj, most):
@@ -182,18 +189,18 @@ class LightDisplay:
         self._parent, self._own, self._round = None, [], 0
 
     def full(self):
-        """FreeCAD's own display."""
+        """Restores FreeCAD's own display."""
         self._round += 1
         if self._parent is not None:
             self._fill(self._own)
             self._parent = None
 
     def show(self, surface):
-        """Draws one of drawn()."""
+        """Draws a result of drawn()."""
         self.show_nodes(nodes_of(*surface))
 
     def show_nodes(self, nodes):
-        """Draws these instead of FreeCAD's own."""
+        """Draws these nodes in place of FreeCAD's own."""
         self.full()
         self._parent = _parent_of_faces(self.obj.ViewObject)
         if self._parent is not None:
@@ -209,10 +216,11 @@ class LightDisplay:
         return 0 < self.most() < self.obj.Mesh.CountFacets
 
     def later(self):
-        """Draws the mesh as it is now, thinned as soon as that is made, if it is heavy."""
+        """Draws the present mesh. If it is large, the simplified copy follows as soon as it is
+        ready."""
         self.full()
         if self.heavy():
-            # From the loop: not while the document is being opened or undone.
+            # Called later from the event loop, not while the document is opened or Undo runs.
             QtCore.QTimer.singleShot(0, lambda now=self._round: self._start(now))
 
     def _start(self, now):
@@ -220,7 +228,7 @@ class LightDisplay:
             if now == self._round and self.heavy():
                 runner.start(_Thinning(self, now))
         except (ReferenceError, RuntimeError):
-            pass  # the object went meanwhile, or there is no core to thin it
+            pass  # the object was deleted meanwhile, or there is no core to simplify it
 
     def take(self, surface, now):
         if now == self._round:
@@ -228,7 +236,8 @@ class LightDisplay:
 
 
 class LightParts:
-    """Meshes of a part that are drawn thinned until remove(), where they are heavy and of one colour."""
+    """Meshes of a part that are drawn simplified until remove(), if they are large and have one
+    colour."""
 
     def __init__(self, pair, most):
         parts = [linked for linked, _ in convert.leaves(*pair)]
@@ -243,11 +252,11 @@ class LightParts:
             try:
                 display.full()
             except ReferenceError:
-                pass  # the object went meanwhile
+                pass  # the object was deleted meanwhile
 
 
 class _Thinning(runner.Task):
-    """Makes the thinned copy of a mesh beside the window."""
+    """Makes the simplified copy of a mesh in the background."""
 
     writes = False
 
@@ -264,7 +273,7 @@ class _Thinning(runner.Task):
 
 
 def _parent_of_faces(view):
-    """The node in which FreeCAD keeps the points and faces that it draws of a mesh, or None."""
+    """Returns the node with the points and faces that FreeCAD draws of a mesh, or None."""
     from pivy import coin
 
     kind = coin.SoType.fromName("SoFCIndexedFaceSet")

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts of the document in the colours of their verdicts, for as long as a panel is open.
+"""Colours parts of the document by their verdicts while a panel is open.
 
-A material of Coin that overrides those behind it is put before what an object draws. No property of the
-object or of its view is touched: nothing is written to the document or to its undo record, and what was seen
-before is seen again when the material is taken away, with faces of several colours too, in every version of
-FreeCAD.
+A Coin material that overrides later ones is put before the drawing of an object. No property of the
+object or of its view changes, so nothing is written to the document or to its undo record. When the
+material is removed, the former look returns, also for faces with several colours and in every
+version of FreeCAD.
 """
 from ..convert import paths_to
 
 
 def painted_object(root, sub):
-    """The object whose look a part at the end of a path has: itself, or the first link on the way, which
-    draws a copy of its own. None where the path leads nowhere."""
+    """Returns the object that determines the look of the part at the end of a path: the part
+    itself, or the first link on the way, which draws its own copy. Returns None if the path
+    leads to no object."""
     found = None
     for path in paths_to(sub):
         found = root.getSubObject(path, retType=1) if path else root
@@ -21,13 +22,13 @@ def painted_object(root, sub):
 
 
 class VerdictColours:
-    """Keeps what it has painted until remove()."""
+    """Keeps what it has coloured until remove()."""
 
     def __init__(self):
-        self._painted = []  # (root node of the object, what was put before it)
+        self._painted = []  # (root node of the object, node that was put before it)
 
     def show(self, colours):
-        """colours: {object: (r, g, b)}; others get their own back."""
+        """colours: {object: (r, g, b)}. Objects that are not listed get their own colours back."""
         self.remove()
         for obj, colour in colours.items():
             root = getattr(getattr(obj, "ViewObject", None), "RootNode", None)
@@ -39,13 +40,13 @@ class VerdictColours:
     def remove(self):
         for root, paint in self._painted:
             number = root.findChild(paint)
-            if number >= 0:  # the object may have been deleted, its nodes live as long as this
+            if number >= 0:  # the object may have been deleted; its nodes live as long as this list
                 root.removeChild(number)
         self._painted = []
 
 
 def _paint(colour):
-    """One colour for all faces behind it, whatever they ask for."""
+    """Returns a material with one colour for all faces after it, whatever their own colours are."""
     from pivy import coin
 
     group, shade, binding = coin.SoGroup(), coin.SoMaterial(), coin.SoMaterialBinding()

@@ -87,14 +87,14 @@ class DenseRun {
   Finding describe(const LeakSearch& leaks, int rounds, double margin) const {
     const double all = static_cast<double>(input_.body.triangles.size()) *
                        static_cast<double>(input_.motion.placements.size());
-    std::string text =
-        textOf(3, "dense motion: ", sampler_.pairs(), " of ", all,
-               " copies of faces were sampled (", 100 * static_cast<double>(sampler_.pairs()) / all,
-               " %), ", rounds, " rounds of repair; of ", leaks.tested,
-               " surface points that were tested against all placements, ", leaks.covered,
-               " are still covered by more than ", margin, " mm");
+    std::string text = textOf(3, "the poses lie close together, so only ", sampler_.pairs(), " of ",
+                              all, " copies of faces at poses were sampled (",
+                              100 * static_cast<double>(sampler_.pairs()) / all, " %), with ",
+                              rounds, " rounds of repair; of ", leaks.tested,
+                              " surface points that were tested against all poses, ", leaks.covered,
+                              " still lie inside the swept volume by more than ", margin, " mm");
     if (leaks.covered > 0) text += textOf(3, ", by at most ", leaks.deepest, " mm");
-    text += textOf(3, "; the linear form of the motion is exact to ", space_.remainder(),
+    text += textOf(3, "; the linear approximation of the motion is exact to ", space_.remainder(),
                    " mm. At such points the envelope may be too small by this amount, but it is "
                    "never too large; switch off culling to sample all copies");
     return {"DensePruned", leaks.covered, {}, std::move(text)};

@@ -247,7 +247,7 @@ void compare(const HalfEdgeMesh& read, const HalfEdgeMesh& written) {
   }
   if (what.empty()) return;
   throw Error(Status::ExportFailed, "RereadDiffers",
-              "the file was written, but reading it back gave something else: " + what +
+              "the file was written, but reading it back gave a different result: " + what +
                   "; an existing file was kept. Export a mesh file");
 }
 
