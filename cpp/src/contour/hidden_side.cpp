@@ -134,7 +134,7 @@ bool beginsArc(const Points& ring, std::size_t at) {
 /// the best crossing, and the arcs in `arcs`; nothing if there is no such crossing.
 std::optional<Point> bestKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
   std::optional<Point> found;
-  double least = kMaxPlaneMiss * kMaxPlaneMiss;
+  double least = kMaxPlaneMiss * kMaxPlaneMiss * static_cast<double>(ring.size());
   for (std::size_t begin = 0; begin < ring.size(); ++begin) {
     if (!beginsArc(ring, begin)) continue;
     for (std::size_t count = 1; begin + count < ring.size(); ++count) {
