@@ -3,17 +3,21 @@
 
     for part in parts(): part.name, part.vertices (mm), part.triangles, part.motion
 
-Blades, threads, teeth, clips, ribs, letters, fins, tabs and slots. Every part is one closed mesh about 100 mm
-long; its thinnest walls are 1 to 2 mm. All numbers are fixed, so the parts are the same everywhere.
+Blades, threads, teeth, clips, ribs, letters, fins, tabs and slots. Every part is one closed mesh about
+100 mm long; its thinnest walls are 1 to 2 mm. All numbers are fixed, so the parts are the same everywhere.
     loft     a polygon in layers, each turned and scaled
     blocks   the boundary of chosen blocks between planes
 """
 import dataclasses
 import math
+import pathlib
+import sys
 
 import numpy as np
 
-from bodies import rotation
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
+
+from bodies import rotation  # noqa: E402
 
 SEED = 23
 KEYS = 16
@@ -123,7 +127,9 @@ def rotor():
         turn = 2 * math.pi * blade / 7
         c, s = math.cos(turn), math.sin(turn)
         root, half = 14.0, 0.8
-        flat = np.array([(root, -half), (30, -half), (50, -half), (50, half), (30, half), (root, half)])
+        flat = np.array(
+            [(root, -half), (30, -half), (50, -half), (50, half), (30, half), (root, half)]
+        )
         outline.append(flat @ np.array([[c, s], [-s, c]]))
         gap = turn + np.linspace(0.12, 2 * math.pi / 7 - 0.12, 6)
         outline.append(_polar(root, gap))
@@ -193,9 +199,13 @@ def _letters(text):
 def label(depth):
     """A plate with letters, engraved (depth above 0) or raised."""
     pixels = _letters("SWEPT7")
-    for x, y in np.argwhere(pixels[:-1, 1:] & pixels[1:, :-1] & ~pixels[:-1, :-1] & ~pixels[1:, 1:]):
+    for x, y in np.argwhere(
+        pixels[:-1, 1:] & pixels[1:, :-1] & ~pixels[:-1, :-1] & ~pixels[1:, 1:]
+    ):
         pixels[x, y] = True  # blocks that share only an edge are not a manifold
-    for x, y in np.argwhere(pixels[:-1, :-1] & pixels[1:, 1:] & ~pixels[:-1, 1:] & ~pixels[1:, :-1]):
+    for x, y in np.argwhere(
+        pixels[:-1, :-1] & pixels[1:, 1:] & ~pixels[:-1, 1:] & ~pixels[1:, :-1]
+    ):
         pixels[x + 1, y] = True
     wide, high = pixels.shape
     full = np.ones((wide, high, 2), bool)

@@ -99,8 +99,8 @@ TEST(HiddenSide, BothEdgesOfALedgeAcrossTheLattice) {
   }
 }
 
-/// Edges of the grid meet the rim of such a wall in some cells and pass it in others. All four edges
-/// of the rim along y are to be in the envelope.
+/// Edges of the grid meet the rim of such a wall in some cells and pass it in others. All four
+/// edges of the rim along y are to be in the envelope.
 TEST(KnownSide, RimOfAWallNearlyAsThickAsACell) {
   constexpr double kWidth = 4, kLength = 5;
   std::vector<double> edges;
