@@ -46,7 +46,7 @@ struct VertexFit {
   /// Returns whether clearly different planes meet outside the cell and keep at least a small mean
   /// distance from every point in the cell.
   bool mayHideSide() const {
-    // Cells; 679 of the fandisk's 146,000 cells are probed with these limits (docs/contouring.md).
+    // Cells; 689 of the fandisk's 146,000 cells are probed with these limits (docs/contouring.md).
     constexpr double kMinOutside = 0.02, kMinMiss = 0.008;
     return out > kMinOutside && meanSquaredMiss > kMinMiss * kMinMiss &&
            qef.sharpness() > kMinSharpness;
