@@ -10,10 +10,10 @@ import sweptvolume
 HERE = os.path.dirname(os.path.realpath(sweptvolume.__file__))
 #: From the bottom up; a module may import what stands before its own group.
 ORDER = [
-    ["texts", "settings", "safe_file", "quantities"],
-    ["core_texts"],
+    ["texts", "settings", "safe_file", "quantities", "interpreter"],
+    ["core_texts", "core_search"],
     ["core", "body"],
-    ["core_overlap", "core_paths", "core_previews", "meshes", "studies", "targets"],
+    ["core_install", "core_overlap", "core_paths", "core_previews", "meshes", "studies", "targets"],
     ["apart"],
     ["convert", "joined"],
     ["contents"],
