@@ -681,6 +681,12 @@
    <translation>Der Interpreter {0} hat kein pip. Installieren Sie es (in Debian und Ubuntu das Paket python3-pip), oder wählen Sie in den Einstellungen des Addon-Managers einen anderen Interpreter.</translation>
   </message>
   <message>
+   <source>The package index could not be reached. pip says:
+{0}</source>
+   <translation>Der Paketindex ist nicht erreichbar. pip meldet:
+{0}</translation>
+  </message>
+  <message>
    <source>There is no core of version {0} for Python {1} on this system. pip says:
 {2}</source>
    <translation>Für dieses System gibt es keinen Rechenkern der Version {0} für Python {1}. pip meldet:
@@ -715,6 +721,10 @@
   <message>
    <source>The core was not installed: {0}</source>
    <translation>Der Rechenkern wurde nicht installiert: {0}</translation>
+  </message>
+  <message>
+   <source>The core is not published on {0} yet: choose a file, or build the core.</source>
+   <translation>Der Rechenkern ist auf {0} noch nicht veröffentlicht: Wählen Sie eine Datei, oder bauen Sie ihn.</translation>
   </message>
   <message>
    <source>pip has installed no core.</source>

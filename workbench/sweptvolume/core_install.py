@@ -25,6 +25,8 @@ from .texts import translate
 PACKAGE, SIZE = "swept-volume", 2
 #: The index that pip uses unless the user has configured another.
 DEFAULT_INDEX = "https://pypi.org/simple"
+#: Whether the package is published on DEFAULT_INDEX. Until then its name there may belong to anybody.
+PUBLISHED = False
 #: What the package consists of.
 _PARTS = ("_swept*", "swept_volume", "swept_volume-*.dist-info")
 #: Where the Addon Manager keeps the interpreter that the user has chosen for pip.
@@ -120,6 +122,9 @@ def _reason(python, output):
             "python3-pip), or choose another interpreter in the preferences of the Addon Manager.",
         )
         return text.format(python)
+    if "connection broken" in output or "Could not fetch URL" in output:
+        text = translate("Messages", "The package index could not be reached. pip says:\n{0}")
+        return text.format("\n".join(lines[-3:]))
     if "No matching distribution" in output or "not a supported wheel" in output:
         text = translate(
             "Messages",
@@ -206,6 +211,12 @@ class Installation(threading.Thread):
         os.makedirs(folder, exist_ok=True)
         if self.wheel:
             _check_version(version_in(self.wheel), self.wheel)
+        elif not PUBLISHED and DEFAULT_INDEX in [source.rstrip("/") for source in sources()]:
+            text = translate(
+                "Messages",
+                "The core is not published on {0} yet: choose a file, or build the core.",
+            )
+            raise Failed(text.format(DEFAULT_INDEX))
         staged = tempfile.mkdtemp(prefix=".swept-new-", dir=folder)
         try:
             self._run_pip(staged)

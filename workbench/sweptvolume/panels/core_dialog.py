@@ -133,6 +133,16 @@ class CoreDialog(QtWidgets.QDialog):
         self.stop.setEnabled(running)
         self.done.setEnabled(not running)
 
+    def _say(self, label, text):
+        """Shows a text, and makes the window high enough for all of them."""
+        if label.text() == text and label.isVisible() == bool(text):
+            return
+        show_message(label, text)
+        self.layout().activate()
+        needed = self.layout().totalHeightForWidth(self.width())
+        if needed > self.height():
+            self.resize(self.width(), needed)
+
     def _ask_pip(self):
         """Asks pip in the background from where it fetches packages."""
 
@@ -149,7 +159,8 @@ class CoreDialog(QtWidgets.QDialog):
     def _choose(self):
         path = ask_wheel()
         if path:
-            self.source.setText("{} ({})".format(path, quantities.megabytes(os.path.getsize(path))))
+            size = quantities.megabytes(os.path.getsize(path))
+            self._say(self.source, "{} ({})".format(path, size))
             self._start(path)
 
     def _start(self, wheel):
@@ -157,7 +168,7 @@ class CoreDialog(QtWidgets.QDialog):
         self.run.start()
         self.bar.setRange(0, 0)  # pip does not say how much is left
         self.bar.show()
-        show_message(self.message, "")
+        self._say(self.message, "")
         self._show_state()
         self.stop.setFocus()
         self.timer.start(POLL)
@@ -168,10 +179,10 @@ class CoreDialog(QtWidgets.QDialog):
 
     def _look(self):
         if self.lookup is not None and not self.lookup.is_alive():
-            self.source.setText(self.found)
+            self._say(self.source, self.found)
             self.lookup = None
         if self.run is not None:
-            show_message(self.line, self.run.line)
+            self._say(self.line, self.run.line)
             if not self.run.is_alive():
                 self._ended()
         if self.run is None and self.lookup is None:
@@ -186,8 +197,8 @@ class CoreDialog(QtWidgets.QDialog):
             text = translate("Panels", "Installed. You can use the workbench now.")
         elif not text:
             text = translate("Panels", "Installed. Start FreeCAD again to use it.")
-        show_message(self.message, text)
         self._show_state()
+        self._say(self.message, text)
         if run.restart and not run.problem:
             self.install.setEnabled(False)
             self.file.setEnabled(False)
@@ -199,7 +210,7 @@ class CoreDialog(QtWidgets.QDialog):
             self.run.cancel()
         self.timer.stop()
         opened = None
-        super().closeEvent(event)
+        event.accept()
 
     def reject(self):
         """Closes by Escape, which cancels a run."""
