@@ -31,6 +31,25 @@ os._exit(0)
 """
 
 
+FOLDER = """
+import json, os
+import FreeCAD as App
+print("\\ntold:" + json.dumps(App.getUserAppDataDir()), flush=True)
+os._exit(0)
+"""
+INSTALL = """
+import json, os
+from sweptvolume import core, core_install
+assert not core.available()
+run = core_install.Installation()
+run.run()
+assert not run.problem, run.problem
+assert core.available() and not run.restart
+print("\\ntold:" + json.dumps(core_install.target()), flush=True)
+os._exit(0)
+"""
+
+
 @pytest.fixture(scope="module")
 def freecad():
     found = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
@@ -60,13 +79,21 @@ def tree(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def index(tmp_path_factory):
+    """Serves the wheels in the folder SWEPT_WHEELS, or the built core."""
+    folder = tmp_path_factory.mktemp("index")
+    if os.environ.get("SWEPT_WHEELS"):
+        return Index(os.environ["SWEPT_WHEELS"])
     from sweptvolume import __version__, core
 
     if not core.available():
         pytest.skip("the compiled core _swept is not built")
-    build, folder = os.path.dirname(core.module().__file__), tmp_path_factory.mktemp("index")
-    make_wheel(build, __version__, str(folder))
+    make_wheel(os.path.dirname(core.module().__file__), __version__, str(folder))
     return Index(str(folder))
+
+
+def _written(path, text):
+    path.write_text(text)
+    return path
 
 
 def told_by(freecad, script, environment):
@@ -84,17 +111,32 @@ def told_by(freecad, script, environment):
     return json.loads(lines[-1])
 
 
-def test_the_addon_manager_installs_workbench_and_core(freecad, tree, index, tmp_path):
+@pytest.fixture
+def home(index, tmp_path):
+    """The environment of FreeCAD in an empty home."""
     home = {**index.environment(), "HOME": str(tmp_path), "LC_ALL": "C.UTF-8"}
     for name in ("FREECAD_USER_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"):
         home.pop(name, None)
+    return home
+
+
+def test_the_addon_manager_installs_workbench_and_core(freecad, tree, index, home, tmp_path):
     done = told_by(freecad, CASE, {**home, "ADDON_SOURCE": str(tree)})
     assert done["failures"] == []
     assert done["packages"] == ["swept_volume"], "of its packages, FreeCAD lacks the core alone"
     assert any(path.endswith(".whl") for path in index.asked)
     assert done["user"].startswith(str(tmp_path))
-    (script := tmp_path / "compute.py").write_text(COMPUTE)
-    made = told_by(freecad, script, home)
+    made = told_by(freecad, _written(tmp_path / "compute.py", COMPUTE), home)
     assert made["workbench"].startswith(os.path.join(done["user"], "Mod", "SweptVolume"))
     assert made["core"].startswith(os.path.join(done["user"], "AdditionalPythonPackages"))
+    assert made["volume"] == pytest.approx(40 * 10 * 10, rel=1e-5)
+
+
+def test_the_workbench_installs_its_core_itself(freecad, tree, index, home, tmp_path):
+    mods = pathlib.Path(told_by(freecad, _written(tmp_path / "folder.py", FOLDER), home)) / "Mod"
+    mods.mkdir(parents=True, exist_ok=True)
+    shutil.copytree(tree, mods / "SweptVolume")
+    folder = told_by(freecad, _written(tmp_path / "install.py", INSTALL), home)
+    made = told_by(freecad, _written(tmp_path / "compute.py", COMPUTE), home)
+    assert os.path.dirname(made["core"]) == folder
     assert made["volume"] == pytest.approx(40 * 10 * 10, rel=1e-5)
