@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: link arrays, groups of links and plain groups as moving parts and neighbours: what they show and what
-they hide, changed in every way; the state afterwards is what a fresh computation justifies.
+"""Table: link arrays, groups of links and plain groups as moving parts and neighbours, and what they hide,
+changed in every way; the state afterwards is what a fresh computation justifies.
 gui/shown.py compares what is taken with what FreeCAD draws.
 """
 from case import Case, shift, turn
@@ -207,7 +207,7 @@ class Shown(Case):
 
 
 class PlainGroups(Case):
-    """FreeCAD counts a part in a plain group that is itself in a group with a placement as a member of both."""
+    """A part in a plain group inside a group with a placement: FreeCAD counts it as a member of both."""
 
     NEEDS_CORE = True
 
