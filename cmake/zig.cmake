@@ -32,6 +32,7 @@ set(CMAKE_RC_COMPILER ${tools}/rc)
 
 if(SWEPT_ZIG_TARGET MATCHES "windows")
   set(CMAKE_SYSTEM_NAME Windows)
+  add_compile_definitions(_USE_MATH_DEFINES)  # M_PI, which FCL and OpenMesh use
 elseif(SWEPT_ZIG_TARGET MATCHES "macos")
   set(CMAKE_SYSTEM_NAME Darwin)
 else()

@@ -11,7 +11,7 @@ import Part
 from case import Case, V, shift, turn
 from sweptvolume import core, export
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import envelope, kept, motion, solid
+from sweptvolume.features import envelope, kept, motion, solid, step_reader
 
 
 class Computed(Case):
@@ -288,20 +288,52 @@ class SolidAndFiles(Computed):
 
     def test_without_kernel_in_the_core(self):
         obj = self.computed(Tolerance=0.2)
+        ours, path = (os.path.join(self.folder, name) for name in ("ours.step", "freecads.step"))
+        if core.has_solids():
+            export.write(export.request(obj), ours)
         with mock.patch.object(core, "has_solids", return_value=False):
             body = solid.make_solid(self.doc, obj)
-            self.assertIn("without OpenCASCADE", solid.compute(body)["note"])
-            self.assertEqual(body.Faces, obj.Mesh.CountFacets)
+            self.assertEqual(solid.compute(body)["note"], "")
+            self.assertLess(body.Faces, obj.Mesh.CountFacets / 2)
             self.assertTrue(body.Shape.isValid())
             self.assertAlmostEqual(body.Volume.Value, obj.Mesh.Volume, delta=1e-3 * obj.Mesh.Volume)
-            path = os.path.join(self.folder, "faceted.step")
             export.write(export.request(obj), path)
             self.assertEqual(len(Part.read(path).Solids), 1)
             body.MaxFaces = 7
-            with self.assertRaisesRegex(InputProblem, "the limit is 7 faces"):
+            with self.assertRaisesRegex(core.CoreError, "limit is 7 faces"):
                 solid.compute(body)
-        self.assertEqual(os.listdir(self.folder), ["faceted.step"])
+        if core.has_solids():
+            texts = [open(name, "rb").read() for name in (ours, path)]
+            self.assertEqual(*(text[text.index(b"DATA;") :] for text in texts))
+            os.remove(ours)
+        self.assertEqual(os.listdir(self.folder), ["freecads.step"])
         self.assertEqual(os.stat(path).st_mode, os.stat(self.file("any", "")).st_mode)
+
+    def test_faces_that_freecad_refuses_lose_their_surface(self):
+        part = self.doc.addObject("Part::Cylinder", "Pin")
+        self.doc.recompute()
+        obj = self.envelope([part], self.line(), Tolerance=0.2)
+        envelope.compute(obj)
+        path, judged = os.path.join(self.folder, "x.step"), step_reader.judged
+
+        def refusing(shape):
+            said = judged(shape)  # what is asked about curved faces alone has no solid
+            return said if said["solids"] else dict(said, bad_faces=list(range(said["faces"])))
+
+        with mock.patch.object(core, "has_solids", return_value=False):
+            first = export.write(export.request(obj), path)
+            with mock.patch.object(step_reader, "judged", refusing):
+                second = export.write(export.request(obj), path)
+        self.assertTrue(set(first["faces_by_kind"]) - {"plane", "facet"}, first)
+        self.assertFalse(set(second["faces_by_kind"]) - {"plane", "facet"}, second)
+        self.assertTrue(second["valid"])
+        self.assertGreater(second["faces"], first["faces"])
+
+    def test_what_freecad_cannot_read_is_said(self):
+        said = step_reader.read(b"ISO-10303-21;\nnothing\n")
+        self.assertFalse(said["valid"])
+        self.assertTrue(said["complaint"])
+        self.assertEqual(said["faces"], 0)
 
     def test_step_is_read_back(self):
         obj = self.computed()
