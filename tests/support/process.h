@@ -21,8 +21,8 @@ class FileSizeLimit {
   FileSizeLimit& operator=(const FileSizeLimit&) = delete;
 
  private:
-  std::uint64_t before_ = 0;
-  void (*handler_)(int) = nullptr;
+  [[maybe_unused]] std::uint64_t before_ = 0;
+  [[maybe_unused]] void (*handler_)(int) = nullptr;
 };
 
 /// The mask of new files while it lives.
@@ -35,7 +35,7 @@ class FileModeMask {
   FileModeMask& operator=(const FileModeMask&) = delete;
 
  private:
-  unsigned old_ = 0;
+  [[maybe_unused]] unsigned old_ = 0;
 };
 
 /// Memory that is the process's own at once and goes back at once, whatever the allocator keeps:
