@@ -17,7 +17,8 @@ set(tools ${CMAKE_BINARY_DIR}/zig)
 foreach(tool cc c++ ar ranlib rc)
   set(words ${tool})
   if(tool MATCHES "^c")
-    string(APPEND words " -target ${SWEPT_ZIG_TARGET}")
+    # Without -g0, zig writes debugging information that nobody asked for.
+    string(APPEND words " -target ${SWEPT_ZIG_TARGET} -g0")
   endif()
   if(NOT EXISTS ${tools}/${tool})
     file(WRITE ${tools}/${tool} "#!/bin/sh\nexec '${SWEPT_ZIG_PYTHON}' -m ziglang ${words} \"$@\"\n")
@@ -32,6 +33,7 @@ set(CMAKE_RC_COMPILER ${tools}/rc)
 
 if(SWEPT_ZIG_TARGET MATCHES "windows")
   set(CMAKE_SYSTEM_NAME Windows)
+  add_compile_definitions(_USE_MATH_DEFINES)  # M_PI, which FCL and OpenMesh use
 elseif(SWEPT_ZIG_TARGET MATCHES "macos")
   set(CMAKE_SYSTEM_NAME Darwin)
 else()

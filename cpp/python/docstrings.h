@@ -149,7 +149,7 @@ the order x, y, z, w, and translations in mm. Raises InvalidInput (code BadFile,
 or BadPose); its message names line and column.)";
 
 constexpr const char* kWriteSolidDoc =
-    R"(write_solid(path, vertices, triangles, run=None, no_clobber=False, **options) -> dict
+    R"(write_solid(path, vertices, triangles, run=None, no_clobber=False, reader=None, **options) -> dict
 
 Converts a closed mesh to a solid and writes it as a STEP (.step, .stp) or BREP (.brep, .brp) file. The new
 file is read back and checked before it replaces an existing one; with no_clobber=True, an existing file
@@ -161,7 +161,12 @@ max_megabytes=0 (no limit), merge_coplanar=True, planar_tolerance=1e-6 (mm), sch
 'ap242' or 'ap242-tessellated' (writes the triangles unchanged; allows no tolerance), product_name='Swept
 envelope', author, organization, colour=(r, g, b), exact=False, strict=False. If tolerance is 0 and the
 solid exceeds a limit, the smallest tolerance that meets the limits is used; with exact=True, the solid is
-refused instead. strict=True refuses a solid that deviates from the mesh by more than the tolerance.)";
+refused instead. strict=True refuses a solid that deviates from the mesh by more than the tolerance.
+
+reader: asked instead of the module's own OpenCASCADE, for STEP files only: a function that takes the text of
+a STEP file (bytes), reads it and returns a dict with solids, shells, faces and edges (counts), valid,
+complaint (text, empty if valid), volume (mm^3), edge_tolerance (mm, the largest) and bad_faces (indices of
+the faces that are not valid). A module without OpenCASCADE needs it.)";
 
 constexpr const char* kEstimateSolidDoc =
     R"(estimate_solid(vertices, triangles, run=None, format='step', quick=False, **options) -> dict

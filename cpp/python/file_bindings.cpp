@@ -10,9 +10,7 @@
 #include "job.h"
 #include "swept/body.h"
 #include "swept/io.h"
-#ifdef HAVE_SWEPT_SOLID
 #include "swept/solid.h"
-#endif
 #include "values.h"
 
 namespace swept::python {
@@ -94,7 +92,6 @@ py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrice
   return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
 }
 
-#ifdef HAVE_SWEPT_SOLID
 StepOptions solidOptions(const py::dict& keywords) {
   StepOptions options;
   for (const auto& [key, value] : keywords) {
@@ -133,16 +130,55 @@ StepOptions solidOptions(const py::dict& keywords) {
   return options;
 }
 
+/// A reader of STEP files in Python: a function that takes the text (bytes) and returns a
+/// dictionary with the figures of check_solid() and "bad_faces".
+class PythonReader : public StepReader {
+ public:
+  explicit PythonReader(py::function read) : read_(std::move(read)) {}
+  Answer read(const std::string& text) override {
+    const py::gil_scoped_acquire acquire;
+    const py::dict said = read_(py::bytes(text));
+    Answer answer;
+    answer.badFaces = py::cast<std::vector<std::int32_t>>(said["bad_faces"]);
+    answer.check.solids = py::cast<std::int64_t>(said["solids"]);
+    answer.check.shells = py::cast<std::int64_t>(said["shells"]);
+    answer.check.faces = py::cast<std::int64_t>(said["faces"]);
+    answer.check.edges = py::cast<std::int64_t>(said["edges"]);
+    answer.check.valid = py::cast<bool>(said["valid"]);
+    answer.check.complaint = py::cast<std::string>(said["complaint"]);
+    answer.check.volume = py::cast<double>(said["volume"]);
+    answer.check.edgeTolerance = py::cast<double>(said["edge_tolerance"]);
+    for (const std::int32_t face : answer.badFaces) {
+      if (face < 0 || face >= answer.check.faces)
+        throw py::value_error("bad_faces of the reader names face " + std::to_string(face) +
+                              " of " + std::to_string(answer.check.faces));
+    }
+    return answer;
+  }
+
+ private:
+  py::function read_;
+};
+
+/// Writes with the reader of the caller, else with the kernel of this module.
+StepReport writeWith(const py::object& reader, const TriMesh& mesh, const std::string& name,
+                     const StepOptions& options, RunContext& run) {
+  if (!reader.is_none()) {
+    PythonReader judge(py::cast<py::function>(reader));
+    return runWithoutLock(run, [&] { return writeSolid(mesh, name, options, judge, run); });
+  }
+  return runWithoutLock(run, [&] { return writeSolid(mesh, name, options, run); });
+}
+
 py::object pyWriteSolid(const py::object& path, const py::object& vertices,
                         const py::object& triangles, const py::object& run, bool noClobber,
-                        const py::kwargs& keywords) {
+                        const py::object& reader, const py::kwargs& keywords) {
   const RunPointer context = runFromObject(run);
   const std::string name = pathFromObject(path);
   if (noClobber) requireAbsent("the file", name);
   const TriMesh mesh = meshFromArrays(vertices, triangles);
   const StepOptions options = solidOptions(keywords);
-  const StepReport report =
-      runWithoutLock(*context, [&] { return writeSolid(mesh, name, options, *context); });
+  const StepReport report = writeWith(reader, mesh, name, options, *context);
   py::object result = parseJson(toJson(report));
   result["warnings"] = findingsToList(report.warnings);
   return result;
@@ -161,12 +197,6 @@ py::dict pyEstimateSolid(const py::object& vertices, const py::object& triangles
   });
   return parseJson(toJson(found));
 }
-#else
-[[noreturn]] void refuseSolids(const py::args&, const py::kwargs&) {
-  throw Error(Status::ExportFailed, "BadFormat",
-              "this module was built without OpenCASCADE and cannot write solids");
-}
-#endif
 
 }  // namespace
 
@@ -197,17 +227,16 @@ void bindFiles(py::module_& module) {
              "poses_from_matrices(times (K,), matrices (K, 4, 4)) -> (times, quaternions (K, 4), "
              "translations (K, 3))",
              py::arg("times"), py::arg("matrices"));
-#ifdef HAVE_SWEPT_SOLID
-  module.attr("HAS_SOLIDS") = true;
   module.def("write_solid", &pyWriteSolid, kWriteSolidDoc, py::arg("path"), py::arg("vertices"),
-             py::arg("triangles"), py::arg("run") = py::none(), py::arg("no_clobber") = false);
+             py::arg("triangles"), py::arg("run") = py::none(), py::arg("no_clobber") = false,
+             py::arg("reader") = py::none());
   module.def("estimate_solid", &pyEstimateSolid, kEstimateSolidDoc, py::arg("vertices"),
              py::arg("triangles"), py::arg("run") = py::none(), py::arg("format") = "step",
              py::arg("quick") = false);
+#ifdef HAVE_SWEPT_SOLID
+  module.attr("HAS_SOLIDS") = true;
 #else
   module.attr("HAS_SOLIDS") = false;
-  module.def("write_solid", &refuseSolids);
-  module.def("estimate_solid", &refuseSolids);
 #endif
 }
 

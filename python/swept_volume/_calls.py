@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from types import TracebackType
-from typing import Any, Dict, List, Optional, Tuple, Type
+from typing import Any, Callable, Dict, List, Optional, Tuple, Type
 
 import numpy as np
 import numpy.typing as npt
@@ -299,12 +299,16 @@ def write_solid(
     colour: Tuple[float, float, float] = (0.93, 0.78, 0.20),
     strict: bool = False,
     no_clobber: bool = False,
+    reader: Optional[Callable[[bytes], Dict[str, Any]]] = None,
     run: Optional[RunContext] = None,
 ) -> Dict[str, Any]:
     """Closed mesh -> solid in a STEP (.step, .stp) or BREP (.brep, .brp) file, read back and checked
     before it replaces an old one, which no_clobber refuses. tolerance: mm, 0 for exact unless a limit
     asks for more; strict refuses a solid that is farther from the mesh. Returns solids, faces,
-    faces_by_kind, valid, tolerance, deviation, volume, warnings ... as "solid" in README.md."""
+    faces_by_kind, valid, tolerance, deviation, volume, warnings ... as "solid" in README.md.
+
+    reader: checks the text of a STEP file in place of the core's OpenCASCADE, which a core from a wheel
+    does not have; help(_swept.write_solid) says what it returns."""
     body = mesh_of(mesh)
     report = _core.write_solid(
         path,
@@ -312,6 +316,7 @@ def write_solid(
         body.triangles,
         run,
         no_clobber,
+        reader,
         tolerance=tolerance,
         exact=exact,
         recognise=recognise,

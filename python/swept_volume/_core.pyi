@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Types of the compiled module. Use the package swept_volume, which has the documented interface."""
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -145,6 +145,7 @@ def write_solid(
     triangles: npt.ArrayLike,
     run: Optional[RunContext] = None,
     no_clobber: bool = False,
+    reader: Optional[Callable[[bytes], Dict[str, Any]]] = None,
     **options: Any,
 ) -> Dict[str, Any]: ...
 def estimate_solid(

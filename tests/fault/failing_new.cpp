@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fault/failing_new.h"
 
-#include <malloc.h>
-
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
@@ -19,29 +20,32 @@ bool mustFail() {
   return at != 0 && (now == at || (now > at && failLater.load(std::memory_order_relaxed)));
 }
 
-void* taken(void* memory) {
-  if (memory == nullptr) throw std::bad_alloc();
-  outstanding.fetch_add(static_cast<std::int64_t>(malloc_usable_size(memory)),
-                        std::memory_order_relaxed);
+/// Stands before each block. No C library has a call for both, on every system.
+struct Block {
+  void* start;
+  std::size_t size;
+};
+
+void* take(std::size_t size, std::size_t alignment = alignof(std::max_align_t)) {
+  if (mustFail()) throw std::bad_alloc();
+  void* start = std::malloc(size + alignment + sizeof(Block));
+  if (start == nullptr) throw std::bad_alloc();
+  const auto first = reinterpret_cast<std::uintptr_t>(start) + sizeof(Block);
+  auto* memory = reinterpret_cast<Block*>((first + alignment - 1) / alignment * alignment);
+  memory[-1] = {start, size};
+  outstanding.fetch_add(static_cast<std::int64_t>(size), std::memory_order_relaxed);
   return memory;
 }
 
-void* take(std::size_t size) {
-  if (mustFail()) throw std::bad_alloc();
-  return taken(std::malloc(size == 0 ? 1 : size));
-}
-
 void* takeAligned(std::size_t size, std::align_val_t alignment) {
-  if (mustFail()) throw std::bad_alloc();
-  const auto step = static_cast<std::size_t>(alignment);
-  return taken(std::aligned_alloc(step, (size + step) / step * step));
+  return take(size, std::max(static_cast<std::size_t>(alignment), alignof(std::max_align_t)));
 }
 
 void giveBack(void* memory) noexcept {
   if (memory == nullptr) return;
-  outstanding.fetch_sub(static_cast<std::int64_t>(malloc_usable_size(memory)),
-                        std::memory_order_relaxed);
-  std::free(memory);
+  const Block block = static_cast<Block*>(memory)[-1];
+  outstanding.fetch_sub(static_cast<std::int64_t>(block.size), std::memory_order_relaxed);
+  std::free(block.start);
 }
 
 }  // namespace

@@ -2,16 +2,15 @@
 // outstanding, the next run is fine. SWEPT_FAULTS=all takes each place, else a sample of them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <tbb/global_control.h>
 
 #include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 
 #include "base/parallel.h"
 #include "fault/failing_new.h"
+#include "support/process.h"
 #include "support/shapes.h"
 #include "support/temporary_folder.h"
 #include "swept/clearance.h"
@@ -237,27 +236,22 @@ TEST(Fault, CheckAndEstimateGiveAllMemoryBack) {
 }
 
 TEST(Fault, bad_input_36_every_written_byte) {
+  if (!FileSizeLimit::available()) GTEST_SKIP() << "this system does not limit files";
   const TemporaryFolder folder;
   const TriMesh body = makeBox({0, 0, 0}, {3, 2, 1});
-  struct rlimit before {};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   Injected injected{"failing writes"};
   for (const char* suffix : {"ply", "stl", "obj", "off"}) {
     const std::string path = folder.write(std::string("b.") + suffix, "old");
     writeMesh(body, folder.file(std::string("whole.") + suffix));
     const auto size = std::filesystem::file_size(folder.file(std::string("whole.") + suffix));
-    for (rlim_t bytes = 0; bytes < size; bytes += 1 + bytes / 100) {
-      struct rlimit limit = before;
-      limit.rlim_cur = bytes;
-      ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+    for (std::uint64_t bytes = 0; bytes < size; bytes += 1 + bytes / 100) {
       std::string code;
       try {
+        const FileSizeLimit limit(bytes);
         writeMesh(body, path);
       } catch (const Error& error) {
         code = statusName(error.status()) + ("/" + error.code());
       }
-      setrlimit(RLIMIT_FSIZE, &before);
       ++injected.count;
       ASSERT_EQ(code, "ExportFailed/WriteFailed") << suffix << " after " << bytes << " bytes";
       ASSERT_EQ(TemporaryFolder::read(path), "old");
@@ -265,7 +259,6 @@ TEST(Fault, bad_input_36_every_written_byte) {
     writeMesh(body, path);
     EXPECT_EQ(readMesh(path).triangles.size(), body.triangles.size());
   }
-  std::signal(SIGXFSZ, handler);
   EXPECT_EQ(folder.count(), 8u) << "a temporary is left";
 }
 

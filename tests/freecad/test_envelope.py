@@ -11,7 +11,7 @@ import Part
 from case import Case, V, shift, turn
 from sweptvolume import core, export
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import envelope, kept, motion, solid
+from sweptvolume.features import envelope, kept, motion, solid, step_reader
 
 
 class Computed(Case):
@@ -286,22 +286,62 @@ class SolidAndFiles(Computed):
         body.MaxFaces = 20000
         self.assertEqual(solid.compute(body)["tolerance"], 0)
 
+    def swept_pin(self):
+        """Returns the envelope of a cylinder on its way, and a solid of it with surfaces."""
+        part = self.doc.addObject("Part::Cylinder", "Pin")
+        part.Radius = 6
+        self.doc.recompute()
+        obj = self.envelope([part], self.line(), CellSize=0.4)
+        envelope.compute(obj)
+        return obj, solid.make_solid(self.doc, obj, Tolerance=0.1)
+
     def test_without_kernel_in_the_core(self):
-        obj = self.computed(Tolerance=0.2)
+        obj, body = self.swept_pin()
+        request = export.request(obj, solid.settings(body))
+        ours, path = (os.path.join(self.folder, name) for name in ("ours.step", "freecads.step"))
+        if core.has_solids():
+            export.write(request, ours)
         with mock.patch.object(core, "has_solids", return_value=False):
-            body = solid.make_solid(self.doc, obj)
-            self.assertIn("without OpenCASCADE", solid.compute(body)["note"])
-            self.assertEqual(body.Faces, obj.Mesh.CountFacets)
+            self.assertEqual(solid.compute(body)["note"], "")
+            self.assertLess(body.Faces, obj.Mesh.CountFacets / 10)
             self.assertTrue(body.Shape.isValid())
-            self.assertAlmostEqual(body.Volume.Value, obj.Mesh.Volume, delta=1e-3 * obj.Mesh.Volume)
-            path = os.path.join(self.folder, "faceted.step")
-            export.write(export.request(obj), path)
+            self.assertAlmostEqual(body.Volume.Value, obj.Mesh.Volume, delta=1e-2 * obj.Mesh.Volume)
+            report = export.write(request, path)
+            self.assertIn("cylinder", report["faces_by_kind"])
             self.assertEqual(len(Part.read(path).Solids), 1)
-            body.MaxFaces = 7
-            with self.assertRaisesRegex(InputProblem, "the limit is 7 faces"):
-                solid.compute(body)
-        self.assertEqual(os.listdir(self.folder), ["faceted.step"])
+        if core.has_solids():
+            texts = []
+            for name in (ours, path):
+                with open(name, "rb") as file:
+                    texts.append(file.read().partition(b"DATA;")[2])
+            self.assertEqual(*texts)
+            os.remove(ours)
+        self.assertEqual(os.listdir(self.folder), ["freecads.step"])
         self.assertEqual(os.stat(path).st_mode, os.stat(self.file("any", "")).st_mode)
+
+    def test_faces_that_freecad_refuses_lose_their_surface(self):
+        obj, body = self.swept_pin()
+        request = export.request(obj, solid.settings(body))
+        path, judged = os.path.join(self.folder, "x.step"), step_reader.judged
+
+        def refusing(shape):
+            said = judged(shape)  # what is asked about curved faces alone has no solid
+            return said if said["solids"] else dict(said, bad_faces=list(range(said["faces"])))
+
+        with mock.patch.object(core, "has_solids", return_value=False):
+            first = export.write(request, path)
+            with mock.patch.object(step_reader, "judged", refusing):
+                second = export.write(request, path)
+        self.assertIn("cylinder", first["faces_by_kind"])
+        self.assertFalse(set(second["faces_by_kind"]) - {"plane", "facet"}, second)
+        self.assertTrue(second["valid"])
+        self.assertGreater(second["faces"], first["faces"])
+
+    def test_what_freecad_cannot_read_is_said(self):
+        said = step_reader.read(b"ISO-10303-21;\nnothing\n")
+        self.assertFalse(said["valid"])
+        self.assertTrue(said["complaint"])
+        self.assertEqual(said["faces"], 0)
 
     def test_step_is_read_back(self):
         obj = self.computed()

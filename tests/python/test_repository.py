@@ -58,6 +58,8 @@ def test_dependencies_run_in_one_direction(rules, root):
         ("cpp/src/solid/a.cpp", '#include "contour/qef.h"', "solid/ may not include contour/"),
         ("cpp/src/solid/mesh/a.h", '#include "solid/model/model.h"', "mesh/ may not include sol"),
         ("cpp/src/solid/model/a.cpp", "#include <TopoDS.hxx>", "OpenCASCADE is not for solid/"),
+        ("cpp/src/solid/a.cpp", "#include <TopoDS.hxx>", "OpenCASCADE is not for solid/"),
+        ("cpp/src/solid/a.cpp", '#include "solid/kernel/brep.h"', "may not include solid/kernel/"),
         ("cpp/src/contour/a.cpp", '#include "contour/mend/mend.h"', "contour/ may not include"),
         ("cpp/src/geometry/a.h", '#include "motion/motion.h"', "geometry/ may not include motion/"),
         ("cpp/src/novelty/a.cpp", "#include <vector>", "novelty/ is no known room"),
@@ -81,7 +83,6 @@ def test_a_planted_breach_is_found(rules, root, tmp_path, path, line, says):
         ("cpp/src/pipeline/a.cpp", '#include "sampling/gl/gl_sampler.h"'),
         ("cpp/src/sampling/gl/a.cpp", "#include <EGL/egl.h>"),
         ("cpp/src/sampling/cpu/a.cpp", '#include "sampling/sampler.h"'),
-        ("cpp/src/solid/a.cpp", "#include <TopoDS.hxx>"),
         ("cpp/src/solid/kernel/a.cpp", "#include <TopoDS.hxx>"),
         ("cpp/src/solid/model/a.cpp", '#include "solid/mesh/half_edge.h"'),
         ("cpp/src/contour/mend/a.cpp", '#include "check/mesh_check.h"'),
@@ -93,6 +94,43 @@ def test_what_is_allowed_is_not_found(rules, tmp_path, path, line):
     file.parent.mkdir(parents=True)
     file.write_text(line + "\n")
     assert rules.breaches(tmp_path) == []
+
+
+@pytest.mark.parametrize(
+    "path, line",
+    [
+        ("cpp/src/contour/a.cpp", "#include <unistd.h>"),
+        ("cpp/tools/swept/a.cpp", "#include <windows.h>"),
+        ("cpp/src/base/memory.cpp", "#include <sys/resource.h>"),
+        ("cpp/src/base/memory.cpp", '  open("/proc/self/statm", 0);'),
+        ("cpp/python/a.cpp", "#ifdef _WIN32"),
+        ("cpp/tools/swept/a.cpp", "std::signal(SIGPIPE, SIG_IGN);"),
+        ("tests/unit/base/a_test.cpp", "const int own = getpid();"),
+        ("tests/support/shapes.cpp", "#include <dlfcn.h>"),
+    ],
+)
+def test_the_operating_system_is_met_in_one_file_only(rules, root, tmp_path, path, line):
+    assert rules.system_breaches(root) == []
+    file = tmp_path / path
+    file.parent.mkdir(parents=True)
+    file.write_text(f"// getpid() in a comment is none\n{line}\n")
+    assert [found[1] for found in rules.system_breaches(tmp_path)] == [2]
+
+
+@pytest.mark.parametrize(
+    "path, line",
+    [
+        ("cpp/src/base/system.cpp", "#include <unistd.h>"),
+        ("tests/support/process.cpp", "#include <sys/mman.h>"),
+        ("tests/unit/io/a_test.cpp", 'if (!exists("/dev/full")) return;'),
+        ("cpp/src/io/a.cpp", "file.open(name);"),
+    ],
+)
+def test_what_may_meet_the_operating_system(rules, tmp_path, path, line):
+    file = tmp_path / path
+    file.parent.mkdir(parents=True)
+    file.write_text(line + "\n")
+    assert rules.system_breaches(tmp_path) == []
 
 
 def test_a_planted_circle_of_rooms_is_found(rules):

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+
+#include "base/safe_file.h"
+#include "base/system.h"
 
 namespace swept::test {
 
@@ -17,7 +18,7 @@ class TemporaryFolder {
     static int counter = 0;
     const bool memory = std::filesystem::exists("/dev/shm");  // thousands of small files
     path_ = (memory ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path()) /
-            ("swept-test-" + std::to_string(getpid()) + "-" + std::to_string(counter++));
+            ("swept-test-" + std::to_string(os::processId()) + "-" + std::to_string(counter++));
     std::filesystem::create_directories(path_);
   }
   ~TemporaryFolder() {
@@ -27,13 +28,15 @@ class TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  std::string file(const std::string& name) const {
+    return utf8FromPath(path_ / pathFromUtf8(name));
+  }
   std::string write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(file(name), std::ios::binary) << bytes;
+    std::ofstream(path_ / pathFromUtf8(name), std::ios::binary) << bytes;
     return file(name);
   }
   static std::string read(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
+    std::ifstream stream(pathFromUtf8(path), std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
   std::size_t count() const {

@@ -6,7 +6,8 @@
 
 A room is a folder below cpp/src (or one of the folders beside it); a room inside a room is named by
 both ("solid/mesh"). Each room lists the rooms that it may include besides itself and the public
-headers. The list has no circle, which is checked as well. Each third party is seen by one part only.
+headers. The list has no circle, which is checked as well. Each third party is seen by one part only,
+and the operating system by one file of the core and one of the tests.
 Usage: include_rules.py [ROOT]
 """
 import graphlib
@@ -57,9 +58,9 @@ MAY_INCLUDE = {
     "solid/kernel": BELOW | {f"solid/{r}" for r in "carrier mesh recognise model text".split()},
     "solid": BELOW
     | {"simplify"}
-    | {f"solid/{r}" for r in "carrier mesh recognise model text kernel".split()},
+    | {f"solid/{r}" for r in "carrier mesh recognise model text".split()},
     "pipeline": BELOW | STAGES | SAMPLERS | {"sampling/culling", "contour/mend"},
-    "python": {"io"},  # besides the public headers
+    "python": {"base", "io"},  # besides the public headers
     "tools": {"base", "io"},
     "include": set(),
     # Benchmarks time single stages.
@@ -81,8 +82,24 @@ THIRD_PARTIES = [
     (re.compile(r"pybind11/"), {"python"}, "pybind11"),
     (re.compile(r"fcl/"), {"clearance"}, "FCL"),
     (re.compile(r"EGL/|GL/|glm/"), {"sampling/gl"}, "OpenGL"),
-    (re.compile(r"[A-Za-z0-9_]+\.hxx"), {"solid", "solid/kernel"}, "OpenCASCADE"),
+    (re.compile(r"[A-Za-z0-9_]+\.hxx"), {"solid/kernel"}, "OpenCASCADE"),
 ]
+# Headers of POSIX, Linux, macOS and Windows, and what names them without a header.
+SYSTEM_FILES = {
+    "cpp/src/base/system.cpp",
+    "cpp/src/base/system_windows.cpp",
+    "tests/support/process.cpp",
+}
+SYSTEM_HEADERS = re.compile(
+    r"(unistd|fcntl|dlfcn|poll|dirent|pwd|grp|spawn|termios|sched|semaphore|pthread|glob|ftw|io|"
+    r"direct|process|malloc|psapi|shellapi|windows|winsock2|Windows)\.h$|(sys|mach|mach-o|linux|net)/"
+)
+SYSTEM_WORDS = re.compile(
+    r'"/(dev|proc)/|\b_WIN32\b|\b__linux__\b|\b__APPLE__\b|\b__GLIBC__\b|'
+    r"\b(SIGHUP|SIGPIPE|SIGXFSZ|SIGKILL|SIGUSR[12]|sigaction|getpid|fileno|isatty|setenv|mkstemp)\b"
+)
+# Tests may name files that only some systems have, and then skip.
+MAY_NAME_DEVICES = "tests/"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -106,7 +123,7 @@ def breach(path, root, quoted, header):
         return room + unknown
     for pattern, allowed, name in THIRD_PARTIES:
         if pattern.match(header):
-            # OpenCASCADE is for the files of solid/ and for solid/kernel/, not for its other rooms.
+            # OpenCASCADE is for solid/kernel/, not for solid/ and its other rooms.
             part = room if name == "OpenCASCADE" else room.split("/")[0]
             return None if {part, room} & allowed else f"{name} is not for {room}/"
     if not quoted or "/" not in header or header.startswith("swept/"):
@@ -136,6 +153,26 @@ def breaches(root):
     return found
 
 
+def system_breaches(root):
+    """Where the operating system is met outside the files for that, as breaches() gives them."""
+    found = []
+    for path in sorted(root.glob("cpp/**/*")) + sorted(root.glob("tests/**/*")):
+        name = path.relative_to(root).as_posix()
+        if path.suffix not in (".h", ".cpp") or name in SYSTEM_FILES:
+            continue
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            code = line.split("//")[0]
+            include = INCLUDE.match(code)
+            header = SYSTEM_HEADERS.match(include[2]) if include and include[1] == "<" else None
+            word = SYSTEM_WORDS.search(code)
+            if word and word[0].startswith('"') and name.startswith(MAY_NAME_DEVICES):
+                word = None
+            if header or word:
+                text = f"{(header or word)[0]}: the operating system is for base/system.cpp only"
+                found.append((path.relative_to(root), number, text))
+    return found
+
+
 def circle(rooms):
     """A circle of rooms that may include one another, or None."""
     try:
@@ -150,7 +187,7 @@ def main():
         print(f"include rules: a circle of rooms, {circle(MAY_INCLUDE)}")
         return 1
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
-    found = breaches(root)
+    found = breaches(root) + system_breaches(root)
     for path, number, text in found:
         print(f"{path}:{number}: {text}")
     print(f"include rules: {len(found)} breaches in {len(list(root.glob('cpp/**/*.[hc]*')))} files")

@@ -1,5 +1,5 @@
 // Converts an envelope mesh to a B-rep solid in a STEP or BREP file, and reads meshes from such
-// files. Built only if OpenCASCADE is available.
+// files. Without OpenCASCADE, only writeSolid() with a StepReader works.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -112,6 +112,36 @@ SolidEstimate trySolid(const TriMesh& mesh, const StepOptions& options, SolidFor
 StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
                       RunContext& run);
 
+/// Result of the kernel's check of a STEP or BREP file.
+struct SolidCheck {
+  std::int64_t solids = 0, shells = 0, faces = 0, edges = 0;
+  /// There is at least one solid, all faces are valid, all shells closed and oriented.
+  bool valid = false;
+  std::string complaint;     ///< empty if valid
+  double volume = 0;         ///< mm^3
+  double edgeTolerance = 0;  ///< mm: largest tolerance of an edge or vertex
+};
+
+/// A reader of STEP files outside this library, such as FreeCAD's: what the library asks where it
+/// was built without a geometry kernel, so that no two kernels meet in one process.
+class StepReader {
+ public:
+  struct Answer {
+    SolidCheck check;
+    /// Faces that are not valid, by their place in the file, from 0.
+    std::vector<std::int32_t> badFaces;
+  };
+  virtual ~StepReader() = default;
+  /// Reads a STEP file, given as its text, as other programs would. Called in the thread of the
+  /// run. An exception ends the run.
+  virtual Answer read(const std::string& text) = 0;
+};
+/// Does the same as the function above, but asks `reader` instead of a kernel. STEP files only. The
+/// file is the same as with a kernel, unless that one finds faces that intersect or edges off their
+/// faces, which `reader` cannot tell.
+StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
+                      StepReader& reader, RunContext& run);
+
 struct ImportedSolid {
   /// Name of its product, if a STEP file has several products; otherwise the name of the file
   /// without suffix. Equal names are numbered.
@@ -125,16 +155,6 @@ struct ImportedSolid {
 /// Error(Cancelled).
 std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
                                       double angularDeflection, RunContext& run);
-
-/// Result of the kernel's check of a STEP or BREP file.
-struct SolidCheck {
-  std::int64_t solids = 0, shells = 0, faces = 0, edges = 0;
-  /// There is at least one solid, all faces are valid, all shells closed and oriented.
-  bool valid = false;
-  std::string complaint;     ///< empty if valid
-  double volume = 0;         ///< mm^3
-  double edgeTolerance = 0;  ///< mm: largest tolerance of an edge or vertex
-};
 
 /// Throws Error(InvalidInput, "BadFile"), Error(Cancelled).
 SolidCheck checkSolidFile(const std::string& path, RunContext& run);

@@ -2,56 +2,16 @@
 #include "base/memory.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdlib>
-#include <cstring>
 #include <exception>
-#include <fstream>
-#include <string>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-#ifdef __linux__
-#include <fcntl.h>
-#include <unistd.h>
-#endif
+
+#include "base/system.h"
 
 namespace swept {
-namespace {
 
-/// Returns the value, in bytes, of a line "name:   1234 kB"; 0 if the file has no such line.
-std::uint64_t lineOf(const char* path, const std::string& name) {
-  std::ifstream file(path);
-  std::string line;
-  while (std::getline(file, line)) {
-    if (line.compare(0, name.size(), name) == 0) {
-      return 1024 * std::strtoull(line.c_str() + name.size(), nullptr, 10);
-    }
-  }
-  return 0;
-}
+std::uint64_t residentMemoryBytes() { return os::residentMemory(); }
 
-}  // namespace
-
-std::uint64_t residentMemoryBytes() {
-#ifdef __linux__
-  // This function allocates nothing, because it also runs when the memory may be exhausted.
-  const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
-  if (file < 0) return 0;
-  std::array<char, 128> text{};
-  const ssize_t length = read(file, text.data(), text.size() - 1);
-  close(file);
-  const char* resident = length > 0 ? std::strchr(text.data(), ' ') : nullptr;
-  if (resident == nullptr) return 0;
-  return std::strtoull(resident, nullptr, 10) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-#else
-  return 0;
-#endif
-}
-
-MemoryWatch::MemoryWatch()
-    : processPeak_(lineOf("/proc/self/status", "VmHWM:")), most_(residentMemoryBytes()) {
+MemoryWatch::MemoryWatch() : processPeak_(os::peakMemory()), most_(residentMemoryBytes()) {
   try {
     thread_ = std::thread([this] { look(); });
   } catch (const std::exception&) {  // no more threads available: the peak is then less exact
@@ -76,16 +36,12 @@ void MemoryWatch::look() {
 }
 
 std::uint64_t MemoryWatch::peakBytes() const {
-  const std::uint64_t peak = lineOf("/proc/self/status", "VmHWM:");
+  const std::uint64_t peak = os::peakMemory();
   return peak > processPeak_ ? peak : std::max(most_.load(), residentMemoryBytes());
 }
 
-void returnFreeMemory() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
-std::uint64_t availableMemoryBytes() { return lineOf("/proc/meminfo", "MemAvailable:"); }
+void returnFreeMemory() { os::returnFreeMemory(); }
+std::uint64_t availableMemoryBytes() { return os::availableMemory(); }
 std::uint64_t memoryLimit(const RunContext& run) {
   return run.memoryLimitBytes != 0 ? run.memoryLimitBytes : availableMemoryBytes() / 4 * 3;
 }

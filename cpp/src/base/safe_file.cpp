@@ -7,12 +7,7 @@
 #include <random>
 #include <system_error>
 
-#ifndef _WIN32
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#endif
-
+#include "base/system.h"
 #include "swept/io.h"
 #include "swept/types.h"
 
@@ -52,37 +47,11 @@ std::string causeOf(int error) {
   return error != 0 ? std::system_category().message(error) : "unknown cause";
 }
 
-// Creates a new file that only its owner may read until it is finished. Never opens a file that
-// exists already, nor the target of a link. Returns the mode that new files in this folder usually
-// get; 0 if the system has no modes or the file could not be created (errno gives the reason).
-unsigned createPrivate([[maybe_unused]] const fs::path& file) {
-  errno = 0;
-#ifndef _WIN32
-  const int handle = ::open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-  if (handle < 0) return 0;
-  struct stat usual {};
-  const bool known = ::fstat(handle, &usual) == 0;
-  if (known) ::fchmod(handle, 0600);
-  ::close(handle);
-  errno = 0;  // a file system without modes is no error
-  return known ? usual.st_mode & 0777U : 0;
-#else
-  return 0;
-#endif
-}
-
-// Flushes the file to the disk. Some systems report a full disk only at this point. A file system
-// that cannot flush (EINVAL) is no error.
-void syncToDisk([[maybe_unused]] const fs::path& file, [[maybe_unused]] const std::string& name) {
-#ifndef _WIN32
-  const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (handle < 0) return;
-  const int failed = ::fsync(handle) != 0 ? errno : 0;
-  ::close(handle);
-  if (failed != 0 && failed != EINVAL) {
+// Flushes the file to the disk. Some systems report a full disk only at this point.
+void syncToDisk(const fs::path& file, const std::string& name) {
+  if (const int failed = os::flushToDisk(file); failed != 0) {
     refuse("WriteFailed", "writing '" + name + "' failed: " + causeOf(failed));
   }
-#endif
 }
 
 // Closes a stream without an exception: the library may throw from close() if the disk is full.
@@ -114,11 +83,7 @@ void checkOldFile(const std::string& path, const fs::path& target) {
                "': it is a device or another special file; give the name of an ordinary file");
   }
   const auto anyWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
-  bool locked = (status.permissions() & anyWrite) == fs::perms::none;
-#ifndef _WIN32
-  locked = locked || ::access(target.c_str(), W_OK) != 0;
-#endif
-  if (locked) {
+  if ((status.permissions() & anyWrite) == fs::perms::none || !os::mayWrite(target)) {
     refuse("ReadOnly", "cannot write '" + path +
                            "': the file is write-protected; remove the protection or choose "
                            "another name");
@@ -168,7 +133,7 @@ SafeFile::SafeFile(const std::string& path) : name_(path) {
   checkFolder(path, folderOf(target_));
   checkOldFile(path, target_);
   temporary_.path = temporaryBeside(target_);
-  mode_ = createPrivate(temporary_.path);
+  mode_ = os::createPrivate(temporary_.path);
   if (errno == 0) stream_.open(temporary_.path, std::ios::binary | std::ios::trunc);
   if (!stream_.is_open()) {
     refuse("ReadOnly", "cannot write into the folder '" + utf8FromPath(folderOf(target_)) + "': " +

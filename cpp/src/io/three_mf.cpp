@@ -11,6 +11,9 @@
 #include <string>
 #include <system_error>
 
+#include "base/safe_file.h"
+#include "base/system.h"
+
 namespace swept {
 namespace {
 
@@ -21,7 +24,11 @@ constexpr std::uint64_t kMaxLine = 110;
 // Writes a ZIP file through minizip: several entries, one after another, each compressed.
 class Package {
  public:
-  explicit Package(const std::string& path) : zip_(zipOpen64(path.c_str(), APPEND_STATUS_CREATE)) {
+  explicit Package(const std::string& path) {
+    zlib_filefunc64_def functions{};
+    fill_fopen64_filefunc(&functions);
+    functions.zopen64_file = openForWriting;
+    zip_ = zipOpen2_64(path.c_str(), APPEND_STATUS_CREATE, nullptr, &functions);
     check(zip_ != nullptr);
   }
   ~Package() {
@@ -54,6 +61,10 @@ class Package {
   }
 
  private:
+  // As minizip's own function, which takes names that are not UTF-8 on every system.
+  static void* openForWriting(void* /*opaque*/, const void* name, int /*mode*/) {
+    return os::openFile(pathFromUtf8(static_cast<const char*>(name)), "wb");
+  }
   static void check(bool done) {
     if (done) return;
     throw Error(Status::ExportFailed, "WriteFailed",
@@ -66,7 +77,7 @@ class Package {
     text_.clear();
   }
 
-  zipFile zip_;
+  zipFile zip_ = nullptr;
   std::string text_;
 };
 

@@ -10,7 +10,6 @@
 #include "base/number_text.h"
 #include "base/safe_file.h"
 #include "simplify/thin.h"
-#include "solid/kernel/solid_file.h"
 #include "solid/text/step_text.h"
 
 namespace swept {
@@ -77,8 +76,8 @@ double diagonalOf(const HalfEdgeMesh& mesh) {
 
 // Builds with the given tolerance. Without one, takes the first tolerance of a series with which
 // the solid keeps the limits. `options` receives the tolerance.
-Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
-                   KernelSession& kernel, RunContext& run) {
+Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format, Judge& judge,
+                   RunContext& run) {
   const auto fits = [&](std::int64_t count) {
     return isWithinLimits(count, mesh, options, format);
   };
@@ -86,7 +85,7 @@ Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat f
   const bool given = options.tolerance > 0;
   std::int64_t faces = 0;
   if (!given) {
-    if (auto built = makeShape(mesh, mesh, options, fits, kernel, faces, run))
+    if (auto built = makeShape(mesh, mesh, options, fits, judge, faces, run))
       return std::move(*built);
     if (options.exact) refuseTooMany(faces, mesh, options, format);
   }
@@ -100,7 +99,7 @@ Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat f
       thin = thinned(*dense, kThinFraction * options.tolerance, run);
       dense = &thin;
     }
-    if (auto built = makeShape(mesh, *dense, options, fits, kernel, faces, run))
+    if (auto built = makeShape(mesh, *dense, options, fits, judge, faces, run))
       return std::move(*built);
     if (given || 2 * options.tolerance > kMax * diagonal)
       refuseTooMany(faces, mesh, options, format);
@@ -148,15 +147,15 @@ HalfEdgeMesh thinned(const HalfEdgeMesh& mesh, double limit, RunContext& run) {
 }
 
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
-                        KernelSession& kernel, RunContext& run) {
+                        Judge& judge, RunContext& run) {
   return uprightWithin(options.tolerance,
-                       [&] { return buildUpright(mesh, options, format, kernel, run); });
+                       [&] { return buildUpright(mesh, options, format, judge, run); });
 }
 
-void writeBuilt(const Built& built, std::ostream& out, const std::string& name,
+void writeBuilt(const Built& built, Judge& judge, std::ostream& out, const std::string& name,
                 const StepOptions& options, SolidFormat format, RunContext& run) {
   if (format == SolidFormat::Brep) {
-    writeBrep(built.brep.shape, out, run);
+    judge.writeBrep(out, run);
   } else {
     writeStepText(built.model, out, name, options, run);
   }
@@ -167,17 +166,6 @@ bool isWorthFacets(const Error& error) {
          (error.code() == "InvalidFaces" || error.code() == "RereadDiffers" ||
           error.code() == "RereadFailed" || error.code() == "KernelFailure" ||
           error.code() == "SolidInaccurate");
-}
-
-void refuseKernelFailure(const Standard_Failure& failure, const KernelSession& kernel,
-                         RunContext& run) {
-  // If the run was cancelled, this throws: a cancelled kernel call may end in an exception too.
-  run.checkpoint(Phase::Export);
-  const char* text = failure.GetMessageString();
-  throw Error(Status::ExportFailed, "KernelFailure",
-              std::string("the geometry kernel failed: ") + failure.DynamicType()->Name() +
-                  (text != nullptr && *text != 0 ? std::string(": ") + text : std::string()) +
-                  (kernel.messages().empty() ? std::string() : " (" + kernel.messages() + ")"));
 }
 
 void refuseMemory(std::size_t triangles) {

@@ -1,24 +1,21 @@
-// Builds the model and the kernel shape of a mesh within the limits of the options. Writing a solid
-// and estimating its cost both use these functions.
+// Builds the model of a mesh within the limits of the options. Writing a solid and estimating its
+// cost both use these functions.
 // In:      closed mesh, mm.
-// Out:     the kernel shape with its model.
-// Cost:    see kernel/shape_maker.h; a few times as much if the limits require a search for a
+// Out:     the model, which the judge has accepted.
+// Cost:    see shape_maker.h; a few times as much if the limits require a search for a
 //          tolerance.
-// The caller holds the KernelSession. Throws Error(ExportFailed, ...), Error(OutOfMemory),
-// Error(Cancelled).
+// Throws Error(ExportFailed, ...), Error(OutOfMemory), Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <Standard_ErrorHandler.hxx>
-#include <Standard_Failure.hxx>
 #include <ios>
 #include <new>
 #include <ostream>
 #include <string>
 
-#include "solid/kernel/kernel.h"
-#include "solid/kernel/shape_maker.h"
 #include "solid/mesh/half_edge.h"
+#include "solid/model/judge.h"
+#include "solid/shape_maker.h"
 #include "swept/solid.h"
 
 namespace swept::step {
@@ -51,10 +48,10 @@ auto uprightWithin(double& tolerance, const Work& work) {
 /// Builds the solid with the given tolerance. Without one, tries 0 and then a series of tolerances,
 /// and takes the first that keeps the limits. `options` receives the tolerance that was used.
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
-                        KernelSession& kernel, RunContext& run);
+                        Judge& judge, RunContext& run);
 
 /// Writes the text of the file. `name` is the file name for the header.
-void writeBuilt(const Built& built, std::ostream& out, const std::string& name,
+void writeBuilt(const Built& built, Judge& judge, std::ostream& out, const std::string& name,
                 const StepOptions& options, SolidFormat format, RunContext& run);
 
 /// Returns whether a solid with facets only may succeed after this error.
@@ -77,20 +74,14 @@ auto orFacets(const StepOptions& options, std::string& why, const Work& work) {
   return work(used);
 }
 
-[[noreturn]] void refuseKernelFailure(const Standard_Failure& failure, const KernelSession& kernel,
-                                      RunContext& run);
 [[noreturn]] void refuseMemory(std::size_t triangles);
 
-/// Returns work(). Converts exceptions of the kernel to an Error. `triangles` is their number in
-/// the mesh, for the message.
+/// Calls work(). Converts exceptions of the kernel and of the system to an Error. `triangles` is
+/// their number in the mesh, for the message.
 template <class Work>
-auto withKernel(const KernelSession& kernel, std::size_t triangles, RunContext& run,
-                const Work& work) {
+void withJudge(Judge& judge, std::size_t triangles, RunContext& run, const Work& work) {
   try {
-    OCC_CATCH_SIGNALS
-    return work();
-  } catch (const Standard_Failure& failure) {
-    refuseKernelFailure(failure, kernel, run);
+    judge.guard(work, run);
   } catch (const std::bad_alloc&) {
     refuseMemory(triangles);
   } catch (const std::ios_base::failure& failure) {

@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <memory>
 #include <ostream>
 #include <streambuf>
 
@@ -106,13 +107,13 @@ SolidEstimate tryOut(const TriMesh& input, StepOptions& options, SolidFormat for
   Timer watch;
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
   if (isTessellated(options, format)) return ofTriangles(mesh);
-  KernelSession kernel;
-  return withKernel(kernel, mesh.triangles.size(), run, [&] {
-    const Built built = buildWithinLimits(mesh, options, format, kernel, run);
+  const std::unique_ptr<Judge> judge = openJudge();
+  SolidEstimate estimate;
+  withJudge(*judge, mesh.triangles.size(), run, [&] {
+    const Built built = buildWithinLimits(mesh, options, format, *judge, run);
     CountingBuffer buffer;
     std::ostream out(&buffer);
-    writeBuilt(built, out, "", options, format, run);
-    SolidEstimate estimate;
+    writeBuilt(built, *judge, out, "", options, format, run);
     estimate.tried = true;
     estimate.triangles = static_cast<std::int64_t>(mesh.triangles.size());
     estimate.faces = static_cast<std::int64_t>(built.model.faces.size());
@@ -121,8 +122,8 @@ SolidEstimate tryOut(const TriMesh& input, StepOptions& options, SolidFormat for
     estimate.deviation = built.deviation;
     estimate.trialSeconds = watch.seconds();
     estimate.seconds = estimate.trialSeconds + secondsToReadBack(built.model, format);
-    return estimate;
   });
+  return estimate;
 }
 
 }  // namespace

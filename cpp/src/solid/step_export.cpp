@@ -1,22 +1,22 @@
-// Writes a mesh as a STEP or BREP file: partition, model, kernel shape, file, check, final name.
+// Writes a mesh as a STEP or BREP file: partition, model, file, check, final name.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <tbb/task_arena.h>
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 
 #include "base/number_text.h"
 #include "base/safe_file.h"
 #include "base/threads.h"
 #include "base/timer.h"
-#include "solid/kernel/kernel.h"
-#include "solid/kernel/shape_check.h"
-#include "solid/kernel/solid_file.h"
 #include "solid/mesh/half_edge.h"
+#include "solid/model/judge.h"
 #include "solid/reread.h"
 #include "solid/solid_build.h"
 #include "solid/solid_findings.h"
-#include "solid/text/step_text.h"
 #include "solid/text/tessellated.h"
+#include "solid/text_judge.h"
 #include "swept/solid.h"
 
 namespace swept {
@@ -41,21 +41,19 @@ void noteDeviation(StepReport& report) {
                  " mm; a smaller tolerance may reduce the deviation";
 }
 
-// The kernel reads plane faces without healing them if their vertices and edges lie within this
-// distance (mm) of their planes.
-constexpr double kExact = 1e-5;
+using Open = std::function<std::unique_ptr<Judge>()>;
 
 StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptions& options,
-                        RunContext& run) {
+                        const Open& open, RunContext& run) {
   const SolidFormat format = solidFormatOf(path);
   SafeFile file(path);
   Timer watch;
   StepReport report;
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
-  KernelSession kernel;
-  withKernel(kernel, mesh.triangles.size(), run, [&] {
+  const std::unique_ptr<Judge> judge = open();
+  withJudge(*judge, mesh.triangles.size(), run, [&] {
     const double asked = options.tolerance;
-    const Built built = buildWithinLimits(mesh, options, format, kernel, run);
+    const Built built = buildWithinLimits(mesh, options, format, *judge, run);
     if (options.tolerance < asked) {
       report.note = "within a tolerance of " + numberText(asked, 3) +
                     " mm, parts of the surface would turn inside out; the solid was made with a "
@@ -64,25 +62,11 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
     }
     report.secondsBuild = watch.lap();
     const std::string name = utf8FromPath(pathFromUtf8(file.target()).filename());
-    writeBuilt(built, file.stream(), name, options, format, run);
+    writeBuilt(built, *judge, file.stream(), name, options, format, run);
     file.close();
     report.secondsWrite = watch.lap();
-    const auto readBack = [&]() {
-      if (format == SolidFormat::Brep) return readBrepFile(file.temporary(), run);
-      const double accuracy = statedAccuracy(built.model);
-      if (isFlat(built.model) && accuracy <= kExact)
-        return readFlatStepFile(file.temporary(), accuracy, kernel, run);
-      return readMostlyFlatStepFile(file.temporary(), kernel, run);
-    };
-    SolidCheck check = checkShape(readBack(), run, 0.8, 1.0);
-    if (!check.valid && format == SolidFormat::Step)
-      check = checkShape(readStepFile(file.temporary(), kernel, run), run, 0.8, 1.0);
-    if (!check.valid && format == SolidFormat::Step && !isFlat(built.model)) {
-      // Some curved faces read back wrong without parameter curves. The writer of the kernel adds
-      // them.
-      writeStepFile(built.brep.shape, file.temporary(), name, options, kernel, run);
-      check = checkShape(readStepFile(file.temporary(), kernel, run), run, 0.8, 1.0);
-    }
+    const SolidCheck check =
+        judge->readBack(built.model, file.temporary(), name, options, format, run);
     compare(check, mesh, options);
     report.facesByKind.assign(built.facesByKind.begin(), built.facesByKind.end());
     report.deviation = built.deviation;
@@ -109,14 +93,23 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
 }
 
 StepReport writeOrFacets(const TriMesh& mesh, const std::string& path, const StepOptions& options,
-                         RunContext& run) {
+                         const Open& open, RunContext& run) {
   if (options.schema == StepSchema::Ap242Tessellated && solidFormatOf(path) == SolidFormat::Step)
     return writeTessellated(mesh, path, options, run);
   std::string why;
   StepReport report = orFacets(
-      options, why, [&](StepOptions& used) { return writeChecked(mesh, path, used, run); });
+      options, why, [&](StepOptions& used) { return writeChecked(mesh, path, used, open, run); });
   if (!why.empty())
     report.note = "the solid has no curved surfaces, because with curved surfaces " + why;
+  return report;
+}
+
+StepReport writeAny(const TriMesh& mesh, const std::string& path, const StepOptions& options,
+                    const Open& open, RunContext& run) {
+  checkOptions(options);
+  tbb::task_arena arena(threadsOf(run));
+  StepReport report = arena.execute([&] { return writeOrFacets(mesh, path, options, open, run); });
+  report.warnings = solidFindings(report, options);
   return report;
 }
 
@@ -132,11 +125,18 @@ StepSchema parseStepSchema(const std::string& text) {
 
 StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
                       RunContext& run) {
-  checkOptions(options);
-  tbb::task_arena arena(threadsOf(run));
-  StepReport report = arena.execute([&] { return writeOrFacets(mesh, path, options, run); });
-  report.warnings = solidFindings(report, options);
-  return report;
+  return writeAny(mesh, path, options, openJudge, run);
+}
+
+StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
+                      StepReader& reader, RunContext& run) {
+  const auto judge = [&]() -> std::unique_ptr<Judge> {
+    if (solidFormatOf(path) != SolidFormat::Brep) return std::make_unique<TextJudge>(reader);
+    throw Error(Status::ExportFailed, "NoKernel",
+                "a BREP file needs a geometry kernel, which this build does not have; write a STEP "
+                "file");
+  };
+  return writeAny(mesh, path, options, judge, run);
 }
 
 }  // namespace swept

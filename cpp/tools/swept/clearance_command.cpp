@@ -182,7 +182,7 @@ std::vector<PageInput> pageInputs(const ClearanceJob& job) {
 std::string pageText(const ClearanceJob& job, const PageFrame& frame, std::vector<PageInput> inputs,
                      Body body, Trajectory motion, std::vector<ClearanceNeighbour> neighbours,
                      const ClearanceReport& report, RunContext& run) {
-  std::vector<PagePart> parts{{pathFromUtf8(job.generatorPath).stem().string(),
+  std::vector<PagePart> parts{{utf8FromPath(pathFromUtf8(job.generatorPath).stem()),
                                std::move(body.mesh), std::move(motion), true}};
   for (ClearanceNeighbour& part : neighbours)
     parts.push_back({std::move(part.name), std::move(part.mesh)});

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "files.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <system_error>
 
+#include "base/system.h"
 #include "swept/io.h"
 
 namespace swept::cli {
@@ -32,10 +32,15 @@ fs::path resolved(const std::string& path) {
   return code ? name : real;
 }
 
-// Returns a name under which an input can be opened, also standard input.
-std::string inputPath(const std::string& path) { return path == "-" ? "/dev/stdin" : path; }
+// Returns a name under which an input can be opened, also standard input; empty if standard input
+// has no name.
+std::string inputPath(const std::string& path) {
+  return path == "-" ? os::standardInputName() : path;
+}
 
-std::string outputPath(const std::string& path) { return path == "-" ? "/dev/stdout" : path; }
+std::string outputPath(const std::string& path) {
+  return path == "-" ? os::standardOutputName() : path;
+}
 
 bool areSame(const std::string& a, const std::string& b) {
   std::error_code code;
@@ -52,8 +57,8 @@ bool areSame(const std::string& a, const std::string& b) {
 
 [[noreturn]] void failedOutput() {
   const std::string reason = std::system_category().message(errno);
-  // Sends buffered output to /dev/null, so that no later flush fails and reports the error again.
-  if (std::freopen("/dev/null", "w", stdout) == nullptr) std::clearerr(stdout);
+  // Sends buffered output to nowhere, so that no later flush fails and reports the error again.
+  if (std::freopen(os::nullDeviceName().c_str(), "w", stdout) == nullptr) std::clearerr(stdout);
   throw Error(Status::ExportFailed, "WriteFailed", "writing to standard output failed: " + reason);
 }
 
@@ -68,30 +73,10 @@ std::map<std::string, std::shared_ptr<const RepeatableInput>>& keptStreams() {
   return kept;
 }
 
-/// Creates a file in the folder for temporary files. Returns its handle; `name` receives its path.
-int makeTemporary(std::string& name) {
-  name = (fs::temp_directory_path() / "swept-XXXXXX").string();
-  const int handle = ::mkstemp(name.data());
-  if (handle < 0)
-    throw Error(Status::ExportFailed, "ReadOnly",
-                "cannot create the temporary file '" + name +
-                    "': " + std::system_category().message(errno));
-  return handle;
-}
-
-void copyTo(int handle, std::istream& stream, const std::string& path) {
+void copyTo(os::ScratchFile& file, std::istream& stream) {
   std::array<char, 1 << 16> block{};
-  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
-    const auto count = static_cast<std::size_t>(stream.gcount());
-    for (std::size_t done = 0; done < count;) {
-      const ssize_t wrote = ::write(handle, block.data() + done, count - done);
-      if (wrote < 0)
-        throw Error(Status::ExportFailed, "WriteFailed",
-                    "'" + path + "' is a stream, and copying it to a temporary file failed: " +
-                        std::system_category().message(errno));
-      done += static_cast<std::size_t>(wrote);
-    }
-  }
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0)
+    file.write(block.data(), static_cast<std::size_t>(stream.gcount()));
 }
 
 }  // namespace
@@ -140,13 +125,14 @@ void checkAccess(const std::vector<RoledFile>& inputs, const std::vector<RoledFi
     std::error_code code;
     if (!fs::exists(name, code)) badFile("'" + input.path + "' does not exist");
     if (fs::is_directory(name, code)) badFile("'" + input.path + "' is a folder, not a file");
-    if (::access(name.c_str(), R_OK) != 0)
+    if (!os::mayRead(name))
       badFile("'" + input.path +
               "' cannot be opened for reading: " + std::system_category().message(errno));
   }
 }
 
 bool isStream(const std::string& path) {
+  if (inputPath(path).empty()) return true;
   std::error_code code;
   const fs::file_status status = fs::status(pathFromUtf8(inputPath(path)), code);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
@@ -154,23 +140,23 @@ bool isStream(const std::string& path) {
 
 RepeatableInput::RepeatableInput(const std::string& path) : given_(path), path_(inputPath(path)) {
   if (!isStream(path)) return;
-  std::ifstream stream(pathFromUtf8(inputPath(path)), std::ios::binary);
-  if (!stream) badFile("'" + path + "' cannot be opened for reading");
-  std::string name;
-  handle_ = makeTemporary(name);
-  fs::remove(name);
-  try {
-    copyTo(handle_, stream, path);
-  } catch (...) {
-    ::close(handle_);
-    throw;
+  std::ifstream file;
+  if (!path_.empty()) {
+    file.open(pathFromUtf8(path_), std::ios::binary);
+    if (!file) badFile("'" + path + "' cannot be opened for reading");
   }
-  path_ = "/proc/self/fd/" + std::to_string(handle_);
+  try {
+    copy_ = std::make_unique<os::ScratchFile>();
+    copyTo(*copy_, path_.empty() ? std::cin : file);
+    path_ = copy_->finish();
+  } catch (const std::system_error& error) {
+    throw Error(
+        Status::ExportFailed, "WriteFailed",
+        "'" + path + "' is a stream, and copying it to a temporary file failed: " + error.what());
+  }
 }
 
-RepeatableInput::~RepeatableInput() {
-  if (handle_ >= 0) ::close(handle_);
-}
+RepeatableInput::~RepeatableInput() = default;
 
 void keepStreams(const std::vector<RoledFile>& inputs) {
   for (const RoledFile& input : inputs)
@@ -203,8 +189,8 @@ bool isSolidIn(const std::string& file, const std::string& path, const std::stri
 TriMesh meshFrom(const std::string& file, const std::string& path, const std::string& format,
                  double unit) {
   const std::string suffix = format.empty() ? suffixOf(path) : format;
-  // /dev/stdin can be a regular file, for which isStream() is false.
-  const bool unnamed = path == "-" || isStream(path) || path.starts_with("/dev/");
+  // Standard input can be a regular file, for which isStream() is false.
+  const bool unnamed = path == "-" || isStream(path) || os::isDeviceName(path);
   if (!suffix.empty() || !unnamed) return readMesh(file, unit, suffix);
   try {
     return readMesh(file, unit, "ply");
@@ -242,12 +228,13 @@ bool isMeshSuffix(const std::string& suffix) {
 
 Output::Output(const std::string& path, const std::string& format) : path_(path) {
   if (path != "-") return;
-  std::string name;
-  ::close(makeTemporary(name));
-  // The suffix selects the format. mkstemp() has made the name without it unique.
-  temporary_.path = name + "." + format;
-  fs::rename(name, temporary_.path);
-  path_ = temporary_.path.string();
+  try {
+    temporary_.path = os::newTemporaryFile("." + format);  // the suffix selects the format
+  } catch (const std::system_error& error) {
+    throw Error(Status::ExportFailed, "ReadOnly",
+                std::string("cannot create a temporary file: ") + error.what());
+  }
+  path_ = utf8FromPath(temporary_.path);
 }
 
 void Output::deliver() const {

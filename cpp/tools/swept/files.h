@@ -14,6 +14,10 @@
 #include "swept/body.h"
 #include "swept/types.h"
 
+namespace swept::os {
+class ScratchFile;
+}
+
 namespace swept::cli {
 
 /// A file and its role in the command ("the motion", "--report"), for messages. Empty path: the
@@ -38,7 +42,7 @@ bool isStream(const std::string& path);
 /// before runWatched(): until then, an interrupt ends the program at once, even while it waits for
 /// data in a pipe.
 void keepStreams(const std::vector<RoledFile>& inputs);
-/// An input that can be read several times. A stream is copied to an unnamed temporary file, which
+/// An input that can be read several times. A stream is copied to a temporary file, which
 /// disappears with this object.
 class RepeatableInput {
  public:
@@ -52,7 +56,7 @@ class RepeatableInput {
 
  private:
   std::string given_, path_;
-  int handle_ = -1;
+  std::unique_ptr<os::ScratchFile> copy_;
 };
 /// Returns the copy that keepStreams() has made, or a new object.
 std::shared_ptr<const RepeatableInput> repeatable(const std::string& path);

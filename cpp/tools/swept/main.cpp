@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/system.h"
 #include "commands.h"
 #include "files.h"
 #include "manual.h"
@@ -127,9 +128,9 @@ int dispatch(std::vector<std::string> words) {
 
 int main(int argc, char** argv) {
   using namespace swept;
-  cli::ignoreWriteSignals();
+  os::ignoreWriteSignals();
   try {
-    const int status = cli::dispatch(std::vector<std::string>(argv + 1, argv + argc));
+    const int status = cli::dispatch(os::commandLine(argc, argv));
     cli::flushStandardOutput();
     return status;
   } catch (const Error& error) {

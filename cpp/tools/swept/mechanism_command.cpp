@@ -85,7 +85,7 @@ std::vector<MechanismPart> readParts(const MechanismJob& job, RunContext& run,
   files.tolerance = job.still.deflection;
   for (std::size_t i = 0; i + 1 < job.moving.size(); i += 2) {
     Body body = readInputBody(job.moving[i], "", files, run);
-    const std::string name = pathFromUtf8(job.moving[i]).stem().string();
+    const std::string name = utf8FromPath(pathFromUtf8(job.moving[i]).stem());
     for (Finding& finding : body.findings) {
       finding.text = name + ": " + finding.text;
       findings.push_back(std::move(finding));

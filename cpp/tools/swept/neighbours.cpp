@@ -98,7 +98,7 @@ std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunC
   for (const std::string& path : files.paths) {
     readRepeatably(path, [&](const std::string& file) {
       if (!isSolidIn(file, path, "")) {
-        list.push_back({pathFromUtf8(path).stem().string(),
+        list.push_back({utf8FromPath(pathFromUtf8(path).stem()),
                         meshFrom(file, path, "", files.millimetresPerUnit), files.chordError});
         return;
       }

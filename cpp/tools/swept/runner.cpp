@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "runner.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <future>
+
+#include "base/system.h"
 
 namespace swept::cli {
 namespace {
@@ -23,26 +23,16 @@ extern "C" void onInterrupt(int number) {
   if (RunContext* run = interrupted.load()) run->cancel();
 }
 
-constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
-
 // During its lifetime, signals cancel the run. Afterwards signals are ignored, since the program is
 // about to end and removes its temporary files.
 class InterruptGuard {
  public:
   explicit InterruptGuard(RunContext& run) {
     interrupted.store(&run);
-    struct sigaction action {};
-    action.sa_handler = onInterrupt;
-    sigemptyset(&action.sa_mask);
-    for (const int number : kSignals) {
-      struct sigaction old {};
-      sigaction(number, &action, &old);
-      // If the caller ignores SIGHUP (nohup), it stays ignored.
-      if (number == SIGHUP && old.sa_handler == SIG_IGN) std::signal(number, SIG_IGN);
-    }
+    os::onInterrupt(onInterrupt);
   }
   ~InterruptGuard() {
-    for (const int number : kSignals) std::signal(number, SIG_IGN);
+    os::ignoreInterrupts();
     interrupted.store(nullptr);
   }
   InterruptGuard(const InterruptGuard&) = delete;
@@ -51,7 +41,7 @@ class InterruptGuard {
 
 class ProgressBar {
  public:
-  explicit ProgressBar(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
+  explicit ProgressBar(bool quiet) : shown_(!quiet && os::isTerminal(stderr)) {}
   ~ProgressBar() {
     if (shown_) std::fputs("\r\033[K", stderr);
   }
@@ -79,11 +69,6 @@ class ProgressBar {
 int exitStatus(Status status) {
   if (status == Status::Ok) return kExitOk;
   return status == Status::Cancelled ? 128 + signalNumber.load() : kExitFailed;
-}
-
-void ignoreWriteSignals() {
-  std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN);
 }
 
 void runWatched(RunContext& run, bool quiet, const std::function<void()>& job) {

@@ -22,10 +22,6 @@ constexpr int kExitNotClear = 3;
 /// signal, as in shells (130 for Ctrl-C, 143 for SIGTERM).
 int exitStatus(Status status);
 
-/// Ignores the signals of failed writes. On a closed pipe or at a limit of the file size, the write
-/// then fails with an error, instead of ending the program.
-void ignoreWriteSignals();
-
 /// Calls job() on another thread and waits. Draws a progress bar if standard error is a terminal
 /// and `quiet` is false. SIGINT, SIGTERM and SIGHUP cancel `run`. Rethrows what job() throws.
 void runWatched(RunContext& run, bool quiet, const std::function<void()>& job);

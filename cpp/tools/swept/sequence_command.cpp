@@ -103,7 +103,7 @@ std::vector<SequencePart> readParts(const SequenceJob& job, RunContext& run,
   std::vector<SequencePart> parts;
   for (std::size_t i = 0; i + 1 < job.parts.size(); i += 2) {
     SequencePart part;
-    part.name = pathFromUtf8(job.parts[i]).stem().string();
+    part.name = utf8FromPath(pathFromUtf8(job.parts[i]).stem());
     readHow(job, job.parts[i + 1], part);
     Body body = readInputBody(job.parts[i], "", file, run);
     for (Finding& finding : body.findings) {
@@ -134,8 +134,8 @@ SequenceReport compute(const SequenceJob& job, RunContext& run) {
 }
 
 std::string motionFile(const SequenceJob& job, std::size_t part) {
-  const std::string name = pathFromUtf8(job.parts[2 * part]).stem().string() + ".csv";
-  return (pathFromUtf8(job.folder) / name).string();
+  const std::string name = utf8FromPath(pathFromUtf8(job.parts[2 * part]).stem()) + ".csv";
+  return utf8FromPath(pathFromUtf8(job.folder) / pathFromUtf8(name));
 }
 
 void printSteps(const SequenceReport& report) {

@@ -2,9 +2,6 @@
 // reaches clusters. The command finds the package and replaces its own process by Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef SWEPT_PYTHON
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -12,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/safe_file.h"
+#include "base/system.h"
 #include "commands.h"
 #include "options.h"
 #include "swept/types.h"
@@ -31,12 +30,12 @@ struct StudyJob {
 /// Returns the folder of the Python package, relative to the program, in a build or an
 /// installation. Returns an empty text if Python must find the package by itself.
 std::string packageFolder() {
+  const fs::path program = os::programPath();
+  if (program.empty()) return {};
   std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-  if (failed) return {};
   const fs::path root = program.parent_path().parent_path();
   for (const fs::path& folder : {root / "python", root / "lib/swept/python"})
-    if (fs::exists(folder / "swept_volume" / "__main__.py", failed)) return folder.string();
+    if (fs::exists(folder / "swept_volume" / "__main__.py", failed)) return utf8FromPath(folder);
   return {};
 }
 
@@ -53,12 +52,9 @@ int runStudy(const StudyJob& job) {
   for (const auto& [name, given] : job.flags)
     if (given) words.push_back(name);
   words.insert(words.end(), {"--", job.file});
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  execv(arguments[0], arguments.data());
+  const int failed = os::becomeProgram(words);
   throw Error(Status::InvalidInput, "NoPython",
-              std::string("'") + SWEPT_PYTHON + "' cannot be started: " + std::strerror(errno) +
+              std::string("'") + SWEPT_PYTHON + "' cannot be started: " + std::strerror(failed) +
                   "; studies need the Python for which this program was built: install it");
 }
 

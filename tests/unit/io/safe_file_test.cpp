@@ -4,17 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include "support/temporary_folder.h"
-
-#ifndef _WIN32
-#include <sys/stat.h>
-
 #include <filesystem>
 #include <string>
+
+#include "support/process.h"
+#include "support/temporary_folder.h"
 
 namespace swept {
 namespace {
 
+using test::FileModeMask;
 using test::TemporaryFolder;
 
 namespace fs = std::filesystem;
@@ -23,22 +22,11 @@ unsigned modeOf(const fs::path& file) {
   return static_cast<unsigned>(fs::status(file).permissions()) & 0777U;
 }
 
-/// The mask of new files while it lives.
-class Mask {
- public:
-  explicit Mask(mode_t mask) : old_(::umask(mask)) {}
-  ~Mask() { ::umask(old_); }
-  Mask(const Mask&) = delete;
-  Mask& operator=(const Mask&) = delete;
-
- private:
-  mode_t old_;
-};
-
 TEST(SafeFile, OnlyTheOwnerReadsTheTemporary) {
+  if (!FileModeMask::available()) GTEST_SKIP() << "files have no modes here";
   const TemporaryFolder folder;
-  for (const mode_t mask : {mode_t{0022}, mode_t{0000}, mode_t{0077}}) {
-    const Mask masked(mask);
+  for (const unsigned mask : {0022U, 0000U, 0077U}) {
+    const FileModeMask masked(mask);
     const std::string path = folder.file(std::to_string(mask));
     SafeFile file(path);
     file.stream() << "text";
@@ -50,6 +38,7 @@ TEST(SafeFile, OnlyTheOwnerReadsTheTemporary) {
 }
 
 TEST(SafeFile, TheModeOfAnOldFileIsKept) {
+  if (!FileModeMask::available()) GTEST_SKIP() << "files have no modes here";
   const TemporaryFolder folder;
   const std::string path = folder.write("a", "old");
   for (const unsigned mode : {0640U, 0600U, 0664U}) {
@@ -63,7 +52,21 @@ TEST(SafeFile, TheModeOfAnOldFileIsKept) {
   }
 }
 
+TEST(SafeFile, NamesWithAnyLettersCanBeWrittenReplacedAndRead) {
+  const TemporaryFolder folder;
+  for (const char* name :
+       {"Hüllkörper.txt", "скорость.txt", "掃引体積.txt", "\U0001F680 a b.txt"}) {
+    const std::string path = folder.file(name);
+    for (const char* content : {"first", "second"}) {
+      SafeFile file(path);
+      file.stream() << content;
+      EXPECT_EQ(file.commit(), std::string(content).size());
+      EXPECT_EQ(TemporaryFolder::read(path), content);
+    }
+    EXPECT_EQ(utf8FromPath(pathFromUtf8(path)), path);
+  }
+  EXPECT_EQ(folder.count(), 4U);
+}
+
 }  // namespace
 }  // namespace swept
-
-#endif

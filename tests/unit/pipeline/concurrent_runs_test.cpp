@@ -1,17 +1,15 @@
 // Runs in one process at the same time: each gives the bytes and the report that it gives alone.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
-#include <sys/mman.h>
 #include <tbb/global_control.h>
 
 #include <atomic>
-#include <cstring>
 #include <functional>
-#include <new>
 #include <thread>
 #include <vector>
 
 #include "base/memory.h"
+#include "support/process.h"
 #include "support/shapes.h"
 #include "swept/compute.h"
 
@@ -130,25 +128,6 @@ TEST(ConcurrentRuns, LeaveTheProcessAsItIs) {
   running.join();
   EXPECT_EQ(least, before);
 }
-
-/// Memory that is the process's own at once and goes back at once, whatever the allocator keeps:
-/// under AddressSanitizer what was freed stays resident for a while.
-class ResidentPages {
- public:
-  explicit ResidentPages(std::size_t bytes)
-      : bytes_(bytes),
-        at_(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) {
-    if (at_ == MAP_FAILED) throw std::bad_alloc();
-    std::memset(at_, 1, bytes_);
-  }
-  ResidentPages(const ResidentPages&) = delete;
-  ResidentPages& operator=(const ResidentPages&) = delete;
-  ~ResidentPages() { munmap(at_, bytes_); }
-
- private:
-  std::size_t bytes_;
-  void* at_;
-};
 
 TEST(ConcurrentRuns, PeakMemoryIsSeenWhereTheProcessWasLargerBefore) {
   if (residentMemoryBytes() == 0) GTEST_SKIP() << "this system does not say";

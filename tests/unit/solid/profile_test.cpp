@@ -1,13 +1,13 @@
 // Extrusions and revolutions: bodies of a profile that is no line and no circle, pushed or turned.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <filesystem>
 #include <map>
 
+#include "base/system.h"
 #include "solid/recognise/fit_profile.h"
 #include "solid/recognise/recognise.h"
 #include "solid/test_meshes.h"
@@ -76,7 +76,8 @@ TriMesh vase(int steps, int around) {
 class Profiles : public testing::Test {
  protected:
   void SetUp() override {
-    file_ = fs::temp_directory_path() / ("swept-profiles-" + std::to_string(::getpid()) + ".step");
+    file_ =
+        fs::temp_directory_path() / ("swept-profiles-" + std::to_string(os::processId()) + ".step");
   }
   void TearDown() override { fs::remove(file_); }
 

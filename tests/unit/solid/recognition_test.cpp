@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <map>
 
+#include "base/system.h"
 #include "solid/mesh/decimate.h"
 #include "solid/recognise/recognise.h"
 #include "solid/test_meshes.h"
@@ -25,7 +25,7 @@ class Recognition : public testing::Test {
  protected:
   void SetUp() override {
     folder_ =
-        fs::temp_directory_path() / ("swept-recognition-" + std::to_string(::getpid()) + "-" +
+        fs::temp_directory_path() / ("swept-recognition-" + std::to_string(os::processId()) + "-" +
                                      testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::create_directories(folder_);
   }

@@ -2,7 +2,6 @@
 // of edges, cut and common with a block; and whether the judge of that finds what is wrong.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -20,6 +19,7 @@
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
 
+#include "base/system.h"
 #include "judge/solid_judge.h"
 #include "solid/test_meshes.h"
 #include "swept/compute.h"
@@ -145,7 +145,7 @@ TEST_P(ForSuppliers, TheCheckFindsNothing) {
   StepOptions step;
   step.tolerance = 1e-3 * box.diagonal().norm();
   const fs::path file = fs::temp_directory_path() /
-                        ("supplier-" + std::to_string(::getpid()) + "-" + one.name + ".step");
+                        ("supplier-" + std::to_string(os::processId()) + "-" + one.name + ".step");
   const StepReport report = writeSolid(result.mesh, file.string(), step, run);
   const auto judged = judgeSolid(readShape(file.string()), 9, true);
   fs::remove(file);

@@ -1,13 +1,13 @@
 // Solids of simple motions: the surfaces that the envelope is made of, exact, and no facets.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <filesystem>
 #include <map>
 
+#include "base/system.h"
 #include "solid/recognise/recognise.h"
 #include "solid/test_meshes.h"
 #include "swept/compute.h"
@@ -65,8 +65,8 @@ class SweptBodies : public testing::TestWithParam<int> {
     StepOptions stepOptions;
     stepOptions.tolerance = 1e-3 * box.diagonal().norm();
     const fs::path file =
-        fs::temp_directory_path() /
-        ("swept-bodies-" + std::to_string(::getpid()) + "-" + std::to_string(GetParam()) + ".step");
+        fs::temp_directory_path() / ("swept-bodies-" + std::to_string(os::processId()) + "-" +
+                                     std::to_string(GetParam()) + ".step");
     const StepReport report = writeSolid(result.mesh, file.string(), stepOptions, run);
     fs::remove(file);
     kinds_.clear();

@@ -3,12 +3,12 @@
 #include "solid/text/tessellated.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "base/system.h"
 #include "solid/test_meshes.h"
 #include "solid/text/step_scan.h"
 #include "support/shapes.h"
@@ -23,8 +23,8 @@ using namespace test;
 class Tessellated : public testing::Test {
  protected:
   void SetUp() override {
-    file_ =
-        fs::temp_directory_path() / ("swept-tessellated-" + std::to_string(::getpid()) + ".stp");
+    file_ = fs::temp_directory_path() /
+            ("swept-tessellated-" + std::to_string(os::processId()) + ".stp");
   }
   void TearDown() override { fs::remove(file_); }
   StepReport write(const TriMesh& mesh, const StepOptions& options) {

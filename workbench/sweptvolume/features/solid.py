@@ -14,7 +14,7 @@ from ..convert import InputProblem
 from ..quantities import quantity
 from ..texts import translate
 from . import envelope as envelope_feature
-from . import faceted, missing, status
+from . import missing, status, step_reader
 from .base import (  # noqa: F401 (the states are read from here as well)
     FAILED,
     NOT_COMPUTED,
@@ -213,35 +213,22 @@ class Request:
         """Returns functions of a core.Control, for any thread, that estimate a file with this
         suffix: first a quick bound, then a trial. They return dicts as core.estimate_solid()
         does, and raise core.CoreError."""
-        if not core.has_solids():
-            return [self._estimate_faceted]
 
         def estimate(quick):
             return lambda control: core.estimate_solid(
                 self.vertices, self.triangles, control, suffix, quick, **self.options()
             )
 
-        return (
-            [estimate(True)] if self.settings["tessellated"] else [estimate(True), estimate(False)]
-        )
-
-    def _estimate_faceted(self, control):
-        count = len(self.triangles)  # each triangle becomes a face
-        return {
-            "triangles": count,
-            "faces": count,
-            "megabytes": faceted.MEGABYTES * count,
-            "seconds": faceted.SECONDS * count,
-            "tolerance": 0.0,
-            "tried": True,
-        }
+        # Without OpenCASCADE in the core, a trial would take as long as the solid.
+        if self.settings["tessellated"] or not core.has_solids():
+            return [estimate(True)]
+        return [estimate(True), estimate(False)]
 
     def write(self, path, control):
         """Writes STEP or BREP; the suffix gives the type. Returns the core's report (dict). Raises
         core.CoreError."""
-        if not core.has_solids():
-            return faceted.write(self.vertices, self.triangles, path, self.settings["max_faces"])
-        return core.write_solid(
+        write = core.write_solid if core.has_solids() else step_reader.write
+        return write(
             self.vertices, self.triangles, path, control, product_name=self.name, **self.options()
         )
 

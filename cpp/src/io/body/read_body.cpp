@@ -141,7 +141,7 @@ std::vector<NamedPart> readParts(const std::string& path, const PartFileOptions&
                                  RunContext& run) {
   if (isSolidFile(path)) return readSolidParts(path, options.deflection, run);
   std::vector<NamedPart> parts(1);
-  parts[0].name = pathFromUtf8(path).stem().string();
+  parts[0].name = utf8FromPath(pathFromUtf8(path).stem());
   parts[0].mesh = readMesh(path, options.millimetresPerUnit);
   parts[0].chordError = options.chordError;
   return parts;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sampling/gl/gl_api.h"
 
-#include <dlfcn.h>
+#include "base/system.h"
 
 namespace swept::gl {
 namespace {
@@ -11,17 +11,15 @@ class SystemLoader : public GlLoader {
   explicit SystemLoader(const std::string& name) : name_(name) {}
   bool open(std::string& why) override {
     if (library_) return true;
-    const char* name = name_.c_str();
     // The library is never closed, because drivers leave threads and exit handlers behind.
-    library_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+    library_ = os::openLibrary(name_, why);
     if (!library_) {
-      const char* error = dlerror();
-      why = std::string("the EGL library cannot be loaded (") + (error ? error : name) + ")";
+      why = "the EGL library cannot be loaded (" + why + ")";
       return false;
     }
-    getProc_ = reinterpret_cast<Getter>(dlsym(library_, "eglGetProcAddress"));
+    getProc_ = reinterpret_cast<Getter>(os::symbolOf(library_, "eglGetProcAddress"));
     if (!getProc_) {
-      why = std::string(name) + " has no eglGetProcAddress";
+      why = name_ + " has no eglGetProcAddress";
       library_ = nullptr;
       return false;
     }
@@ -30,7 +28,7 @@ class SystemLoader : public GlLoader {
   void* find(const char* name) override {
     if (!library_) return nullptr;
     if (name[0] == 'e') {
-      if (void* address = dlsym(library_, name)) return address;
+      if (void* address = os::symbolOf(library_, name)) return address;
     }
     return reinterpret_cast<void*>(getProc_(name));
   }

@@ -19,16 +19,14 @@ namespace swept::step {
 
 class ReadCheck {
  public:
-  ReadCheck(const StepOptions& options, KernelSession& kernel, RunContext& run)
-      : options_(options), kernel_(kernel), run_(run) {}
-  std::vector<std::int32_t> findUnreadable(const Model& model);
+  explicit ReadCheck(KernelSession& kernel) : kernel_(kernel) {}
+  std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
+                                           RunContext& run);
 
  private:
-  std::vector<std::int32_t> read(const std::string& text, std::size_t faces);
+  std::vector<std::int32_t> read(const std::string& text, std::size_t faces, RunContext& run);
 
-  const StepOptions& options_;
   KernelSession& kernel_;
-  RunContext& run_;
   // The last query and its answer. The same faces are checked again if only facets have changed.
   std::string lastText_;
   std::vector<std::int32_t> answer_;

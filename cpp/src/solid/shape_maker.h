@@ -1,9 +1,9 @@
-// Makes the kernel shape of a mesh: recognises surfaces, simplifies, and builds the model. Repeats
-// this without the surfaces that the kernel refuses.
+// Makes the model of a mesh: recognises surfaces, simplifies, and builds it. Repeats
+// this without the surfaces that the judge refuses.
 // In:      `dense`, the mesh to work on; `whole`, the mesh from which the deviation is measured;
 //          the tolerance of the options; fits(count), which tells whether that many faces are
 //          allowed.
-// Out:     a shape whose faces the kernel accepts, or nothing if it would have too many faces.
+// Out:     a model whose faces the judge accepts, or nothing if it would have too many faces.
 // Units:   mm.
 // Cost:    a few simplifications of the mesh.
 // Throws Error(ExportFailed, "InvalidFaces"), Error(Cancelled).
@@ -15,9 +15,8 @@
 #include <optional>
 #include <string>
 
-#include "solid/kernel/brep.h"
-#include "solid/kernel/kernel.h"
 #include "solid/mesh/half_edge.h"
+#include "solid/model/judge.h"
 #include "solid/model/model.h"
 #include "swept/solid.h"
 
@@ -25,15 +24,15 @@ namespace swept::step {
 
 struct Built {
   Model model;
-  Brep brep;
   std::map<std::string, std::int64_t> facesByKind;
   double deviation = 0;  // mm, of the mesh's vertices from the faces of the solid
 };
 
-/// Returns the shape, or nothing. `faces` receives the number of faces, even if there are too many.
+/// Returns the model, which the judge has taken last, or nothing. `faces` receives the number of
+/// faces, even if there are too many.
 std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
                                const StepOptions& options,
-                               const std::function<bool(std::int64_t)>& fits, KernelSession& kernel,
+                               const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                std::int64_t& faces, RunContext& run);
 
 }  // namespace swept::step

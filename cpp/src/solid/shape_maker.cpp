@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solid/kernel/shape_maker.h"
+#include "solid/shape_maker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,6 @@
 #include "base/sort_unique.h"
 #include "geometry/nearest_triangle.h"
 #include "solid/carrier/section.h"
-#include "solid/kernel/interference.h"
-#include "solid/kernel/read_check.h"
-#include "solid/kernel/shape_check.h"
 #include "solid/mesh/decimate.h"
 #include "solid/mesh/patches.h"
 #include "solid/model/deviation.h"
@@ -31,8 +28,8 @@ constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
 // keys had no patch and 500,000 such triangles, and their collapse took two thirds of the time.
 constexpr double kThinFraction = 0.15;
 
-Built describe(Model model, Brep brep, double deviation) {
-  Built built{std::move(model), std::move(brep), {}, deviation};
+Built describe(Model model, double deviation) {
+  Built built{std::move(model), {}, deviation};
   for (const ModelFace& face : built.model.faces)
     ++built.facesByKind[surfaceKindName(face.surface.kind)];
   return built;
@@ -178,12 +175,12 @@ std::vector<std::int32_t> curvedFacesOf(const std::vector<EdgeCut>& edges, const
 class ShapeMaker {
  public:
   ShapeMaker(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense, const StepOptions& options,
-             const std::function<bool(std::int64_t)>& fits, KernelSession& kernel, RunContext& run)
+             const std::function<bool(std::int64_t)>& fits, Judge& judge, RunContext& run)
       : whole_(whole),
         dense_(dense),
         options_(options),
         fits_(fits),
-        reader_(options, kernel, run),
+        judge_(judge),
         run_(run),
         original_(dense.points, dense.triangles, NearestTriangle::Walks::Yes) {}
 
@@ -221,10 +218,9 @@ class ShapeMaker {
     Decimated rough = left;
     addFacets(rough.mesh, rough.partition);
     const Model model = buildModel(rough.mesh, rough.partition, options_.tolerance, run_);
-    const Brep brep = buildBrep(model, run_);
-    std::vector<std::int32_t> faces = brep.failed;
-    if (faces.empty()) faces = findBadFaces(brep.faces, run_, 0.05, 0.1);
-    const std::vector<std::int32_t> unread = reader_.findUnreadable(model);
+    std::vector<std::int32_t> faces = judge_.take(model, run_);
+    if (faces.empty()) faces = judge_.findBadFaces(run_, 0.05, 0.1);
+    const std::vector<std::int32_t> unread = judge_.findUnreadable(model, options_, run_);
     faces.insert(faces.end(), unread.begin(), unread.end());
     const std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
     faces.insert(faces.end(), loose.begin(), loose.end());
@@ -236,16 +232,17 @@ class ShapeMaker {
     return left;
   }
 
-  // Builds the kernel shape and cuts edges that are farther from a face than a reader of the file
-  // would find (findUnheldEdges()). An edge with a gap is cut where the distance is largest, others
-  // in the middle. `left` receives the edges for which no number of cuts was enough.
-  Brep buildHeld(Model& model, std::vector<EdgeCut>& left) {
+  // Gives the model to the judge and cuts edges that are farther from a face than a reader of the
+  // file would find (findUnheldEdges()). An edge with a gap is cut where the distance is largest,
+  // others in the middle. `left` receives the edges for which no number of cuts was enough. Returns
+  // the faces that cannot be made.
+  std::vector<std::int32_t> takeHeld(Model& model, std::vector<EdgeCut>& left) {
     constexpr int kCuts = 6;
     for (int round = 0;; ++round) {
-      Brep brep = buildBrep(model, run_);
-      if (options_.tolerance <= 0 || !brep.failed.empty()) return brep;
-      left = findUnheldEdges(model, brep);
-      if (left.empty() || round == kCuts) return brep;
+      std::vector<std::int32_t> failed = judge_.take(model, run_);
+      if (options_.tolerance <= 0 || !failed.empty()) return failed;
+      left = judge_.findUnheldEdges(model);
+      if (left.empty() || round == kCuts) return failed;
       for (EdgeCut& cut : left) {
         const ModelEdge& edge = model.edges[cut.edge];
         const double part = cut.at / edge.curve.last;
@@ -255,33 +252,33 @@ class ShapeMaker {
     }
   }
 
-  // Returns the faces that are loose or that the kernel refuses. Unless a face is loose, `brep`
-  // receives the kernel shape.
-  std::vector<std::int32_t> findUnsound(Model& model, Brep& brep) {
+  // Returns the faces that are loose or that the judge refuses. Unless a face is loose, the judge
+  // has taken the model.
+  std::vector<std::int32_t> findUnsound(Model& model) {
     if (options_.tolerance > 0) {
       std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
       if (!loose.empty()) return loose;
     }
     std::vector<EdgeCut> unheld;
-    brep = buildHeld(model, unheld);
-    if (!brep.failed.empty()) return brep.failed;
+    const std::vector<std::int32_t> failed = takeHeld(model, unheld);
+    if (!failed.empty()) return failed;
     // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
     // of recognised surfaces alone would become hundreds of facets.
     if (!unheld.empty() && hasFacets(model)) return curvedFacesOf(unheld, model);
-    std::vector<std::int32_t> bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
-    return bad.empty() ? reader_.findUnreadable(model) : bad;
+    std::vector<std::int32_t> bad = judge_.findBadFaces(run_, 0.1, 0.3);
+    return bad.empty() ? judge_.findUnreadable(model, options_, run_) : bad;
   }
 
   // Splits plane regions into facets if the kernel does not accept their faces, does not read them
   // back, or finds that they intersect others. Returns false if a face stays unsound. Also returns
   // false if a recognised patch has to lose its surface; then the caller starts again.
-  bool acceptFaces(Decimated& small, double tolerance, Model& model, Brep& brep) {
+  bool acceptFaces(Decimated& small, double tolerance, Model& model) {
     constexpr int kTrials = 4;
     for (int trial = 0; trial < kTrials; ++trial) {
       if (trial > 0) model = buildModel(small.mesh, small.partition, tolerance, run_);
-      std::vector<std::int32_t> bad = findUnsound(model, brep);
+      std::vector<std::int32_t> bad = findUnsound(model);
       const bool sound = bad.empty();
-      if (sound && options_.tolerance > 0) bad = findInterfering(model, brep, run_);
+      if (sound && options_.tolerance > 0) bad = judge_.findInterfering(model, run_);
       if (bad.empty()) return true;
       const bool changed = withdraw(bad, model, known_, small, refused_);
       if (!refused_.empty()) return false;
@@ -316,10 +313,9 @@ class ShapeMaker {
       };
       if (mended > 0 && mend(about)) continue;
       if (mend(whole_.points)) continue;
-      Brep brep;
-      if (!acceptFaces(small, tolerance, model, brep)) return std::nullopt;
+      if (!acceptFaces(small, tolerance, model)) return std::nullopt;
       if (countFaces(small.partition) != faces && mend(whole_.points)) continue;
-      return describe(std::move(model), std::move(brep), deviation.largest);
+      return describe(std::move(model), deviation.largest);
     }
   }
 
@@ -330,7 +326,7 @@ class ShapeMaker {
   const HalfEdgeMesh& dense_;
   const StepOptions& options_;
   const std::function<bool(std::int64_t)>& fits_;
-  ReadCheck reader_;
+  Judge& judge_;
   RunContext& run_;
   const NearestTriangle original_;
   std::int32_t known_ = 0;             // patches below this number were recognised
@@ -341,9 +337,9 @@ class ShapeMaker {
 
 std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
                                const StepOptions& options,
-                               const std::function<bool(std::int64_t)>& fits, KernelSession& kernel,
+                               const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                std::int64_t& faces, RunContext& run) {
-  return ShapeMaker(whole, dense, options, fits, kernel, run).make(faces);
+  return ShapeMaker(whole, dense, options, fits, judge, run).make(faces);
 }
 
 }  // namespace swept::step

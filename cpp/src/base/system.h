@@ -1,0 +1,105 @@
+// What the C++ library cannot ask of the operating system: the implementation is the only file of
+// the project with calls of POSIX, Linux, macOS or Windows (checked by
+// tests/tools/include_rules.py). Names of files are UTF-8 or std::filesystem::path on every system.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace swept::os {
+
+// --- memory, in bytes; 0 if the system does not say
+
+/// Resident size of the process. Allocates nothing in Linux, since it is also asked for when the
+/// memory may be exhausted.
+std::uint64_t residentMemory();
+/// Largest resident size that the process ever had.
+std::uint64_t peakMemory();
+/// What the process can take without swapping.
+std::uint64_t availableMemory();
+/// Returns free memory to the system, if the C library has a call for that.
+void returnFreeMemory();
+/// Where malloc() takes memory from. OneHeap: from the end of its heap alone, and free space stays
+/// there; KeepFree: from anywhere, but free space still stays; Usual: as in any program.
+enum class HeapSetting { OneHeap, KeepFree, Usual };
+/// Returns false if the C library has no such settings.
+bool setHeap(HeapSetting setting);
+
+// --- files
+
+/// Creates a new file that only its owner may read (where the system has modes). Never opens a file
+/// that exists already, nor the target of a link. Returns the mode that new files in this folder
+/// usually get; 0 if the system has no modes or the file could not be created. Sets errno, to 0 if
+/// the file was created.
+unsigned createPrivate(const std::filesystem::path& file);
+/// Flushes the file to the disk. Some systems report a full disk only at this point. Returns 0 or
+/// the errno of the failure. A file that cannot be opened again or flushed is no failure.
+int flushToDisk(const std::filesystem::path& file);
+/// Whether the user may write to an existing file or read it. Sets errno if not.
+bool mayWrite(const std::filesystem::path& file);
+bool mayRead(const std::filesystem::path& file);
+/// std::fopen() for any path.
+std::FILE* openFile(const std::filesystem::path& file, const char* mode);
+
+/// A file for a copy of what can be read only once. Only its owner may read it. It disappears with
+/// this object; in Linux it has no name from the start, and also disappears if the process is
+/// killed.
+class ScratchFile {
+ public:
+  ScratchFile();  ///< throws std::system_error
+  ~ScratchFile();
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  void write(const char* bytes, std::size_t count);  ///< throws std::system_error
+  /// Writes what a buffer holds, and returns a name by which the file can be opened for reading.
+  std::string finish();
+
+ private:
+  std::filesystem::path name_;
+  std::FILE* file_ = nullptr;
+};
+/// Creates an empty file with an unused name in the folder for temporary files. Only its owner may
+/// read it. Throws std::system_error.
+std::filesystem::path newTemporaryFile(const std::string& suffix);
+
+// --- the program, its terminal and its signals
+
+/// The words of the command line, in UTF-8. Also prepares standard input and output: no system
+/// changes the bytes that are written to them.
+std::vector<std::string> commandLine(int argc, char** argv);
+/// A name by which standard input can be opened; empty if there is none.
+std::string standardInputName();
+/// Names that lead to standard output, and to where everything written is lost.
+std::string standardOutputName();
+std::string nullDeviceName();
+/// True for names that may lead to a terminal, a pipe or any other file without a suffix.
+bool isDeviceName(const std::string& name);
+bool isTerminal(std::FILE* stream);
+/// Calls handler(number) at each signal that asks the program to end (SIGINT, SIGTERM, SIGHUP),
+/// instead of ending it. What the caller of the program ignores (nohup) stays ignored.
+void onInterrupt(void (*handler)(int));
+/// Ignores these signals from now on.
+void ignoreInterrupts();
+/// Ignores the signals of failed writes. On a closed pipe or at a limit of the file size, the write
+/// then fails with an error, instead of ending the program.
+void ignoreWriteSignals();
+/// The file of the running program; empty if not known.
+std::filesystem::path programPath();
+/// Replaces this program by another one, or runs it and ends with its status. Returns only after a
+/// failure: its errno.
+int becomeProgram(const std::vector<std::string>& words);
+std::uint64_t processId();
+
+// --- the calling thread, and libraries
+
+/// Lets other threads of the machine go first. Has no effect if the system refuses.
+void lowerThreadPriority();
+/// Loads a library for the rest of the process. Returns null and the reason if that fails.
+void* openLibrary(const std::string& name, std::string& why);
+void* symbolOf(void* library, const char* name);  ///< null if there is none
+
+}  // namespace swept::os

@@ -1,0 +1,97 @@
+// The judge of this program: OpenCASCADE.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Standard_ErrorHandler.hxx>
+#include <Standard_Failure.hxx>
+#include <optional>
+
+#include "solid/kernel/brep.h"
+#include "solid/kernel/interference.h"
+#include "solid/kernel/kernel.h"
+#include "solid/kernel/read_check.h"
+#include "solid/kernel/shape_check.h"
+#include "solid/kernel/solid_file.h"
+#include "solid/model/judge.h"
+#include "solid/text/step_text.h"
+
+namespace swept::step {
+namespace {
+
+[[noreturn]] void refuseFailure(const Standard_Failure& failure, const KernelSession& kernel,
+                                RunContext& run) {
+  // If the run was cancelled, this throws: a cancelled kernel call may end in an exception too.
+  run.checkpoint(Phase::Export);
+  const char* text = failure.GetMessageString();
+  throw Error(Status::ExportFailed, "KernelFailure",
+              std::string("the geometry kernel failed: ") + failure.DynamicType()->Name() +
+                  (text != nullptr && *text != 0 ? std::string(": ") + text : std::string()) +
+                  (kernel.messages().empty() ? std::string() : " (" + kernel.messages() + ")"));
+}
+
+// The kernel reads plane faces without healing them if their vertices and edges lie within this
+// distance (mm) of their planes.
+constexpr double kExact = 1e-5;
+
+class KernelJudge : public Judge {
+ public:
+  std::vector<std::int32_t> take(const Model& model, RunContext& run) override {
+    brep_ = buildBrep(model, run);
+    return brep_.failed;
+  }
+  std::vector<EdgeCut> findUnheldEdges(const Model& model) override {
+    return step::findUnheldEdges(model, brep_);
+  }
+  std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) override {
+    return step::findBadFaces(brep_.faces, run, from, to);
+  }
+  std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
+                                           RunContext& run) override {
+    if (!reader_) reader_.emplace(kernel_);
+    return reader_->findUnreadable(model, options, run);
+  }
+  std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) override {
+    return step::findInterfering(model, brep_, run);
+  }
+  void writeBrep(std::ostream& out, RunContext& run) override {
+    step::writeBrep(brep_.shape, out, run);
+  }
+  SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
+                      const StepOptions& options, SolidFormat format, RunContext& run) override {
+    SolidCheck check = checkShape(read(model, file, format, run), run, 0.8, 1.0);
+    if (!check.valid && format == SolidFormat::Step)
+      check = checkShape(readStepFile(file, kernel_, run), run, 0.8, 1.0);
+    if (!check.valid && format == SolidFormat::Step && !isFlat(model)) {
+      // Some curved faces read back wrong without parameter curves. The writer of the kernel adds
+      // them.
+      writeStepFile(brep_.shape, file, name, options, kernel_, run);
+      check = checkShape(readStepFile(file, kernel_, run), run, 0.8, 1.0);
+    }
+    return check;
+  }
+  void guard(const std::function<void()>& work, RunContext& run) override {
+    try {
+      OCC_CATCH_SIGNALS
+      work();
+    } catch (const Standard_Failure& failure) {
+      refuseFailure(failure, kernel_, run);
+    }
+  }
+
+ private:
+  TopoDS_Shape read(const Model& model, const std::string& file, SolidFormat format,
+                    RunContext& run) {
+    if (format == SolidFormat::Brep) return readBrepFile(file, run);
+    const double accuracy = statedAccuracy(model);
+    if (isFlat(model) && accuracy <= kExact) return readFlatStepFile(file, accuracy, kernel_, run);
+    return readMostlyFlatStepFile(file, kernel_, run);
+  }
+
+  KernelSession kernel_;
+  Brep brep_;
+  std::optional<ReadCheck> reader_;
+};
+
+}  // namespace
+
+std::unique_ptr<Judge> openJudge() { return std::make_unique<KernelJudge>(); }
+
+}  // namespace swept::step

@@ -1,0 +1,56 @@
+// What the making of a solid asks a geometry kernel: whether it accepts the faces of a model, and
+// whether it reads a file back as it was written. The kernel changes nothing: the text of the file
+// is made from the model alone. So the solid is the same with every kernel that gives the same
+// answers.
+// In:      a Model. Out: indices into Model::faces and Model::edges.
+// Units:   mm.
+// Throws Error(ExportFailed, "KernelFailure" | "RereadFailed"), Error(Cancelled).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "solid/model/model.h"
+#include "solid/model/split_edges.h"
+#include "swept/run_context.h"
+#include "swept/solid.h"
+
+namespace swept::step {
+
+class Judge {
+ public:
+  virtual ~Judge() = default;
+
+  /// Takes a model, to which the next four functions refer. Returns the faces that cannot be made.
+  virtual std::vector<std::int32_t> take(const Model& model, RunContext& run) = 0;
+  /// Edges of curved faces that are farther from a face than a reader of the file would assume.
+  /// Each entry has the curve parameter at which the distance is largest.
+  virtual std::vector<EdgeCut> findUnheldEdges(const Model& model) = 0;
+  /// Faces that are not valid. `from` and `to` are the progress of the export (0 to 1).
+  virtual std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) = 0;
+  /// Curved faces that are not valid after the text of the file was read back.
+  virtual std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
+                                                   RunContext& run) = 0;
+  /// Faces that intersect or touch where they share no vertex or edge.
+  virtual std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) = 0;
+
+  /// Writes the model that was taken last as a BREP file.
+  virtual void writeBrep(std::ostream& out, RunContext& run) = 0;
+  /// Reads a finished file back and checks it. May write the file once more, in another way, if it
+  /// cannot be read as it is. `name`: the file's final name, for its header.
+  virtual SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
+                              const StepOptions& options, SolidFormat format, RunContext& run) = 0;
+  /// Calls work(), and turns the kernel's own failures in it into an Error.
+  virtual void guard(const std::function<void()>& work, RunContext& run) = 0;
+};
+
+/// Returns the kernel of this program, of which one thread at a time has one. Throws
+/// Error(ExportFailed, "NoKernel") if the program was built without a kernel.
+std::unique_ptr<Judge> openJudge();
+
+}  // namespace swept::step

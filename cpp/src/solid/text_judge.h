@@ -1,0 +1,39 @@
+// A judge for programs without a kernel of their own: asks a reader of the caller, such as
+// FreeCAD's, about texts of STEP files.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solid/model/judge.h"
+#include "swept/solid.h"
+
+namespace swept::step {
+
+/// Judges what such a reader can tell: whether curved faces are valid after reading, and the
+/// finished file. It finds no faces that intersect and no edges between the points at which a
+/// reader measures them; `reader` must outlive it.
+class TextJudge : public Judge {
+ public:
+  explicit TextJudge(StepReader& reader) : reader_(reader) {}
+
+  std::vector<std::int32_t> take(const Model& model, RunContext& run) override;
+  std::vector<EdgeCut> findUnheldEdges(const Model& model) override;
+  std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) override;
+  std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
+                                           RunContext& run) override;
+  std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) override;
+  void writeBrep(std::ostream& out, RunContext& run) override;
+  SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
+                      const StepOptions& options, SolidFormat format, RunContext& run) override;
+  void guard(const std::function<void()>& work, RunContext& run) override;
+
+ private:
+  StepReader& reader_;
+  // The last query and its answer. The same faces are checked again if only facets have changed.
+  std::string lastText_;
+  std::vector<std::int32_t> answer_;
+};
+
+}  // namespace swept::step
