@@ -95,7 +95,7 @@ Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat f
   const HalfEdgeMesh* dense = &mesh;
   if (!given) options.tolerance = kFirst * diagonal;
   for (;; options.tolerance *= 2) {
-    if (dense->triangles.size() > kDense) {
+    if (dense->triangles.size() > kDense && options.origin == nullptr) {
       // Continues with the result of the last round, which was thinned with half the limit.
       thin = thinned(*dense, kThinFraction * options.tolerance, run);
       dense = &thin;

@@ -12,6 +12,7 @@
 #include "solid/kernel/interference.h"
 #include "solid/kernel/read_check.h"
 #include "solid/kernel/shape_check.h"
+#include "solid/label/label_faces.h"
 #include "solid/mesh/decimate.h"
 #include "solid/mesh/patches.h"
 #include "solid/model/deviation.h"
@@ -42,6 +43,9 @@ Partition partitionOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole,
                       const StepOptions& options, RunContext& run) {
   Partition partition;
   partition.patchOf.assign(mesh.triangles.size(), -1);
+  if (options.tolerance > 0 && options.recognise && options.origin != nullptr) {
+    return labelFaces(mesh, *options.origin, kSurfaceFraction * options.tolerance, run);
+  }
   if (options.tolerance > 0 && options.recognise) {
     recogniseSurfaces(mesh, whole, kSurfaceFraction * options.tolerance, partition, run);
   }
@@ -195,7 +199,7 @@ class ShapeMaker {
     Decimated start{dense_, first, {}, {}, 0};
     if (tolerance > 0 && worthTrial())
       start = thinOpenGround(std::move(start), kThinFraction * options_.tolerance, run_);
-    if (known_ > 0 && worthTrial()) start = trial(first, std::move(start), tolerance);
+    if (known_ > 0 && worthTrial() && options_.origin == nullptr) start = trial(first, std::move(start), tolerance);
     for (int round = 0; round <= kRounds; ++round) {
       const Effort effort = round == 0 ? Effort::Thorough : Effort::Again;
       if (tolerance > 0) start = decimate(std::move(start), tolerance, original_, run_, effort);
