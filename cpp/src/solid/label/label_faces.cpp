@@ -2,12 +2,14 @@
 #include "solid/label/label_faces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "base/parallel.h"
 #include "base/sort_unique.h"
+#include "solid/carrier/places.h"
 #include "solid/label/swept_carriers.h"
 #include "solid/recognise/steps.h"
 
@@ -17,6 +19,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::int32_t kNone = -1;
+/// mm: how exactly a point must lie on two carriers that meet.
+constexpr double kMeet = 1e-5;
 
 class Labeller {
  public:
@@ -31,13 +35,15 @@ class Labeller {
 
   Partition label() {
     takeSources();
+    known_.finish();
     run_.checkpoint(Phase::Export);
     for (int round = 0; round < kRounds; ++round) {
       const bool joined = joinSmall();
-      const bool smoothed = smoothBorders();
-      if (!joined && !smoothed) break;
+      const bool closed = closeStrips();
+      const bool covered = coverShortBorders();
+      const bool parted = untouch();
+      if (!joined && !closed && !covered && !parted) break;
     }
-    joinSmall();
     return partition();
   }
 
@@ -136,9 +142,8 @@ class Labeller {
       }
     }
     sortUnique(beside);
-    const bool speck = members.size() <= kSpeck;
     std::int32_t best = kNone;
-    double smallest = speck ? spacing_ : joinLimit();
+    double smallest = own < 0 && members.size() <= kSpeck ? 1e300 : joinLimit();
     for (const std::int32_t n : beside) {
       double worst = 0;
       for (const std::int32_t t : members) worst = std::max(worst, residual(t, n));
@@ -152,44 +157,21 @@ class Labeller {
   }
   double joinLimit() const { return std::min(0.5 * tolerance_, 0.3 * spacing_); }
 
-  // A triangle with two sides on the border, or one that only touches its region at a corner, goes
-  // to the region beyond if it is near that carrier.
-  bool smoothBorders() {
-    bool any = false;
-    for (int round = 0; round < 4; ++round) {
-      std::size_t changed = 0;
-      for (std::size_t t = 0; t < of_.size(); ++t) changed += smooth(static_cast<std::int32_t>(t));
-      changed += untouch();
-      any = any || changed > 0;
-      if (changed == 0) break;
-    }
-    return any;
-  }
-
   bool mayJoin(std::int32_t t, std::int32_t n) const {
     return n >= 0 && residual(t, n) <= spacing_;
   }
 
-  bool smooth(std::int32_t t) {
-    const auto around = mesh_.neighbours(t);
-    for (int k = 0; k < 3; ++k) {
-      const std::int32_t other = of_[around[k]];
-      if (other == of_[t] || other != of_[around[(k + 1) % 3]] || !mayJoin(t, other)) continue;
-      of_[t] = other;
-      return true;
-    }
-    return false;
-  }
-
-  // Where the same two regions meet twice at a vertex, gives the smaller fan away.
-  std::size_t untouch() {
-    std::size_t changed = 0;
+  // Where a region meets itself at a vertex, another one lies between. Gives that to the region if
+  // it is near its carrier, the smallest fan of triangles first. So narrow strips become connected,
+  // and borders do not touch themselves.
+  bool untouch() {
+    bool changed = false;
     std::vector<char> seen(mesh_.points.size(), 0);
     for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
       const std::int32_t v = mesh_.origin(static_cast<std::int32_t>(h));
       if (seen[v]) continue;
       seen[v] = 1;
-      changed += untouchAt(static_cast<std::int32_t>(h));
+      changed = untouchAt(static_cast<std::int32_t>(h)) || changed;
     }
     return changed;
   }
@@ -208,34 +190,155 @@ class Labeller {
       fans.front().insert(fans.front().begin(), fans.back().begin(), fans.back().end());
       fans.pop_back();
     }
-    if (fans.size() < 4) return false;
     const std::size_t count = fans.size();
+    if (count < 4) return false;
     std::size_t best = count;
-    std::int32_t target = kNone;
     for (std::size_t i = 0; i < count; ++i) {
-      const std::int32_t own = of_[fans[i].front()];
-      const bool twice =
-          std::any_of(fans.begin(), fans.end(), [&](const std::vector<std::int32_t>& fan) {
-            return &fan != &fans[i] && of_[fan.front()] == own;
-          });
-      if (!twice || (best < count && fans[i].size() >= fans[best].size())) continue;
-      for (const std::size_t next : {(i + 1) % count, (i + count - 1) % count}) {
-        const std::int32_t other = of_[fans[next].front()];
-        const bool near = std::all_of(fans[i].begin(), fans[i].end(),
-                                      [&](std::int32_t t) { return mayJoin(t, other); });
-        if (!near) continue;
-        best = i;
-        target = other;
-        break;
-      }
+      const std::int32_t around = of_[fans[(i + 1) % count].front()];
+      if (around != of_[fans[(i + count - 1) % count].front()]) continue;
+      if (best < count && fans[i].size() >= fans[best].size()) continue;
+      const bool near = std::all_of(fans[i].begin(), fans[i].end(),
+                                    [&](std::int32_t t) { return mayJoin(t, around); });
+      if (near) best = i;
     }
     if (best == count) return false;
-    for (const std::int32_t t : fans[best]) of_[t] = target;
+    const std::int32_t around = of_[fans[(best + 1) % count].front()];
+    for (const std::int32_t t : fans[best]) of_[t] = around;
     return true;
   }
 
+  // Two regions can only meet where their carriers do. If they do not, a narrow strip lies between
+  // them that has too few crossings to be connected. Gives the triangles along the border to it.
+  bool closeStrips() {
+    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int32_t>> borders;
+    for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
+      const std::int32_t a = of_[h / 3], b = of_[mesh_.opposite[h] / 3];
+      if (a >= 0 && b > a) borders[{a, b}].push_back(static_cast<std::int32_t>(h));
+    }
+    bool changed = false;
+    for (const auto& [pair, halfEdges] : borders) {
+      for (const std::int32_t h : halfEdges) {
+        const Vector3d middle =
+            (mesh_.points[mesh_.origin(h)] + mesh_.points[mesh_.target(h)]) / 2;
+        if (meet(middle, pair.first, pair.second)) continue;
+        const std::int32_t between = strip(h, middle, pair.first, pair.second);
+        if (between < 0) continue;
+        for (const std::int32_t t : {h / 3, mesh_.opposite[h] / 3}) of_[t] = between;
+        changed = true;
+      }
+    }
+    return changed;
+  }
+
+  bool meet(const Vector3d& near, std::int32_t a, std::int32_t b) const {
+    const Vector3d p = meetingPoint(near, {&carrier(a), &carrier(b)});
+    return (p - near).norm() <= 3 * spacing_ &&
+           std::max(std::abs(carrier(a).distance(p)), std::abs(carrier(b).distance(p))) <= kMeet;
+  }
+
+  // Returns a carrier near this half-edge that meets both.
+  std::int32_t strip(std::int32_t h, const Vector3d& middle, std::int32_t a,
+                     std::int32_t b) const {
+    constexpr std::size_t kRing = 60;
+    std::vector<std::int32_t> ring{h / 3, mesh_.opposite[h] / 3}, beside;
+    for (std::size_t i = 0; i < ring.size() && ring.size() < kRing; ++i) {
+      for (const std::int32_t t : mesh_.neighbours(ring[i])) {
+        if (std::find(ring.begin(), ring.end(), t) != ring.end()) continue;
+        ring.push_back(t);
+        if (of_[t] >= 0 && of_[t] != a && of_[t] != b) beside.push_back(of_[t]);
+      }
+    }
+    sortUnique(beside);
+    std::int32_t best = kNone;
+    double smallest = spacing_;
+    for (const std::int32_t n : beside) {
+      const double off = std::abs(carrier(n).distance(middle));
+      if (off >= smallest || !meet(middle, a, n) || !meet(middle, n, b)) continue;
+      smallest = off;
+      best = n;
+    }
+    return best;
+  }
+
+  // Three regions that meet at a vertex of the mesh need a common point of their carriers. If there
+  // is none, the shortest of the three borders does not exist: the third region covers it.
+  bool coverShortBorders() {
+    bool changed = false;
+    std::vector<char> seen(mesh_.points.size(), 0);
+    for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
+      const std::int32_t v = mesh_.origin(static_cast<std::int32_t>(h));
+      if (seen[v]) continue;
+      seen[v] = 1;
+      changed = coverAt(static_cast<std::int32_t>(h)) || changed;
+    }
+    return changed;
+  }
+
+  bool isBorder(std::int32_t h) const { return of_[h / 3] != of_[mesh_.opposite[h] / 3]; }
+
+  bool coverAt(std::int32_t first) {
+    std::vector<std::int32_t> borders;
+    std::int32_t h = first;
+    do {
+      if (isBorder(h)) borders.push_back(h);
+      h = mesh_.opposite[HalfEdgeMesh::previous(h)];
+    } while (h != first);
+    if (borders.size() != 3) return false;
+    std::array<std::int32_t, 3> around{};
+    for (int k = 0; k < 3; ++k) around[k] = of_[borders[k] / 3];
+    if (*std::min_element(around.begin(), around.end()) < 0 || around[0] == around[1] ||
+        around[1] == around[2] || around[0] == around[2] ||
+        meetAll(mesh_.points[mesh_.origin(first)], around))
+      return false;
+    std::vector<std::int32_t> shortest;
+    for (const std::int32_t border : borders) {
+      std::vector<std::int32_t> chain = chainFrom(border);
+      if (shortest.empty() || chain.size() < shortest.size()) shortest = std::move(chain);
+    }
+    if (shortest.size() > kLongestCover) return false;
+    std::int32_t third = kNone;
+    for (const std::int32_t n : around) {
+      if (n != of_[shortest.front() / 3] && n != of_[mesh_.opposite[shortest.front()] / 3])
+        third = n;
+    }
+    std::vector<std::int32_t> taken;
+    for (const std::int32_t e : shortest) {
+      for (const std::int32_t t : {e / 3, mesh_.opposite[e] / 3}) {
+        if (residual(t, third) > 2 * spacing_) return false;
+        taken.push_back(t);
+      }
+    }
+    for (const std::int32_t t : taken) of_[t] = third;
+    return true;
+  }
+
+  // Half-edges of the border between the same two regions, from the origin of this one.
+  std::vector<std::int32_t> chainFrom(std::int32_t h) const {
+    const std::int32_t left = of_[h / 3], right = of_[mesh_.opposite[h] / 3];
+    std::vector<std::int32_t> chain{h};
+    while (chain.size() <= kLongestCover) {
+      std::int32_t n = HalfEdgeMesh::next(chain.back());
+      while (!isBorder(n)) n = HalfEdgeMesh::next(mesh_.opposite[n]);
+      if (of_[n / 3] != left || of_[mesh_.opposite[n] / 3] != right || n == h) break;
+      chain.push_back(n);
+    }
+    return chain;
+  }
+
+  static constexpr std::size_t kLongestCover = 24;
+
+  bool meetAll(const Vector3d& near, const std::array<std::int32_t, 3>& around) const {
+    const std::vector<const Carrier*> all{&carrier(around[0]), &carrier(around[1]),
+                                          &carrier(around[2])};
+    if (knownPlace(near, all, 4 * spacing_)) return true;
+    const Vector3d p = meetingPoint(near, all);
+    if (!((p - near).norm() <= 6 * spacing_)) return false;
+    return std::all_of(all.begin(), all.end(), [&](const Carrier* s) {
+      return std::abs(s->distance(p)) <= kMeet;
+    });
+  }
+
   Partition partition() {
-    known_.finish();
     Partition partition;
     partition.patchOf.assign(of_.size(), kNone);
     const Regions all = regions();

@@ -7,8 +7,9 @@
 // Method:  1. Each triangle has a crossing, a point of the envelope. Of the carriers that its
 //             source allows, the triangle takes the one on which the point lies (swept_carriers.h).
 //          2. Ragged borders are cleaned by residual, not by size: a small region goes to a
-//             neighbour whose carrier explains its points. Single triangles that only make a border
-//             jagged go to the other side; the edges of the solid follow the carriers, not the mesh.
+//             neighbour whose carrier explains its points. Strips narrower than a cell are
+//             connected: where two carriers do not meet, the one between them takes the border. The
+//             edges of the solid follow the carriers, not the mesh.
 //          3. Connected triangles on one carrier form a patch. Patches that close on themselves are
 //             cut, so that no face needs a seam.
 // SPDX-License-Identifier: LGPL-2.1-or-later

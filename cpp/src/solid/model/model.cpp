@@ -9,7 +9,7 @@
 #include "solid/carrier/section.h"
 #include "solid/model/chains.h"
 #include "solid/model/facet_edges.h"
-#include "solid/model/places.h"
+#include "solid/carrier/places.h"
 
 namespace swept::step {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solid/model/places.h"
+#include "solid/carrier/places.h"
 
 #include <algorithm>
 #include <cmath>
