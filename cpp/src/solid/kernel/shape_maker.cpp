@@ -32,6 +32,9 @@ constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
 // keys had no patch and 500,000 such triangles, and their collapse took two thirds of the time.
 constexpr double kThinFraction = 0.15;
 
+/// mm; initial tolerance of the kernel. An edge within it needs no larger tolerance.
+constexpr double kHeld = 1e-7;
+
 Built describe(Model model, Brep brep, double deviation) {
   Built built{std::move(model), std::move(brep), {}, deviation};
   for (const ModelFace& face : built.model.faces)
@@ -43,9 +46,6 @@ Partition partitionOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole,
                       const StepOptions& options, RunContext& run) {
   Partition partition;
   partition.patchOf.assign(mesh.triangles.size(), -1);
-  if (options.tolerance > 0 && options.recognise && options.origin != nullptr) {
-    return labelFaces(mesh, *options.origin, kSurfaceFraction * options.tolerance, run);
-  }
   if (options.tolerance > 0 && options.recognise) {
     recogniseSurfaces(mesh, whole, kSurfaceFraction * options.tolerance, partition, run);
   }
@@ -192,6 +192,10 @@ class ShapeMaker {
         original_(dense.points, dense.triangles, NearestTriangle::Walks::Yes) {}
 
   std::optional<Built> make(std::int64_t& faces) {
+    if (options_.origin != nullptr && options_.tolerance > 0 && options_.recognise) {
+      if (auto built = makeLabelled(faces)) return built;
+    }
+    isLabelled_ = false;
     constexpr int kRounds = 5;
     const Partition first = partitionOf(dense_, whole_, options_, run_);
     known_ = static_cast<std::int32_t>(first.patches.size());
@@ -199,7 +203,7 @@ class ShapeMaker {
     Decimated start{dense_, first, {}, {}, 0};
     if (tolerance > 0 && worthTrial())
       start = thinOpenGround(std::move(start), kThinFraction * options_.tolerance, run_);
-    if (known_ > 0 && worthTrial() && options_.origin == nullptr) start = trial(first, std::move(start), tolerance);
+    if (known_ > 0 && worthTrial()) start = trial(first, std::move(start), tolerance);
     for (int round = 0; round <= kRounds; ++round) {
       const Effort effort = round == 0 ? Effort::Thorough : Effort::Again;
       if (tolerance > 0) start = decimate(std::move(start), tolerance, original_, run_, effort);
@@ -215,6 +219,60 @@ class ShapeMaker {
   }
 
  private:
+  // Makes the solid from the faces of the sweep. Ground around edges and faces that turn out to be
+  // unsound is opened, and becomes facets in the next round. Returns nothing if some stay unsound.
+  std::optional<Built> makeLabelled(std::int64_t& faces) {
+    constexpr int kRounds = 8;
+    isLabelled_ = true;
+    trouble_.clear();
+    const double tolerance = kFaceFraction * options_.tolerance;
+    for (int round = 0; round < kRounds; ++round) {
+      const Partition first = labelFaces(dense_, *options_.origin,
+                                         kSurfaceFraction * options_.tolerance, trouble_, run_);
+      known_ = static_cast<std::int32_t>(first.patches.size());
+      if (known_ == 0) return std::nullopt;
+      labelled_ = &first;
+      Decimated start{dense_, first, {}, {}, 0};
+      const auto isOpen = [](std::int32_t patch) { return patch < 0; };
+      const auto open = std::count_if(first.patchOf.begin(), first.patchOf.end(), isOpen);
+      if (4 * open > std::ssize(first.patchOf))
+        start = thinOpenGround(std::move(start), kThinFraction * options_.tolerance, run_);
+      start = decimate(std::move(start), tolerance, original_, run_);
+      refused_.clear();
+      const std::size_t before = trouble_.size();
+      if (auto built = tryMesh(start, faces)) return built;
+      if (trouble_.size() == before) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  // Remembers where the ground must be opened: along the edges that lie off these faces, else on
+  // the whole faces.
+  void noteTrouble(const std::vector<std::int32_t>& bad, const Model& model, bool isLoose) {
+    for (const std::int32_t f : bad) {
+      const ModelFace& face = model.faces[f];
+      if (face.patch >= known_) continue;
+      if (!isLoose) {
+        for (const std::int32_t t : labelled_->patches[face.patch].triangles) {
+          const auto& [a, b, c] = dense_.triangles[t];
+          trouble_.push_back((dense_.points[a] + dense_.points[b] + dense_.points[c]) / 3);
+        }
+        continue;
+      }
+      for (const auto& loop : face.loops) {
+        for (const ModelUse& use : loop) {
+          const Curve& curve = model.edges[use.edge].curve;
+          if (largestGap(curve, face.surface) > options_.tolerance) noteEdge(curve);
+        }
+      }
+    }
+  }
+
+  void noteEdge(const Curve& curve) {
+    constexpr int kSteps = 48;
+    for (int i = 0; i <= kSteps; ++i) trouble_.push_back(curve.at(curve.last * i / kSteps));
+  }
+
   bool worthTrial() const { return dense_.triangles.size() > kWorthTrial; }
 
   // A rough simplification finds the patches that are not worth their border, and those that the
@@ -230,7 +288,7 @@ class ShapeMaker {
     if (faces.empty()) faces = findBadFaces(brep.faces, run_, 0.05, 0.1);
     const std::vector<std::int32_t> unread = reader_.findUnreadable(model);
     faces.insert(faces.end(), unread.begin(), unread.end());
-    const std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
+    const std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance, kHeld);
     faces.insert(faces.end(), loose.begin(), loose.end());
     for (const std::int32_t face : faces) {
       if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
@@ -263,15 +321,23 @@ class ShapeMaker {
   // receives the kernel shape.
   std::vector<std::int32_t> findUnsound(Model& model, Brep& brep) {
     if (options_.tolerance > 0) {
-      std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
-      if (!loose.empty()) return loose;
+      // Labelled faces are so large that facets beside them are few.
+      const double besideFacets = isLabelled_ ? options_.tolerance : kHeld;
+      std::vector<std::int32_t> loose =
+          findLooseFaces(model, known_, options_.tolerance, besideFacets);
+      isLoose_ = !loose.empty();
+      if (isLoose_) return loose;
     }
     std::vector<EdgeCut> unheld;
     brep = buildHeld(model, unheld);
     if (!brep.failed.empty()) return brep.failed;
     // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
     // of recognised surfaces alone would become hundreds of facets.
-    if (!unheld.empty() && hasFacets(model)) return curvedFacesOf(unheld, model);
+    if (!unheld.empty() && hasFacets(model)) {
+      for (const EdgeCut& cut : unheld) noteEdge(model.edges[cut.edge].curve);
+      isLoose_ = true;
+      return curvedFacesOf(unheld, model);
+    }
     std::vector<std::int32_t> bad = findBadFaces(brep.faces, run_, 0.1, 0.3);
     return bad.empty() ? reader_.findUnreadable(model) : bad;
   }
@@ -287,6 +353,7 @@ class ShapeMaker {
       const bool sound = bad.empty();
       if (sound && options_.tolerance > 0) bad = findInterfering(model, brep, run_);
       if (bad.empty()) return true;
+      if (isLabelled_) noteTrouble(bad, model, isLoose_);
       const bool changed = withdraw(bad, model, known_, small, refused_);
       if (!refused_.empty()) return false;
       // If only facets intersect and no recognised surface is left to withdraw, they stay: each
@@ -339,6 +406,9 @@ class ShapeMaker {
   const NearestTriangle original_;
   std::int32_t known_ = 0;             // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
+  bool isLabelled_ = false, isLoose_ = false;
+  const Partition* labelled_ = nullptr;    // the labelled patches of this round
+  std::vector<Eigen::Vector3d> trouble_;   // where labelled ground is opened in the next round
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/parallel.h"
@@ -33,7 +34,7 @@ class Labeller {
         known_(*origin.shape, origin.trajectory, 4 * spacing_),
         of_(mesh.triangles.size(), kNone) {}
 
-  Partition label() {
+  Partition label(const std::vector<Vector3d>& open) {
     takeSources();
     known_.finish();
     run_.checkpoint(Phase::Export);
@@ -44,6 +45,9 @@ class Labeller {
       const bool parted = untouch();
       if (!joined && !closed && !covered && !parted) break;
     }
+    openBadCorners();
+    openAround(open);
+    untouch();
     return partition();
   }
 
@@ -143,10 +147,12 @@ class Labeller {
     }
     sortUnique(beside);
     std::int32_t best = kNone;
+    // An island within another region is noise if that region explains it.
+    if (beside.size() == 1 && own >= 0 && worstOff(members, beside[0]) <= tolerance_)
+      best = beside[0];
     double smallest = own < 0 && members.size() <= kSpeck ? 1e300 : joinLimit();
     for (const std::int32_t n : beside) {
-      double worst = 0;
-      for (const std::int32_t t : members) worst = std::max(worst, residual(t, n));
+      const double worst = worstOff(members, n);
       if (worst >= smallest) continue;
       smallest = worst;
       best = n;
@@ -154,6 +160,11 @@ class Labeller {
     if (best < 0) return false;
     for (const std::int32_t t : members) of_[t] = best;
     return true;
+  }
+  double worstOff(const std::vector<std::int32_t>& members, std::int32_t n) const {
+    double worst = 0;
+    for (const std::int32_t t : members) worst = std::max(worst, residual(t, n));
+    return worst;
   }
   double joinLimit() const { return std::min(0.5 * tolerance_, 0.3 * spacing_); }
 
@@ -231,6 +242,12 @@ class Labeller {
   }
 
   bool meet(const Vector3d& near, std::int32_t a, std::int32_t b) const {
+    // Newton's method is not needed where two near surfaces clearly cross.
+    constexpr double kClearly = 0.3;
+    if (std::max(std::abs(carrier(a).distance(near)), std::abs(carrier(b).distance(near))) <
+            0.5 * spacing_ &&
+        carrier(a).normal(near).cross(carrier(b).normal(near)).norm() > kClearly)
+      return true;
     const Vector3d p = meetingPoint(near, {&carrier(a), &carrier(b)});
     return (p - near).norm() <= 3 * spacing_ &&
            std::max(std::abs(carrier(a).distance(p)), std::abs(carrier(b).distance(p))) <= kMeet;
@@ -283,9 +300,10 @@ class Labeller {
       if (isBorder(h)) borders.push_back(h);
       h = mesh_.opposite[HalfEdgeMesh::previous(h)];
     } while (h != first);
+    if (borders.size() == 4) return partAt(borders);
     if (borders.size() != 3) return false;
-    std::array<std::int32_t, 3> around{};
-    for (int k = 0; k < 3; ++k) around[k] = of_[borders[k] / 3];
+    const std::vector<std::int32_t> around{of_[borders[0] / 3], of_[borders[1] / 3],
+                                           of_[borders[2] / 3]};
     if (*std::min_element(around.begin(), around.end()) < 0 || around[0] == around[1] ||
         around[1] == around[2] || around[0] == around[2] ||
         meetAll(mesh_.points[mesh_.origin(first)], around))
@@ -312,6 +330,89 @@ class Labeller {
     return true;
   }
 
+  // Four regions rarely meet at one point. Unless they do, makes those two neighbours that have a
+  // common point with each of the other two.
+  bool partAt(const std::vector<std::int32_t>& borders) {
+    std::vector<std::int32_t> around;
+    for (const std::int32_t h : borders) around.push_back(of_[h / 3]);
+    if (*std::min_element(around.begin(), around.end()) < 0) return false;
+    std::vector<std::int32_t> distinct = around;
+    sortUnique(distinct);
+    const Vector3d& at = mesh_.points[mesh_.origin(borders[0])];
+    if (distinct.size() < 4 || meetAll(at, around)) return false;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::int32_t x = around[k], z = around[k + 2];
+      if (!meetAll(at, {x, z, around[k + 1]}) || !meetAll(at, {x, z, around[(k + 3) % 4]}))
+        continue;
+      const auto first = fanFrom(borders[k + 1]), second = fanFrom(borders[(k + 3) % 4]);
+      for (const std::int32_t t : first.size() <= second.size() ? first : second) of_[t] = x;
+      return true;
+    }
+    return false;
+  }
+
+  // Triangles of one region around the origin of a border half-edge, from that on.
+  std::vector<std::int32_t> fanFrom(std::int32_t h) const {
+    std::vector<std::int32_t> fan;
+    do {
+      fan.push_back(h / 3);
+      h = mesh_.opposite[HalfEdgeMesh::previous(h)];
+    } while (!isBorder(h));
+    return fan;
+  }
+
+  // Where regions meet at a vertex whose carriers have no common point, the ground stays open.
+  void openBadCorners() {
+    std::vector<char> bad(mesh_.points.size(), 0), seen(mesh_.points.size(), 0);
+    for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
+      const auto first = static_cast<std::int32_t>(h);
+      const std::int32_t v = mesh_.origin(first);
+      if (seen[v]) continue;
+      seen[v] = 1;
+      std::vector<std::int32_t> around;
+      std::int32_t g = first;
+      do {
+        if (isBorder(g) && of_[g / 3] >= 0) around.push_back(of_[g / 3]);
+        g = mesh_.opposite[HalfEdgeMesh::previous(g)];
+      } while (g != first);
+      sortUnique(around);
+      bad[v] = around.size() > 2 && !meetAll(mesh_.points[v], around);
+    }
+    constexpr int kRings = 2;
+    for (int ring = 0; ring < kRings; ++ring) {
+      std::vector<char> next = bad;
+      for (std::size_t t = 0; t < of_.size(); ++t) {
+        const auto& tri = mesh_.triangles[t];
+        if (!bad[tri[0]] && !bad[tri[1]] && !bad[tri[2]]) continue;
+        of_[t] = kNone;
+        for (const std::int32_t v : tri) next[v] = 1;
+      }
+      bad.swap(next);
+    }
+  }
+
+  void openAround(const std::vector<Vector3d>& open) {
+    if (open.empty()) return;
+    const double cell = 1.5 * spacing_;
+    using Key = std::array<std::int64_t, 3>;
+    const auto keyOf = [&](const Vector3d& p) {
+      Key key{};
+      for (int k = 0; k < 3; ++k) key[k] = static_cast<std::int64_t>(std::floor(p[k] / cell));
+      return key;
+    };
+    std::set<Key> near;
+    for (const Vector3d& p : open) {
+      const Key key = keyOf(p);
+      for (int n = 0; n < 27; ++n)
+        near.insert({key[0] + n % 3 - 1, key[1] + n / 3 % 3 - 1, key[2] + n / 9 - 1});
+    }
+    for (std::size_t t = 0; t < of_.size(); ++t) {
+      const auto& [a, b, c] = mesh_.triangles[t];
+      const Vector3d centre = (mesh_.points[a] + mesh_.points[b] + mesh_.points[c]) / 3;
+      if (near.count(keyOf(centre)) != 0) of_[t] = kNone;
+    }
+  }
+
   // Half-edges of the border between the same two regions, from the origin of this one.
   std::vector<std::int32_t> chainFrom(std::int32_t h) const {
     const std::int32_t left = of_[h / 3], right = of_[mesh_.opposite[h] / 3];
@@ -327,9 +428,9 @@ class Labeller {
 
   static constexpr std::size_t kLongestCover = 24;
 
-  bool meetAll(const Vector3d& near, const std::array<std::int32_t, 3>& around) const {
-    const std::vector<const Carrier*> all{&carrier(around[0]), &carrier(around[1]),
-                                          &carrier(around[2])};
+  bool meetAll(const Vector3d& near, const std::vector<std::int32_t>& around) const {
+    std::vector<const Carrier*> all;
+    for (const std::int32_t n : around) all.push_back(&carrier(n));
     if (knownPlace(near, all, 4 * spacing_)) return true;
     const Vector3d p = meetingPoint(near, all);
     if (!((p - near).norm() <= 6 * spacing_)) return false;
@@ -376,8 +477,8 @@ class Labeller {
 }  // namespace
 
 Partition labelFaces(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double tolerance,
-                     RunContext& run) {
-  return Labeller(mesh, origin, tolerance, run).label();
+                     const std::vector<Vector3d>& open, RunContext& run) {
+  return Labeller(mesh, origin, tolerance, run).label(open);
 }
 
 }  // namespace swept::step

@@ -21,8 +21,9 @@
 
 namespace swept::step {
 
-/// `tolerance`: mm, how far a face may lie from the points that it explains.
+/// `tolerance`: mm, how far a face may lie from the points that it explains. `open`: points around
+/// which the ground stays open.
 Partition labelFaces(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double tolerance,
-                     RunContext& run);
+                     const std::vector<Eigen::Vector3d>& open, RunContext& run);
 
 }  // namespace swept::step
