@@ -32,7 +32,7 @@ struct Body {
   TriMesh mesh;  ///< for a solid, faceOf has the indices of its faces, in the order of the file
   /// mm, how far triangles may deviate from the exact surface; 0: a mesh file.
   double chordError = 0;
-  std::vector<Finding> findings;  ///< to be added to the report of the run
+  std::vector<Finding> findings;             ///< to be added to the report of the run
   std::shared_ptr<const BodyShape> shape{};  ///< faces and edges of a solid; null: a mesh file
 };
 

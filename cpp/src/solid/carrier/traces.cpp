@@ -56,8 +56,7 @@ void addNodes(const Curve& curve, double from, double to, double shift, std::vec
 Vector3d slopeAt(const Curve& curve, double t) {
   if (curve.kind == CurveKind::Line) return curve.axis;
   if (curve.kind == CurveKind::Circle) {
-    return curve.radius *
-           (std::cos(t) * curve.axis.cross(curve.xdir) - std::sin(t) * curve.xdir);
+    return curve.radius * (std::cos(t) * curve.axis.cross(curve.xdir) - std::sin(t) * curve.xdir);
   }
   std::size_t i = 0;
   while (i + 2 < curve.knots.size() && curve.knots[i + 1] < t) ++i;

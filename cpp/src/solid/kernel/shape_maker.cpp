@@ -18,7 +18,7 @@
 #include "solid/model/deviation.h"
 #include "solid/model/gaps.h"
 #include "solid/model/split_edges.h"
-#include "solid/recognise/facets_saved.h"
+#include "solid/recognise/costly_patches.h"
 #include "solid/recognise/recognise.h"
 
 namespace swept::step {
@@ -112,34 +112,6 @@ bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int
   return again;
 }
 
-// Number of border edges on open ground that a patch may have for each facet that it saves. On a
-// free form, a patch has a long jagged border, and there would be fewer facets without the patch.
-constexpr double kBorderPerSaved = 1, kBorderPerSavedByPlane = 2;
-constexpr double kSmooth = 0.85;  // cosine of 32 degrees
-
-// Returns the patches that save fewer facets than their border adds after simplification. Only
-// border edges on open ground count.
-std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition& first,
-                                     const Decimated& now, double tolerance) {
-  const std::size_t count = first.patches.size();
-  std::vector<std::int32_t> border(count, 0), costly;
-  for (std::size_t h = 0; h < now.mesh.opposite.size(); ++h) {
-    const std::int32_t own = now.partition.patchOf[h / 3], beyond = now.mesh.opposite[h] / 3;
-    if (own < 0 || now.partition.patchOf[beyond] >= 0) continue;
-    // At a crease there are vertices with or without the patch, so its edges do not count.
-    const Eigen::Vector3d normal = now.mesh.areaVector(beyond).normalized();
-    const Eigen::Vector3d& from = now.mesh.points[now.mesh.origin(static_cast<std::int32_t>(h))];
-    if (first.patches[own].surface.normal(from).dot(normal) > kSmooth) ++border[own];
-  }
-  for (std::size_t p = 0; p < count; ++p) {
-    const Patch& patch = first.patches[p];
-    const double each = patch.surface.isPlanar() ? kBorderPerSavedByPlane : kBorderPerSaved;
-    if (border[p] > each * facetsSaved(dense, patch, tolerance))
-      costly.push_back(static_cast<std::int32_t>(p));
-  }
-  return costly;
-}
-
 std::int64_t countFaces(const Partition& partition) {
   return std::count_if(partition.patches.begin(), partition.patches.end(),
                        [](const Patch& patch) { return !patch.triangles.empty(); });
@@ -220,9 +192,10 @@ class ShapeMaker {
 
  private:
   // Makes the solid from the faces of the sweep. Ground around edges and faces that turn out to be
-  // unsound is opened, and becomes facets in the next round. Returns nothing if some stay unsound.
+  // unsound is opened, and becomes facets in the next round. Returns nothing if some stay unsound,
+  // or if there would be so many facets that recognised surfaces give no more faces.
   std::optional<Built> makeLabelled(std::int64_t& faces) {
-    constexpr int kRounds = 8;
+    constexpr int kRounds = 6, kFacetsPerFace = 2;
     isLabelled_ = true;
     trouble_.clear();
     const double tolerance = kFaceFraction * options_.tolerance;
@@ -241,7 +214,7 @@ class ShapeMaker {
       refused_.clear();
       const std::size_t before = trouble_.size();
       if (auto built = tryMesh(start, faces)) return built;
-      if (trouble_.size() == before) return std::nullopt;
+      if (trouble_.size() == before || faces > (1 + kFacetsPerFace) * known_) return std::nullopt;
     }
     return std::nullopt;
   }
@@ -262,15 +235,19 @@ class ShapeMaker {
       for (const auto& loop : face.loops) {
         for (const ModelUse& use : loop) {
           const Curve& curve = model.edges[use.edge].curve;
-          if (largestGap(curve, face.surface) > options_.tolerance) noteEdge(curve);
+          if (largestGap(curve, face.surface) > options_.tolerance)
+            noteEdge(curve, face.surface, 0.5 * options_.tolerance);
         }
       }
     }
   }
 
-  void noteEdge(const Curve& curve) {
-    constexpr int kSteps = 48;
-    for (int i = 0; i <= kSteps; ++i) trouble_.push_back(curve.at(curve.last * i / kSteps));
+  void noteEdge(const Curve& curve, const Carrier& surface, double gap) {
+    constexpr int kSteps = 96;
+    for (int i = 0; i <= kSteps; ++i) {
+      const Eigen::Vector3d p = curve.at(curve.last * i / kSteps);
+      if (std::abs(surface.distance(p)) > gap) trouble_.push_back(p);
+    }
   }
 
   bool worthTrial() const { return dense_.triangles.size() > kWorthTrial; }
@@ -288,7 +265,8 @@ class ShapeMaker {
     if (faces.empty()) faces = findBadFaces(brep.faces, run_, 0.05, 0.1);
     const std::vector<std::int32_t> unread = reader_.findUnreadable(model);
     faces.insert(faces.end(), unread.begin(), unread.end());
-    const std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance, kHeld);
+    const std::vector<std::int32_t> loose =
+        findLooseFaces(model, known_, options_.tolerance, kHeld);
     faces.insert(faces.end(), loose.begin(), loose.end());
     for (const std::int32_t face : faces) {
       if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
@@ -334,7 +312,7 @@ class ShapeMaker {
     // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
     // of recognised surfaces alone would become hundreds of facets.
     if (!unheld.empty() && hasFacets(model)) {
-      for (const EdgeCut& cut : unheld) noteEdge(model.edges[cut.edge].curve);
+      for (const EdgeCut& cut : unheld) trouble_.push_back(model.edges[cut.edge].curve.at(cut.at));
       isLoose_ = true;
       return curvedFacesOf(unheld, model);
     }
@@ -407,8 +385,8 @@ class ShapeMaker {
   std::int32_t known_ = 0;             // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
   bool isLabelled_ = false, isLoose_ = false;
-  const Partition* labelled_ = nullptr;    // the labelled patches of this round
-  std::vector<Eigen::Vector3d> trouble_;   // where labelled ground is opened in the next round
+  const Partition* labelled_ = nullptr;   // the labelled patches of this round
+  std::vector<Eigen::Vector3d> trouble_;  // where labelled ground is opened in the next round
 };
 
 }  // namespace

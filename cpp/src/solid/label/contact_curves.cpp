@@ -75,8 +75,8 @@ std::vector<Curve> torusCurves(const Carrier& s, const Vector3d& way) {
   if (std::abs(up) < kSlides) {
     for (const double side : {-1.0, 1.0}) {
       curves.push_back(circleOf(s.point + side * s.minor * s.axis, s.axis, s.radius));
-      curves.push_back(circleOf(s.point + side * s.radius * s.axis.cross(way).normalized(), way,
-                                s.minor));
+      curves.push_back(
+          circleOf(s.point + side * s.radius * s.axis.cross(way).normalized(), way, s.minor));
     }
     return curves;
   }

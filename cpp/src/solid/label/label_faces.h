@@ -1,7 +1,7 @@
 // Divides the mesh of an envelope into faces by what made its triangles, instead of guessing.
 // In:      the mesh, the sources of its triangles, the body's faces and edges, the trajectory.
 // Out:     a Partition whose patches lie on exact carriers. Triangles that no carrier explains stay
-//          unassigned.
+//          unassigned. If they are more than half, there are no patches.
 // Units:   mm.
 // Cost:    O(triangles).
 // Method:  1. Each triangle has a crossing, a point of the envelope. Of the carriers that its

@@ -186,8 +186,7 @@ const std::vector<std::int32_t>& SweptCarriers::carriersOf(const SurfaceSource& 
   const auto count = static_cast<std::int32_t>(body_.faces.size());
   const auto exists = [&](std::int32_t face) { return face >= 0 && face < count; };
   if (source.kind == SourceKind::Cap) {
-    if (exists(source.faces[0]) && source.step >= 0 &&
-        source.step < std::ssize(trajectory_.poses))
+    if (exists(source.faces[0]) && source.step >= 0 && source.step < std::ssize(trajectory_.poses))
       take(made(Made::Cap, source.faces[0], source.step));
   } else if (isStraight(source.step)) {
     for (const std::int32_t face : source.faces) {
@@ -255,8 +254,7 @@ std::vector<Vector3d> SweptCarriers::contactsOn(std::int32_t edge, std::int32_t 
   return contactPoints(body_.edges[edge].curve, body_.faces[face].surface, way);
 }
 
-void SweptCarriers::addSwept(std::int32_t edge, std::int32_t step,
-                             std::vector<std::int32_t>& to) {
+void SweptCarriers::addSwept(std::int32_t edge, std::int32_t step, std::vector<std::int32_t>& to) {
   const BodyEdge& made = body_.edges[edge];
   const Vector3d way = wayInBody(step).normalized();
   Traces traces;
@@ -304,8 +302,8 @@ void SweptCarriers::addGraze(std::int32_t face, std::int32_t step, std::vector<s
   }
 }
 
-void SweptCarriers::sweepCurve(const Curve& curve, std::int32_t step,
-                               std::vector<std::int32_t>& to, const Traces& traces) {
+void SweptCarriers::sweepCurve(const Curve& curve, std::int32_t step, std::vector<std::int32_t>& to,
+                               const Traces& traces) {
   const Place place = placeAt(step);
   const Vector3d way = wayInBody(step).normalized();
   const auto take = [&](const Carrier& carrier) {

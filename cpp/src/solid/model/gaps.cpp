@@ -7,9 +7,7 @@
 #include "solid/carrier/section.h"
 
 namespace swept::step {
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known, double tolerance,
                                          double besideFacets) {
@@ -25,7 +23,8 @@ std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known,
     if (face.surface.kind == CarrierKind::Facet) continue;
     const auto isOff = [&](const ModelUse& use) {
       const ModelEdge& edge = model.edges[use.edge];
-      const double allowed = isKnown[use.edge][0] && isKnown[use.edge][1] ? tolerance : besideFacets;
+      const double allowed =
+          isKnown[use.edge][0] && isKnown[use.edge][1] ? tolerance : besideFacets;
       return edge.tolerance > allowed && largestGap(edge.curve, face.surface) > allowed;
     };
     const bool isLoose = std::any_of(face.loops.begin(), face.loops.end(), [&](const auto& loop) {

@@ -6,10 +6,10 @@
 #include <unordered_map>
 
 #include "base/union_find.h"
+#include "solid/carrier/places.h"
 #include "solid/carrier/section.h"
 #include "solid/model/chains.h"
 #include "solid/model/facet_edges.h"
-#include "solid/carrier/places.h"
 
 namespace swept::step {
 namespace {
