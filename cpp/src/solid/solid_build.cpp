@@ -105,7 +105,11 @@ Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat f
   const HalfEdgeMesh* dense = &mesh;
   if (!given) options.tolerance = kFirst * diagonal;
   for (;; options.tolerance *= 2) {
-    if (dense->triangles.size() > kDense && options.origin == nullptr) {
+    if (options.origin != nullptr && options.recognise) {
+      if (auto built = makeLabelledShape(mesh, options, fits, kernel, run))
+        return std::move(*built);
+    }
+    if (dense->triangles.size() > kDense) {
       // Continues with the result of the last round, which was thinned with half the limit.
       thin = thinned(*dense, kThinFraction * options.tolerance, run);
       dense = &thin;

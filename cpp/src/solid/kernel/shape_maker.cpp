@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/kernel/shape_maker.h"
 
+#include <Standard_Failure.hxx>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -31,9 +32,6 @@ constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
 // Share of the tolerance for thinning open ground (triangles without a patch). The bunny over 16
 // keys had no patch and 500,000 such triangles, and their collapse took two thirds of the time.
 constexpr double kThinFraction = 0.15;
-
-/// mm; initial tolerance of the kernel. An edge within it needs no larger tolerance.
-constexpr double kHeld = 1e-7;
 
 Built describe(Model model, Brep brep, double deviation) {
   Built built{std::move(model), std::move(brep), {}, deviation};
@@ -117,19 +115,6 @@ std::int64_t countFaces(const Partition& partition) {
                        [](const Patch& patch) { return !patch.triangles.empty(); });
 }
 
-// Returns the parameter at which a curve is best halved. This is a knot, since a profile may bend
-// unevenly there.
-double middleOf(const Curve& curve) {
-  double middle = 0.5 * curve.last;
-  if (curve.knots.size() > 2) {
-    middle =
-        *std::min_element(curve.knots.begin() + 1, curve.knots.end() - 1, [&](double a, double b) {
-          return std::abs(a - 0.5 * curve.last) < std::abs(b - 0.5 * curve.last);
-        });
-  }
-  return middle;
-}
-
 bool hasFacets(const Model& model) {
   return std::any_of(model.faces.begin(), model.faces.end(),
                      [](const ModelFace& face) { return face.surface.kind == CarrierKind::Facet; });
@@ -164,10 +149,6 @@ class ShapeMaker {
         original_(dense.points, dense.triangles, NearestTriangle::Walks::Yes) {}
 
   std::optional<Built> make(std::int64_t& faces) {
-    if (options_.origin != nullptr && options_.tolerance > 0 && options_.recognise) {
-      if (auto built = makeLabelled(faces)) return built;
-    }
-    isLabelled_ = false;
     constexpr int kRounds = 5;
     const Partition first = partitionOf(dense_, whole_, options_, run_);
     known_ = static_cast<std::int32_t>(first.patches.size());
@@ -190,14 +171,18 @@ class ShapeMaker {
                 "intersect itself: simplify or repair it, or export a mesh file");
   }
 
- private:
   // Makes the solid from the faces of the sweep. Ground around edges and faces that turn out to be
   // unsound is opened, and becomes facets in the next round. Returns nothing if some stay unsound,
   // or if there would be so many facets that recognised surfaces give no more faces.
   std::optional<Built> makeLabelled(std::int64_t& faces) {
     constexpr int kRounds = 6, kFacetsPerFace = 2;
     isLabelled_ = true;
-    trouble_.clear();
+    // Vertices of the mesh lie off the surface along creases; crossings lie on it.
+    std::vector<Eigen::Vector3d> crossings;
+    for (const std::uint32_t row : options_.origin->sources.of) {
+      if (row != Sources::kNone) crossings.push_back((*options_.origin->sources.rows)[row].point);
+    }
+    points_ = &crossings;
     const double tolerance = kFaceFraction * options_.tolerance;
     for (int round = 0; round < kRounds; ++round) {
       const Partition first = labelFaces(dense_, *options_.origin,
@@ -219,6 +204,7 @@ class ShapeMaker {
     return std::nullopt;
   }
 
+ private:
   // Remembers where the ground must be opened: along the edges that lie off these faces, else on
   // the whole faces.
   void noteTrouble(const std::vector<std::int32_t>& bad, const Model& model, bool isLoose) {
@@ -265,8 +251,7 @@ class ShapeMaker {
     if (faces.empty()) faces = findBadFaces(brep.faces, run_, 0.05, 0.1);
     const std::vector<std::int32_t> unread = reader_.findUnreadable(model);
     faces.insert(faces.end(), unread.begin(), unread.end());
-    const std::vector<std::int32_t> loose =
-        findLooseFaces(model, known_, options_.tolerance, kHeld);
+    const std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
     faces.insert(faces.end(), loose.begin(), loose.end());
     for (const std::int32_t face : faces) {
       if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
@@ -299,10 +284,7 @@ class ShapeMaker {
   // receives the kernel shape.
   std::vector<std::int32_t> findUnsound(Model& model, Brep& brep) {
     if (options_.tolerance > 0) {
-      // Labelled faces are so large that facets beside them are few.
-      const double besideFacets = isLabelled_ ? options_.tolerance : kHeld;
-      std::vector<std::int32_t> loose =
-          findLooseFaces(model, known_, options_.tolerance, besideFacets);
+      std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
       isLoose_ = !loose.empty();
       if (isLoose_) return loose;
     }
@@ -360,14 +342,14 @@ class ShapeMaker {
       const auto mend = [&](const std::vector<Eigen::Vector3d>& points) {
         deviation = measureDeviation(points, small, model.positions, tolerance);
         if (exact || deviation.beyond.empty() || mended == kMendings) return false;
-        about = pointsAbout(deviation.beyond, small, tolerance, whole_.points);
+        about = pointsAbout(deviation.beyond, small, tolerance, *points_);
         return putCorners(deviation.beyond, base, run_);
       };
       if (mended > 0 && mend(about)) continue;
-      if (mend(whole_.points)) continue;
+      if (mend(*points_)) continue;
       Brep brep;
       if (!acceptFaces(small, tolerance, model, brep)) return std::nullopt;
-      if (countFaces(small.partition) != faces && mend(whole_.points)) continue;
+      if (countFaces(small.partition) != faces && mend(*points_)) continue;
       return describe(std::move(model), std::move(brep), deviation.largest);
     }
   }
@@ -385,6 +367,8 @@ class ShapeMaker {
   std::int32_t known_ = 0;             // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
   bool isLabelled_ = false, isLoose_ = false;
+  const std::vector<Eigen::Vector3d>* points_ =
+      &whole_.points;                     // those that must be near the solid
   const Partition* labelled_ = nullptr;   // the labelled patches of this round
   std::vector<Eigen::Vector3d> trouble_;  // where labelled ground is opened in the next round
 };
@@ -396,6 +380,20 @@ std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& de
                                const std::function<bool(std::int64_t)>& fits, KernelSession& kernel,
                                std::int64_t& faces, RunContext& run) {
   return ShapeMaker(whole, dense, options, fits, kernel, run).make(faces);
+}
+
+std::optional<Built> makeLabelledShape(const HalfEdgeMesh& mesh, const StepOptions& options,
+                                       const std::function<bool(std::int64_t)>& fits,
+                                       KernelSession& kernel, RunContext& run) {
+  std::int64_t faces = 0;
+  try {
+    return ShapeMaker(mesh, mesh, options, fits, kernel, run).makeLabelled(faces);
+  } catch (const Error& error) {
+    if (error.status() != Status::ExportFailed) throw;
+  } catch (const Standard_Failure&) {
+    run.checkpoint(Phase::Export);  // throws if the run was cancelled
+  }
+  return std::nullopt;
 }
 
 }  // namespace swept::step

@@ -36,4 +36,9 @@ std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& de
                                const std::function<bool(std::int64_t)>& fits, KernelSession& kernel,
                                std::int64_t& faces, RunContext& run);
 
+/// Returns a shape with the faces of StepOptions::origin. Nothing if they do not fit together.
+std::optional<Built> makeLabelledShape(const HalfEdgeMesh& mesh, const StepOptions& options,
+                                       const std::function<bool(std::int64_t)>& fits,
+                                       KernelSession& kernel, RunContext& run);
+
 }  // namespace swept::step
