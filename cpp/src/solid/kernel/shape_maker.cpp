@@ -173,7 +173,7 @@ class ShapeMaker {
 
   // Makes the solid from the faces of the sweep. Ground around edges and faces that turn out to be
   // unsound is opened, and becomes facets in the next round. Returns nothing if some stay unsound,
-  // or if there would be so many facets that recognised surfaces give no more faces.
+  // or if facets prevail, so that recognised surfaces give no more faces.
   std::optional<Built> makeLabelled(std::int64_t& faces) {
     constexpr int kRounds = 6, kFacetsPerFace = 2;
     isLabelled_ = true;
@@ -198,7 +198,11 @@ class ShapeMaker {
       start = decimate(std::move(start), tolerance, original_, run_);
       refused_.clear();
       const std::size_t before = trouble_.size();
-      if (auto built = tryMesh(start, faces)) return built;
+      if (auto built = tryMesh(start, faces)) {
+        const auto facets = built->facesByKind.find("facet");
+        const bool few = facets == built->facesByKind.end() || 2 * facets->second <= faces;
+        return few ? std::move(built) : std::nullopt;
+      }
       if (trouble_.size() == before || faces > (1 + kFacetsPerFace) * known_) return std::nullopt;
     }
     return std::nullopt;
