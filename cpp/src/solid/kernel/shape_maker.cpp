@@ -199,9 +199,7 @@ class ShapeMaker {
       refused_.clear();
       const std::size_t before = trouble_.size();
       if (auto built = tryMesh(start, faces)) {
-        const auto facets = built->facesByKind.find("facet");
-        const bool few = facets == built->facesByKind.end() || 2 * facets->second <= faces;
-        return few ? std::move(built) : std::nullopt;
+        return 2 * built->facesByKind["facet"] <= faces ? std::move(built) : std::nullopt;
       }
       if (trouble_.size() == before || faces > (1 + kFacetsPerFace) * known_) return std::nullopt;
     }
