@@ -191,15 +191,15 @@ class ShapeMaker {
       if (known_ == 0) return std::nullopt;
       labelled_ = &first;
       Decimated start{dense_, first, {}, {}, 0};
-      const auto isOpen = [](std::int32_t patch) { return patch < 0; };
-      const auto open = std::count_if(first.patchOf.begin(), first.patchOf.end(), isOpen);
+      const auto open = std::count(first.patchOf.begin(), first.patchOf.end(), -1);
       if (4 * open > std::ssize(first.patchOf))
         start = thinOpenGround(std::move(start), kThinFraction * options_.tolerance, run_);
       start = decimate(std::move(start), tolerance, original_, run_);
       refused_.clear();
       const std::size_t before = trouble_.size();
       if (auto built = tryMesh(start, faces)) {
-        return 2 * built->facesByKind["facet"] <= faces ? std::move(built) : std::nullopt;
+        if (hasFacets(built->model) && 2 * built->facesByKind["facet"] > faces) return std::nullopt;
+        return built;
       }
       if (trouble_.size() == before || faces > (1 + kFacetsPerFace) * known_) return std::nullopt;
     }
@@ -231,9 +231,8 @@ class ShapeMaker {
   }
 
   void noteEdge(const Curve& curve, const Carrier& surface, double gap) {
-    constexpr int kSteps = 96;
-    for (int i = 0; i <= kSteps; ++i) {
-      const Eigen::Vector3d p = curve.at(curve.last * i / kSteps);
+    for (int i = 0; i <= kEdgeSteps; ++i) {
+      const Eigen::Vector3d p = curve.at(curve.last * i / kEdgeSteps);
       if (std::abs(surface.distance(p)) > gap) trouble_.push_back(p);
     }
   }
@@ -356,7 +355,7 @@ class ShapeMaker {
     }
   }
 
-  static constexpr int kMendings = 16;
+  static constexpr int kMendings = 16, kEdgeSteps = 96;
   /// Number of triangles; for a smaller mesh, a trial costs more than it saves.
   static constexpr std::size_t kWorthTrial = 20000;
   const HalfEdgeMesh& whole_;

@@ -105,7 +105,7 @@ Partition labelFaces(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double
     const bool tidied = tidyRegions(labels), mended = mendCorners(labels);
     if (!tidied && !mended) break;
   }
-  openGround(open, labels);
+  if (!open.empty()) openGround(open, labels);
   Partition partition = Parts(labels).make(labels);
   cutRoundPatches(mesh, partition);
   return partition;

@@ -22,7 +22,7 @@
 namespace swept::step {
 
 /// `tolerance`: mm, how far a face may lie from the points that it explains. `open`: points around
-/// which the ground stays open.
+/// which the ground stays open, as it then does at corners without a common point.
 Partition labelFaces(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double tolerance,
                      const std::vector<Eigen::Vector3d>& open, RunContext& run);
 
