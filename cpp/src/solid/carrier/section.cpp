@@ -188,16 +188,7 @@ std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, cons
     for (std::size_t i = 0; i <= spans; ++i) {
       if (!closed && (i == 0 || i == spans)) continue;
       const auto moved = pointOnBoth(points[i], a, b, strays);
-      if (!moved) {
-        if (getenv("FXS")) {
-          fprintf(stderr,
-                  "S no point spans %zu i %zu a %d b %d dist %g %g sine %g strays %g len %g\n",
-                  spans, i, int(a.kind), int(b.kind), a.distance(points[i]), b.distance(points[i]),
-                  a.normal(points[i]).cross(b.normal(points[i])).norm(), strays,
-                  (points[0] - points[spans]).norm());
-        }
-        return std::nullopt;
-      }
+      if (!moved) return std::nullopt;
       points[i] = *moved;
     }
     if (closed) points.back() = points.front();
@@ -210,19 +201,9 @@ std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, cons
       if (circle && isOnBoth(*circle, a, b)) return circle;
     }
     const auto tangents = tangentsAt(points, closed, a, b);
-    if (!tangents) {
-      if (getenv("FXS")) {
-        fprintf(stderr, "S no tangents spans %zu a %d b %d:", spans, int(a.kind), int(b.kind));
-        for (auto& q : points) fprintf(stderr, " %.3g", a.normal(q).cross(b.normal(q)).norm());
-        fprintf(stderr, "\n");
-      }
-      return std::nullopt;
-    }
+    if (!tangents) return std::nullopt;
     Curve spline = splineAlong(points, *tangents);
     if (isOnBoth(spline, a, b)) return spline;
-    if (getenv("FXS"))
-      fprintf(stderr, "S spans %zu gap a %g b %g\n", spans, largestGap(spline, a),
-              largestGap(spline, b));
     along.clear();
     for (std::size_t i = 0; i <= 8 * spans; ++i)
       along.push_back(spline.at(static_cast<double>(i) / static_cast<double>(8 * spans)));
