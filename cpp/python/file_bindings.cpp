@@ -48,7 +48,16 @@ Mesh pyReadBody(const py::object& path, const std::string& unit,
   const BodyFileOptions options{parseLengthUnit(unit), tolerance, cell, resolution, angle};
   Body body = runWithoutLock(*context, [&] { return readBody(name, options, *context); });
   return {std::make_shared<const TriMesh>(std::move(body.mesh)), body.chordError,
-          findingsToList(body.findings)};
+          findingsToList(body.findings), std::move(body.shape)};
+}
+
+/// The faces and edges of a solid, opaque for Python.
+struct Shape {
+  std::shared_ptr<const BodyShape> data;
+};
+
+py::object shapeOf(const Mesh& mesh) {
+  return mesh.shape == nullptr ? py::none() : py::cast(Shape{mesh.shape});
 }
 
 /// Returns (name, mesh) for each part.
@@ -92,6 +101,19 @@ py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrice
   return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
 }
 
+#ifdef HAVE_SWEPT_SOLID
+/// `given`: (sources, motion, interpolation, shape, chord_error).
+std::shared_ptr<const SolidOrigin> originFromObject(const py::object& given) {
+  if (given.is_none()) return nullptr;
+  const auto parts = py::cast<py::tuple>(given);
+  SolidOrigin origin;
+  origin.sources = *py::cast<std::shared_ptr<Sources>>(parts[0]);
+  origin.trajectory = trajectoryFromObject(parts[1], py::cast<std::string>(parts[2]));
+  origin.shape = py::cast<Shape>(parts[3]).data;
+  origin.chordError = py::cast<double>(parts[4]);
+  return std::make_shared<const SolidOrigin>(std::move(origin));
+}
+
 StepOptions solidOptions(const py::dict& keywords) {
   StepOptions options;
   for (const auto& [key, value] : keywords) {
@@ -108,6 +130,8 @@ StepOptions solidOptions(const py::dict& keywords) {
       options.strict = py::cast<bool>(value);
     } else if (name == "recognise") {
       options.recognise = py::cast<bool>(value);
+    } else if (name == "origin") {
+      options.origin = originFromObject(py::reinterpret_borrow<py::object>(value));
     } else if (name == "max_faces") {
       options.maxFaces = py::cast<std::int64_t>(value);
     } else if (name == "max_megabytes") {
@@ -201,6 +225,7 @@ py::dict pyEstimateSolid(const py::object& vertices, const py::object& triangles
 }  // namespace
 
 void bindFiles(py::module_& module) {
+  py::class_<Shape>(module, "BodyShape", "The faces and edges of a solid, for write_solid().");
   py::class_<Mesh>(module, "Mesh", kMeshDoc)
       .def_property_readonly("vertices", &Mesh::vertices, "float64 (N, 3), mm, read-only")
       .def_property_readonly("triangles", &Mesh::triangles, "int32 (M, 3), read-only")
@@ -210,6 +235,7 @@ void bindFiles(py::module_& module) {
       .def_readonly(
           "chord_error", &Mesh::chordError,
           "How far (mm) the triangles of a solid may deviate from its surface. 0 for a mesh file.")
+      .def_property_readonly("shape", &shapeOf, "BodyShape of a solid. None for a mesh file.")
       .def_readonly("findings", &Mesh::findings,
                     "Findings from reading a solid, in the form of the warnings of a report.");
   module.def("read_mesh", &pyReadMesh, kReadMeshDoc, py::arg("path"), py::arg("unit") = "mm");

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "arrays.h"
+#include "swept/body.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
 
@@ -20,7 +21,8 @@ using RunPointer = std::shared_ptr<RunContext>;
 struct Mesh {
   std::shared_ptr<const TriMesh> data;
   double chordError = 0;  ///< mm, for a solid: how far the triangles deviate from its surface
-  py::list findings = py::list();  ///< findings from reading the file
+  py::list findings = py::list();            ///< findings from reading the file
+  std::shared_ptr<const BodyShape> shape{};  ///< faces and edges of a solid; null: a mesh file
 
   py::array vertices() const {
     return readOnlyView(reinterpret_cast<const double*>(data->vertices.data()),

@@ -301,6 +301,7 @@ def write_solid(
     no_clobber: bool = False,
     reader: Optional[Callable[[bytes], Dict[str, Any]]] = None,
     run: Optional[RunContext] = None,
+    origin: Optional[Tuple[Result, Mesh, MotionLike]] = None,
 ) -> Dict[str, Any]:
     """Closed mesh -> solid in a STEP (.step, .stp) or BREP (.brep, .brp) file, read back and checked
     before it replaces an old one, which no_clobber refuses. tolerance: mm, 0 for exact unless a limit
@@ -308,7 +309,12 @@ def write_solid(
     faces_by_kind, valid, tolerance, deviation, volume, warnings ... as "solid" in README.md.
 
     reader: checks the text of a STEP file in place of the core's OpenCASCADE, which a core from a wheel
-    does not have; help(_swept.write_solid) says what it returns."""
+    does not have; help(_swept.write_solid) says what it returns.
+
+    origin: (result, body, motion) of the mesh. With a tolerance, the solid then gets the faces that
+    the sweep really has on straight steps. result: computed with sources=True; body: from read_body()
+    of a STEP or BREP file; motion: that of the result, no pose skipped. Raises ExportFailed
+    (BadOption) if they do not belong together."""
     body = mesh_of(mesh)
     report = _core.write_solid(
         path,
@@ -328,9 +334,22 @@ def write_solid(
         organization=organization,
         colour=colour,
         strict=strict,
+        origin=None if origin is None else _origin_of(*origin),
     )
     _log(report["warnings"])
     return report
+
+
+def _origin_of(result: Result, body: Mesh, motion: MotionLike) -> Tuple[Any, ...]:
+    """The origin of a solid in the form of the core."""
+    sources = result._core.sources if result._core is not None else None
+    if sources is None:
+        raise bad_option("the result has no sources: compute it with sources=True")
+    if body.shape is None:
+        raise bad_option("the body has no faces: read it with read_body() from a STEP or BREP file")
+    way = motion_of(motion)
+    poses = way.times, way.quaternions, way.translations
+    return sources, poses, way.interpolation, body.shape, body.chord_error
 
 
 def estimate_solid(

@@ -77,14 +77,16 @@ class Mesh:
     """Triangles: vertices float64 (N, 3) in mm, triangles int32 (M, 3), counter-clockwise seen from
     outside. Both are read-only. chord_error: how far the triangles of a tessellated solid may leave
     its surface, mm; findings: how it was read, as in a report's warnings. faces int32 (M,): number of
-    the face of a solid that each triangle is a piece of, in the file's order; None: not known."""
+    the face of a solid that each triangle is a piece of, in the file's order; None: not known. shape:
+    the faces and edges of the solid, for write_solid(); None for a mesh, and after unpickling."""
 
-    __slots__ = ("vertices", "triangles", "chord_error", "findings", "faces")
+    __slots__ = ("vertices", "triangles", "chord_error", "findings", "faces", "shape")
     vertices: Floats
     triangles: Integers
     chord_error: float
     findings: List[Dict[str, Any]]
     faces: Optional[Integers]
+    shape: Optional[_core.BodyShape]
 
     def __init__(
         self,
@@ -101,6 +103,7 @@ class Mesh:
         self.findings = list(findings)
         count = len(self.triangles)
         self.faces = None if faces is None else frozen(faces, np.int32, (count,), "faces")
+        self.shape = None
 
     @classmethod
     def _of_core(cls, mesh: _core.Mesh) -> Mesh:
@@ -108,7 +111,7 @@ class Mesh:
         made = cls.__new__(cls)
         made.vertices, made.triangles = mesh.vertices, mesh.triangles
         made.chord_error, made.findings = mesh.chord_error, list(mesh.findings)
-        made.faces = mesh.faces
+        made.faces, made.shape = mesh.faces, mesh.shape
         return made
 
     @classmethod

@@ -12,6 +12,7 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -157,6 +158,11 @@ double blockError(const TopoDS_Shape& shape) {
 }
 
 }  // namespace
+
+void writeRod(double radius, double length, const std::string& path) {
+  if (!BRepTools::Write(BRepPrimAPI_MakeCylinder(radius, length).Shape(), path.c_str()))
+    throw std::runtime_error("cannot write " + path);
+}
 
 TopoDS_Shape readShape(const std::string& path) {
   TopoDS_Shape shape;

@@ -30,6 +30,9 @@ struct JudgedSolid {
 /// Throws std::runtime_error where the file cannot be read.
 TopoDS_Shape readShape(const std::string& path);
 
+/// Writes a cylinder about the z axis, from z = 0, as a BREP file.
+void writeRod(double radius, double length, const std::string& path);
+
 /// detailCount: at most as many faults are described. withBlock: also cut (takes longer).
 JudgedSolid judgeSolid(const TopoDS_Shape& shape, std::size_t detailCount, bool withBlock);
 

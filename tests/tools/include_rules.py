@@ -55,10 +55,12 @@ MAY_INCLUDE = {
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},
     "solid/model": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
     "solid/text": BELOW | {"solid/carrier", "solid/mesh", "solid/model"},
-    "solid/kernel": BELOW | {f"solid/{r}" for r in "carrier mesh recognise model text".split()},
+    # Faces from what made the triangles; cuts round patches as the recognition does.
+    "solid/label": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
+    "solid/kernel": BELOW | {f"solid/{r}" for r in "carrier mesh recognise label model text".split()},
     "solid": BELOW
     | {"simplify"}
-    | {f"solid/{r}" for r in "carrier mesh recognise model text".split()},
+    | {f"solid/{r}" for r in "carrier mesh recognise label model text".split()},
     "pipeline": BELOW | STAGES | SAMPLERS | {"sampling/culling", "contour/mend"},
     "python": {"base", "io"},  # besides the public headers
     "tools": {"base", "io"},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,11 +26,14 @@ struct BodyFileOptions {
   double angle = 0.2;
 };
 
+struct BodyShape;  // see solid.h
+
 struct Body {
   TriMesh mesh;  ///< for a solid, faceOf has the indices of its faces, in the order of the file
   /// mm, how far triangles may deviate from the exact surface; 0: a mesh file.
   double chordError = 0;
-  std::vector<Finding> findings;  ///< to be added to the report of the run
+  std::vector<Finding> findings;             ///< to be added to the report of the run
+  std::shared_ptr<const BodyShape> shape{};  ///< faces and edges of a solid; null: a mesh file
 };
 
 /// Tolerance of the triangles as a fraction of the cell. It equals the default of

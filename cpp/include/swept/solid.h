@@ -5,12 +5,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "swept/report.h"
 #include "swept/run_context.h"
+#include "swept/sources.h"
 #include "swept/types.h"
 
 namespace swept {
@@ -22,6 +24,17 @@ enum class StepSchema { Ap214, Ap242, Ap242Tessellated };
 /// Parses ap214, ap242 or ap242-tessellated. Throws Error(InvalidInput, "BadOption") with the
 /// allowed names.
 StepSchema parseStepSchema(const std::string& text);
+
+struct BodyShape;  // the faces and edges of a body, as readSolids() found them
+
+/// What an envelope was made from. With it, the solid gets the faces that the sweep really has: the
+/// faces of the body at poses, and what its edges and faces sweep on straight motion steps.
+struct SolidOrigin {
+  Sources sources;  ///< of the triangles of the mesh, in their order
+  Trajectory trajectory;
+  std::shared_ptr<const BodyShape> shape;
+  double chordError = 0;  ///< mm: how far the triangles of the body may deviate from its faces
+};
 
 struct StepOptions {
   bool mergeCoplanar = true;      ///< merge each flat region to one planar face with holes
@@ -36,6 +49,8 @@ struct StepOptions {
   /// With a tolerance: recognise planes, cylinders, cones, spheres, tori, extrusions and
   /// revolutions.
   bool recognise = true;
+  /// With a tolerance and `recognise`: take the faces from here. Null: recognise them in the mesh.
+  std::shared_ptr<const SolidOrigin> origin;
   /// Limits. If `tolerance` is 0, the smallest tolerance that meets the limits is used, up to 1 %
   /// of the box diagonal. A solid that still exceeds a limit is refused with Error(ExportFailed,
   /// "TooManyFaces"), whose text has the figures.
@@ -149,12 +164,14 @@ struct ImportedSolid {
   TriMesh mesh;  ///< mm; no two faces share vertices; faceOf has the index of the face in the file
 };
 
-/// Reads all solids of a file. If there is none, reads all faces as one open mesh.
+/// Reads all solids of a file. If there is none, reads all faces as one open mesh. `shape`, unless
+/// null, receives the faces and edges of the whole file.
 /// linearDeflection: how far (mm) triangles may deviate from the surface. angularDeflection: angle
 /// (rad) between adjacent triangles. Throws Error(InvalidInput, "BadFile" | "NoSurface"),
 /// Error(Cancelled).
 std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
-                                      double angularDeflection, RunContext& run);
+                                      double angularDeflection, RunContext& run,
+                                      std::shared_ptr<const BodyShape>* shape = nullptr);
 
 /// Throws Error(InvalidInput, "BadFile"), Error(Cancelled).
 SolidCheck checkSolidFile(const std::string& path, RunContext& run);

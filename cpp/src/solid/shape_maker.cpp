@@ -9,12 +9,13 @@
 #include "base/sort_unique.h"
 #include "geometry/nearest_triangle.h"
 #include "solid/carrier/section.h"
+#include "solid/label/label_faces.h"
 #include "solid/mesh/decimate.h"
 #include "solid/mesh/patches.h"
 #include "solid/model/deviation.h"
 #include "solid/model/gaps.h"
 #include "solid/model/split_edges.h"
-#include "solid/recognise/facets_saved.h"
+#include "solid/recognise/costly_patches.h"
 #include "solid/recognise/recognise.h"
 
 namespace swept::step {
@@ -105,50 +106,9 @@ bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int
   return again;
 }
 
-// Number of border edges on open ground that a patch may have for each facet that it saves. On a
-// free form, a patch has a long jagged border, and there would be fewer facets without the patch.
-constexpr double kBorderPerSaved = 1, kBorderPerSavedByPlane = 2;
-constexpr double kSmooth = 0.85;  // cosine of 32 degrees
-
-// Returns the patches that save fewer facets than their border adds after simplification. Only
-// border edges on open ground count.
-std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition& first,
-                                     const Decimated& now, double tolerance) {
-  const std::size_t count = first.patches.size();
-  std::vector<std::int32_t> border(count, 0), costly;
-  for (std::size_t h = 0; h < now.mesh.opposite.size(); ++h) {
-    const std::int32_t own = now.partition.patchOf[h / 3], beyond = now.mesh.opposite[h] / 3;
-    if (own < 0 || now.partition.patchOf[beyond] >= 0) continue;
-    // At a crease there are vertices with or without the patch, so its edges do not count.
-    const Eigen::Vector3d normal = now.mesh.areaVector(beyond).normalized();
-    const Eigen::Vector3d& from = now.mesh.points[now.mesh.origin(static_cast<std::int32_t>(h))];
-    if (first.patches[own].surface.normal(from).dot(normal) > kSmooth) ++border[own];
-  }
-  for (std::size_t p = 0; p < count; ++p) {
-    const Patch& patch = first.patches[p];
-    const double each = patch.surface.isPlanar() ? kBorderPerSavedByPlane : kBorderPerSaved;
-    if (border[p] > each * facetsSaved(dense, patch, tolerance))
-      costly.push_back(static_cast<std::int32_t>(p));
-  }
-  return costly;
-}
-
 std::int64_t countFaces(const Partition& partition) {
   return std::count_if(partition.patches.begin(), partition.patches.end(),
                        [](const Patch& patch) { return !patch.triangles.empty(); });
-}
-
-// Returns the parameter at which a curve is best halved. This is a knot, since a profile may bend
-// unevenly there.
-double middleOf(const Curve& curve) {
-  double middle = 0.5 * curve.last;
-  if (curve.knots.size() > 2) {
-    middle =
-        *std::min_element(curve.knots.begin() + 1, curve.knots.end() - 1, [&](double a, double b) {
-          return std::abs(a - 0.5 * curve.last) < std::abs(b - 0.5 * curve.last);
-        });
-  }
-  return middle;
 }
 
 bool hasFacets(const Model& model) {
@@ -207,7 +167,72 @@ class ShapeMaker {
                 "intersect itself: simplify or repair it, or export a mesh file");
   }
 
+  // Makes the solid from the faces of the sweep. Ground around edges and faces that turn out to be
+  // unsound is opened, and becomes facets in the next round. Returns nothing if some stay unsound,
+  // or if facets prevail, so that recognised surfaces give no more faces.
+  std::optional<Built> makeLabelled(std::int64_t& faces) {
+    constexpr int kRounds = 6, kFacetsPerFace = 2;
+    isLabelled_ = true;
+    // Vertices of the mesh lie off the surface along creases; crossings lie on it.
+    std::vector<Eigen::Vector3d> crossings;
+    for (const std::uint32_t row : options_.origin->sources.of) {
+      if (row != Sources::kNone) crossings.push_back((*options_.origin->sources.rows)[row].point);
+    }
+    points_ = &crossings;
+    const double tolerance = kFaceFraction * options_.tolerance;
+    for (int round = 0; round < kRounds; ++round) {
+      const Partition first = labelFaces(dense_, *options_.origin,
+                                         kSurfaceFraction * options_.tolerance, trouble_, run_);
+      known_ = static_cast<std::int32_t>(first.patches.size());
+      if (known_ == 0) return std::nullopt;
+      labelled_ = &first;
+      Decimated start{dense_, first, {}, {}, 0};
+      const auto open = std::count(first.patchOf.begin(), first.patchOf.end(), -1);
+      if (4 * open > std::ssize(first.patchOf))
+        start = thinOpenGround(std::move(start), kThinFraction * options_.tolerance, run_);
+      start = decimate(std::move(start), tolerance, original_, run_);
+      refused_.clear();
+      const std::size_t before = trouble_.size();
+      if (auto built = tryMesh(start, faces)) {
+        if (hasFacets(built->model) && 2 * built->facesByKind["facet"] > faces) return std::nullopt;
+        return built;
+      }
+      if (trouble_.size() == before || faces > (1 + kFacetsPerFace) * known_) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
  private:
+  // Remembers where the ground must be opened: along the edges that lie off these faces, else on
+  // the whole faces.
+  void noteTrouble(const std::vector<std::int32_t>& bad, const Model& model, bool isLoose) {
+    for (const std::int32_t f : bad) {
+      const ModelFace& face = model.faces[f];
+      if (face.patch >= known_) continue;
+      if (!isLoose) {
+        for (const std::int32_t t : labelled_->patches[face.patch].triangles) {
+          const auto& [a, b, c] = dense_.triangles[t];
+          trouble_.push_back((dense_.points[a] + dense_.points[b] + dense_.points[c]) / 3);
+        }
+        continue;
+      }
+      for (const auto& loop : face.loops) {
+        for (const ModelUse& use : loop) {
+          const Curve& curve = model.edges[use.edge].curve;
+          if (largestGap(curve, face.surface) > options_.tolerance)
+            noteEdge(curve, face.surface, 0.5 * options_.tolerance);
+        }
+      }
+    }
+  }
+
+  void noteEdge(const Curve& curve, const Carrier& surface, double gap) {
+    for (int i = 0; i <= kEdgeSteps; ++i) {
+      const Eigen::Vector3d p = curve.at(curve.last * i / kEdgeSteps);
+      if (std::abs(surface.distance(p)) > gap) trouble_.push_back(p);
+    }
+  }
+
   bool worthTrial() const { return dense_.triangles.size() > kWorthTrial; }
 
   // A rough simplification finds the patches that are not worth their border, and those that the
@@ -257,14 +282,19 @@ class ShapeMaker {
   std::vector<std::int32_t> findUnsound(Model& model) {
     if (options_.tolerance > 0) {
       std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
-      if (!loose.empty()) return loose;
+      isLoose_ = !loose.empty();
+      if (isLoose_) return loose;
     }
     std::vector<EdgeCut> unheld;
     const std::vector<std::int32_t> failed = takeHeld(model, unheld);
     if (!failed.empty()) return failed;
     // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
     // of recognised surfaces alone would become hundreds of facets.
-    if (!unheld.empty() && hasFacets(model)) return curvedFacesOf(unheld, model);
+    if (!unheld.empty() && hasFacets(model)) {
+      for (const EdgeCut& cut : unheld) trouble_.push_back(model.edges[cut.edge].curve.at(cut.at));
+      isLoose_ = true;
+      return curvedFacesOf(unheld, model);
+    }
     std::vector<std::int32_t> bad = judge_.findBadFaces(run_, 0.1, 0.3);
     return bad.empty() ? judge_.findUnreadable(model, options_, run_) : bad;
   }
@@ -280,6 +310,7 @@ class ShapeMaker {
       const bool sound = bad.empty();
       if (sound && options_.tolerance > 0) bad = judge_.findInterfering(model, run_);
       if (bad.empty()) return true;
+      if (isLabelled_) noteTrouble(bad, model, isLoose_);
       const bool changed = withdraw(bad, model, known_, small, refused_);
       if (!refused_.empty()) return false;
       // If only facets intersect and no recognised surface is left to withdraw, they stay: each
@@ -308,18 +339,18 @@ class ShapeMaker {
       const auto mend = [&](const std::vector<Eigen::Vector3d>& points) {
         deviation = measureDeviation(points, small, model.positions, tolerance);
         if (exact || deviation.beyond.empty() || mended == kMendings) return false;
-        about = pointsAbout(deviation.beyond, small, tolerance, whole_.points);
+        about = pointsAbout(deviation.beyond, small, tolerance, *points_);
         return putCorners(deviation.beyond, base, run_);
       };
       if (mended > 0 && mend(about)) continue;
-      if (mend(whole_.points)) continue;
+      if (mend(*points_)) continue;
       if (!acceptFaces(small, tolerance, model)) return std::nullopt;
-      if (countFaces(small.partition) != faces && mend(whole_.points)) continue;
+      if (countFaces(small.partition) != faces && mend(*points_)) continue;
       return describe(std::move(model), deviation.largest);
     }
   }
 
-  static constexpr int kMendings = 16;
+  static constexpr int kMendings = 16, kEdgeSteps = 96;
   /// Number of triangles; for a smaller mesh, a trial costs more than it saves.
   static constexpr std::size_t kWorthTrial = 20000;
   const HalfEdgeMesh& whole_;
@@ -331,6 +362,11 @@ class ShapeMaker {
   const NearestTriangle original_;
   std::int32_t known_ = 0;             // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
+  bool isLabelled_ = false, isLoose_ = false;
+  const std::vector<Eigen::Vector3d>* points_ =
+      &whole_.points;                     // those that must be near the solid
+  const Partition* labelled_ = nullptr;   // the labelled patches of this round
+  std::vector<Eigen::Vector3d> trouble_;  // where labelled ground is opened in the next round
 };
 
 }  // namespace
@@ -340,6 +376,23 @@ std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& de
                                const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                std::int64_t& faces, RunContext& run) {
   return ShapeMaker(whole, dense, options, fits, judge, run).make(faces);
+}
+
+std::optional<Built> makeLabelledShape(const HalfEdgeMesh& mesh, const StepOptions& options,
+                                       const std::function<bool(std::int64_t)>& fits, Judge& judge,
+                                       RunContext& run) {
+  std::optional<Built> built;
+  try {
+    judge.guard(
+        [&] {
+          std::int64_t faces = 0;
+          built = ShapeMaker(mesh, mesh, options, fits, judge, run).makeLabelled(faces);
+        },
+        run);
+  } catch (const Error& error) {
+    if (error.status() != Status::ExportFailed) throw;
+  }
+  return built;
 }
 
 }  // namespace swept::step

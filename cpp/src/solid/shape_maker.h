@@ -35,4 +35,9 @@ std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& de
                                const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                std::int64_t& faces, RunContext& run);
 
+/// Returns a shape with the faces of StepOptions::origin. Nothing if they do not fit together.
+std::optional<Built> makeLabelledShape(const HalfEdgeMesh& mesh, const StepOptions& options,
+                                       const std::function<bool(std::int64_t)>& fits, Judge& judge,
+                                       RunContext& run);
+
 }  // namespace swept::step

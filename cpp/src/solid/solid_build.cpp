@@ -35,6 +35,16 @@ void requireName(const char* name, const std::string& text) {
             std::to_string(kLongestName));
 }
 
+void requireOrigin(const SolidOrigin& origin, const HalfEdgeMesh& mesh) {
+  if (origin.shape == nullptr || origin.sources.rows == nullptr)
+    badOption("the origin of the solid lacks the sources or the shape of the body");
+  if (origin.sources.of.size() != mesh.triangles.size()) {
+    badOption("the origin of the solid has " + std::to_string(origin.sources.of.size()) +
+              " sources, but the mesh has " + std::to_string(mesh.triangles.size()) +
+              " triangles; give the sources of this mesh");
+  }
+}
+
 // Rough figures for estimates and messages, measured on triangulated bodies.
 constexpr double kStepBytesPerFace = 750, kBrepBytesPerFace = 700, kBytesByCorners = 340;
 constexpr double kSecondsPerFace = 3e-4;
@@ -94,6 +104,9 @@ Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat f
   const HalfEdgeMesh* dense = &mesh;
   if (!given) options.tolerance = kFirst * diagonal;
   for (;; options.tolerance *= 2) {
+    if (options.origin != nullptr && options.recognise) {
+      if (auto built = makeLabelledShape(mesh, options, fits, judge, run)) return std::move(*built);
+    }
     if (dense->triangles.size() > kDense) {
       // Continues with the result of the last round, which was thinned with half the limit.
       thin = thinned(*dense, kThinFraction * options.tolerance, run);
@@ -148,6 +161,7 @@ HalfEdgeMesh thinned(const HalfEdgeMesh& mesh, double limit, RunContext& run) {
 
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
                         Judge& judge, RunContext& run) {
+  if (options.origin != nullptr) requireOrigin(*options.origin, mesh);
   return uprightWithin(options.tolerance,
                        [&] { return buildUpright(mesh, options, format, judge, run); });
 }

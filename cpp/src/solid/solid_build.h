@@ -57,13 +57,23 @@ void writeBuilt(const Built& built, Judge& judge, std::ostream& out, const std::
 /// Returns whether a solid with facets only may succeed after this error.
 bool isWorthFacets(const Error& error);
 
-/// Returns work(options), which may change its copy of the options. If it fails because of
-/// recognised surfaces, calls it again without them, so that all faces are facets. `why` receives
-/// the message of the failure; empty if there was none.
+/// Returns work(options), which may change its copy of the options. If it fails because of the
+/// faces of the sweep, calls it again without them. If it fails because of recognised surfaces,
+/// calls it again without those, so that all faces are facets. `why` receives the message of the
+/// failure that left only facets; empty if there was none.
 template <class Work>
 auto orFacets(const StepOptions& options, std::string& why, const Work& work) {
   StepOptions used = options;
   why.clear();
+  if (options.origin != nullptr) {
+    try {
+      return work(used);
+    } catch (const Error& error) {
+      if (!isWorthFacets(error)) throw;
+    }
+    used = options;
+    used.origin.reset();
+  }
   try {
     return work(used);
   } catch (const Error& error) {

@@ -191,17 +191,40 @@ using SolidResult = std::optional<StepReport>;
 using SolidResult = std::optional<int>;
 #endif
 
-SolidResult writeOutput(const TriMesh& mesh, const EnvelopeJob& job, RunContext& run) {
+// Whether the solid can have the faces of the body, and what its edges sweep.
+bool wantsBodyFaces(const EnvelopeJob& job, const Body& body) {
+#ifdef HAVE_SWEPT_SOLID
+  const Options& options = job.options;
+  return body.shape != nullptr && isSolidSuffix(suffixOfOutput(job)) && job.solid.recognise &&
+         !job.solid.exact && options.offset == 0 && !options.conservative &&
+         options.positionFilter == 0;
+#else
+  static_cast<void>(job);
+  static_cast<void>(body);
+  return false;
+#endif
+}
+
+SolidResult writeOutput(const Result& result, const Body& body, const Trajectory& motion,
+                        const EnvelopeJob& job, RunContext& run) {
   run.checkpoint(Phase::Export);
   const Output output(job.outputPath, job.outputFormat);
   SolidResult solid;
 #ifdef HAVE_SWEPT_SOLID
-  if (isSolidSuffix(suffixOfOutput(job)))
-    solid = writeSolid(mesh, output.path(), job.solid, run);
-  else
-    writeMesh(mesh, output.path());
+  if (isSolidSuffix(suffixOfOutput(job))) {
+    StepOptions options = job.solid;
+    if (wantsBodyFaces(job, body)) {
+      options.origin = std::make_shared<const SolidOrigin>(
+          SolidOrigin{result.sources, motion, body.shape, body.chordError});
+    }
+    solid = writeSolid(result.mesh, output.path(), options, run);
+  } else {
+    writeMesh(result.mesh, output.path());
+  }
 #else
-  writeMesh(mesh, output.path());
+  static_cast<void>(body);
+  static_cast<void>(motion);
+  writeMesh(result.mesh, output.path());
 #endif
   output.deliver();
   return solid;
@@ -248,7 +271,9 @@ SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
   const Trajectory motion =
       readInputMotion(job.motionPath, job.motionUnit, job.interpolation, job.pivot);
   const double reading = since(start);
-  Result result = compute(body.mesh, motion, job.options, run);
+  Options options = job.options;
+  options.sources = options.sources || wantsBodyFaces(job, body);
+  Result result = compute(body.mesh, motion, options, run);
   report = std::move(result.report);
   const std::vector<Finding>& found = body.findings;
   report.warnings.insert(report.warnings.begin(), found.begin(), found.end());
@@ -257,7 +282,7 @@ SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
   takeStrict(report, job.common.strict);
   if (report.status != Status::Ok) return {};
   const auto writing = Clock::now();
-  SolidResult solid = writeOutput(result.mesh, job, run);
+  SolidResult solid = writeOutput(result, body, motion, job, run);
   if (job.options.sources) writeSources(result.sources, job.sourcesPath);
   addStage(report, "write", since(writing));
   return solid;

@@ -13,6 +13,8 @@
 
 namespace swept::step {
 
+struct Traces;
+
 enum class CarrierKind { Facet, Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Revolution };
 const char* surfaceKindName(CarrierKind kind);
 
@@ -36,6 +38,8 @@ struct Carrier {
   /// `point`. The profile of a revolution lies in the half plane of xdir. Its coordinates are the
   /// distance from the axis and the position along the axis.
   std::shared_ptr<const Profile> profile;
+  /// Curves and points of the surface where other surfaces meet it (traces.h). Null: none is known.
+  std::shared_ptr<const Traces> traces;
 
   bool isPlanar() const { return kind == CarrierKind::Facet || kind == CarrierKind::Plane; }
   bool hasProfile() const { return profile != nullptr; }

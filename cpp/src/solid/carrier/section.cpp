@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Sine of 0.6 degrees. At smaller angles between the carriers, rounding decides where they meet.
-constexpr double kLeastSine = 0.01;
+/// Sine of 0.17 degrees. At smaller angles between the carriers, rounding decides where they meet.
+constexpr double kLeastSine = 0.003;
 constexpr std::size_t kFewestSpans = 4, kMostSpans = 64;
 
 // Returns the point on both carriers near q. Each step of the iteration is the shortest to first
@@ -54,6 +54,39 @@ bool isOnBoth(const Curve& curve, const Carrier& a, const Carrier& b) {
   return largestGap(curve, a) <= kOnCarrier && largestGap(curve, b) <= kOnCarrier;
 }
 
+// Returns the direction of the intersection at a point where the carriers touch and two branches of
+// it cross. To second order the carriers part there like a quadratic form of the direction, whose
+// zeros are the branches. Returns nothing if no zero is near the given way.
+std::optional<Vector3d> branchTangent(const Vector3d& p, const Vector3d& way, double step,
+                                      const Carrier& a, const Carrier& b) {
+  const Vector3d normal = a.normal(p), x = (way - way.dot(normal) * normal).normalized();
+  const Vector3d y = normal.cross(x);
+  const double side = normal.dot(b.normal(p)) > 0 ? 1 : -1;
+  const auto direction = [&](double angle) {
+    return Vector3d(std::cos(angle) * x + std::sin(angle) * y);
+  };
+  const auto apart = [&](const Vector3d& q) { return a.distance(q) - side * b.distance(q); };
+  const double here = apart(p);
+  const auto parting = [&](double angle) {
+    const Vector3d d = step * direction(angle);
+    return apart(p + d) + apart(p - d) - 2 * here;
+  };
+  constexpr double kWidest = 0.6;
+  constexpr int kSteps = 24;
+  std::optional<double> best;
+  for (int i = -kSteps; i < kSteps; ++i) {
+    double low = kWidest * i / kSteps, high = kWidest * (i + 1) / kSteps;
+    const double atLow = parting(low);
+    if (!(atLow * parting(high) <= 0)) continue;
+    for (int round = 0; round < 40; ++round) {
+      const double middle = 0.5 * (low + high);
+      (parting(middle) * atLow > 0 ? low : high) = middle;
+    }
+    if (!best || std::abs(low) < std::abs(*best)) best = low;
+  }
+  return best ? std::optional<Vector3d>(direction(*best)) : std::nullopt;
+}
+
 // Returns unit tangents of the intersection, in the order of the points; nothing if the points turn
 // back.
 std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& points, bool closed,
@@ -64,8 +97,14 @@ std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& poi
     const Vector3d& before = i > 0 ? points[i - 1] : closed ? points[last - 1] : points[0];
     const Vector3d& after = i < last ? points[i + 1] : closed ? points[1] : points[last];
     const Vector3d cross = a.normal(points[i]).cross(b.normal(points[i]));
-    if (cross.norm() < kLeastSine) return std::nullopt;
-    const Vector3d way = (after - before).normalized(), unit = cross.normalized();
+    const Vector3d way = (after - before).normalized();
+    Vector3d unit = cross.normalized();
+    if (cross.norm() < kLeastSine) {
+      if (closed || (i > 0 && i < last)) return std::nullopt;
+      const auto branch = branchTangent(points[i], way, 0.01 * (after - before).norm(), a, b);
+      if (!branch) return std::nullopt;
+      unit = *branch;
+    }
     if (!(std::abs(unit.dot(way)) > 0.7)) return std::nullopt;
     tangents.push_back(unit.dot(way) > 0 ? unit : Vector3d(-unit));
   }

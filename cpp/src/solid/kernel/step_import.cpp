@@ -14,6 +14,7 @@
 #include <map>
 
 #include "base/safe_file.h"
+#include "solid/body_shape_reader.h"
 #include "solid/kernel/shape_check.h"
 #include "solid/kernel/solid_file.h"
 #include "solid/text/step_scan.h"
@@ -123,7 +124,8 @@ auto withShape(const std::string& path, RunContext& run, Read read) {
 }  // namespace
 
 std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
-                                      double angularDeflection, RunContext& run) {
+                                      double angularDeflection, RunContext& run,
+                                      std::shared_ptr<const BodyShape>* bodyShape) {
   return withShape(path, run, [&](const TopoDS_Shape& shape, step::ProductNames& names) {
     run.checkpoint(Phase::Input);
     BRepMesh_IncrementalMesh mesher(shape, linearDeflection, false, angularDeflection, true);
@@ -141,6 +143,8 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
       throw Error(
           Status::InvalidInput, "NoSurface",
           "'" + path + "' contains no face that can be turned into triangles; export a solid");
+    if (bodyShape != nullptr)
+      *bodyShape = std::make_shared<const BodyShape>(step::shapeOf(shape, faces));
     nameSolids(solids, utf8FromPath(pathFromUtf8(path).stem()));
     return solids;
   });

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "base/union_find.h"
+#include "solid/carrier/places.h"
 #include "solid/carrier/section.h"
 #include "solid/model/chains.h"
 #include "solid/model/facet_edges.h"
@@ -75,7 +76,8 @@ class Builder {
       // intersection.
       const double limit = isFacetCorner_[v] ? kCornerFraction * tolerance_
                                              : std::max(10 * tolerance_, 4 * reach[v]);
-      const Vector3d moved = meetingPoint(mesh_.points[v], at[v]);
+      const auto known = knownPlace(mesh_.points[v], at[v], limit);
+      const Vector3d moved = known ? *known : meetingPoint(mesh_.points[v], at[v]);
       if ((moved - mesh_.points[v]).norm() <= limit) position_[v] = moved;
     }
   }
@@ -150,8 +152,9 @@ class Builder {
       reach = std::max(reach, (along[i] - along[i - 1]).norm());
     }
     const double strays = 3 * tolerance_ + 2 * reach;
-    const auto curve =
-        sectionCurve(along, chain.closed, *chain.surfaces[0], *chain.surfaces[1], strays);
+    const Carrier &a = *chain.surfaces[0], &b = *chain.surfaces[1];
+    if (const auto known = knownCurve(along, a, b, kOnCarrier, 2 * strays)) return known;
+    const auto curve = sectionCurve(along, chain.closed, a, b, strays);
     return curve && isNear(*curve, along, chain, strays) ? curve : std::nullopt;
   }
 

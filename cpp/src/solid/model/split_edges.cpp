@@ -2,6 +2,7 @@
 #include "solid/model/split_edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace swept::step {
@@ -66,6 +67,17 @@ std::pair<Curve, Curve> split(const Curve& curve, double at) {
 }
 
 }  // namespace
+
+double middleOf(const Curve& curve) {
+  double middle = 0.5 * curve.last;
+  if (curve.knots.size() > 2) {
+    middle =
+        *std::min_element(curve.knots.begin() + 1, curve.knots.end() - 1, [&](double a, double b) {
+          return std::abs(a - 0.5 * curve.last) < std::abs(b - 0.5 * curve.last);
+        });
+  }
+  return middle;
+}
 
 void splitEdges(const std::vector<EdgeCut>& cuts, Model& model) {
   std::vector<std::int32_t> second(model.edges.size(), -1);

@@ -18,6 +18,10 @@ struct EdgeCut {
   double at = 0;  ///< parameter of the edge's curve
 };
 
+/// Returns the parameter at which a curve is best halved. This is a knot, since a profile may bend
+/// unevenly there.
+double middleOf(const Curve& curve);
+
 /// An edge may be split once per call.
 void splitEdges(const std::vector<EdgeCut>& cuts, Model& model);
 

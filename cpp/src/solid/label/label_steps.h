@@ -1,0 +1,22 @@
+// Steps that clean the labels of triangles, called by labelFaces() in this order.
+// Units:   mm.
+// Cost:    O(triangles) each.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "solid/label/label_tools.h"
+
+namespace swept::step {
+
+/// Gives small regions to neighbours that explain them, connects narrow strips, and parts regions
+/// that touch themselves. Returns false if nothing changed.
+bool tidyRegions(Labels& labels);
+
+/// Mends vertices where three or four regions meet whose carriers have no common point. Returns
+/// false if nothing changed.
+bool mendCorners(Labels& labels);
+
+/// Opens the ground around vertices that could not be mended, and around the given points.
+void openGround(const std::vector<Eigen::Vector3d>& around, Labels& labels);
+
+}  // namespace swept::step

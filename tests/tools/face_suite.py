@@ -1,0 +1,169 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solids that have the faces of the sweep: CAD parts along a motion, from STEP to STEP.
+
+Each part is swept and written as STEP by the program, with the faces that its sweep really has. A
+row of the table has, besides what supplier_suite.py tells:
+    real          share of the area on other faces than plane triangles
+    off, off99    mm: largest distance of exact crossings (the points of --sources) from the solid, and
+                  the distance that 99 % of a sample keep
+    away          cells: largest distance of points on the faces of the solid from the nearest
+                  crossing; about 1 is as near as crossings lie to each other
+
+Usage: face_suite.py BUILD TABLE [--parts FOLDER] [--path lift2|path3|path5] [--resolution N]
+       [--share S] [--keep FOLDER] [--mesh] [WORD...]    only parts whose name contains a WORD
+       --share: tolerance, of the box diagonal; --mesh: recognise the faces in the mesh, as before
+Ends with 1 if a solid is not clean. Needs FreeCAD's Python modules.
+"""
+import argparse
+import csv
+import json
+import pathlib
+import sys
+import tempfile
+
+import numpy as np
+import shared_data
+from supplier_suite import PATHS, box_of, motion_rows, report_of, run
+
+COLUMNS = (
+    "part", "status", "valid", "faults", "edge_tolerance", "vertex_tolerance", "tolerance",
+    "triangles", "faces", "facets", "real", "off", "off99", "away", "block_error", "seconds",
+    "megabytes", "note",
+)  # fmt: skip
+SAMPLE = 400
+
+
+def kernel():
+    for folder in ("/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib"):
+        if pathlib.Path(folder).is_dir() and folder not in sys.path:
+            sys.path.append(folder)
+    import FreeCAD
+    import Part
+
+    return FreeCAD, Part
+
+
+def is_facet(face):
+    kinds = [type(edge.Curve).__name__ for edge in face.Edges]
+    return type(face.Surface).__name__ == "Plane" and kinds == ["Line"] * 3
+
+
+def sampled(faces, count):
+    """Points on the faces, about as many on each mm^2."""
+    points = []
+    area = sum(face.Area for face in faces)
+    for face in faces:
+        if face.Area * count < 0.2 * area:
+            continue
+        nodes, triangles = face.tessellate(0.05)
+        nodes = np.array([tuple(p) for p in nodes])
+        for triangle in triangles[:: 1 + len(triangles) // 20]:
+            points.append(nodes[list(triangle)].mean(axis=0))
+    return np.array(points)
+
+
+def measured(solid, crossings, cell):
+    """real, off, off99, away, and the number of facets."""
+    FreeCAD, Part = kernel()
+    shape = Part.Shape()
+    shape.read(str(solid))
+    facets = [is_facet(face) for face in shape.Faces]
+    areas = np.array([face.Area for face in shape.Faces])
+    rng = np.random.default_rng(1)
+    some = crossings[rng.choice(len(crossings), min(SAMPLE, len(crossings)), replace=False)]
+    shell = Part.Compound(shape.Faces)
+    off = [shell.distToShape(Part.Vertex(FreeCAD.Vector(*map(float, p))))[0] for p in some]
+    points = sampled(shape.Faces, 4 * SAMPLE)
+    nearest = [np.sqrt(((crossings - p) ** 2).sum(1).min()) for p in points]
+    real = areas[~np.array(facets)].sum() / areas.sum()
+    return real, max(off), np.quantile(off, 0.99), max(nearest) / cell, sum(facets)
+
+
+def judged(part, folder, options):
+    """One row of the table. Everything stays in `folder`."""
+    program = options.build / "bin" / "swept"
+    motion, mesh = folder / (part.stem + ".csv"), folder / (part.stem + ".ply")
+    motion.write_text("0,0,0,0,0,0,0,1\n")
+    sweep = [program, "envelope", part, "--motion", motion, "--resolution"]
+    _, found = report_of(sweep + ["32", "-o", mesh], folder)
+    if found["status"] != "Ok":
+        return [part.stem, found["code"]]
+    np.savetxt(motion, motion_rows(options.path, box_of(mesh).max()), fmt="%.17g", delimiter=",")
+    rows = folder / (part.stem + "_sources.csv")
+    sweep += [options.resolution]
+    _, found = report_of(sweep + ["-o", mesh, "--sources", rows], folder)
+    if found["status"] != "Ok":
+        return [part.stem, found["code"]]
+    tolerance = options.share * np.linalg.norm(box_of(mesh))
+    solid = folder / (part.stem + ".step")
+    wanted = ["-o", solid, "--solid-tolerance", repr(tolerance), "--max-faces", "1000000"]
+    start = [program, "solid", mesh] if options.mesh else sweep
+    seconds, report = report_of(start + wanted, folder)
+    if report["status"] != "Ok":
+        return [part.stem, report["code"]]
+    made = report["solid"]
+    crossings = np.genfromtxt(rows, delimiter=",", skip_header=1, usecols=(6, 7, 8))
+    crossings = crossings[np.isfinite(crossings).all(axis=1)]
+    real, off, off99, away, facets = measured(solid, crossings, found["cell"])
+    _, done = run([options.build / "bin" / "swept_judge_solid", solid, "--block"])
+    there = json.loads(done.stdout)
+    return [
+        part.stem, "Ok", there["valid"],
+        " ".join("{} {}".format(n, kind) for kind, n in sorted(there["faults"].items())) or "none",
+        "%.2g" % there["edge_tolerance"], "%.2g" % there["vertex_tolerance"],
+        "%.4f" % made["tolerance"], found["triangles"], made["faces"], facets, "%.4f" % real,
+        "%.4f" % off, "%.4f" % off99, "%.2f" % away, "%.1g" % there["block_error"],
+        "%.1f" % seconds, "%.2f" % (made["file_bytes"] / 1e6), made.get("note", ""),
+    ]  # fmt: skip
+
+
+def is_clean(row):
+    """Without faults, and no tolerance of an edge or vertex above that of the solid."""
+    cell = dict(zip(COLUMNS, row))
+    return (
+        cell["status"] == "Ok"
+        and cell["valid"] is True
+        and cell["faults"] == "none"
+        and max(float(cell["edge_tolerance"]), float(cell["vertex_tolerance"]))
+        <= float(cell["tolerance"])
+    )
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("build", type=lambda p: pathlib.Path(p).resolve())
+    parser.add_argument("table", type=pathlib.Path)
+    parser.add_argument("words", nargs="*")
+    parser.add_argument("--parts", type=pathlib.Path, default=shared_data.FOLDER / "cad")
+    parser.add_argument("--path", choices=sorted(PATHS), default="lift2")
+    parser.add_argument("--resolution", default="256")
+    parser.add_argument("--share", type=float, default=1e-3)
+    parser.add_argument("--mesh", action="store_true")
+    parser.add_argument("--keep", type=pathlib.Path, help="a folder for the files")
+    options = parser.parse_intermixed_args()
+    if not options.parts.exists():
+        print("no parts in {}".format(options.parts))
+        return 0
+    clean = count = 0
+    with open(options.table, "w", newline="") as file:
+        table = csv.writer(file)
+        table.writerow(COLUMNS)
+        for part in sorted(options.parts.iterdir(), key=lambda p: p.stat().st_size):
+            if part.suffix.lower() not in (".step", ".stp", ".brep"):
+                continue
+            if options.words and not any(word in part.name for word in options.words):
+                continue
+            with tempfile.TemporaryDirectory() as name:
+                row = judged(part, options.keep or pathlib.Path(name), options)
+            table.writerow(row)
+            file.flush()
+            count += 1
+            clean += is_clean(row)
+            print(", ".join(map(str, row)) + ("" if is_clean(row) else "   NOT CLEAN"), flush=True)
+    print("solids: {} of {} clean".format(clean, count))
+    return 0 if clean == count else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,163 @@
+// Solids that have the faces of the sweep: a body from a STEP file, moved along straight lines.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "judge/solid_judge.h"
+#include "solid/test_meshes.h"
+#include "swept/body.h"
+#include "swept/compute.h"
+#include "swept/solid.h"
+
+namespace swept {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace test;
+using Eigen::Vector3d;
+
+constexpr double kRadius = 5, kLength = 16;
+
+class LabelledFaces : public testing::Test {
+ protected:
+  LabelledFaces()
+      : folder_(fs::temp_directory_path() / ("labelled-" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~LabelledFaces() override { fs::remove_all(folder_); }
+
+  // Makes a STEP file of the mesh, and reads it as a body with faces.
+  void readBodyOf(const TriMesh& mesh) {
+    const std::string file = (folder_ / "body.step").string();
+    writeSolid(mesh, file, {}, run_);
+    readBodyFrom(file);
+  }
+
+  void readBodyFrom(const std::string& file) {
+    BodyFileOptions files;
+    files.resolution = 96;
+    body_ = readBody(file, files, run_);
+    ASSERT_NE(body_.shape, nullptr);
+  }
+
+  void sweep(const std::vector<Vector3d>& places, const Eigen::Quaterniond& lastTurn) {
+    motion_ = {};
+    for (const Vector3d& place : places) {
+      Pose pose;
+      pose.timeSeconds = static_cast<double>(motion_.poses.size());
+      pose.translation = place;
+      motion_.poses.push_back(pose);
+    }
+    motion_.poses.back().rotation = lastTurn;
+    Options options;
+    options.resolution = 96;
+    options.sources = true;
+    result_ = compute(body_.mesh, motion_, options, run_);
+    ASSERT_EQ(result_.report.status, Status::Ok) << result_.report.message;
+  }
+
+  StepOptions optionsWithOrigin() const {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& p : result_.mesh.vertices) box.extend(p);
+    StepOptions options;
+    options.tolerance = 1e-3 * box.diagonal().norm();
+    options.origin = std::make_shared<const SolidOrigin>(
+        SolidOrigin{result_.sources, motion_, body_.shape, body_.chordError});
+    return options;
+  }
+
+  StepReport write(const StepOptions& options) {
+    const std::string file = (folder_ / "envelope.step").string();
+    const StepReport report = writeSolid(result_.mesh, file, options, run_);
+    judged_ = judgeSolid(readShape(file), 9, true);
+    kinds_.clear();
+    for (const auto& [kind, count] : report.facesByKind) kinds_[kind] = count;
+    return report;
+  }
+
+  // A solid of true faces has the exact volume, which no mesh has.
+  void expectExact(double volume) {
+    const StepOptions options = optionsWithOrigin();
+    const StepReport report = write(options);
+    EXPECT_EQ(kinds_["facet"], 0);
+    EXPECT_NEAR(report.volume, volume, 1e-6 * volume);
+    EXPECT_LE(report.deviation, 0.01);
+    EXPECT_TRUE(judged_.valid);
+    EXPECT_TRUE(judged_.faults.empty()) << (judged_.details.empty() ? "" : judged_.details.front());
+    EXPECT_LE(judged_.blockError, 1e-6);
+    EXPECT_LE(report.edgeTolerance, options.tolerance);
+  }
+
+  const Eigen::Quaterniond none_ = Eigen::Quaterniond::Identity();
+  fs::path folder_;
+  RunContext run_;
+  Body body_;
+  Trajectory motion_;
+  Result result_;
+  std::map<std::string, std::int64_t> kinds_;
+  JudgedSolid judged_;
+};
+
+TEST_F(LabelledFaces, BoxAlongALine) {
+  readBodyOf(boxMesh(12, 8, 5));
+  const Vector3d way(7, 4, 9);
+  sweep({{0, 0, 0}, way}, none_);
+  expectExact(12 * 8 * 5 + 8 * 5 * way.x() + 12 * 5 * way.y() + 12 * 8 * way.z());
+  EXPECT_EQ(kinds_["plane"], 12);
+}
+
+TEST_F(LabelledFaces, TwoStepsOfOneLineMakeTheSameFaces) {
+  readBodyOf(boxMesh(12, 8, 5));
+  const Vector3d way(7, 4, 9);
+  sweep({{0, 0, 0}, 0.4 * way, way}, none_);
+  expectExact(12 * 8 * 5 + 8 * 5 * way.x() + 12 * 5 * way.y() + 12 * 8 * way.z());
+  EXPECT_EQ(kinds_["plane"], 12);
+}
+
+TEST_F(LabelledFaces, RodAlongALine) {
+  const std::string file = (folder_ / "rod.brep").string();
+  writeRod(kRadius, kLength, file);
+  readBodyFrom(file);
+  const Vector3d way(9, 3, 11);
+  sweep({{0, 0, 0}, way}, none_);
+  // The body, and its shadow times the way.
+  expectExact(M_PI * kRadius * kRadius * (kLength + way.z()) +
+              2 * kRadius * kLength * std::hypot(way.x(), way.y()));
+  EXPECT_EQ(kinds_["cylinder"], 2);
+  EXPECT_EQ(kinds_["extrusion"], 2);
+  EXPECT_EQ(kinds_["plane"], 4);
+}
+
+TEST_F(LabelledFaces, ATurnGivesNoWorseSolidThanBefore) {
+  readBodyOf(boxMesh(12, 8, 5));
+  sweep({{0, 0, 0}, {7, 4, 9}},
+        Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Vector3d(1, 2, 3).normalized())));
+  const StepOptions options = optionsWithOrigin();
+  const StepReport report = write(options);
+  EXPECT_TRUE(judged_.valid);
+  EXPECT_LE(report.edgeTolerance, options.tolerance);
+  EXPECT_NEAR(report.volume, report.meshVolume, 1e-2 * report.meshVolume);
+}
+
+TEST_F(LabelledFaces, RefusesSourcesOfAnotherMesh) {
+  readBodyOf(boxMesh(12, 8, 5));
+  sweep({{0, 0, 0}, {7, 4, 9}}, none_);
+  StepOptions options = optionsWithOrigin();
+  SolidOrigin origin = *options.origin;
+  origin.sources.of.pop_back();
+  options.origin = std::make_shared<const SolidOrigin>(origin);
+  try {
+    writeSolid(result_.mesh, (folder_ / "x.step").string(), options, run_);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), "BadOption");
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "x.step"));
+}
+
+}  // namespace
+}  // namespace swept
