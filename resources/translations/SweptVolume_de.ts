@@ -2,6 +2,501 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
  <context>
+  <name>App::Property</name>
+  <message>
+   <source>Envelope that is checked, with its parts and its motion. The envelope can be coloured by distance</source>
+   <translation>Hülle, die mit ihren Teilen und ihrer Bewegung geprüft wird. Die Hülle kann nach Abstand eingefärbt werden</translation>
+  </message>
+  <message>
+   <source>Parts that move together, if no envelope is given</source>
+   <translation>Gemeinsam bewegte Teile, wenn keine Hülle angegeben ist</translation>
+  </message>
+  <message>
+   <source>Motion of the parts, if no envelope is given</source>
+   <translation>Bewegung der Teile, wenn keine Hülle angegeben ist</translation>
+  </message>
+  <message>
+   <source>Parts that stand still. A group or link stands for all the parts in it</source>
+   <translation>Teile, die still stehen. Eine Gruppe oder Verknüpfung steht für alle Teile darin</translation>
+  </message>
+  <message>
+   <source>True: all other visible parts are neighbours, and the list Neighbours is not used</source>
+   <translation>True: Alle anderen sichtbaren Teile sind Nachbarn, und die Liste Neighbours wird nicht verwendet</translation>
+  </message>
+  <message>
+   <source>Distance that the parts must keep from the neighbours during the motion</source>
+   <translation>Abstand, den die Teile während der Bewegung von den Nachbarn halten müssen</translation>
+  </message>
+  <message>
+   <source>Largest allowed error of the smallest distance</source>
+   <translation>Größter erlaubter Fehler des kleinsten Abstands</translation>
+  </message>
+  <message>
+   <source>How far the triangle mesh of a solid may deviate from the solid. This deviation is subtracted from guaranteed distances</source>
+   <translation>Wie weit das Dreiecksnetz eines Festkörpers vom Festkörper abweichen darf. Diese Abweichung wird von garantierten Abständen abgezogen</translation>
+  </message>
+  <message>
+   <source>Neighbours, or groups of neighbours, that have their own rule</source>
+   <translation>Nachbarn oder Gruppen von Nachbarn, die eine eigene Regel haben</translation>
+  </message>
+  <message>
+   <source>The rule of each entry of RuleParts. Required: its own required distance. Contact: contact is allowed. Ignore: not checked</source>
+   <translation>Die Regel jedes Eintrags von RuleParts. Required: eigener Sollabstand. Contact: Kontakt ist erlaubt. Ignore: nicht geprüft</translation>
+  </message>
+  <message>
+   <source>A length (mm) for each entry of RuleParts. Rule Required: the required distance. Rule Contact: the largest depth to which the parts may overlap</source>
+   <translation>Eine Länge (mm) für jeden Eintrag von RuleParts. Regel Required: der Sollabstand. Regel Contact: die größte Tiefe, bis zu der sich die Teile überschneiden dürfen</translation>
+  </message>
+  <message>
+   <source>State of the result</source>
+   <translation>Zustand des Ergebnisses</translation>
+  </message>
+  <message>
+   <source>Why the last run failed, and notes</source>
+   <translation>Warum der letzte Lauf fehlschlug, und Hinweise</translation>
+  </message>
+  <message>
+   <source>Result in one line</source>
+   <translation>Ergebnis in einer Zeile</translation>
+  </message>
+  <message>
+   <source>Neighbours checked</source>
+   <translation>Geprüfte Nachbarn</translation>
+  </message>
+  <message>
+   <source>Worst verdict of all rows: clear, below (below required), contact or clash</source>
+   <translation>Schlechtestes Urteil aller Zeilen: clear (frei), below (unter Sollabstand), contact (Kontakt) oder clash (Kollision)</translation>
+  </message>
+  <message>
+   <source>Smallest distance</source>
+   <translation>Kleinster Abstand</translation>
+  </message>
+  <message>
+   <source>Report of the run (JSON)</source>
+   <translation>Bericht des Laufs (JSON)</translation>
+  </message>
+  <message>
+   <source>Distance at each vertex of the envelope, for its colours</source>
+   <translation>Abstand an jedem Eckpunkt der Hülle, für ihre Farben</translation>
+  </message>
+  <message>
+   <source>Inputs of the stored result</source>
+   <translation>Eingaben des gespeicherten Ergebnisses</translation>
+  </message>
+  <message>
+   <source>Inputs of the last run that failed</source>
+   <translation>Eingaben des letzten fehlgeschlagenen Laufs</translation>
+  </message>
+  <message>
+   <source>Inputs that were deleted (JSON)</source>
+   <translation>Eingaben, die gelöscht wurden (JSON)</translation>
+  </message>
+  <message>
+   <source>Parts that were visible in the last run, recorded if AllVisible was true. If one of them changes, the result is stale</source>
+   <translation>Teile, die im letzten Lauf sichtbar waren, festgehalten, wenn AllVisible True war. Ändert sich eines davon, ist das Ergebnis veraltet</translation>
+  </message>
+  <message>
+   <source>Record of which face or edge made each triangle (compressed)</source>
+   <translation>Aufzeichnung, welche Fläche oder Kante jedes Dreieck erzeugt hat (komprimiert)</translation>
+  </message>
+  <message>
+   <source>Placement of the result when the result was stored. If the present placement differs, the result was moved</source>
+   <translation>Platzierung des Ergebnisses, als es gespeichert wurde. Weicht die jetzige Platzierung davon ab, wurde das Ergebnis verschoben</translation>
+  </message>
+  <message>
+   <source>Solids and meshes that move together. A group or link stands for all the parts in it</source>
+   <translation>Festkörper und Netze, die sich zusammen bewegen. Eine Gruppe oder Verknüpfung steht für alle Teile darin</translation>
+  </message>
+  <message>
+   <source>Motion of the parts</source>
+   <translation>Bewegung der Teile</translation>
+  </message>
+  <message>
+   <source>One motion for each entry of MovingParts, if the parts move independently. Empty: all parts follow Motion</source>
+   <translation>Eine Bewegung für jeden Eintrag von MovingParts, wenn sich die Teile unabhängig bewegen. Leer: Alle Teile folgen Motion</translation>
+  </message>
+  <message>
+   <source>Moving part relative to which the envelope is computed</source>
+   <translation>Bewegtes Teil, relativ zu dem die Hülle berechnet wird</translation>
+  </message>
+  <message>
+   <source>Motion of the reference part</source>
+   <translation>Bewegung des Bezugsteils</translation>
+  </message>
+  <message>
+   <source>Number of cells along the longest side of the swept volume. Used if CellSize is 0</source>
+   <translation>Anzahl der Zellen entlang der längsten Seite des überstrichenen Volumens. Gilt, wenn CellSize 0 ist</translation>
+  </message>
+  <message>
+   <source>Edge length of a cell of the sampling grid. 0: computed from Resolution</source>
+   <translation>Kantenlänge einer Zelle des Abtastgitters. 0: aus Resolution berechnet</translation>
+  </message>
+  <message>
+   <source>How far the triangle mesh of a solid may deviate from the solid, as a fraction of the cell size</source>
+   <translation>Wie weit das Dreiecksnetz eines Festkörpers vom Festkörper abweichen darf, als Bruchteil der Zellgröße</translation>
+  </message>
+  <message>
+   <source>How far simplification may move the surface. 0: no simplification</source>
+   <translation>Wie weit Vereinfachung die Oberfläche verschieben darf; 0: keine Vereinfachung</translation>
+  </message>
+  <message>
+   <source>Distance by which the envelope is grown on all sides</source>
+   <translation>Abstand, um den die Hülle auf allen Seiten wächst</translation>
+  </message>
+  <message>
+   <source>True: the envelope provably contains the swept volume</source>
+   <translation>True: Die Hülle enthält nachweislich das überstrichene Volumen</translation>
+  </message>
+  <message>
+   <source>True: enclosed cavities are kept as inner shells. False: they are filled</source>
+   <translation>True: Eingeschlossene Hohlräume bleiben als innere Schalen. False: Sie werden gefüllt</translation>
+  </message>
+  <message>
+   <source>Skips a pose if no point of the part has moved farther than this since the last pose used. 0: uses every pose</source>
+   <translation>Überspringt eine Lage, wenn sich kein Punkt des Teils seit der letzten verwendeten Lage weiter als dies bewegt hat. 0: verwendet jede Lage</translation>
+  </message>
+  <message>
+   <source>How separate pieces of surface inside one cell are recognised</source>
+   <translation>Wie getrennte Flächenstücke innerhalb einer Zelle erkannt werden</translation>
+  </message>
+  <message>
+   <source>Processor that samples the envelope: CPU, graphics processor, or chosen automatically</source>
+   <translation>Prozessor, der die Hülle abtastet: CPU, Grafikprozessor oder automatisch gewählt</translation>
+  </message>
+  <message>
+   <source>Whether to record which face or edge made each triangle. Off: no record. Session: kept until the document is closed. Document: stored in the document, which makes the file larger</source>
+   <translation>Ob aufgezeichnet wird, welche Fläche oder Kante jedes Dreieck erzeugt hat. Off: keine Aufzeichnung. Session: bleibt, bis das Dokument geschlossen wird. Document: wird im Dokument gespeichert, was die Datei größer macht</translation>
+  </message>
+  <message>
+   <source>Why the last run failed, and warnings</source>
+   <translation>Warum der letzte Lauf fehlschlug, und Warnungen</translation>
+  </message>
+  <message>
+   <source>Volume of the envelope</source>
+   <translation>Volumen der Hülle</translation>
+  </message>
+  <message>
+   <source>Surface area of the envelope</source>
+   <translation>Oberfläche der Hülle</translation>
+  </message>
+  <message>
+   <source>Number of triangles of the envelope</source>
+   <translation>Anzahl der Dreiecke der Hülle</translation>
+  </message>
+  <message>
+   <source>Number of separate closed surfaces of the envelope</source>
+   <translation>Anzahl der getrennten geschlossenen Oberflächen der Hülle</translation>
+  </message>
+  <message>
+   <source>Number of pairs of triangles that intersect. -1: not counted</source>
+   <translation>Anzahl der Paare von Dreiecken, die sich durchdringen. -1: nicht gezählt</translation>
+  </message>
+  <message>
+   <source>Edge length of the grid cells used for this result</source>
+   <translation>Kantenlänge der Gitterzellen, die für dieses Ergebnis verwendet wurden</translation>
+  </message>
+  <message>
+   <source>Duration of the run (s)</source>
+   <translation>Dauer des Laufs (s)</translation>
+  </message>
+  <message>
+   <source>Parts that move, in the order of Motions</source>
+   <translation>Bewegte Teile, in der Reihenfolge von Motions</translation>
+  </message>
+  <message>
+   <source>One motion for each entry of MovingParts. All motions use the same time axis</source>
+   <translation>Eine Bewegung für jeden Eintrag von MovingParts. Alle Bewegungen haben dieselbe Zeitachse</translation>
+  </message>
+  <message>
+   <source>True: all other visible parts are neighbours that stand still, and the list Neighbours is not used</source>
+   <translation>True: Alle anderen sichtbaren Teile sind stillstehende Nachbarn, und die Liste Neighbours wird nicht verwendet</translation>
+  </message>
+  <message>
+   <source>Lists the pairs of parts that come closer than this. 0: a tenth of the size of the parts</source>
+   <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der Größe der Teile</translation>
+  </message>
+  <message>
+   <source>Parts or groups of each pair that has its own rule, two entries for each pair: first, second, first, second ...</source>
+   <translation>Teile oder Gruppen jedes Paars, das eine eigene Regel hat, zwei Einträge je Paar: erstes, zweites, erstes, zweites ...</translation>
+  </message>
+  <message>
+   <source>A length (mm) for each pair of RuleParts. Rule Required: the required distance. Rule Contact: the largest depth to which the parts may overlap</source>
+   <translation>Eine Länge (mm) für jedes Paar von RuleParts. Regel Required: der Sollabstand. Regel Contact: die größte Tiefe, bis zu der sich die Teile überschneiden dürfen</translation>
+  </message>
+  <message>
+   <source>Number of pairs checked, including pairs that stay farther apart than Range</source>
+   <translation>Anzahl der geprüften Paare, auch solcher, die weiter als Range auseinander bleiben</translation>
+  </message>
+  <message>
+   <source>Time of each pose (s), in ascending order</source>
+   <translation>Zeit jeder Lage (s), aufsteigend</translation>
+  </message>
+  <message>
+   <source>Placement of each pose. PoseType says whether it replaces the placement of the part or is a displacement from it</source>
+   <translation>Platzierung jeder Lage. PoseType sagt, ob sie die Platzierung des Teils ersetzt oder eine Verschiebung davon ist</translation>
+  </message>
+  <message>
+   <source>How the part moves between two poses. Linear: along a straight line, turning at a constant rate. Screw: one screw movement. Spline: along a smooth curve through all poses. None: only the poses themselves count, there is no motion between them</source>
+   <translation>Wie sich das Teil zwischen zwei Lagen bewegt. Linear: auf einer Geraden, mit gleichmäßiger Drehung. Screw: eine Schraubbewegung. Spline: auf einer glatten Kurve durch alle Lagen. None: Nur die Lagen selbst zählen, dazwischen gibt es keine Bewegung</translation>
+  </message>
+  <message>
+   <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. In coordinates of the part if PoseType is Absolute, otherwise of the document</source>
+   <translation>Punkt des Teils, der zwischen zwei Lagen der Geraden (Linear) oder der Kurve (Spline) folgt und um den sich das Teil dreht. In Koordinaten des Teils, wenn PoseType Absolute ist, sonst des Dokuments</translation>
+  </message>
+  <message>
+   <source>Parts that this motion moves. The motion editor shows the first part</source>
+   <translation>Teile, die diese Bewegung bewegt; der Bewegungseditor zeigt das erste</translation>
+  </message>
+  <message>
+   <source>Other parts that the source moved when this motion was read</source>
+   <translation>Andere Teile, die die Quelle beim Lesen dieser Bewegung bewegte</translation>
+  </message>
+  <message>
+   <source>Tangent of the spline at each pose. Auto: from the poses before and after. Stop: the part comes to rest. Corner: the direction may change abruptly. Given: the velocity in Velocities. Missing entries count as Auto</source>
+   <translation>Tangente des Splines an jeder Lage. Auto: aus den Lagen davor und danach. Stop: Das Teil kommt zur Ruhe. Corner: Die Richtung darf sich abrupt ändern. Given: die Geschwindigkeit in Velocities. Fehlende Einträge gelten als Auto</translation>
+  </message>
+  <message>
+   <source>Velocity of the spline (mm/s), one entry for each pose. Used only if the tangent at the pose is Given</source>
+   <translation>Geschwindigkeit des Splines (mm/s), ein Eintrag je Lage. Gilt nur, wenn die Tangente an der Lage Given ist</translation>
+  </message>
+  <message>
+   <source>Where the poses come from</source>
+   <translation>Woher die Lagen kommen</translation>
+  </message>
+  <message>
+   <source>File from which the poses were read. Reload motion reads it again</source>
+   <translation>Datei, aus der die Lagen gelesen wurden. „Bewegung neu laden“ liest sie erneut</translation>
+  </message>
+  <message>
+   <source>Unit of the lengths in the file</source>
+   <translation>Einheit der Längen in der Datei</translation>
+  </message>
+  <message>
+   <source>Objects from whose placements or shapes the poses are read</source>
+   <translation>Objekte, aus deren Platzierungen oder Formen die Lagen gelesen werden</translation>
+  </message>
+  <message>
+   <source>Settings of the source</source>
+   <translation>Einstellungen der Quelle</translation>
+  </message>
+  <message>
+   <source>Number of poses</source>
+   <translation>Anzahl der Lagen</translation>
+  </message>
+  <message>
+   <source>Last time minus first time (s)</source>
+   <translation>Letzte minus erste Zeit (s)</translation>
+  </message>
+  <message>
+   <source>What is wrong with the motion. Empty: the motion can be used</source>
+   <translation>Was an der Bewegung falsch ist. Leer: Die Bewegung kann verwendet werden</translation>
+  </message>
+  <message>
+   <source>Notes from reading the poses</source>
+   <translation>Hinweise vom Lesen der Lagen</translation>
+  </message>
+  <message>
+   <source>Checksum of the source when it was read. If it changes, the motion is stale</source>
+   <translation>Prüfsumme der Quelle beim Lesen. Ändert sie sich, ist die Bewegung veraltet</translation>
+  </message>
+  <message>
+   <source>Number of poses to read. 0 (only for curves): as many poses as SourceAccuracy requires</source>
+   <translation>Anzahl der zu lesenden Lagen. 0 (nur bei Kurven): so viele Lagen, wie SourceAccuracy erfordert</translation>
+  </message>
+  <message>
+   <source>How far the straight line between two poses may deviate from the curve</source>
+   <translation>Wie weit die Gerade zwischen zwei Lagen von der Kurve abweichen darf</translation>
+  </message>
+  <message>
+   <source>Orientation of the part. Fixed: it never turns. Tangent: its x axis follows the tangent. SecondCurve: as Tangent, and its z axis points to the second curve</source>
+   <translation>Ausrichtung des Teils. Fixed: Es dreht sich nie. Tangent: Seine x-Achse folgt der Tangente. SecondCurve: wie Tangent, und seine z-Achse zeigt zur zweiten Kurve</translation>
+  </message>
+  <message>
+   <source>Time from the first to the last pose (s)</source>
+   <translation>Zeit von der ersten bis zur letzten Lage (s)</translation>
+  </message>
+  <message>
+   <source>Time from one pose to the next (s)</source>
+   <translation>Zeit von einer Lage zur nächsten (s)</translation>
+  </message>
+  <message>
+   <source>Rapid</source>
+   <translation>Eilgang</translation>
+  </message>
+  <message>
+   <source>What the G-code words A, B and C rotate: the tool head or the table</source>
+   <translation>Was die G-Code-Wörter A, B und C drehen: den Werkzeugkopf oder den Tisch</translation>
+  </message>
+  <message>
+   <source>Name of the value that is changed to move the part</source>
+   <translation>Name des Werts, der geändert wird, um das Teil zu bewegen</translation>
+  </message>
+  <message>
+   <source>What SourceValue is set to at the first pose, in its own unit (such as mm or degrees)</source>
+   <translation>Zahl, auf die SourceValue bei der ersten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
+  </message>
+  <message>
+   <source>What SourceValue is set to at the last pose, in its own unit (such as mm or degrees)</source>
+   <translation>Zahl, auf die SourceValue bei der letzten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
+  </message>
+  <message>
+   <source>Parts, in the order in which they are installed</source>
+   <translation>Teile, in der Reihenfolge ihres Einbaus</translation>
+  </message>
+  <message>
+   <source>One motion for each part. It ends where the part is installed</source>
+   <translation>Eine Bewegung für jedes Teil. Sie endet dort, wo das Teil eingebaut ist</translation>
+  </message>
+  <message>
+   <source>Distance that each part must keep from the parts already in place</source>
+   <translation>Abstand, den jedes Teil von den schon eingebauten Teilen halten muss</translation>
+  </message>
+  <message>
+   <source>If a part touches another part at its start or end, it may keep touching that part while no point of it is farther than this from that start or end</source>
+   <translation>Berührt ein Teil an seinem Start oder Ende ein anderes Teil, darf es dieses weiter berühren, solange keiner seiner Punkte weiter als dies von diesem Start oder Ende entfernt ist</translation>
+  </message>
+  <message>
+   <source>Number of parts that have a path</source>
+   <translation>Anzahl der Teile, die eine Bahn haben</translation>
+  </message>
+  <message>
+   <source>First of the two sides that are compared: parts, envelopes or other reserved spaces</source>
+   <translation>Erste der beiden Seiten, die verglichen werden: Teile, Hüllen oder andere reservierte Räume</translation>
+  </message>
+  <message>
+   <source>Second of the two sides that are compared: parts, envelopes or other reserved spaces</source>
+   <translation>Zweite der beiden Seiten, die verglichen werden: Teile, Hüllen oder andere reservierte Räume</translation>
+  </message>
+  <message>
+   <source>Motion of the first side. None: the first side stands still</source>
+   <translation>Bewegung der ersten Seite. Keine: Die erste Seite steht still</translation>
+  </message>
+  <message>
+   <source>Motion of the second side. None: the second side stands still</source>
+   <translation>Bewegung der zweiten Seite. Keine: Die zweite Seite steht still</translation>
+  </message>
+  <message>
+   <source>Time at which both sides are compared (s)</source>
+   <translation>Zeit, zu der beide Seiten verglichen werden (s)</translation>
+  </message>
+  <message>
+   <source>How far the triangle mesh of a solid may deviate from the solid</source>
+   <translation>Wie weit das Dreiecksnetz eines Festkörpers vom Festkörper abweichen darf</translation>
+  </message>
+  <message>
+   <source>Whether the result is current</source>
+   <translation>Ob das Ergebnis aktuell ist</translation>
+  </message>
+  <message>
+   <source>Remarks about the result</source>
+   <translation>Hinweise zum Ergebnis</translation>
+  </message>
+  <message>
+   <source>Volume that both sides share</source>
+   <translation>Volumen, das beide Seiten gemeinsam haben</translation>
+  </message>
+  <message>
+   <source>Smallest distance between the sides, if they share no volume</source>
+   <translation>Kleinster Abstand der Seiten, wenn sie kein Volumen gemeinsam haben</translation>
+  </message>
+  <message>
+   <source>How deep one of the two sides penetrates the other</source>
+   <translation>Wie tief eine der beiden Seiten in die andere eindringt</translation>
+  </message>
+  <message>
+   <source>Envelope or other closed mesh that is converted to a solid</source>
+   <translation>Hülle oder anderes geschlossenes Netz, das in einen Festkörper umgewandelt wird</translation>
+  </message>
+  <message>
+   <source>Merge coplanar</source>
+   <translation>Koplanare vereinigen</translation>
+  </message>
+  <message>
+   <source>Largest number of faces. If Tolerance is 0, the smallest tolerance that meets this limit is chosen</source>
+   <translation>Größte Anzahl der Flächen. Ist Tolerance 0, wird die kleinste Toleranz gewählt, die diese Grenze einhält</translation>
+  </message>
+  <message>
+   <source>How far the solid may deviate from the mesh. Within this tolerance, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a tolerance</source>
+   <translation>Wie weit der Festkörper vom Netz abweichen darf. Innerhalb dieser Toleranz werden Zylinder, Kugeln und andere Flächen erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces keine Toleranz erfordert</translation>
+  </message>
+  <message>
+   <source>Largest distance of the mesh from the solid, as measured</source>
+   <translation>Größter gemessener Abstand des Netzes vom Festkörper</translation>
+  </message>
+  <message>
+   <source>Largest gap between two faces that share an edge</source>
+   <translation>Größter Spalt zwischen zwei Flächen mit gemeinsamer Kante</translation>
+  </message>
+  <message>
+   <source>Why the last run failed</source>
+   <translation>Warum der letzte Lauf fehlschlug</translation>
+  </message>
+  <message>
+   <source>Faces of the solid</source>
+   <translation>Flächen des Festkörpers</translation>
+  </message>
+  <message>
+   <source>Volume of the solid</source>
+   <translation>Volumen des Festkörpers</translation>
+  </message>
+  <message>
+   <source>Study file (TOML) that lists the runs. Empty: the runs come from Sources</source>
+   <translation>Studiendatei (TOML), die die Läufe auflistet. Leer: Die Läufe kommen aus Sources</translation>
+  </message>
+  <message>
+   <source>Envelopes and clearance checks of this document. Each of them is one run</source>
+   <translation>Hüllen und Abstandsprüfungen dieses Dokuments. Jede ist ein Lauf</translation>
+  </message>
+  <message>
+   <source>Folder for the results. Empty: the folder set in the study file, or the folder "results" beside that file. Without a study file: a folder beside the document</source>
+   <translation>Ordner für die Ergebnisse. Leer: der in der Studiendatei festgelegte Ordner, oder der Ordner „results“ neben ihr. Ohne Studiendatei: ein Ordner neben dem Dokument</translation>
+  </message>
+  <message>
+   <source>Number of runs at the same time. 0: one for each processor core</source>
+   <translation>Anzahl der Läufe zur selben Zeit. 0: einer je Prozessorkern</translation>
+  </message>
+  <message>
+   <source>Number of runs that have ended</source>
+   <translation>Anzahl der beendeten Läufe</translation>
+  </message>
+  <message>
+   <source>Folder of the stored result</source>
+   <translation>Ordner des gespeicherten Ergebnisses</translation>
+  </message>
+  <message>
+   <source>Study file of the stored result</source>
+   <translation>Studiendatei des gespeicherten Ergebnisses</translation>
+  </message>
+  <message>
+   <source>What a pose means.
+Absolute: the pose replaces the present placement of the part. This is the default; captured placements and recorded motions use it.
+Relative: the pose is added to the present placement of the part. The identity leaves the part in place.
+RelativeToFirst: as Relative, but measured from the first pose. The motion starts at the present placement of the part.
+Several parts move together as one rigid body; with Absolute, the poses are those of the first part. A motion in a group uses the coordinates of the group and moves with the group.</source>
+   <translation>Was eine Lage bedeutet.
+Absolute: Die Lage ersetzt die jetzige Platzierung des Teils. Dies ist die Vorgabe; übernommene Platzierungen und aufgezeichnete Bewegungen verwenden sie.
+Relative: Die Lage kommt zur jetzigen Platzierung des Teils hinzu. Die Identität lässt das Teil an seinem Platz.
+RelativeToFirst: wie Relative, aber von der ersten Lage aus gemessen. Die Bewegung beginnt an der jetzigen Platzierung des Teils.
+Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten die Lagen für das erste Teil. Eine Bewegung in einer Gruppe verwendet die Koordinaten der Gruppe und bewegt sich mit ihr.</translation>
+  </message>
+  <message>
+   <source>Largest number of triangles to draw. A larger mesh is reduced to this number on screen. 0: draws all triangles</source>
+   <translation>Größte Anzahl der zu zeichnenden Dreiecke. Ein größeres Netz wird auf dem Bildschirm auf diese Anzahl verringert. 0: zeichnet alle Dreiecke</translation>
+  </message>
+  <message>
+   <source>What the colours show. Needs a record of what made the envelope (MadeBy)</source>
+   <translation>Was die Farben zeigen. Braucht eine Aufzeichnung darüber, was die Hülle erzeugt hat (MadeBy)</translation>
+  </message>
+  <message>
+   <source>Length of the axes drawn at each pose (mm). 0: chosen automatically</source>
+   <translation>Länge der an jeder Lage gezeichneten Achsen (mm). 0: automatisch gewählt</translation>
+  </message>
+  <message>
+   <source>Width of the line that shows the motion (pixels)</source>
+   <translation>Breite der Linie, die die Bewegung zeigt (Pixel)</translation>
+  </message>
+ </context>
+ <context>
   <name>SweptVolumePreferences</name>
   <message>
    <source>General</source>
@@ -3230,501 +3725,6 @@ bis etwa {2}, {3}</translation>
   <message>
    <source>Kind</source>
    <translation>Art</translation>
-  </message>
- </context>
- <context>
-  <name>SweptVolume_Properties</name>
-  <message>
-   <source>Envelope that is checked, with its parts and its motion. The envelope can be coloured by distance</source>
-   <translation>Hülle, die mit ihren Teilen und ihrer Bewegung geprüft wird. Die Hülle kann nach Abstand eingefärbt werden</translation>
-  </message>
-  <message>
-   <source>Parts that move together, if no envelope is given</source>
-   <translation>Gemeinsam bewegte Teile, wenn keine Hülle angegeben ist</translation>
-  </message>
-  <message>
-   <source>Motion of the parts, if no envelope is given</source>
-   <translation>Bewegung der Teile, wenn keine Hülle angegeben ist</translation>
-  </message>
-  <message>
-   <source>Parts that stand still. A group or link stands for all the parts in it</source>
-   <translation>Teile, die still stehen. Eine Gruppe oder Verknüpfung steht für alle Teile darin</translation>
-  </message>
-  <message>
-   <source>True: all other visible parts are neighbours, and the list Neighbours is not used</source>
-   <translation>True: Alle anderen sichtbaren Teile sind Nachbarn, und die Liste Neighbours wird nicht verwendet</translation>
-  </message>
-  <message>
-   <source>Distance that the parts must keep from the neighbours during the motion</source>
-   <translation>Abstand, den die Teile während der Bewegung von den Nachbarn halten müssen</translation>
-  </message>
-  <message>
-   <source>Largest allowed error of the smallest distance</source>
-   <translation>Größter erlaubter Fehler des kleinsten Abstands</translation>
-  </message>
-  <message>
-   <source>How far the triangle mesh of a solid may deviate from the solid. This deviation is subtracted from guaranteed distances</source>
-   <translation>Wie weit das Dreiecksnetz eines Festkörpers vom Festkörper abweichen darf. Diese Abweichung wird von garantierten Abständen abgezogen</translation>
-  </message>
-  <message>
-   <source>Neighbours, or groups of neighbours, that have their own rule</source>
-   <translation>Nachbarn oder Gruppen von Nachbarn, die eine eigene Regel haben</translation>
-  </message>
-  <message>
-   <source>The rule of each entry of RuleParts. Required: its own required distance. Contact: contact is allowed. Ignore: not checked</source>
-   <translation>Die Regel jedes Eintrags von RuleParts. Required: eigener Sollabstand. Contact: Kontakt ist erlaubt. Ignore: nicht geprüft</translation>
-  </message>
-  <message>
-   <source>A length (mm) for each entry of RuleParts. Rule Required: the required distance. Rule Contact: the largest depth to which the parts may overlap</source>
-   <translation>Eine Länge (mm) für jeden Eintrag von RuleParts. Regel Required: der Sollabstand. Regel Contact: die größte Tiefe, bis zu der sich die Teile überschneiden dürfen</translation>
-  </message>
-  <message>
-   <source>State of the result</source>
-   <translation>Zustand des Ergebnisses</translation>
-  </message>
-  <message>
-   <source>Why the last run failed, and notes</source>
-   <translation>Warum der letzte Lauf fehlschlug, und Hinweise</translation>
-  </message>
-  <message>
-   <source>Result in one line</source>
-   <translation>Ergebnis in einer Zeile</translation>
-  </message>
-  <message>
-   <source>Neighbours checked</source>
-   <translation>Geprüfte Nachbarn</translation>
-  </message>
-  <message>
-   <source>Worst verdict of all rows: clear, below (below required), contact or clash</source>
-   <translation>Schlechtestes Urteil aller Zeilen: clear (frei), below (unter Sollabstand), contact (Kontakt) oder clash (Kollision)</translation>
-  </message>
-  <message>
-   <source>Smallest distance</source>
-   <translation>Kleinster Abstand</translation>
-  </message>
-  <message>
-   <source>Report of the run (JSON)</source>
-   <translation>Bericht des Laufs (JSON)</translation>
-  </message>
-  <message>
-   <source>Distance at each vertex of the envelope, for its colours</source>
-   <translation>Abstand an jedem Eckpunkt der Hülle, für ihre Farben</translation>
-  </message>
-  <message>
-   <source>Inputs of the stored result</source>
-   <translation>Eingaben des gespeicherten Ergebnisses</translation>
-  </message>
-  <message>
-   <source>Inputs of the last run that failed</source>
-   <translation>Eingaben des letzten fehlgeschlagenen Laufs</translation>
-  </message>
-  <message>
-   <source>Inputs that were deleted (JSON)</source>
-   <translation>Eingaben, die gelöscht wurden (JSON)</translation>
-  </message>
-  <message>
-   <source>Parts that were visible in the last run, recorded if AllVisible was true. If one of them changes, the result is stale</source>
-   <translation>Teile, die im letzten Lauf sichtbar waren, festgehalten, wenn AllVisible True war. Ändert sich eines davon, ist das Ergebnis veraltet</translation>
-  </message>
-  <message>
-   <source>Record of which face or edge made each triangle (compressed)</source>
-   <translation>Aufzeichnung, welche Fläche oder Kante jedes Dreieck erzeugt hat (komprimiert)</translation>
-  </message>
-  <message>
-   <source>Placement of the result when the result was stored. If the present placement differs, the result was moved</source>
-   <translation>Platzierung des Ergebnisses, als es gespeichert wurde. Weicht die jetzige Platzierung davon ab, wurde das Ergebnis verschoben</translation>
-  </message>
-  <message>
-   <source>Solids and meshes that move together. A group or link stands for all the parts in it</source>
-   <translation>Festkörper und Netze, die sich zusammen bewegen. Eine Gruppe oder Verknüpfung steht für alle Teile darin</translation>
-  </message>
-  <message>
-   <source>Motion of the parts</source>
-   <translation>Bewegung der Teile</translation>
-  </message>
-  <message>
-   <source>One motion for each entry of MovingParts, if the parts move independently. Empty: all parts follow Motion</source>
-   <translation>Eine Bewegung für jeden Eintrag von MovingParts, wenn sich die Teile unabhängig bewegen. Leer: Alle Teile folgen Motion</translation>
-  </message>
-  <message>
-   <source>Moving part relative to which the envelope is computed</source>
-   <translation>Bewegtes Teil, relativ zu dem die Hülle berechnet wird</translation>
-  </message>
-  <message>
-   <source>Motion of the reference part</source>
-   <translation>Bewegung des Bezugsteils</translation>
-  </message>
-  <message>
-   <source>Number of cells along the longest side of the swept volume. Used if CellSize is 0</source>
-   <translation>Anzahl der Zellen entlang der längsten Seite des überstrichenen Volumens. Gilt, wenn CellSize 0 ist</translation>
-  </message>
-  <message>
-   <source>Edge length of a cell of the sampling grid. 0: computed from Resolution</source>
-   <translation>Kantenlänge einer Zelle des Abtastgitters. 0: aus Resolution berechnet</translation>
-  </message>
-  <message>
-   <source>How far the triangle mesh of a solid may deviate from the solid, as a fraction of the cell size</source>
-   <translation>Wie weit das Dreiecksnetz eines Festkörpers vom Festkörper abweichen darf, als Bruchteil der Zellgröße</translation>
-  </message>
-  <message>
-   <source>How far simplification may move the surface. 0: no simplification</source>
-   <translation>Wie weit Vereinfachung die Oberfläche verschieben darf; 0: keine Vereinfachung</translation>
-  </message>
-  <message>
-   <source>Distance by which the envelope is grown on all sides</source>
-   <translation>Abstand, um den die Hülle auf allen Seiten wächst</translation>
-  </message>
-  <message>
-   <source>True: the envelope provably contains the swept volume</source>
-   <translation>True: Die Hülle enthält nachweislich das überstrichene Volumen</translation>
-  </message>
-  <message>
-   <source>True: enclosed cavities are kept as inner shells. False: they are filled</source>
-   <translation>True: Eingeschlossene Hohlräume bleiben als innere Schalen. False: Sie werden gefüllt</translation>
-  </message>
-  <message>
-   <source>Skips a pose if no point of the part has moved farther than this since the last pose used. 0: uses every pose</source>
-   <translation>Überspringt eine Lage, wenn sich kein Punkt des Teils seit der letzten verwendeten Lage weiter als dies bewegt hat. 0: verwendet jede Lage</translation>
-  </message>
-  <message>
-   <source>How separate pieces of surface inside one cell are recognised</source>
-   <translation>Wie getrennte Flächenstücke innerhalb einer Zelle erkannt werden</translation>
-  </message>
-  <message>
-   <source>Processor that samples the envelope: CPU, graphics processor, or chosen automatically</source>
-   <translation>Prozessor, der die Hülle abtastet: CPU, Grafikprozessor oder automatisch gewählt</translation>
-  </message>
-  <message>
-   <source>Whether to record which face or edge made each triangle. Off: no record. Session: kept until the document is closed. Document: stored in the document, which makes the file larger</source>
-   <translation>Ob aufgezeichnet wird, welche Fläche oder Kante jedes Dreieck erzeugt hat. Off: keine Aufzeichnung. Session: bleibt, bis das Dokument geschlossen wird. Document: wird im Dokument gespeichert, was die Datei größer macht</translation>
-  </message>
-  <message>
-   <source>Why the last run failed, and warnings</source>
-   <translation>Warum der letzte Lauf fehlschlug, und Warnungen</translation>
-  </message>
-  <message>
-   <source>Volume of the envelope</source>
-   <translation>Volumen der Hülle</translation>
-  </message>
-  <message>
-   <source>Surface area of the envelope</source>
-   <translation>Oberfläche der Hülle</translation>
-  </message>
-  <message>
-   <source>Number of triangles of the envelope</source>
-   <translation>Anzahl der Dreiecke der Hülle</translation>
-  </message>
-  <message>
-   <source>Number of separate closed surfaces of the envelope</source>
-   <translation>Anzahl der getrennten geschlossenen Oberflächen der Hülle</translation>
-  </message>
-  <message>
-   <source>Number of pairs of triangles that intersect. -1: not counted</source>
-   <translation>Anzahl der Paare von Dreiecken, die sich durchdringen. -1: nicht gezählt</translation>
-  </message>
-  <message>
-   <source>Edge length of the grid cells used for this result</source>
-   <translation>Kantenlänge der Gitterzellen, die für dieses Ergebnis verwendet wurden</translation>
-  </message>
-  <message>
-   <source>Duration of the run (s)</source>
-   <translation>Dauer des Laufs (s)</translation>
-  </message>
-  <message>
-   <source>Parts that move, in the order of Motions</source>
-   <translation>Bewegte Teile, in der Reihenfolge von Motions</translation>
-  </message>
-  <message>
-   <source>One motion for each entry of MovingParts. All motions use the same time axis</source>
-   <translation>Eine Bewegung für jeden Eintrag von MovingParts. Alle Bewegungen haben dieselbe Zeitachse</translation>
-  </message>
-  <message>
-   <source>True: all other visible parts are neighbours that stand still, and the list Neighbours is not used</source>
-   <translation>True: Alle anderen sichtbaren Teile sind stillstehende Nachbarn, und die Liste Neighbours wird nicht verwendet</translation>
-  </message>
-  <message>
-   <source>Lists the pairs of parts that come closer than this. 0: a tenth of the size of the parts</source>
-   <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der Größe der Teile</translation>
-  </message>
-  <message>
-   <source>Parts or groups of each pair that has its own rule, two entries for each pair: first, second, first, second ...</source>
-   <translation>Teile oder Gruppen jedes Paars, das eine eigene Regel hat, zwei Einträge je Paar: erstes, zweites, erstes, zweites ...</translation>
-  </message>
-  <message>
-   <source>A length (mm) for each pair of RuleParts. Rule Required: the required distance. Rule Contact: the largest depth to which the parts may overlap</source>
-   <translation>Eine Länge (mm) für jedes Paar von RuleParts. Regel Required: der Sollabstand. Regel Contact: die größte Tiefe, bis zu der sich die Teile überschneiden dürfen</translation>
-  </message>
-  <message>
-   <source>Number of pairs checked, including pairs that stay farther apart than Range</source>
-   <translation>Anzahl der geprüften Paare, auch solcher, die weiter als Range auseinander bleiben</translation>
-  </message>
-  <message>
-   <source>Time of each pose (s), in ascending order</source>
-   <translation>Zeit jeder Lage (s), aufsteigend</translation>
-  </message>
-  <message>
-   <source>Placement of each pose. PoseType says whether it replaces the placement of the part or is a displacement from it</source>
-   <translation>Platzierung jeder Lage. PoseType sagt, ob sie die Platzierung des Teils ersetzt oder eine Verschiebung davon ist</translation>
-  </message>
-  <message>
-   <source>How the part moves between two poses. Linear: along a straight line, turning at a constant rate. Screw: one screw movement. Spline: along a smooth curve through all poses. None: only the poses themselves count, there is no motion between them</source>
-   <translation>Wie sich das Teil zwischen zwei Lagen bewegt. Linear: auf einer Geraden, mit gleichmäßiger Drehung. Screw: eine Schraubbewegung. Spline: auf einer glatten Kurve durch alle Lagen. None: Nur die Lagen selbst zählen, dazwischen gibt es keine Bewegung</translation>
-  </message>
-  <message>
-   <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. In coordinates of the part if PoseType is Absolute, otherwise of the document</source>
-   <translation>Punkt des Teils, der zwischen zwei Lagen der Geraden (Linear) oder der Kurve (Spline) folgt und um den sich das Teil dreht. In Koordinaten des Teils, wenn PoseType Absolute ist, sonst des Dokuments</translation>
-  </message>
-  <message>
-   <source>Parts that this motion moves. The motion editor shows the first part</source>
-   <translation>Teile, die diese Bewegung bewegt; der Bewegungseditor zeigt das erste</translation>
-  </message>
-  <message>
-   <source>Other parts that the source moved when this motion was read</source>
-   <translation>Andere Teile, die die Quelle beim Lesen dieser Bewegung bewegte</translation>
-  </message>
-  <message>
-   <source>Tangent of the spline at each pose. Auto: from the poses before and after. Stop: the part comes to rest. Corner: the direction may change abruptly. Given: the velocity in Velocities. Missing entries count as Auto</source>
-   <translation>Tangente des Splines an jeder Lage. Auto: aus den Lagen davor und danach. Stop: Das Teil kommt zur Ruhe. Corner: Die Richtung darf sich abrupt ändern. Given: die Geschwindigkeit in Velocities. Fehlende Einträge gelten als Auto</translation>
-  </message>
-  <message>
-   <source>Velocity of the spline (mm/s), one entry for each pose. Used only if the tangent at the pose is Given</source>
-   <translation>Geschwindigkeit des Splines (mm/s), ein Eintrag je Lage. Gilt nur, wenn die Tangente an der Lage Given ist</translation>
-  </message>
-  <message>
-   <source>Where the poses come from</source>
-   <translation>Woher die Lagen kommen</translation>
-  </message>
-  <message>
-   <source>File from which the poses were read. Reload motion reads it again</source>
-   <translation>Datei, aus der die Lagen gelesen wurden. „Bewegung neu laden“ liest sie erneut</translation>
-  </message>
-  <message>
-   <source>Unit of the lengths in the file</source>
-   <translation>Einheit der Längen in der Datei</translation>
-  </message>
-  <message>
-   <source>Objects from whose placements or shapes the poses are read</source>
-   <translation>Objekte, aus deren Platzierungen oder Formen die Lagen gelesen werden</translation>
-  </message>
-  <message>
-   <source>Settings of the source</source>
-   <translation>Einstellungen der Quelle</translation>
-  </message>
-  <message>
-   <source>Number of poses</source>
-   <translation>Anzahl der Lagen</translation>
-  </message>
-  <message>
-   <source>Last time minus first time (s)</source>
-   <translation>Letzte minus erste Zeit (s)</translation>
-  </message>
-  <message>
-   <source>What is wrong with the motion. Empty: the motion can be used</source>
-   <translation>Was an der Bewegung falsch ist. Leer: Die Bewegung kann verwendet werden</translation>
-  </message>
-  <message>
-   <source>Notes from reading the poses</source>
-   <translation>Hinweise vom Lesen der Lagen</translation>
-  </message>
-  <message>
-   <source>Checksum of the source when it was read. If it changes, the motion is stale</source>
-   <translation>Prüfsumme der Quelle beim Lesen. Ändert sie sich, ist die Bewegung veraltet</translation>
-  </message>
-  <message>
-   <source>Number of poses to read. 0 (only for curves): as many poses as SourceAccuracy requires</source>
-   <translation>Anzahl der zu lesenden Lagen. 0 (nur bei Kurven): so viele Lagen, wie SourceAccuracy erfordert</translation>
-  </message>
-  <message>
-   <source>How far the straight line between two poses may deviate from the curve</source>
-   <translation>Wie weit die Gerade zwischen zwei Lagen von der Kurve abweichen darf</translation>
-  </message>
-  <message>
-   <source>Orientation of the part. Fixed: it never turns. Tangent: its x axis follows the tangent. SecondCurve: as Tangent, and its z axis points to the second curve</source>
-   <translation>Ausrichtung des Teils. Fixed: Es dreht sich nie. Tangent: Seine x-Achse folgt der Tangente. SecondCurve: wie Tangent, und seine z-Achse zeigt zur zweiten Kurve</translation>
-  </message>
-  <message>
-   <source>Time from the first to the last pose (s)</source>
-   <translation>Zeit von der ersten bis zur letzten Lage (s)</translation>
-  </message>
-  <message>
-   <source>Time from one pose to the next (s)</source>
-   <translation>Zeit von einer Lage zur nächsten (s)</translation>
-  </message>
-  <message>
-   <source>Rapid</source>
-   <translation>Eilgang</translation>
-  </message>
-  <message>
-   <source>What the G-code words A, B and C rotate: the tool head or the table</source>
-   <translation>Was die G-Code-Wörter A, B und C drehen: den Werkzeugkopf oder den Tisch</translation>
-  </message>
-  <message>
-   <source>Name of the value that is changed to move the part</source>
-   <translation>Name des Werts, der geändert wird, um das Teil zu bewegen</translation>
-  </message>
-  <message>
-   <source>What SourceValue is set to at the first pose, in its own unit (such as mm or degrees)</source>
-   <translation>Zahl, auf die SourceValue bei der ersten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
-  </message>
-  <message>
-   <source>What SourceValue is set to at the last pose, in its own unit (such as mm or degrees)</source>
-   <translation>Zahl, auf die SourceValue bei der letzten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
-  </message>
-  <message>
-   <source>Parts, in the order in which they are installed</source>
-   <translation>Teile, in der Reihenfolge ihres Einbaus</translation>
-  </message>
-  <message>
-   <source>One motion for each part. It ends where the part is installed</source>
-   <translation>Eine Bewegung für jedes Teil. Sie endet dort, wo das Teil eingebaut ist</translation>
-  </message>
-  <message>
-   <source>Distance that each part must keep from the parts already in place</source>
-   <translation>Abstand, den jedes Teil von den schon eingebauten Teilen halten muss</translation>
-  </message>
-  <message>
-   <source>If a part touches another part at its start or end, it may keep touching that part while no point of it is farther than this from that start or end</source>
-   <translation>Berührt ein Teil an seinem Start oder Ende ein anderes Teil, darf es dieses weiter berühren, solange keiner seiner Punkte weiter als dies von diesem Start oder Ende entfernt ist</translation>
-  </message>
-  <message>
-   <source>Number of parts that have a path</source>
-   <translation>Anzahl der Teile, die eine Bahn haben</translation>
-  </message>
-  <message>
-   <source>First of the two sides that are compared: parts, envelopes or other reserved spaces</source>
-   <translation>Erste der beiden Seiten, die verglichen werden: Teile, Hüllen oder andere reservierte Räume</translation>
-  </message>
-  <message>
-   <source>Second of the two sides that are compared: parts, envelopes or other reserved spaces</source>
-   <translation>Zweite der beiden Seiten, die verglichen werden: Teile, Hüllen oder andere reservierte Räume</translation>
-  </message>
-  <message>
-   <source>Motion of the first side. None: the first side stands still</source>
-   <translation>Bewegung der ersten Seite. Keine: Die erste Seite steht still</translation>
-  </message>
-  <message>
-   <source>Motion of the second side. None: the second side stands still</source>
-   <translation>Bewegung der zweiten Seite. Keine: Die zweite Seite steht still</translation>
-  </message>
-  <message>
-   <source>Time at which both sides are compared (s)</source>
-   <translation>Zeit, zu der beide Seiten verglichen werden (s)</translation>
-  </message>
-  <message>
-   <source>How far the triangle mesh of a solid may deviate from the solid</source>
-   <translation>Wie weit das Dreiecksnetz eines Festkörpers vom Festkörper abweichen darf</translation>
-  </message>
-  <message>
-   <source>Whether the result is current</source>
-   <translation>Ob das Ergebnis aktuell ist</translation>
-  </message>
-  <message>
-   <source>Remarks about the result</source>
-   <translation>Hinweise zum Ergebnis</translation>
-  </message>
-  <message>
-   <source>Volume that both sides share</source>
-   <translation>Volumen, das beide Seiten gemeinsam haben</translation>
-  </message>
-  <message>
-   <source>Smallest distance between the sides, if they share no volume</source>
-   <translation>Kleinster Abstand der Seiten, wenn sie kein Volumen gemeinsam haben</translation>
-  </message>
-  <message>
-   <source>How deep one of the two sides penetrates the other</source>
-   <translation>Wie tief eine der beiden Seiten in die andere eindringt</translation>
-  </message>
-  <message>
-   <source>Envelope or other closed mesh that is converted to a solid</source>
-   <translation>Hülle oder anderes geschlossenes Netz, das in einen Festkörper umgewandelt wird</translation>
-  </message>
-  <message>
-   <source>Merge coplanar</source>
-   <translation>Koplanare vereinigen</translation>
-  </message>
-  <message>
-   <source>Largest number of faces. If Tolerance is 0, the smallest tolerance that meets this limit is chosen</source>
-   <translation>Größte Anzahl der Flächen. Ist Tolerance 0, wird die kleinste Toleranz gewählt, die diese Grenze einhält</translation>
-  </message>
-  <message>
-   <source>How far the solid may deviate from the mesh. Within this tolerance, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a tolerance</source>
-   <translation>Wie weit der Festkörper vom Netz abweichen darf. Innerhalb dieser Toleranz werden Zylinder, Kugeln und andere Flächen erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces keine Toleranz erfordert</translation>
-  </message>
-  <message>
-   <source>Largest distance of the mesh from the solid, as measured</source>
-   <translation>Größter gemessener Abstand des Netzes vom Festkörper</translation>
-  </message>
-  <message>
-   <source>Largest gap between two faces that share an edge</source>
-   <translation>Größter Spalt zwischen zwei Flächen mit gemeinsamer Kante</translation>
-  </message>
-  <message>
-   <source>Why the last run failed</source>
-   <translation>Warum der letzte Lauf fehlschlug</translation>
-  </message>
-  <message>
-   <source>Faces of the solid</source>
-   <translation>Flächen des Festkörpers</translation>
-  </message>
-  <message>
-   <source>Volume of the solid</source>
-   <translation>Volumen des Festkörpers</translation>
-  </message>
-  <message>
-   <source>Study file (TOML) that lists the runs. Empty: the runs come from Sources</source>
-   <translation>Studiendatei (TOML), die die Läufe auflistet. Leer: Die Läufe kommen aus Sources</translation>
-  </message>
-  <message>
-   <source>Envelopes and clearance checks of this document. Each of them is one run</source>
-   <translation>Hüllen und Abstandsprüfungen dieses Dokuments. Jede ist ein Lauf</translation>
-  </message>
-  <message>
-   <source>Folder for the results. Empty: the folder set in the study file, or the folder "results" beside that file. Without a study file: a folder beside the document</source>
-   <translation>Ordner für die Ergebnisse. Leer: der in der Studiendatei festgelegte Ordner, oder der Ordner „results“ neben ihr. Ohne Studiendatei: ein Ordner neben dem Dokument</translation>
-  </message>
-  <message>
-   <source>Number of runs at the same time. 0: one for each processor core</source>
-   <translation>Anzahl der Läufe zur selben Zeit. 0: einer je Prozessorkern</translation>
-  </message>
-  <message>
-   <source>Number of runs that have ended</source>
-   <translation>Anzahl der beendeten Läufe</translation>
-  </message>
-  <message>
-   <source>Folder of the stored result</source>
-   <translation>Ordner des gespeicherten Ergebnisses</translation>
-  </message>
-  <message>
-   <source>Study file of the stored result</source>
-   <translation>Studiendatei des gespeicherten Ergebnisses</translation>
-  </message>
-  <message>
-   <source>What a pose means.
-Absolute: the pose replaces the present placement of the part. This is the default; captured placements and recorded motions use it.
-Relative: the pose is added to the present placement of the part. The identity leaves the part in place.
-RelativeToFirst: as Relative, but measured from the first pose. The motion starts at the present placement of the part.
-Several parts move together as one rigid body; with Absolute, the poses are those of the first part. A motion in a group uses the coordinates of the group and moves with the group.</source>
-   <translation>Was eine Lage bedeutet.
-Absolute: Die Lage ersetzt die jetzige Platzierung des Teils. Dies ist die Vorgabe; übernommene Platzierungen und aufgezeichnete Bewegungen verwenden sie.
-Relative: Die Lage kommt zur jetzigen Platzierung des Teils hinzu. Die Identität lässt das Teil an seinem Platz.
-RelativeToFirst: wie Relative, aber von der ersten Lage aus gemessen. Die Bewegung beginnt an der jetzigen Platzierung des Teils.
-Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten die Lagen für das erste Teil. Eine Bewegung in einer Gruppe verwendet die Koordinaten der Gruppe und bewegt sich mit ihr.</translation>
-  </message>
-  <message>
-   <source>Largest number of triangles to draw. A larger mesh is reduced to this number on screen. 0: draws all triangles</source>
-   <translation>Größte Anzahl der zu zeichnenden Dreiecke. Ein größeres Netz wird auf dem Bildschirm auf diese Anzahl verringert. 0: zeichnet alle Dreiecke</translation>
-  </message>
-  <message>
-   <source>What the colours show. Needs a record of what made the envelope (MadeBy)</source>
-   <translation>Was die Farben zeigen. Braucht eine Aufzeichnung darüber, was die Hülle erzeugt hat (MadeBy)</translation>
-  </message>
-  <message>
-   <source>Length of the axes drawn at each pose (mm). 0: chosen automatically</source>
-   <translation>Länge der an jeder Lage gezeichneten Achsen (mm). 0: automatisch gewählt</translation>
-  </message>
-  <message>
-   <source>Width of the line that shows the motion (pixels)</source>
-   <translation>Breite der Linie, die die Bewegung zeigt (Pixel)</translation>
   </message>
  </context>
  <context>

@@ -14,6 +14,9 @@ import xml.etree.ElementTree as Tree
 HERE = os.path.dirname(os.path.realpath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 LANGUAGES = ["de"]
+#: Help texts of properties are stored in documents in English; FreeCAD translates them in this context where
+#: it shows them.
+CONTEXTS = {"Properties": "App::Property"}
 
 
 def texts():
@@ -32,7 +35,7 @@ def texts():
             values = [getattr(a, "value", None) for a in node.args]
             if name in ("translate", "mark") and len(values) == 2:
                 if all(isinstance(v, str) for v in values):
-                    add(found, "SweptVolume_" + values[0], values[1])
+                    add(found, CONTEXTS.get(values[0], "SweptVolume_" + values[0]), values[1])
             elif name == "menu" and len(values) == 1 and isinstance(values[0], str):
                 add(found, "Workbench", values[0])
             elif name == "t" and len(values) == 1 and isinstance(values[0], str):

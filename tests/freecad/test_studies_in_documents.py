@@ -162,8 +162,7 @@ class Studies(Slide):
         study.compute(obj)
         self.assertEqual(obj.Status, UP_TO_DATE)
         obj.File = self.file("study.toml", FILE.replace('"into.csv"', '"far.csv"'))
-        obj.touch()
-        self.doc.recompute()
+        study.update_status(obj)  # as its panel does
         self.assertEqual(obj.Status, STALE)
 
     def test_runs_that_fail_are_told(self):
@@ -294,7 +293,7 @@ class Studies(Slide):
         obj = self.of_file()
         study.compute(obj)
         with mock.patch.object(core, "available", lambda: False):
-            obj.touch()
+            study.update_status(obj)  # as its panel does
             self.doc.recompute()
         self.assertEqual(obj.Status, UP_TO_DATE)
         self.assertEqual(len(study.report_of(obj)["runs"]), 2)

@@ -4,8 +4,12 @@ import os
 import re
 import sys
 import unittest
+from unittest import mock
+
+import FreeCAD as App
 
 import sweptvolume
+from sweptvolume.features import motion
 
 FOLDER = sweptvolume.resource("translations")
 sys.path.insert(0, FOLDER)
@@ -27,6 +31,23 @@ class Translation(unittest.TestCase):
             for (_, text), translation in update.known(path).items():
                 fields = sorted(re.findall(r"{[^}]*}", text))
                 self.assertEqual(fields, sorted(re.findall(r"{[^}]*}", translation)), text)
+
+    def test_help_of_properties_is_stored_in_english_and_translated_where_it_is_shown(self):
+        doc = App.newDocument("Help")
+        try:
+            with mock.patch.object(App.Qt, "translate", lambda context, text: "auf deutsch"):
+                obj = motion.motion_from_poses(doc, [0, 1], [App.Placement(), App.Placement()])
+            name = "PoseType"
+            text = obj.getDocumentationOfProperty(name)
+            self.assertIn(text, update.texts()["App::Property"])
+            self.assertNotEqual(text, "auf deutsch")
+            known = update.known(os.path.join(FOLDER, "SweptVolume_de.ts"))
+            self.assertTrue(known["App::Property", text])
+            obj.setDocumentationOfProperty(name, "auf deutsch")  # as earlier versions did
+            obj.Proxy.onDocumentRestored(obj)
+            self.assertEqual(obj.getDocumentationOfProperty(name), text)
+        finally:
+            App.closeDocument(doc.Name)
 
     def test_packed_files_are_there(self):
         for language in update.LANGUAGES:

@@ -65,6 +65,8 @@ class Body:
             except InputProblem as problem:
                 raise InputProblem('"{}": {}'.format(label, problem)) from None
             vertices.append(transform(matrix, points))
+            if np.linalg.det(matrix[:3, :3]) < 0:
+                facets = facets[:, ::-1]  # a mirrored link would face inwards
             triangles.append(facets + count)
             count += len(points)
             single = of is None  # without face numbers, each triangle is its own face

@@ -197,11 +197,12 @@ def links_in(links):
 
 
 def pairs_of(links):
-    """Returns the links as (root, sub), each starting at the outermost group around the object."""
+    """Returns the links as (root, sub), each starting at the outermost group around the object and
+    leading to an object: a face that is linked stands for its part."""
     pairs = []
     for obj, sub in links_in(links):
         root, path = root_path(obj)
-        pairs.append((root, path + as_in_tree(obj, sub)))
+        pairs.append((root, split_path(root, path + as_in_tree(obj, sub))))
     return pairs
 
 

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Translates the texts of the workbench. Contexts: Workbench, Commands, Panels, Properties,
-Messages."""
+"""Translates the texts of the workbench. Contexts: Workbench, Commands, Panels, Messages, and
+Properties, the help of properties: documents store it in English, and FreeCAD translates it where
+it shows it."""
 import FreeCAD as App
+
+#: Contexts whose name is given by FreeCAD.
+_GIVEN = {"Properties": "App::Property"}
 
 
 def translate(context, text):
     """Returns the text in the user's language, or unchanged if it has no translation."""
     try:
-        return App.Qt.translate("SweptVolume_" + context, text)
+        return App.Qt.translate(_GIVEN.get(context, "SweptVolume_" + context), text)
     except (AttributeError, ImportError):  # plain Python without Qt
         return text
 

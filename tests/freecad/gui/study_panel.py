@@ -213,6 +213,8 @@ def of_a_file(doc):
 
 
 def scenario():
+    from sweptvolume.features import study
+
     open_workbench()
     yield
     doc = new_document("Studies")
@@ -223,6 +225,18 @@ def scenario():
     Gui.runCommand("SweptVolume_Study")
     yield 0.3
     assert len(rows(find(QtWidgets.QTableView, "SweptVolumeStudyTable"))) == 4
+    click(panel_button(Close))
+    yield no_panel
+    # A file that has changed since makes the result stale, which FreeCAD itself does not notice.
+    obj = doc.getObject("Study001")
+    assert obj.Status == study.UP_TO_DATE
+    with open(obj.File, "a") as file:
+        file.write("# another version\n")
+    select(obj)
+    Gui.runCommand("SweptVolume_Study")
+    yield 0.3
+    summary = find(QtWidgets.QLabel, "SweptVolumeStudySummary").text()
+    assert obj.Status == study.STALE and "stale" in summary, (obj.Status, summary)
     click(panel_button(Close))
     yield no_panel
 

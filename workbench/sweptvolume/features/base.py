@@ -6,7 +6,7 @@ import json
 
 import FreeCAD as App
 
-from ..texts import mark, translate
+from ..texts import mark
 from . import renamed
 
 READ_ONLY = 1
@@ -43,7 +43,7 @@ class Feature:
                 # The property is damaged. In FreeCAD 1.0, it would not accept a value any more.
                 obj.removeProperty(name)
             if name not in obj.PropertiesList:
-                obj.addProperty(kind, name, group, translate("Properties", text))
+                obj.addProperty(kind, name, group, text)
                 if default is not None:
                     setattr(obj, name, default)
             elif choice:
@@ -52,6 +52,8 @@ class Feature:
                     setattr(obj, name, default)
                 if getattr(obj, name) != now:
                     setattr(obj, name, now if now in default else default[0])
+            if obj.getDocumentationOfProperty(name) != text:
+                obj.setDocumentationOfProperty(name, text)  # earlier versions stored translations
             if mode:
                 obj.setEditorMode(name, mode)
 

@@ -276,6 +276,8 @@ class StudyPanel(StayingPanel):
 
 def show(document, obj=None, sources=()):
     core.module()  # raises early, with the text how to get the core
+    if obj is not None:
+        study.update_status(obj)  # files of a study may have changed while the document was open
     panel = StudyPanel(document, obj, sources)
     focus.show(panel)
     return panel

@@ -82,18 +82,14 @@ class EnvelopeView(View):
                 "Largest number of triangles to draw. A larger mesh is reduced to "
                 "this number on screen. 0: draws all triangles",
             )
-            view.addProperty(
-                "App::PropertyInteger", "DrawnTriangles", "Display", translate("Properties", text)
-            )
+            view.addProperty("App::PropertyInteger", "DrawnTriangles", "Display", text)
             view.DrawnTriangles = surface.MOST
         if "ColourBy" not in view.PropertiesList:
             text = mark(
                 "Properties",
                 "What the colours show. Needs a record of what made the envelope (MadeBy)",
             )
-            view.addProperty(
-                "App::PropertyEnumeration", "ColourBy", "Display", translate("Properties", text)
-            )
+            view.addProperty("App::PropertyEnumeration", "ColourBy", "Display", text)
             view.ColourBy = made_colours.CHOICES
         view.RootNode.insertChild(surface.unsorted_blending(), 0)
         self.display = surface.LightDisplay(view.Object, lambda: view.DrawnTriangles)

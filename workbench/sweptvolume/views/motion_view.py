@@ -23,14 +23,10 @@ class MotionView(View):
             text = mark(
                 "Properties", "Length of the axes drawn at each pose (mm). 0: chosen automatically"
             )
-            view.addProperty(
-                "App::PropertyFloat", "FrameSize", "Path", translate("Properties", text)
-            )
+            view.addProperty("App::PropertyFloat", "FrameSize", "Path", text)
         if "PathWidth" not in view.PropertiesList:
             text = mark("Properties", "Width of the line that shows the motion (pixels)")
-            view.addProperty(
-                "App::PropertyFloat", "PathWidth", "Path", translate("Properties", text)
-            )
+            view.addProperty("App::PropertyFloat", "PathWidth", "Path", text)
             view.PathWidth = 3.0
 
     def attach(self, view):
