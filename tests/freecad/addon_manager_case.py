@@ -29,9 +29,12 @@ def new_addon():
 def needed(addon):
     """The Python packages that the add-on asks for and that cannot be imported: those count as
     missing."""
-    if hasattr(addon_module, "MissingDependencies"):  # FreeCAD 1
-        found = addon_module.MissingDependencies()
-        found.import_from_addon(addon, [])
+    if hasattr(addon_module, "MissingDependencies"):  # FreeCAD 1.1 and 1.0
+        kind = addon_module.MissingDependencies
+        newer = hasattr(kind, "import_from_addon")
+        found = kind() if newer else kind(addon, [])
+        if newer:
+            found.import_from_addon(addon, [])
         return sorted(found.python_requires)
     found = addon_module.Addon.Dependencies()
     addon.walk_dependency_tree({}, found)
@@ -63,7 +66,7 @@ def install_of_1(addon, packages):
     import addonmanager_installer as installer
 
     failures = []
-    worker = installer.AddonInstaller(addon, allow_packages=set(packages))
+    worker = installer.AddonInstaller(addon, allow_list=packages + ["numpy"])
     worker.failure.connect(lambda repo, text: failures.append(text))
     worker.run()
     worker = dependencies.DependencyInstaller([], packages, [])
