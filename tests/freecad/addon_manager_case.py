@@ -61,10 +61,24 @@ def install_of_0_20(addon, packages):
     return failures
 
 
+def without_constraints(call):
+    """FreeCAD 1.1 has pip read the versions of allowed packages from the internet."""
+
+    def pip_call(args):
+        words = call(args)
+        at = words.index("--constraint") if "--constraint" in words else len(words)
+        return words[:at] + words[at + 2 :]
+
+    return pip_call
+
+
 def install_of_1(addon, packages):
     import addonmanager_dependency_installer as dependencies
     import addonmanager_installer as installer
+    import addonmanager_utilities as utilities
 
+    if hasattr(utilities, "create_pip_call"):
+        utilities.create_pip_call = without_constraints(utilities.create_pip_call)
     failures = []
     worker = installer.AddonInstaller(addon, allow_list=packages + ["numpy"])
     worker.failure.connect(lambda repo, text: failures.append(text))
