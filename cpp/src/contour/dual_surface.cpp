@@ -46,7 +46,7 @@ struct VertexFit {
   /// Returns whether clearly different planes meet outside the cell and keep at least a small mean
   /// distance from every point in the cell.
   bool mayHideSide() const {
-    // Cells; 679 of the fandisk's 146,000 cells are probed with these limits (docs/contouring.md).
+    // Cells; 689 of the fandisk's 146,000 cells are probed with these limits (docs/contouring.md).
     constexpr double kMinOutside = 0.02, kMinMiss = 0.008;
     return out > kMinOutside && meanSquaredMiss > kMinMiss * kMinMiss &&
            qef.sharpness() > kMinSharpness;
@@ -143,10 +143,7 @@ class LayerBuilder {
       if (components_.count > 1) fit.keepNear();
       VertexSplit split;
       const Eigen::Vector3i at(i, j, cell.k);
-      if (probe_ != nullptr && (findWallEnd(cell, at, components_, c, crossings, *probe_, split) ||
-                                ((fit.missesCell() || fit.mayHideSide()) &&
-                                 findHiddenSide(cell, at, components_, c, crossings, *probe_,
-                                                !fit.missesCell(), split)))) {
+      if (probe_ != nullptr && findSplit(cell, at, c, fit, split)) {
         addSplit(cell, c, split, vertex, firstTwin, vertices);
         continue;
       }
@@ -154,6 +151,20 @@ class LayerBuilder {
       vertices.push_back(vertex);
     }
     vertices.insert(vertices.end(), twins_.begin(), twins_.end());
+  }
+
+  /// Looks for a side between two others in the cell (hidden_side.h, wall_end.h). Returns false if
+  /// one vertex without further planes represents the component.
+  bool findSplit(const Cell& cell, const Eigen::Vector3i& at, int component, const VertexFit& fit,
+                 VertexSplit& split) const {
+    const Crossing* crossings = grid_.crossings.data();
+    const bool misses = fit.missesCell();
+    if (misses && findKnownSide(cell, at, components_, component, crossings, *probe_, split)) {
+      return true;
+    }
+    return findWallEnd(cell, at, components_, component, crossings, *probe_, split) ||
+           ((misses || fit.mayHideSide()) &&
+            findHiddenSide(cell, at, components_, component, crossings, *probe_, !misses, split));
   }
 
   /// Sets the position of a vertex. Notes an escape if the planes meet outside the cell. `at` is

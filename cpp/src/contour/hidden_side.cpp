@@ -132,9 +132,9 @@ bool beginsArc(const Points& ring, std::size_t at) {
 /// the ring into two arcs in all ways, and tries the crossings at the ends of the arcs. The planes
 /// of each arc must meet the plane of such a crossing in an edge or corner within the cell. Returns
 /// the best crossing, and the arcs in `arcs`; nothing if there is no such crossing.
-std::optional<Point> findKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
+std::optional<Point> bestKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
   std::optional<Point> found;
-  double least = kMaxPlaneMiss * kMaxPlaneMiss;
+  double least = kMaxPlaneMiss * kMaxPlaneMiss * static_cast<double>(ring.size());
   for (std::size_t begin = 0; begin < ring.size(); ++begin) {
     if (!beginsArc(ring, begin)) continue;
     for (std::size_t count = 1; begin + count < ring.size(); ++count) {
@@ -263,6 +263,32 @@ void setParts(const std::array<Points, 2>& arcs, VertexSplit& out) {
 
 }  // namespace
 
+bool findKnownSide(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
+                   int component, const Crossing* crossings, const SurfaceProbe& probe,
+                   VertexSplit& out) {
+  const Points ring = ringOf(cell, components, component, crossings);
+  if (ring.size() < 3) return false;
+  std::array<Points, 2> arcs;
+  const auto known = bestKnownSide(ring, arcs);
+  if (!known) return false;
+  VertexSplit split;
+  setParts(arcs, split);
+  split.findFolds(cell, components, component, crossings);
+  if (split.folds.empty()) return false;
+  // A corner, in which all planes meet, is preferred to two edges, even if it lies in the next
+  // cell.
+  const Search search(cell, at, ring, probe);
+  if (search.meets(ring, {}, kCornerReach)) return false;
+  ProbeLine side;
+  side.from = side.to = side.point = at.cast<double>() + known->position;
+  side.normal = known->normal;
+  split.between = {side};
+  if (!search.meets(arcs[0], split.between) || !search.meets(arcs[1], split.between)) return false;
+  split.seen = known->position;
+  out = split;
+  return true;
+}
+
 bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                     int component, const Crossing* crossings, const SurfaceProbe& probe,
                     bool betweenPlanes, VertexSplit& out) {
@@ -272,23 +298,6 @@ bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Component
   std::array<Points, 2> arcs = flattestArcs(ring, uneven);
   if (betweenPlanes && uneven > kMaxFlatUnevenness) return false;
   const Search search(cell, at, ring, probe);
-  std::array<Points, 2> knownArcs;
-  const auto known = betweenPlanes ? std::nullopt : findKnownSide(ring, knownArcs);
-  // A corner, in which all planes meet, is preferred to two edges, even if it lies in the next
-  // cell.
-  if (known && !search.meets(ring, {}, kCornerReach)) {
-    ProbeLine side;
-    side.from = side.to = side.point = at.cast<double>() + known->position;
-    side.normal = known->normal;
-    out.between = {side};
-    if (search.meets(knownArcs[0], out.between) && search.meets(knownArcs[1], out.between)) {
-      setParts(knownArcs, out);
-      out.findFolds(cell, components, component, crossings);
-      out.seen = known->position;
-      if (!out.folds.empty()) return true;
-      out.seen.reset();
-    }
-  }
   out.between = hitsOfNewSide(ring, search.between(arcs));
   if (out.between.empty()) return false;
   const bool corner = search.meets(ring, out.between, kCornerReach);

@@ -21,9 +21,16 @@
 
 namespace swept {
 
-/// Looks for a side of the component between two other sides. Returns false if there is none, or if
-/// no edge of this side lies in the cell. With `betweenPlanes`, looks for hidden sides only, and
-/// only between two flat arcs: planes of a curved surface may miss each other without such a side.
+/// Looks for a side of the component that grid edges meet, with an edge to each of two other sides
+/// in the cell. The two others may be the sides of a thin wall; the side between is then its rim.
+/// Returns false, and leaves `out` as it is, if there is none.
+bool findKnownSide(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
+                   int component, const Crossing* crossings, const SurfaceProbe& probe,
+                   VertexSplit& out);
+
+/// Looks for a side of the component between two other sides that no grid edge meets. Returns false
+/// if there is none, or if no edge of this side lies in the cell. With `betweenPlanes`, looks only
+/// between two flat arcs: planes of a curved surface may miss each other without such a side.
 bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                     int component, const Crossing* crossings, const SurfaceProbe& probe,
                     bool betweenPlanes, VertexSplit& out);

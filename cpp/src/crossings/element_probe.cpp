@@ -47,10 +47,16 @@ bool intersects(const ProbeLine& line, const Eigen::Vector3d& a, const Eigen::Ve
   return out.along >= 0 && out.along <= 1;
 }
 
+/// Returns whether a point lies in the box about the origin with half sizes `half`.
+bool inBox(const Eigen::Vector3d& p, const Eigen::Vector3d& half) {
+  return std::abs(p[0]) <= half[0] && std::abs(p[1]) <= half[1] && std::abs(p[2]) <= half[2];
+}
+
 /// Returns whether a triangle intersects the box about the origin with half sizes `half`, by
 /// separating axes (Akenine-Moeller 2001).
 bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                    const Eigen::Vector3d& half) {
+  if (inBox(a, half) || inBox(b, half) || inBox(c, half)) return true;
   const auto beyond = [](double x, double y, double z, double reach) {
     return std::min({x, y, z}) > reach || std::max({x, y, z}) < -reach;
   };
@@ -76,6 +82,7 @@ bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
 /// Returns whether a segment intersects the box about the origin with half sizes `half`.
 bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
                    const Eigen::Vector3d& half) {
+  if (inBox(p, half) || inBox(q, half)) return true;
   const Eigen::Vector3d middle = (p + q) / 2, way = (q - p) / 2;
   const Eigen::Vector3d reach = way.cwiseAbs();
   if ((middle.cwiseAbs().array() > (half + reach).array()).any()) return false;
@@ -89,10 +96,24 @@ bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
 
 }  // namespace
 
-/// A cache of the motion steps that were used last.
-class ElementProbe::MotionSteps {
+/// Directions of faces during steps of the motion. Keeps the steps and directions used last.
+class ElementProbe::Directions {
  public:
-  explicit MotionSteps(const SamplerInput& input) : input_(input) {}
+  explicit Directions(const SamplerInput& input) : input_(input) {}
+  int of(std::size_t face, std::size_t step) {
+    if (known_.empty()) known_.resize(kKnown);
+    const std::uint64_t key = static_cast<std::uint64_t>(step) << 32 | face;
+    Known& known = known_[(key * 0x9e3779b97f4a7c15u >> 32) & (kKnown - 1)];
+    if (known.key != key) known = {key, directionOf(input_, at(step), face)};
+    return known.direction;
+  }
+
+ private:
+  static constexpr std::size_t kKnown = 1024;  // a power of two
+  struct Known {
+    std::uint64_t key = ~std::uint64_t{0};
+    int direction = 0;
+  };
   const MotionStep& at(std::size_t step) {
     auto& [number, known] = slots_[step % slots_.size()];
     if (!known || number != step) {
@@ -102,9 +123,9 @@ class ElementProbe::MotionSteps {
     return *known;
   }
 
- private:
   const SamplerInput& input_;
   std::array<std::pair<std::size_t, std::optional<MotionStep>>, 64> slots_;
+  std::vector<Known> known_;
 };
 
 namespace {
@@ -239,10 +260,10 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
 /// lie on the envelope. This holds for a face that moves in the same direction (along its normal or
 /// against it) before and after its placement. It also holds for a side patch between two faces
 /// that move in the same direction.
-bool ElementProbe::isPassed(const SweptElement& element, MotionSteps& motionSteps) const {
+bool ElementProbe::isPassed(const SweptElement& element, Directions& directions) const {
   const std::size_t k = element.placement;
   const auto directionIn = [&](std::size_t step, std::int32_t face) {
-    return directionOf(input_, motionSteps.at(step), static_cast<std::size_t>(face));
+    return directions.of(static_cast<std::size_t>(face), step);
   };
   if (!element.isSidePatch()) {
     if (k == 0 || k == input_.motion.steps()) return false;
@@ -264,7 +285,7 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
   const Eigen::Vector3d half = region.sizes().array() / 2 + kSearchMargin;
   std::vector<std::pair<SweptElement, std::size_t>> waiting;  // each with the index of its piece
   SeenElements seen;
-  MotionSteps motionSteps(input_);
+  Directions directions(input_);
   std::vector<Piece> pieces;
   const auto visit = [&](const SweptElement& element) {
     if (!seen.insert(element)) return;
@@ -274,7 +295,7 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
         (!piece.isSidePatch || !intersectsBox(a - centre, c - centre, d - centre, half))) {
       return;
     }
-    if (pieces.size() >= kManyPieces && mayPass() && isPassed(element, motionSteps)) return;
+    if (pieces.size() >= kManyPieces && mayPass() && isPassed(element, directions)) return;
     waiting.emplace_back(element, pieces.size());
     pieces.push_back(piece);
   };

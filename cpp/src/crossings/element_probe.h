@@ -34,7 +34,7 @@ class ElementProbe : public SurfaceProbe {
             std::vector<ProbeLine>& lines) const override;
 
  private:
-  class MotionSteps;
+  class Directions;
   /// Corners of a face (the last one twice), or of a side patch in ring order: a, b at the start of
   /// the step, then b, a at its end.
   struct Piece {
@@ -43,7 +43,7 @@ class ElementProbe : public SurfaceProbe {
     double start = 0, end = 0;  // seconds
   };
   bool mayPass() const { return input_.cull && input_.motion.continuous; }
-  bool isPassed(const SweptElement& element, MotionSteps& motionSteps) const;
+  bool isPassed(const SweptElement& element, Directions& directions) const;
   Piece pieceOf(const SweptElement& element) const;
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
                             const std::vector<std::uint32_t>& crossings) const;

@@ -19,6 +19,10 @@ constexpr int kRounds = 20;                  // rounds of a search between check
 constexpr std::size_t kNodesAtFirst = 3000;  // nodes of both trees at the first restart of a search
 constexpr std::size_t kMostStarts = 8;       // with more starts, no grids are searched
 constexpr int kPlaces = 8000, kPlacesOfProof = 6000;  // placements tried on one grid
+// Placements tried on grids before the searches in six dimensions begin, and in each of their
+// rounds.
+constexpr const char* kGridMethod = "grid of places";
+constexpr int kFirstPlaces = 1000, kRoundPlaces = 10;
 
 // One search. When its trees have grown too large, it starts again with other random numbers.
 class Search {
@@ -56,21 +60,27 @@ class Search {
 
 class SixDimensions {
  public:
+  /// `shifts`: a search over grids that goes on beside the searches in six dimensions.
   SixDimensions(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,
-                RunContext& run)
-      : scene_(scene), leg_(leg), limits_(limits), run_(run) {
+                ShiftSearch& shifts, RunContext& run)
+      : scene_(scene), leg_(leg), limits_(limits), shifts_(shifts), run_(run) {
     for (std::size_t i = 0; i < kSearches; ++i)
       searches_.emplace_back(scene, rule, leg, limits.seed * 1000003 + i * 65537);
   }
 
   LegResult search() {
     LegResult result;
-    result.farthest = leg_.goals.front();
+    result.farthest = shifts_.farthest();
     std::vector<char> done(kSearches, 0);
-    while (!limits_.over() && !stepsOver() && result.keys.empty()) {
-      parallelFor(kSearches, [&](std::size_t i) {
-        for (int k = 0; k < kRounds && !done[i] && !run_.isCancelled() && !limits_.over(); ++k)
+    while (!limits_.over() && !(stepsOver() && shifts_.isOver()) && result.keys.empty() &&
+           shifts_.path().empty()) {
+      const bool turning = !stepsOver();
+      parallelFor(kSearches + 1, [&](std::size_t i) {
+        if (i == kSearches) return shifts_.advance(kRoundPlaces, run_);
+        for (int k = 0; k < kRounds && turning && !done[i] && !run_.isCancelled(); ++k) {
+          if (limits_.over()) break;
           done[i] = searches_[i].round() ? 1 : 0;
+        }
       });
       run_.checkpoint(Phase::Turns, static_cast<std::uint64_t>(1000 * limits_.timer.seconds()),
                       static_cast<std::uint64_t>(1000 * limits_.seconds) + 1);
@@ -81,6 +91,10 @@ class SixDimensions {
       if (limits_.watch != nullptr) limits_.watch->show(scene_.outside(result.farthest));
     }
     result.method = leg_.space.turns() ? "six dimensions" : "no turning";
+    if (result.keys.empty() && !shifts_.path().empty()) {
+      result.keys = shifts_.path();
+      result.method = kGridMethod;
+    }
     result.blocked.assign(scene_.count(), 0);
     for (const Search& search : searches_) {
       result.steps += search.steps();
@@ -108,6 +122,7 @@ class SixDimensions {
   const Scene& scene_;
   const Leg& leg_;
   const Limits& limits_;
+  ShiftSearch& shifts_;
   RunContext& run_;
   std::deque<Search> searches_;
 };
@@ -134,46 +149,47 @@ LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const L
   LegResult result;
   Memory memory = scene.memory();
   const MoveAllowed allowed = turnLimit(scene, leg.space);
-  result.keys = straightMoves(scene, rule, allowed, leg.starts, leg.goals, leg.far, memory, run);
+  const auto isLate = [&limits] { return limits.over(); };
+  result.keys =
+      straightMoves(scene, rule, allowed, leg.starts, leg.goals, leg.far, memory, isLate, run);
   if (!result.keys.empty()) {
     result.method = result.keys.size() == 2 ? "straight" : "straight moves";
     result.steps = memory.steps;
     return result;
   }
-  const auto pairs = static_cast<int>(leg.starts.size() * leg.goals.size());
-  const int places = std::max(kPlaces / 10, kPlaces / std::max(1, pairs));
   // The grid search keeps the orientation of the goal. It links starts with other orientations to a
-  // placement with that orientation.
-  for (const State& start : leg.starts) {
-    if (leg.starts.size() > kMostStarts || !result.keys.empty() || limits.over()) break;
-    for (const State& goal : leg.goals) {
-      result.keys = shiftsOnly(scene, rule, leg.space, start, goal, places, memory, run);
-      if (!result.keys.empty()) break;
-    }
-  }
-  const bool kept = std::adjacent_find(result.keys.begin(), result.keys.end(),
-                                       [&](const State& a, const State& b) {
-                                         return !allowed(a, b);
-                                       }) == result.keys.end();
-  if (!result.keys.empty() && kept) {
-    result.method = "grid of places";
-    result.steps = memory.steps;
-    return result;
+  // placement with that orientation. Without turning, the whole grids come first, since they may
+  // find out that there is no path.
+  std::vector<State> starts;
+  for (const State& state : leg.starts)
+    if (leg.starts.size() <= kMostStarts && allowed(state, leg.goals.front()))
+      starts.push_back(state);
+  const auto pairs = static_cast<int>(leg.starts.size() * leg.goals.size());
+  ShiftSearch shifts(scene, rule, leg.space, starts, leg.goals,
+                     std::max(kPlaces / 10, kPlaces / std::max(1, pairs)));
+  for (int places = 0; !shifts.isOver() && !limits.over(); places += kRoundPlaces) {
+    if (leg.space.turns() && places >= kFirstPlaces) break;
+    run.checkpoint(Phase::Shifts);
+    shifts.advance(kRoundPlaces, run);
   }
   const State* start = leg.space.isOut || leg.starts.empty() ? nullptr : &leg.starts.front();
   const bool proven =
-      leg.provable && !leg.space.turns() &&
-      noShifts(scene, rule, leg.space, start, leg.goals.front(), kPlacesOfProof, run);
-  if (proven) {
-    result = {};
-    result.farthest = leg.goals.front();
-    result.blocked.assign(scene.count(), 0);
+      shifts.path().empty() && leg.provable && !leg.space.turns() &&
+      noShifts(scene, rule, leg.space, start, leg.goals.front(), kPlacesOfProof, isLate, run);
+  if (!shifts.path().empty()) {
+    result.keys = shifts.path();
+    result.method = kGridMethod;
+  } else if (proven) {
+    result.farthest = shifts.farthest();
   } else {
-    result = SixDimensions(scene, rule, leg, limits, run).search();
+    result = SixDimensions(scene, rule, leg, limits, shifts, run).search();
   }
   result.noTranslation = proven;
-  for (std::size_t i = 0; i < scene.count(); ++i) result.blocked[i] += memory.blocked[i];
-  result.steps += memory.steps;
+  result.blocked.resize(scene.count(), 0);
+  for (const Memory& used : {memory, shifts.memory()}) {
+    for (std::size_t i = 0; i < scene.count(); ++i) result.blocked[i] += used.blocked[i];
+    result.steps += used.steps;
+  }
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <queue>
 #include <set>
 
@@ -33,28 +34,35 @@ bool within(const SearchSpace& space, const State& state) {
 class GridSearch {
  public:
   GridSearch(const Scene& scene, const Rule& rule, const SearchSpace& space, const State& start,
-             const State& goal, double width, Memory& memory)
+             const State& goal, double width, int places, Memory& memory, State& farthest)
       : scene_(scene),
         rule_(rule),
         space_(space),
         start_(start),
         goal_(goal),
         width_(width),
-        memory_(memory) {}
-
-  std::vector<State> search(int places, RunContext& run) {
+        left_(places),
+        memory_(memory),
+        farthest_(farthest) {
     push({0, 0, 0}, {0, 0, 0}, 0);
-    while (!queue_.empty() && places > 0) {
+  }
+
+  /// Examines up to `places` placements, and takes them from `places` and from those of the grid.
+  /// Returns the path once it is found.
+  std::vector<State> search(int& places, const RunContext& run) {
+    while (!isOver() && places > 0 && !run.isCancelled()) {
       const Entry entry = queue_.top();
       queue_.pop();
       if (closed_.count(entry.cell) != 0) continue;
-      run.checkpoint(Phase::Shifts);
       --places;
+      --left_;
       const State from = placed(scene_, goal_, entry.before, width_);
       const State here = placed(scene_, goal_, entry.cell, width_);
       const bool root = entry.cell == Cell{0, 0, 0};
       if (!root && scene_.follow(from, here, rule_, memory_, 0.05).fraction < 1) continue;
       closed_[entry.cell] = entry.before;
+      if ((here.middle - goal_.middle).norm() > (farthest_.middle - goal_.middle).norm())
+        farthest_ = here;
       // The search ends as soon as a straight free move leads to the start.
       if (scene_.follow(here, start_, rule_, memory_, 0.05).fraction >= 1)
         return pathFrom(entry.cell);
@@ -67,6 +75,7 @@ class GridSearch {
     }
     return {};
   }
+  bool isOver() const { return queue_.empty() || left_ <= 0; }
 
  private:
   struct Entry {
@@ -100,7 +109,9 @@ class GridSearch {
   const State& start_;
   const State& goal_;
   double width_;
+  int left_;  ///< placements that may still be examined
   Memory& memory_;
+  State& farthest_;
   std::priority_queue<Entry> queue_;
   std::map<Cell, Cell> closed_;
 };
@@ -123,20 +134,70 @@ bool blocked(const Scene& scene, const Rule& rule, const State& middle, double h
 
 }  // namespace
 
-std::vector<State> shiftsOnly(const Scene& scene, const Rule& rule, const SearchSpace& space,
-                              const State& start, const State& goal, int places, Memory& memory,
-                              RunContext& run) {
-  for (const double width : kWidths) {
-    std::vector<State> keys =
-        GridSearch(scene, rule, space, start, goal, width * scene.radius(), memory)
-            .search(places, run);
-    if (!keys.empty()) return keys;
+class ShiftSearch::Grids {
+ public:
+  Grids(const Scene& scene, const Rule& rule, const SearchSpace& space,
+        const std::vector<State>& starts, const std::vector<State>& goals, int places)
+      : scene_(scene),
+        rule_(rule),
+        space_(space),
+        starts_(starts),
+        goals_(goals),
+        places_(places),
+        memory_(scene.memory()),
+        farthest_(goals.front()) {}
+
+  void advance(int places, const RunContext& run) {
+    while (places > 0 && !isOver() && !run.isCancelled()) {
+      if (!grid_) begin();
+      path_ = grid_->search(places, run);
+      if (!path_.empty() || !grid_->isOver()) continue;
+      grid_.reset();
+      ++number_;
+    }
   }
-  return {};
-}
+  bool isOver() const {
+    return !path_.empty() || number_ >= starts_.size() * goals_.size() * kWidths.size();
+  }
+  const std::vector<State>& path() const { return path_; }
+  const Memory& memory() const { return memory_; }
+  const State& farthest() const { return farthest_; }
+
+ private:
+  void begin() {
+    const std::size_t pair = number_ / kWidths.size();
+    grid_.emplace(scene_, rule_, space_, starts_[pair / goals_.size()],
+                  goals_[pair % goals_.size()], kWidths[number_ % kWidths.size()] * scene_.radius(),
+                  places_, memory_);
+  }
+
+  const Scene& scene_;
+  const Rule& rule_;
+  const SearchSpace& space_;
+  const std::vector<State>& starts_;
+  const std::vector<State>& goals_;
+  const int places_;
+  Memory memory_;
+  State farthest_;
+  std::size_t number_ = 0;  ///< number of the present grid
+  std::optional<GridSearch> grid_;
+  std::vector<State> path_;
+};
+
+ShiftSearch::ShiftSearch(const Scene& scene, const Rule& rule, const SearchSpace& space,
+                         const std::vector<State>& starts, const std::vector<State>& goals,
+                         int places)
+    : grids_(std::make_unique<Grids>(scene, rule, space, starts, goals, places)) {}
+ShiftSearch::~ShiftSearch() = default;
+ShiftSearch::ShiftSearch(ShiftSearch&&) noexcept = default;
+void ShiftSearch::advance(int places, const RunContext& run) { grids_->advance(places, run); }
+const std::vector<State>& ShiftSearch::path() const { return grids_->path(); }
+bool ShiftSearch::isOver() const { return grids_->isOver(); }
+const Memory& ShiftSearch::memory() const { return grids_->memory(); }
+const State& ShiftSearch::farthest() const { return grids_->farthest(); }
 
 bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, const State* start,
-              const State& goal, int places, RunContext& run) {
+              const State& goal, int places, const std::function<bool()>& isLate, RunContext& run) {
   for (const double fraction : kWidths) {
     const double width = fraction * scene.radius();
     std::set<Cell> seen{{0, 0, 0}};
@@ -146,7 +207,7 @@ bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, co
     queue.push({0, {0, 0, 0}});
     bool out = false;
     int left = places;
-    while (!queue.empty() && !out && --left > 0) {
+    while (!queue.empty() && !out && --left > 0 && !isLate()) {
       run.checkpoint(Phase::Shifts);
       const Cell cell = queue.top().second;
       queue.pop();
@@ -166,7 +227,7 @@ bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, co
             queue.push({next[0] * next[0] + next[1] * next[1] + next[2] * next[2], next});
         }
     }
-    if (!out && left > 0) return true;
+    if (!out && left > 0 && queue.empty()) return true;
   }
   return false;
 }

@@ -14,6 +14,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "path/scene.h"
@@ -21,15 +23,34 @@
 
 namespace swept::path {
 
-/// Returns keys from start to goal. Returns an empty list if no path is found within `places`
-/// placements on any grid.
-std::vector<State> shiftsOnly(const Scene& scene, const Rule& rule, const SearchSpace& space,
-                              const State& start, const State& goal, int places, Memory& memory,
-                              RunContext& run);
+/// Searches grids of placements between all pairs of a start and a goal, one grid after the other.
+/// It can be continued step by step, beside other searches.
+class ShiftSearch {
+ public:
+  /// `places` is the largest number of placements that are examined on one grid.
+  ShiftSearch(const Scene& scene, const Rule& rule, const SearchSpace& space,
+              const std::vector<State>& starts, const std::vector<State>& goals, int places);
+  ~ShiftSearch();
+  ShiftSearch(ShiftSearch&&) noexcept;
+
+  /// Examines up to `places` more placements; fewer if the run is cancelled.
+  void advance(int places, const RunContext& run);
+  /// Returns the keys from a start to a goal. Empty: no path is found yet.
+  const std::vector<State>& path() const;
+  /// Returns true if all grids are searched or a path is found.
+  bool isOver() const;
+  const Memory& memory() const;
+  /// Returns the farthest placement from which free moves lead to a goal.
+  const State& farthest() const;
+
+ private:
+  class Grids;
+  std::unique_ptr<Grids> grids_;
+};
 
 /// Returns true only if it is proven that no path without turning leads from the goal to the start.
-/// If `start` is null: that none leads out of the search space.
+/// If `start` is null: that none leads out of the search space. Gives up once `isLate` is true.
 bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, const State* start,
-              const State& goal, int places, RunContext& run);
+              const State& goal, int places, const std::function<bool()>& isLate, RunContext& run);
 
 }  // namespace swept::path

@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "path/polish.h"
@@ -13,9 +14,11 @@
 
 namespace swept::path {
 
-/// Returns the keys. `far` (mm): a move of this length leaves all neighbours behind.
+/// Returns the keys. `far` (mm): a move of this length leaves all neighbours behind. Gives up once
+/// `isLate` is true.
 std::vector<State> straightMoves(const Scene& scene, const Rule& rule, const MoveAllowed& allowed,
                                  const std::vector<State>& starts, const std::vector<State>& goals,
-                                 double far, Memory& memory, RunContext& run);
+                                 double far, Memory& memory, const std::function<bool()>& isLate,
+                                 RunContext& run);
 
 }  // namespace swept::path

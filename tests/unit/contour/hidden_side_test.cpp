@@ -99,5 +99,38 @@ TEST(HiddenSide, BothEdgesOfALedgeAcrossTheLattice) {
   }
 }
 
+/// Edges of the grid meet the rim of such a wall in some cells and pass it in others. All four
+/// edges of the rim along y are to be in the envelope.
+TEST(KnownSide, RimOfAWallNearlyAsThickAsACell) {
+  constexpr double kWidth = 4, kLength = 5;
+  std::vector<double> edges;
+  for (const double height : {0.5, 0.7, 0.9}) {
+    for (const double degrees : {17.0, 31.0, 43.0}) {
+      const Eigen::Isometry3d place = placement({0.4, 1, 0.25}, degrees, {0.07, 0.11, 0.03});
+      const V3 size(kWidth, kLength, height * kCell);
+      Options options;
+      options.cellSize = kCell;
+      const Trajectory still{{poseOf(0, Eigen::Isometry3d::Identity())}, Interpolation::None};
+      const Result result =
+          checkedCompute(transformed(makeBox({0, 0, 0}, size), place), still, options);
+      const MeshDistance envelope(result.mesh);
+      for (int n = 4; n <= 196; ++n) {
+        for (const double x : {0.0, kWidth}) {
+          for (const double z : {0.0, size.z()}) {
+            edges.push_back(envelope.distance(place * V3(x, kLength * n / 200, z)) / kCell);
+          }
+        }
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  const double mean =
+      std::accumulate(edges.begin(), edges.end(), 0.0) / static_cast<double>(edges.size());
+  std::printf("rim: mean %.4f, 99 %% %.4f, max %.4f cell\n", mean, edges[edges.size() * 99 / 100],
+              edges.back());
+  EXPECT_LT(mean, 0.02);
+  EXPECT_LT(edges[edges.size() * 99 / 100], 0.25);
+}
+
 }  // namespace
 }  // namespace swept::test

@@ -236,7 +236,7 @@ TEST(FindPath, TheLargestTurnIsKept) {
 
 TEST(FindPath, ThatNoWayWithoutTurningExistsIsProvenOrNotSaid) {
   PathCase c = sealedCase(3);
-  PathOptions options = optionsOf(c);
+  PathOptions options = patient(c);
   options.translationOnly = true;
   const PathReport sealed = solve(c, options);
   EXPECT_EQ(sealed.verdict, PathVerdict::NoTranslation) << sealed.summary << sealed.message;
@@ -285,8 +285,9 @@ TEST(FindPath, CancelEndsASearchSoon) {
 
 TEST(FindPath, ASearchWithoutSuccessSaysHowFarItCame) {
   const PathCase c = sealedCase(2);
-  PathOptions options = optionsOf(c);
-  options.budgetSeconds = 0.5;
+  PathOptions options = patient(c);
+  options.mostSteps = 2000;
+  options.askLess = false;
   const PathReport report = solve(c, options);
   EXPECT_EQ(report.status, Status::Ok);
   EXPECT_NE(report.verdict, PathVerdict::Found);
@@ -294,6 +295,22 @@ TEST(FindPath, ASearchWithoutSuccessSaysHowFarItCame) {
   ASSERT_FALSE(report.escape.blockers.empty());
   EXPECT_EQ(report.escape.blockers[0], "part 1");
   EXPECT_NE(toJson(report).find("\"blockers\""), std::string::npos);
+}
+
+TEST(FindPath, TheTimeLimitEndsEachMethod) {
+  for (const bool turns : {false, true}) {
+    const PathCase c = sealedCase(2);
+    PathOptions options = patient(c);
+    options.translationOnly = !turns;
+    options.mostSteps = 20000;
+    options.askLess = false;
+    const PathReport whole = solve(c, options);
+    options.budgetSeconds = 1e-9;
+    const PathReport ended = solve(c, options);
+    EXPECT_TRUE(ended.budgetEnded);
+    EXPECT_EQ(ended.verdict, PathVerdict::NotFound) << "nothing is proven in no time";
+    EXPECT_LT(ended.steps, whole.steps / 50);
+  }
 }
 
 }  // namespace
