@@ -10,7 +10,7 @@ inside() { chroot "$chroot_folder" env HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND
 
 # open_chroot SUITE FOLDER: makes the chroot unless it is there, and mounts what programs in it need.
 open_chroot() {
-  local suite=$1 script=/usr/share/debootstrap/scripts/$1
+  local place suite=$1 script=/usr/share/debootstrap/scripts/$1
   chroot_folder=$2
   mkdir -p "$chroot_folder"
   [ -e "$chroot_folder.made" ] || {

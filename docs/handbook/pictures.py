@@ -33,6 +33,7 @@ from driver import (  # noqa: E402
 )
 
 import assembly_pictures  # noqa: E402
+import core_pictures  # noqa: E402
 import engine_bay  # noqa: E402
 import mechanism_pictures  # noqa: E402
 import path_pictures  # noqa: E402
@@ -435,6 +436,7 @@ def scenario():
     yield from sequence_pictures.parts(picture)
     yield from mechanism_pictures.crank(picture)
     yield from spaces_pictures.envelopes(picture)
+    yield from core_pictures.offer(picture)
     yield
 
 

@@ -29,9 +29,12 @@ def new_addon():
 def needed(addon):
     """The Python packages that the add-on asks for and that cannot be imported: those count as
     missing."""
-    if hasattr(addon_module, "MissingDependencies"):  # FreeCAD 1
-        found = addon_module.MissingDependencies()
-        found.import_from_addon(addon, [])
+    if hasattr(addon_module, "MissingDependencies"):  # FreeCAD 1.1 and 1.0
+        kind = addon_module.MissingDependencies
+        newer = hasattr(kind, "import_from_addon")
+        found = kind() if newer else kind(addon, [])
+        if newer:
+            found.import_from_addon(addon, [])
         return sorted(found.python_requires)
     found = addon_module.Addon.Dependencies()
     addon.walk_dependency_tree({}, found)
@@ -58,12 +61,26 @@ def install_of_0_20(addon, packages):
     return failures
 
 
+def without_constraints(call):
+    """FreeCAD 1.1 has pip read the versions of allowed packages from the internet."""
+
+    def pip_call(args):
+        words = call(args)
+        at = words.index("--constraint") if "--constraint" in words else len(words)
+        return words[:at] + words[at + 2 :]
+
+    return pip_call
+
+
 def install_of_1(addon, packages):
     import addonmanager_dependency_installer as dependencies
     import addonmanager_installer as installer
+    import addonmanager_utilities as utilities
 
+    if hasattr(utilities, "create_pip_call"):
+        utilities.create_pip_call = without_constraints(utilities.create_pip_call)
     failures = []
-    worker = installer.AddonInstaller(addon, allow_packages=set(packages))
+    worker = installer.AddonInstaller(addon, allow_list=packages + ["numpy"])
     worker.failure.connect(lambda repo, text: failures.append(text))
     worker.run()
     worker = dependencies.DependencyInstaller([], packages, [])
