@@ -1,14 +1,13 @@
 // Solids that have the faces of the sweep: a body from a STEP file, moved along straight lines.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include "judge/solid_judge.h"
 #include "solid/test_meshes.h"
+#include "support/temporary_folder.h"
 #include "swept/body.h"
 #include "swept/compute.h"
 #include "swept/solid.h"
@@ -16,7 +15,6 @@
 namespace swept {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace test;
 using Eigen::Vector3d;
 
@@ -24,15 +22,9 @@ constexpr double kRadius = 5, kLength = 16;
 
 class LabelledFaces : public testing::Test {
  protected:
-  LabelledFaces()
-      : folder_(fs::temp_directory_path() / ("labelled-" + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~LabelledFaces() override { fs::remove_all(folder_); }
-
   // Makes a STEP file of the mesh, and reads it as a body with faces.
   void readBodyOf(const TriMesh& mesh) {
-    const std::string file = (folder_ / "body.step").string();
+    const std::string file = folder_.file("body.step");
     writeSolid(mesh, file, {}, run_);
     readBodyFrom(file);
   }
@@ -71,7 +63,7 @@ class LabelledFaces : public testing::Test {
   }
 
   StepReport write(const StepOptions& options) {
-    const std::string file = (folder_ / "envelope.step").string();
+    const std::string file = folder_.file("envelope.step");
     const StepReport report = writeSolid(result_.mesh, file, options, run_);
     judged_ = judgeSolid(readShape(file), 9, true);
     kinds_.clear();
@@ -93,7 +85,7 @@ class LabelledFaces : public testing::Test {
   }
 
   const Eigen::Quaterniond none_ = Eigen::Quaterniond::Identity();
-  fs::path folder_;
+  TemporaryFolder folder_;
   RunContext run_;
   Body body_;
   Trajectory motion_;
@@ -119,7 +111,7 @@ TEST_F(LabelledFaces, TwoStepsOfOneLineMakeTheSameFaces) {
 }
 
 TEST_F(LabelledFaces, RodAlongALine) {
-  const std::string file = (folder_ / "rod.brep").string();
+  const std::string file = folder_.file("rod.brep");
   writeRod(kRadius, kLength, file);
   readBodyFrom(file);
   const Vector3d way(9, 3, 11);
@@ -151,12 +143,12 @@ TEST_F(LabelledFaces, RefusesSourcesOfAnotherMesh) {
   origin.sources.of.pop_back();
   options.origin = std::make_shared<const SolidOrigin>(origin);
   try {
-    writeSolid(result_.mesh, (folder_ / "x.step").string(), options, run_);
+    writeSolid(result_.mesh, folder_.file("x.step"), options, run_);
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), "BadOption");
   }
-  EXPECT_FALSE(fs::exists(folder_ / "x.step"));
+  EXPECT_EQ(folder_.count(), 1u) << "only the body";
 }
 
 }  // namespace

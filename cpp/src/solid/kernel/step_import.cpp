@@ -14,7 +14,7 @@
 #include <map>
 
 #include "base/safe_file.h"
-#include "solid/body_shape_reader.h"
+#include "solid/kernel/body_shape_reader.h"
 #include "solid/kernel/shape_check.h"
 #include "solid/kernel/solid_file.h"
 #include "solid/text/step_scan.h"
