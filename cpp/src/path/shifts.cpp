@@ -168,7 +168,7 @@ class ShiftSearch::Grids {
     const std::size_t pair = number_ / kWidths.size();
     grid_.emplace(scene_, rule_, space_, starts_[pair / goals_.size()],
                   goals_[pair % goals_.size()], kWidths[number_ % kWidths.size()] * scene_.radius(),
-                  places_, memory_);
+                  places_, memory_, farthest_);
   }
 
   const Scene& scene_;
