@@ -120,7 +120,9 @@ def test_bad_input_of_the_programs_is_named(call, inputs):  # noqa: F811
     """A part in both roles, motions that are missing, times that do not overlap."""
     part = ["box.ply", "--motion", "slide.csv"]
     done = call("clearance", *part, "box.ply", cwd=inputs)
-    assert done.returncode == 2 and "'box.ply' is both the moving part and a neighbour" in done.stderr
+    assert (
+        done.returncode == 2 and "'box.ply' is both the moving part and a neighbour" in done.stderr
+    )
     (inputs / "twin.ply").write_bytes((inputs / "box.ply").read_bytes())
     assert (
         call("clearance", *part, "twin.ply", cwd=inputs).returncode == 3

@@ -176,7 +176,9 @@ def test_templates_of_a_company(report):
         ["moving part", "Kübel", "12 bytes", "ab" * 32],
         ["Werkzeug", "x", "", "not known"],
     ]
-    with pytest.raises(sv.InvalidInput, match="line 2 .*{{logo}} is not a placeholder.*verdict") as e:
+    with pytest.raises(
+        sv.InvalidInput, match="line 2 .*{{logo}} is not a placeholder.*verdict"
+    ) as e:
         sv.report_page(report, template="\n{{logo}}")
     assert e.value.code == "BadTemplate"
     assert sv.report_page(report, template=sv.page_template()) == sv.report_page(report)

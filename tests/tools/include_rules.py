@@ -57,7 +57,8 @@ MAY_INCLUDE = {
     "solid/text": BELOW | {"solid/carrier", "solid/mesh", "solid/model"},
     # Faces from what made the triangles; cuts round patches as the recognition does.
     "solid/label": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
-    "solid/kernel": BELOW | {f"solid/{r}" for r in "carrier mesh recognise label model text".split()},
+    "solid/kernel": BELOW
+    | {f"solid/{r}" for r in "carrier mesh recognise label model text".split()},
     "solid": BELOW
     | {"simplify"}
     | {f"solid/{r}" for r in "carrier mesh recognise label model text".split()},

@@ -76,7 +76,8 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunC
                 "the angle between the triangles of '" + path + "' is " +
                     numberText(options.angle, kTellingDigits) + " rad, but must be above 0");
   }
-  const std::vector<ImportedSolid> solids = readSolids(path, body.chordError, options.angle, run, &body.shape);
+  const std::vector<ImportedSolid> solids =
+      readSolids(path, body.chordError, options.angle, run, &body.shape);
   for (const ImportedSolid& solid : solids) {
     const auto first = static_cast<std::int32_t>(body.mesh.vertices.size());
     body.mesh.vertices.insert(body.mesh.vertices.end(), solid.mesh.vertices.begin(),
