@@ -101,7 +101,6 @@ py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrice
   return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
 }
 
-#ifdef HAVE_SWEPT_SOLID
 /// `given`: (sources, motion, interpolation, shape, chord_error).
 std::shared_ptr<const SolidOrigin> originFromObject(const py::object& given) {
   if (given.is_none()) return nullptr;
