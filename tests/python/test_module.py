@@ -87,7 +87,7 @@ def test_matrices_and_quaternions_say_the_same(box):
     assert np.array_equal(one.vertices, two.vertices)
     # Where the surface passes a grid point, the last bit of a pose decides which element gives the
     # crossing. Such a crossing is within a thousandth of a cell.
-    bound = 1e-3 * one.report["cell_size"]
+    bound = 1e-3 * one.report["cell"]
     assert one.vertices.shape == three.vertices.shape
     assert np.allclose(one.vertices, three.vertices, rtol=0, atol=bound)
 
