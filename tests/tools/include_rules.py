@@ -50,6 +50,8 @@ MAY_INCLUDE = {
     # Tells what a report says; shapes come to it thinned through a public header.
     "page": {"base", "geometry", "motion"},
     "solid/carrier": BELOW,
+    # Surfaces that the edges and faces of a moving body sweep.
+    "solid/sweep": BELOW | {"solid/carrier"},
     "solid/mesh": BELOW | {"solid/carrier", "simplify"},
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},
     "solid/model": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
@@ -57,7 +59,7 @@ MAY_INCLUDE = {
     "solid/kernel": BELOW | {f"solid/{r}" for r in "carrier mesh recognise model text".split()},
     "solid": BELOW
     | {"simplify"}
-    | {f"solid/{r}" for r in "carrier mesh recognise model text kernel".split()},
+    | {f"solid/{r}" for r in "carrier sweep mesh recognise model text kernel".split()},
     "pipeline": BELOW | STAGES | SAMPLERS | {"sampling/culling", "contour/mend"},
     "python": {"io"},  # besides the public headers
     "tools": {"base", "io"},
