@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "solid/sweep/interpolate.h"
 #include "solid/sweep/swept_surface.h"
 
 namespace swept::step {
@@ -29,7 +30,6 @@ Carrier posed(const Carrier& carrier, const Placement& placement);
 
 /// The curve in space through exact points x(v), v in `range`: a line, a circle or a spline.
 /// Nothing if the bound is not reached.
-using ExactCurve = std::function<Eigen::Vector3d(double)>;
 std::optional<Curve> curveOf(const ExactCurve& exact, Range range, double bound = kOnCarrier);
 
 /// The border between what an edge sweeps and what a face beside it grazes: the points of the edge
