@@ -136,6 +136,8 @@ std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, do
   Knots knots(degree, {range.from, range.to});
   // The errors of a span are largest near the middle between two sites.
   constexpr std::array<double, 6> kBetween{0.06, 0.23, 0.41, 0.59, 0.77, 0.94};
+  /// Spans whose needs differ by less are cut alike.
+  constexpr double kEven = 0.4;
   while (knots.breaks().size() <= mostSpans + 1) {
     const std::vector<double> sites = knots.sites();
     Eigen::MatrixXd values;
@@ -146,8 +148,9 @@ std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, do
       values.row(static_cast<Eigen::Index>(i)) = row;
     }
     const Eigen::MatrixXd poles = Interpolator(knots).poles(values);
-    std::vector<int> pieces(knots.breaks().size() - 1, 1);
-    bool isFine = true;
+    // How many times as many spans are needed: the error falls with the power degree + 1 of their
+    // length.
+    std::vector<double> wanted;
     for (std::size_t i = 0; i + 1 < knots.breaks().size(); ++i) {
       const Range span{knots.breaks()[i], knots.breaks()[i + 1]};
       double error = 0;
@@ -156,13 +159,21 @@ std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, do
         if (!row.allFinite()) return std::nullopt;
         error = std::max(error, largestError(valueOf(knots, poles, span.at(w)) - row));
       }
-      if (error <= bound) continue;
-      isFine = false;
-      // The error falls with the power degree + 1 of the length.
-      const double wanted = std::pow(error / bound, 1.0 / (degree + 1));
-      pieces[i] = static_cast<int>(std::clamp(std::ceil(0.95 * wanted), 2.0, 4.0));
+      wanted.push_back(std::pow(error / bound, 1.0 / (degree + 1)));
     }
-    if (isFine) return knots;
+    const auto [least, most] = std::minmax_element(wanted.begin(), wanted.end());
+    if (*most <= 1) return knots;
+    if (*least >= kEven * *most) {
+      // Equal spans, but never twice as many as the estimate from few spans says.
+      const double share = wanted.size() < 3 ? 0.8 : 1;
+      const auto count = static_cast<double>(wanted.size());
+      const double next = std::max(count + 1, std::ceil(share * *most * count));
+      knots = finer(Knots(degree, {range.from, range.to}), {static_cast<int>(next)});
+      continue;
+    }
+    std::vector<int> pieces;
+    for (const double w : wanted)
+      pieces.push_back(w <= 1 ? 1 : static_cast<int>(std::clamp(std::ceil(0.95 * w), 2.0, 4.0)));
     knots = finer(knots, pieces);
   }
   return std::nullopt;

@@ -12,15 +12,18 @@ using Eigen::Vector3d;
 
 // Share of the range by which the surface goes on beyond its borders.
 constexpr double kBeyond = 0.05;
-constexpr int kSamplesPerSpan = 4;
+constexpr int kSamplesPerSpan = 4, kFewestSamples = 12;
 constexpr int kRounds = 40;
 
 std::vector<double> samplesOf(const Knots& knots) {
   std::vector<double> at;
-  for (std::size_t i = 0; i + 1 < knots.breaks().size(); ++i) {
+  const auto spans = static_cast<int>(knots.breaks().size()) - 1;
+  const int each = knots.degree() == 1
+                       ? kSamplesPerSpan
+                       : std::max(kSamplesPerSpan, (kFewestSamples + spans - 1) / spans);
+  for (int i = 0; i < spans; ++i) {
     const Range span{knots.breaks()[i], knots.breaks()[i + 1]};
-    for (int k = 0; k < kSamplesPerSpan; ++k)
-      at.push_back(span.at(static_cast<double>(k) / kSamplesPerSpan));
+    for (int k = 0; k < each; ++k) at.push_back(span.at(static_cast<double>(k) / each));
   }
   at.push_back(knots.breaks().back());
   return at;
@@ -91,6 +94,21 @@ Sheet::Foot Sheet::foot(const Vector3d& p) const {
   return foot(p, sampleU_[best / sampleT_.size()], sampleT_[best % sampleT_.size()]);
 }
 
+namespace {
+
+// One direction of a step: whether its parameter stands at an end of its room and would leave it.
+bool isBlocked(const Range& room, double x, double step) {
+  return (x <= room.from && step < 0) || (x >= room.to && step > 0);
+}
+
+// The largest share of a step, at most 1, that stays in the room.
+double shareInRoom(const Range& room, double x, double step) {
+  if (step == 0) return 1;
+  return std::min(1.0, ((step > 0 ? room.to : room.from) - x) / step);
+}
+
+}  // namespace
+
 // Minimises the squared distance within the box of parameters. A step that does not shorten the
 // distance is halved; where the second derivatives would lead to a saddle, they are left out.
 Sheet::Foot Sheet::foot(const Vector3d& p, double u, double t) const {
@@ -104,42 +122,40 @@ Sheet::Foot Sheet::foot(const Vector3d& p, double u, double t) const {
     const double gu = d.dot(j.u), gt = d.dot(j.t);
     const double e = j.u.squaredNorm(), f = j.u.dot(j.t), g = j.t.squaredNorm();
     double a = e + d.dot(j.uu), b = f + d.dot(j.ut), c = g + d.dot(j.tt);
-    if (!(a > 0.05 * e && c > 0.05 * g && a * c - b * b > 0.05 * e * g * (1 - f * f / (e * g)))) {
+    if (!(a > 0.05 * e && c > 0.05 * g && a * c - b * b > 0.05 * (e * g - f * f))) {
       a = e;
       b = f;
       c = g;
     }
-    // A parameter at an end stays there if the distance would fall beyond it.
-    const bool fixU = (u <= roomU_.from && gu > 0) || (u >= roomU_.to && gu < 0);
-    const bool fixT = (t <= roomT_.from && gt > 0) || (t >= roomT_.to && gt < 0);
-    isAtEnd = fixU || fixT;
-    double du = 0, dt = 0;
-    if (fixU && fixT) break;
+    const double det = std::max(a * c - b * b, 1e-12 * a * c);
+    double du = -(c * gu - b * gt) / det, dt = -(a * gt - b * gu) / det;
+    // A parameter that would leave its room stays, and the other one goes its own way.
+    const bool fixU = isBlocked(roomU_, u, du) || isBlocked(roomU_, u, -gu);
     if (fixU) {
+      du = 0;
       dt = -gt / c;
-    } else if (fixT) {
-      du = -gu / a;
-    } else {
-      const double det = std::max(a * c - b * b, 1e-12 * a * c);
-      du = -(c * gu - b * gt) / det;
-      dt = -(a * gt - b * gu) / det;
     }
-    double w = 1;
-    const double nextU = std::clamp(u + du, roomU_.from, roomU_.to) - u;
-    const double nextT = std::clamp(t + dt, roomT_.from, roomT_.to) - t;
+    const bool fixT = isBlocked(roomT_, t, dt) || isBlocked(roomT_, t, -gt);
+    if (fixT) {
+      dt = 0;
+      du = fixU || isBlocked(roomU_, u, -gu) ? 0 : -gu / a;
+    }
+    isAtEnd = fixU || fixT;
+    double w = std::min(shareInRoom(roomU_, u, du), shareInRoom(roomT_, t, dt));
+    if (du == 0 && dt == 0) break;
     const double slack = 1e-15 * (distance + p.norm());
-    Jet next;
-    for (;; w /= 2) {
-      next = jet(u + w * nextU, t + w * nextT);
-      if ((next.at - p).norm() <= distance + slack || w < 1e-4) break;
+    const double least = 1e-6 * w;
+    Jet next = jet(u + w * du, t + w * dt);
+    while ((next.at - p).norm() > distance + slack && w > least) {
+      w /= 2;
+      next = jet(u + w * du, t + w * dt);
     }
-    const double moved = w * (std::abs(nextU) * std::sqrt(e) + std::abs(nextT) * std::sqrt(g));
-    if (w < 1e-4) break;
-    u += w * nextU;
-    t += w * nextT;
+    if (w <= least) break;
+    u = std::clamp(u + w * du, roomU_.from, roomU_.to);
+    t = std::clamp(t + w * dt, roomT_.from, roomT_.to);
     j = next;
     distance = (j.at - p).norm();
-    if (moved < 1e-12) break;
+    if (w * (std::abs(du) * std::sqrt(e) + std::abs(dt) * std::sqrt(g)) < 1e-12) break;
   }
   return {u, t, j.at, j.u, j.t, !isAtEnd};
 }

@@ -155,13 +155,13 @@ std::optional<Carrier> withProfile(Carrier carrier, const ExactCurve& generator,
     carrier.profile = profileThrough(at, range, count);
     if (!carrier.profile) return std::nullopt;
     double error = 0;
-    for (std::size_t i = 0; i < 2 * count; ++i) {
-      const double v = range.at((static_cast<double>(i) + 0.5) / static_cast<double>(2 * count));
+    for (std::size_t i = 0; i <= 4 * count; ++i) {
+      const double v = range.at(static_cast<double>(i) / static_cast<double>(4 * count));
       error = std::max(error, std::abs(carrier.distance(generator(v))));
     }
-    if (error <= bound && holds(carrier, samples, bound)) return carrier;
-    // Points that are not on it at all will not be with more nodes.
-    if (count >= 4 * kFewestNodes && error <= bound) return std::nullopt;
+    // Points that are not on the surface of an exact profile will not be with more nodes.
+    if (error <= 0.5 * bound)
+      return holds(carrier, samples, bound) ? std::optional(carrier) : std::nullopt;
   }
   return std::nullopt;
 }
