@@ -12,20 +12,14 @@ using Eigen::Vector3d;
 
 // Share of the range by which the surface goes on beyond its borders.
 constexpr double kBeyond = 0.05;
-constexpr int kSamplesPerSpan = 4, kFewestSamples = 12;
+/// Samples are about as far apart in both directions: this many along the longer one, and a few at
+/// least along the other one.
+constexpr int kSamples = 40, kFewestSamples = 6;
 constexpr int kRounds = 40;
 
-std::vector<double> samplesOf(const Knots& knots) {
+std::vector<double> evenly(Range range, int count) {
   std::vector<double> at;
-  const auto spans = static_cast<int>(knots.breaks().size()) - 1;
-  const int each = knots.degree() == 1
-                       ? kSamplesPerSpan
-                       : std::max(kSamplesPerSpan, (kFewestSamples + spans - 1) / spans);
-  for (int i = 0; i < spans; ++i) {
-    const Range span{knots.breaks()[i], knots.breaks()[i + 1]};
-    for (int k = 0; k < each; ++k) at.push_back(span.at(static_cast<double>(k) / each));
-  }
-  at.push_back(knots.breaks().back());
+  for (int i = 0; i <= count; ++i) at.push_back(range.at(static_cast<double>(i) / count));
   return at;
 }
 
@@ -37,8 +31,24 @@ Sheet::Sheet(Knots u, Knots t, std::vector<Vector3d> poles)
       poles_(std::move(poles)),
       roomU_(u_.range().grown(kBeyond)),
       roomT_(t_.range().grown(kBeyond)) {
-  sampleU_ = samplesOf(u_);
-  sampleT_ = samplesOf(t_);
+  double longU = 0, longT = 0;
+  const auto rows = u_.poleCount(), columns = t_.poleCount();
+  for (std::size_t j = 0; j < columns; ++j) {
+    double sum = 0;
+    for (std::size_t i = 1; i < rows; ++i) sum += (pole(i, j) - pole(i - 1, j)).norm();
+    longU = std::max(longU, sum);
+  }
+  for (std::size_t i = 0; i < rows; ++i) {
+    double sum = 0;
+    for (std::size_t j = 1; j < columns; ++j) sum += (pole(i, j) - pole(i, j - 1)).norm();
+    longT = std::max(longT, sum);
+  }
+  spacing_ = std::max(longU, longT) / kSamples;
+  const auto count = [&](double length) {
+    return std::max(kFewestSamples, static_cast<int>(length / std::max(spacing_, 1e-300)));
+  };
+  sampleU_ = evenly(u_.range(), count(longU));
+  sampleT_ = evenly(t_.range(), count(longT));
   for (const double a : sampleU_) {
     for (const double b : sampleT_) samples_.push_back(at(a, b));
   }
@@ -83,15 +93,32 @@ Sheet::Foot Sheet::footAt(double u, double t) const {
 }
 
 Sheet::Foot Sheet::foot(const Vector3d& p) const {
-  std::size_t best = 0;
-  double smallest = 1e300;
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
-    const double d = (samples_[i] - p).squaredNorm();
-    if (d >= smallest) continue;
-    smallest = d;
-    best = i;
-  }
-  return foot(p, sampleU_[best / sampleT_.size()], sampleT_[best % sampleT_.size()]);
+  const auto columns = static_cast<std::ptrdiff_t>(sampleT_.size());
+  const auto nearest = [&](std::ptrdiff_t apartFrom) {
+    std::ptrdiff_t best = -1;
+    double smallest = 1e300;
+    for (std::ptrdiff_t i = 0; i < std::ssize(samples_); ++i) {
+      const double d = (samples_[i] - p).squaredNorm();
+      if (d >= smallest) continue;
+      if (apartFrom >= 0 && std::abs(i / columns - apartFrom / columns) < 4 &&
+          std::abs(i % columns - apartFrom % columns) < 4)
+        continue;
+      smallest = d;
+      best = i;
+    }
+    return best;
+  };
+  const auto from = [&](std::ptrdiff_t i) {
+    return foot(p, sampleU_[i / columns], sampleT_[i % columns]);
+  };
+  const std::ptrdiff_t first = nearest(-1);
+  const Foot found = from(first);
+  if (found.isInside && (found.at - p).norm() < 0.01 * spacing_) return found;
+  // Another part of the surface may be nearer than its samples are.
+  const std::ptrdiff_t second = nearest(first);
+  if (second < 0) return found;
+  const Foot other = from(second);
+  return (other.at - p).norm() < (found.at - p).norm() ? other : found;
 }
 
 namespace {

@@ -60,6 +60,7 @@ class Sheet {
   Range roomU_, roomT_;  // with the continuation
   std::vector<double> sampleU_, sampleT_;
   std::vector<Eigen::Vector3d> samples_;
+  double spacing_ = 0;  // mm, about, between samples
 };
 
 }  // namespace swept::step
