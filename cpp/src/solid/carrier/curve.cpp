@@ -29,6 +29,11 @@ double lengthScale(const Carrier& s) {
     case CarrierKind::Extrusion:
     case CarrierKind::Revolution:
       return s.profile->length() / (2 * M_PI);
+    case CarrierKind::Sheet: {
+      Eigen::AlignedBox3d box;
+      for (const Vector3d& pole : s.sheet->poles()) box.extend(pole);
+      return box.diagonal().norm() / (2 * M_PI);
+    }
     default:
       return 1e300;
   }

@@ -1,5 +1,5 @@
-// Sheets and curves that interpolate an exact surface or curve on a grid, refined until they are
-// within a bound between the grid points.
+// Sheets that interpolate an exact surface on a grid, refined until they are within a bound between
+// the grid points.
 // Units:   mm.
 // Cost:    O(poles) exact evaluations for the grid and about five times as many to test it.
 // Promise: `error` is at most the bound at twice as many test points as poles in each direction;
@@ -11,19 +11,13 @@
 #include <memory>
 #include <optional>
 
-#include "solid/carrier/curve.h"
+#include "solid/carrier/fit_spline.h"
 #include "solid/carrier/sheet.h"
 
 namespace swept::step {
 
-/// Degree of curves and of sheets in curved directions. Rotations are so smooth that degree 5 needs
-/// a third of the poles of degree 3.
-constexpr int kSmoothDegree = 5;
-constexpr std::size_t kMostSpans = 64;
-
 /// A point of the exact surface; not finite where it has none.
 using ExactSurface = std::function<Eigen::Vector3d(double u, double t)>;
-using ExactCurve = std::function<Eigen::Vector3d(double)>;
 
 struct FittedSheet {
   std::shared_ptr<const Sheet> sheet;
@@ -34,8 +28,5 @@ struct FittedSheet {
 /// reached with kMostSpans spans, or if a value is not finite.
 std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, bool isRuled,
                                     double bound);
-
-/// The curve through exact(v), v in `range`; its parameter starts at 0. Nothing as above.
-std::optional<Curve> fitSpline(const ExactCurve& exact, Range range, double bound);
 
 }  // namespace swept::step
