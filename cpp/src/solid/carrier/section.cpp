@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 /// Sine of 0.6 degrees. At smaller angles between the carriers, rounding decides where they meet.
 constexpr double kLeastSine = 0.01;
-constexpr std::size_t kFewestSpans = 4, kMostSpans = 64;
+constexpr std::size_t kFewestPieces = 4, kMostPieces = 64;
 
 // Returns the point on both carriers near q. Each step of the iteration is the shortest to first
 // order. Returns nothing if the point moves farther than `strays`.
@@ -191,7 +191,7 @@ std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, cons
     const auto curve = cutProfile(along, *extrusion, *plane);
     if (curve && isOnBoth(*curve, a, b)) return curve;
   }
-  for (std::size_t spans = kFewestSpans; spans <= kMostSpans; spans *= 2) {
+  for (std::size_t spans = kFewestPieces; spans <= kMostPieces; spans *= 2) {
     std::vector<Vector3d> points = spaced(along, spans);
     for (std::size_t i = 0; i <= spans; ++i) {
       if (!closed && (i == 0 || i == spans)) continue;
@@ -204,14 +204,14 @@ std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, cons
       const Curve line = lineThrough(points.front(), points.back());
       if (isOnBoth(line, a, b)) return line;
     }
-    if (spans > kFewestSpans) {
+    if (spans > kFewestPieces) {
       const auto circle = circleThrough(points, closed, kOnCarrier);
       if (circle && isOnBoth(*circle, a, b)) return circle;
     }
     const auto tangents = tangentsAt(points, closed, a, b);
     if (!tangents) return std::nullopt;
     const bool isSheet = a.kind == CarrierKind::Sheet || b.kind == CarrierKind::Sheet;
-    if (isSheet && !closed && spans > kFewestSpans) {
+    if (isSheet && !closed && spans > kFewestPieces) {
       const auto sliced = slicedCurve(points, *tangents, a, b);
       if (sliced && isOnBoth(*sliced, a, b)) return sliced;
     }

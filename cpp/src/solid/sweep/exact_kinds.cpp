@@ -50,6 +50,11 @@ bool holds(Carrier& carrier, const Samples& samples, double bound) {
   for (const Vector3d& p : samples.points) {
     if (!(std::abs(carrier.distance(p)) <= bound)) return false;
   }
+  const Vector3d d = samples.middle - carrier.point;
+  const Vector3d across = d - d.dot(carrier.axis) * carrier.axis;
+  // The seam of the kernel's surface lies opposite to the middle of the face.
+  if (!carrier.isPlanar() && !carrier.hasProfile() && across.norm() > 0)
+    carrier.xdir = -across.normalized();
   const bool turn = carrier.normal(samples.middle).dot(samples.normal) < 0;
   if (turn && carrier.isPlanar()) carrier.axis = -carrier.axis;
   if (turn && !carrier.isPlanar()) carrier.reversed = !carrier.reversed;

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "judge/solid_judge.h"
+#include "solid/kernel/brep.h"
 #include "solid/kernel/kernel.h"
 #include "solid/kernel/solid_file.h"
 #include "solid/model/model.h"
@@ -95,12 +97,23 @@ class HandBuilt {
     std::istringstream in(text());
     return test::judgeSolid(readStepText(in, kernel, run), 9, withBlock);
   }
+  /// The solid as the kernel makes it from the model, with parameter curves.
+  test::JudgedSolid judgeMade() {
+    model_.shellOwner = {0};
+    RunContext run;
+    KernelSession kernel;
+    const Brep made = buildBrep(model_, run);
+    failed_ = made.failed.size();
+    return test::judgeSolid(made.shape, 9, false);
+  }
+  std::size_t failed() const { return failed_; }
   const Model& model() const { return model_; }
 
  private:
   Model model_;
   double largestGap_ = 0;
   bool isClosed_ = true;
+  std::size_t failed_ = 0;  // faces that the kernel could not make
 };
 
 }  // namespace swept::step

@@ -170,7 +170,7 @@ TEST(Sheet, SectionsWithPlanesCylindersAndSheets) {
   expectSection(sheet, tube,
                 {onBoth({8, 15, 4}, sheet, tube), onBoth({6, 21, 4}, sheet, tube),
                  onBoth({0, 23, 4}, sheet, tube)},
-                40);
+                60);
   const auto other =
       fitSheet([](double u, double t) { return Vector3d(12 * u, 8 + u * u + t, 12 * t - 4); },
                {-1, 1}, {0, 1}, false, 1e-8);

@@ -33,6 +33,12 @@ void expectSound(HandBuilt& solid, double volume, int faces) {
   EXPECT_GE(judged.blockError, 0);
   EXPECT_LE(judged.blockError, 1e-6);
   EXPECT_TRUE(judged.faults.empty());
+  const test::JudgedSolid made = solid.judgeMade();
+  EXPECT_EQ(solid.failed(), 0U);
+  EXPECT_TRUE(made.valid);
+  EXPECT_LE(made.edgeTolerance, 1e-5);
+  EXPECT_NEAR(made.volume / volume, 1, 1e-7);
+  std::cout << "  made by the kernel: edge tolerance " << made.edgeTolerance << "\n";
 }
 
 // Three points of Gauss on each of many intervals.
