@@ -41,4 +41,10 @@ std::optional<Curve> contactAlong(const Curve& curve, Range along,
                                   const StepPath& path, Range during, double start,
                                   double bound = kOnCarrier);
 
+/// The contact curve of a smooth face at one moment, the border between the face in its place there
+/// and what it grazes. `along`: at least two points near it, in order, from its start to its end.
+/// Nothing if the points do not determine it or the bound is not reached.
+std::optional<Curve> contactAt(const Carrier& face, const std::vector<Eigen::Vector3d>& along,
+                               const StepPath& path, double s, double bound = kOnCarrier);
+
 }  // namespace swept::step

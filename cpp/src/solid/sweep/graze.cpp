@@ -214,6 +214,18 @@ double extentOf(const std::vector<Contact>& contacts) {
   return box.diagonal().norm();
 }
 
+// The direction of the contact line of a plane: the part of the axis of turning that lies in it.
+// Nothing if the plane only moves parallel to itself.
+std::optional<Vector3d> lineDirection(const Carrier& face, const std::vector<Contact>& contacts,
+                                      const StepPath& path, double size) {
+  const Moment moment(path, contacts.front().s);
+  const Vector3d along = moment.angular - moment.angular.dot(face.axis) * face.axis;
+  if (!(along.norm() * size > kNone * moment.velocityAt(face.point).norm()) ||
+      !(along.norm() > kNone))
+    return std::nullopt;
+  return along.normalized();
+}
+
 SweptSurface followed(const Rails& rails, const OnRails& on, bool isRuled, double size,
                       const StepPath& path, double bound) {
   if (!on.isOpen) return none(Degeneracy::NotKnown, {on.rangeW.from, on.rangeS.from});
@@ -250,16 +262,13 @@ SweptSurface grazeOf(const Carrier& face, const std::vector<Contact>& contacts,
   const double size = extentOf(contacts);
   if (!(size > 0)) return none(Degeneracy::NoContact);
   if (face.isPlanar()) {
-    // The contact line runs along the part of the axis of turning that lies in the plane.
-    const Moment moment(path, contacts.front().s);
-    const Vector3d& n = face.axis;
-    const Vector3d along = moment.angular - moment.angular.dot(n) * n;
-    if (!(along.norm() * size > kNone * moment.velocityAt(face.point).norm()) ||
-        !(along.norm() > kNone)) {
-      const bool slides = std::abs(n.dot(moment.linear)) <= kNone * moment.linear.norm();
+    const auto along = lineDirection(face, contacts, path, size);
+    if (!along) {
+      const Moment moment(path, contacts.front().s);
+      const bool slides = std::abs(face.axis.dot(moment.linear)) <= kNone * moment.linear.norm();
       return none(slides ? Degeneracy::AlongItself : Degeneracy::NoContact);
     }
-    const auto rails = railsOf(face, false, along.normalized());
+    const auto rails = railsOf(face, false, *along);
     return followed(*rails, place(*rails, contacts, path, size), true, size, path, bound);
   }
   const auto rails = railsOf(face, false, Vector3d::Zero()),
@@ -271,6 +280,50 @@ SweptSurface grazeOf(const Carrier& face, const std::vector<Contact>& contacts,
   return on.crossing >= onCrossed.crossing
              ? followed(*rails, on, false, size, path, bound)
              : followed(*crossed, onCrossed, false, size, path, bound);
+}
+
+std::optional<Curve> contactAt(const Carrier& face, const std::vector<Vector3d>& along,
+                               const StepPath& path, double s, double bound) {
+  std::vector<Contact> contacts;
+  for (const Vector3d& p : along) contacts.push_back({p, s});
+  const double size = contacts.empty() ? 0 : extentOf(contacts);
+  if (!(size > 0)) return std::nullopt;
+  if (face.kind == CarrierKind::Sphere) {
+    const SphereContact contact(face, path);
+    std::vector<double> angles;
+    for (const Contact& c : contacts) angles.push_back(contact.angleOf(c.point, s));
+    if (!unwrap(angles, 2 * M_PI)) return std::nullopt;
+    const auto exact = [&](double w) {
+      return Vector3d(contact.centreAt(s) + face.radius * contact.outwardAt(w, s));
+    };
+    return curveOf(exact, {angles.front(), angles.back()}, bound);
+  }
+  const auto direction = face.isPlanar() ? lineDirection(face, contacts, path, size)
+                                         : std::optional<Vector3d>(Vector3d::Zero());
+  if (!direction) return std::nullopt;
+  auto rails = railsOf(face, false, *direction), crossed = railsOf(face, true, *direction);
+  OnRails on = place(*rails, contacts, path, size), other = place(*crossed, contacts, path, size);
+  if (other.crossing > on.crossing) {
+    std::swap(rails, crossed);
+    std::swap(on, other);
+  }
+  // The points may lie beside the curve, but they must be in the order of the rails.
+  const double way = on.w.back() > on.w.front() ? 1 : -1;
+  for (std::size_t i = 1; i < on.w.size(); ++i) {
+    if (!(way * (on.w[i] - on.w[i - 1]) > 0)) return std::nullopt;
+  }
+  if (!on.isOpen || !unwrap(on.v, rails->periods()[1])) return std::nullopt;
+  const ContactMap map(*rails, path, size);
+  const Moment moment(path, s);
+  const auto exact = [&](double x) -> Vector3d {
+    std::size_t i = 1;
+    while (i + 1 < on.w.size() && way * (x - on.w[i]) > 0) ++i;
+    const double share = (x - on.w[i - 1]) / (on.w[i] - on.w[i - 1]);
+    const auto v = map.solve(x, on.v[i - 1] + share * (on.v[i] - on.v[i - 1]), moment);
+    if (!v) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    return moment.placement.apply(rails->at(x, *v).at);
+  };
+  return curveOf(exact, {on.w.front(), on.w.back()}, bound);
 }
 
 }  // namespace swept::step

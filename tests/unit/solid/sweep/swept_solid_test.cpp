@@ -131,11 +131,14 @@ TEST(SweptSolid, ABoxAlongAScrew) {
   expectBoxSound(screwMotion({200, -200, 10}, {1, 1, 0.2}, 0.25, 20), {20, 14, 9});
 }
 
-// A rod that moves across and along its axis while it turns.
-TEST(SweptSolid, ARodInAGeneralMotion) {
+TEST(SweptSolid, ABoxAlongALineAndOnACircle) {
+  expectBoxSound(lineMotion({40, 35, 50}), {20, 14, 9});
+  expectBoxSound(screwMotion({200, -200, 10}, {1, 1, 0.2}, 0.25, 0), {20, 14, 9});
+}
+
+// A rod that moves across and along its axis.
+void expectRodSound(const TestMotion& motion) {
   constexpr double kRadius = 8, kHeight = 30;
-  TestMotion motion = generalMotion(0.4);
-  motion.to.translation = motion.from.translation + motion.from.rotation * Vector3d(45, 10, 40);
   const StepPath path = motion.path();
   const Carrier rod = carrierOf(CarrierKind::Cylinder, {0, 0, 0}, {0, 0, 1}, kRadius);
   const auto bodyVelocity = [&](const Vector3d& x, double s) {
@@ -205,12 +208,18 @@ TEST(SweptSolid, ARodInAGeneralMotion) {
     }
     const auto made = grazeOf(rod, contacts, path);
     ASSERT_TRUE(made.carrier) << degeneracyText(made.why);
-    ASSERT_EQ(made.carrier->kind, CarrierKind::Sheet);
-    std::cout << "graze: " << made.carrier->sheet->poles().size() << " poles\n";
+    std::cout << "graze: " << surfaceKindName(made.carrier->kind) << "\n";
     graze[k] = *made.carrier;
     for (int s = 0; s < 2; ++s) {
-      lines[k][s] =
-          solid.edge(at[0][k][s], at[1][k][s], isoCurve(*graze[k].sheet, false, s, {0, kHeight}));
+      std::vector<Vector3d> line;
+      for (int i = 0; i <= 8; ++i) {
+        const double h = kHeight * i / 8;
+        line.push_back(
+            motion.at(kRadius * radial(contactAngle(h, s, sideOf(k))) + Vector3d(0, 0, h), s));
+      }
+      const auto contact = contactAt(rod, line, path, s);
+      ASSERT_TRUE(contact);
+      lines[k][s] = solid.edge(at[0][k][s], at[1][k][s], *contact);
     }
   }
   const auto turned = [&](const Vector3d& d, double s) { return motion.turned(d, s); };
@@ -236,7 +245,7 @@ TEST(SweptSolid, ARodInAGeneralMotion) {
     const double middle = contactAngle(top * kHeight, 0.5, 1) + (top == 1 ? 1 : -1) * M_PI / 2;
     const auto swept = sweptBy(ring(top), {middle - 1.8, middle + 1.8}, path, kWhole);
     ASSERT_TRUE(swept.carrier) << degeneracyText(swept.why);
-    std::cout << "circle: " << swept.carrier->sheet->poles().size() << " poles\n";
+    std::cout << "circle: " << surfaceKindName(swept.carrier->kind) << "\n";
     const Vector3d out = turned(radial(middle), 0.5) + (top == 1 ? 0.3 : -0.3) * turned(up, 0.5);
     solid.face(*swept.carrier,
                top == 1 ? std::vector{topRear0, along[1][0], topRear1, along[1][1]}
@@ -254,6 +263,17 @@ TEST(SweptSolid, ARodInAGeneralMotion) {
       },
       0, 1);
   expectSound(solid, M_PI * kRadius * kRadius * kHeight + flux, 8);
+}
+
+TEST(SweptSolid, ARodInAGeneralMotion) {
+  TestMotion motion = generalMotion(0.4);
+  motion.to.translation = motion.from.translation + motion.from.rotation * Vector3d(45, 10, 40);
+  expectRodSound(motion);
+}
+
+TEST(SweptSolid, ARodAlongALineAndOnACircle) {
+  expectRodSound(lineMotion({45, 10, 40}));
+  expectRodSound(screwMotion({150, 20, -150}, {0.1, 1, 0.2}, 0.3, 0));
 }
 
 }  // namespace
