@@ -133,7 +133,9 @@ TEST(SweptSolid, ABoxAlongAScrew) {
 
 TEST(SweptSolid, ABoxAlongALineAndOnACircle) {
   expectBoxSound(lineMotion({40, 35, 50}), {20, 14, 9});
-  expectBoxSound(screwMotion({200, -200, 10}, {1, 1, 0.2}, 0.25, 0), {20, 14, 9});
+  // About an axis across this way and so far off that the middle of the box begins along it.
+  const Vector3d way(40, 35, 50), axis = Vector3d(35, -40, 5).cross(way).cross(way).normalized();
+  expectBoxSound(screwMotion(-way.cross(axis) / 0.25, axis, 0.25, 0), {20, 14, 9});
 }
 
 // A rod that moves across and along its axis.
