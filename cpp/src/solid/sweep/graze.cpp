@@ -77,7 +77,8 @@ SweptSurface carrierOf(const ExactSurface& exact, const ExactSurface& outward, R
                        double bound) {
   const Vector2d middle(innerW.at(0.5), innerS.at(0.5));
   SweptSurface result;
-  const auto fitted = fitSheet(exact, w, s, isRuled, bound);
+  const Knots straight(1, {w.from, w.to});
+  const auto fitted = fitSheet(exact, w, s, isRuled ? &straight : nullptr, bound);
   if (!fitted) return none(Degeneracy::TooComplex, middle);
   if (const auto singular = findSingular(*fitted->sheet, innerW, innerS, outward))
     return none(Degeneracy::Singular, *singular);

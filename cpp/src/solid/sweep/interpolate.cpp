@@ -80,16 +80,17 @@ double errorOf(const Sheet& sheet, const ExactSurface& exact) {
 
 }  // namespace
 
-std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, bool isRuled,
+std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
                                     double bound) {
   std::size_t lines = kLines;
   double each = bound / 3;  // the errors of the two directions add up
   for (int attempt = 0; attempt < kTries; ++attempt, lines = 2 * lines - 1, each /= 3) {
-    const auto knotsT =
-        knotsAcross(exact, t, isRuled ? evenly(u, 2) : evenly(u, lines), false, each);
+    // What moves rigidly along t moves its poles along u, so few lines decide on them.
+    const auto across = given != nullptr && given->degree() == 1 ? evenly(u, 2) : evenly(u, lines);
+    const auto knotsT = knotsAcross(exact, t, across, false, each);
     if (!knotsT) return std::nullopt;
-    const auto knotsU = isRuled ? std::optional<Knots>(Knots(1, {u.from, u.to}))
-                                : knotsAcross(exact, u, evenly(t, lines), true, each);
+    const auto knotsU = given != nullptr ? std::optional<Knots>(*given)
+                                         : knotsAcross(exact, u, evenly(t, lines), true, each);
     if (!knotsU) return std::nullopt;
     const auto sheet = std::make_shared<const Sheet>(interpolate(exact, *knotsU, *knotsT));
     const double error = errorOf(*sheet, exact);

@@ -24,9 +24,10 @@ struct FittedSheet {
   double error = 0;  ///< mm, largest one at the test points
 };
 
-/// `isRuled`: the exact surface is straight along u, with even speed. Nothing if the bound is not
-/// reached with kMostSpans spans, or if a value is not finite.
-std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, bool isRuled,
+/// `given`: knots along u, if the exact surface is a spline with these knots along u, as what a
+/// line or a spline sweeps; null: they are sought. Nothing if the bound is not reached with
+/// kMostSpans spans, or if a value is not finite.
+std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
                                     double bound);
 
 }  // namespace swept::step

@@ -24,6 +24,20 @@ Range withRoom(const Curve& curve, Range range) {
   return {range.from - spare, range.to + spare};
 }
 
+// The knots of a line or spline in the range; its first and last polynomials go on beyond its ends.
+std::optional<Knots> knotsOf(const Curve& curve, Range range) {
+  if (curve.kind == CurveKind::Circle) return std::nullopt;
+  std::vector<double> breaks{range.from};
+  if (curve.kind == CurveKind::Line) return Knots(1, {range.from, range.to});
+  const double least = 1e-6 * range.length();
+  for (std::size_t i = 1; i + 1 < curve.knots.size(); ++i) {
+    if (curve.knots[i] > range.from + least && curve.knots[i] < range.to - least)
+      breaks.push_back(curve.knots[i]);
+  }
+  breaks.push_back(range.to);
+  return Knots(curve.degree, std::move(breaks), curve.joints);
+}
+
 // Whether nothing of the curve moves, or only along itself.
 Degeneracy idle(const ExactSurface& exact, Range u, Range t) {
   double way = 0, length = 0, area = 0;
@@ -100,7 +114,8 @@ SweptSurface sweptBy(const Curve& curve, Range along, const StepPath& path, Rang
   if (result.why != Degeneracy::None) return result;
   result.carrier = exactKind(exact, u, s, path, bound);
   if (result.carrier) return result;
-  const auto fitted = fitSheet(exact, u, s, curve.kind == CurveKind::Line, bound);
+  const auto given = knotsOf(curve, u);
+  const auto fitted = fitSheet(exact, u, s, given ? &*given : nullptr, bound);
   if (!fitted) {
     result.why = Degeneracy::TooComplex;
     return result;

@@ -57,7 +57,7 @@ FittedSheet wavy(double bound = 1e-8) {
       [](double u, double t) {
         return Vector3d(20 * u, 15 * t + 2 * u, 3 * std::sin(2 * u + t) + t * t);
       },
-      {-1, 1}, {0, 2}, false, bound);
+      {-1, 1}, {0, 2}, nullptr, bound);
   EXPECT_TRUE(fitted);
   return fitted.value_or(FittedSheet{});
 }
@@ -80,9 +80,9 @@ TEST(Sheet, FollowsTheExactSurfaceBetweenItsSites) {
   }
   // A kink cannot be followed.
   EXPECT_FALSE(fitSheet([](double u, double t) { return Vector3d(u, t, std::abs(u - 0.123)); },
-                        {-1, 1}, {0, 1}, false, 1e-8));
+                        {-1, 1}, {0, 1}, nullptr, 1e-8));
   EXPECT_FALSE(fitSheet([](double u, double t) { return Vector3d(u, t, std::sqrt(u)); }, {-1, 1},
-                        {0, 1}, false, 1e-8));
+                        {0, 1}, nullptr, 1e-8));
 }
 
 TEST(Sheet, FootPointsDistancesAndNormals) {
@@ -173,7 +173,7 @@ TEST(Sheet, SectionsWithPlanesCylindersAndSheets) {
                 60);
   const auto other =
       fitSheet([](double u, double t) { return Vector3d(12 * u, 8 + u * u + t, 12 * t - 4); },
-               {-1, 1}, {0, 1}, false, 1e-8);
+               {-1, 1}, {0, 1}, nullptr, 1e-8);
   ASSERT_TRUE(other);
   const Carrier wall = carrying(other->sheet);
   expectSection(sheet, wall,
