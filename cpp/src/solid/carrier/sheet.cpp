@@ -55,34 +55,35 @@ Sheet::Sheet(Knots u, Knots t, std::vector<Vector3d> poles)
 }
 
 Vector3d Sheet::at(double u, double t) const {
-  const Knots::Basis bu = u_.basis(u), bt = t_.basis(t);
+  const Knots::Basis basisU = u_.basis(u), basisT = t_.basis(t);
   Vector3d sum = Vector3d::Zero();
   for (int i = 0; i <= u_.degree(); ++i) {
     Vector3d row = Vector3d::Zero();
-    for (int j = 0; j <= t_.degree(); ++j) row += bt.value[0][j] * pole(bu.first + i, bt.first + j);
-    sum += bu.value[0][i] * row;
+    for (int j = 0; j <= t_.degree(); ++j)
+      row += basisT.value[0][j] * pole(basisU.first + i, basisT.first + j);
+    sum += basisU.value[0][i] * row;
   }
   return sum;
 }
 
 Sheet::Jet Sheet::jet(double u, double t) const {
-  const Knots::Basis bu = u_.basis(u), bt = t_.basis(t);
+  const Knots::Basis basisU = u_.basis(u), basisT = t_.basis(t);
   Jet jet;
   jet.at = jet.u = jet.t = jet.uu = jet.ut = jet.tt = Vector3d::Zero();
   for (int i = 0; i <= u_.degree(); ++i) {
     Vector3d row = Vector3d::Zero(), rowT = Vector3d::Zero(), rowTt = Vector3d::Zero();
     for (int j = 0; j <= t_.degree(); ++j) {
-      const Vector3d& p = pole(bu.first + i, bt.first + j);
-      row += bt.value[0][j] * p;
-      rowT += bt.value[1][j] * p;
-      rowTt += bt.value[2][j] * p;
+      const Vector3d& p = pole(basisU.first + i, basisT.first + j);
+      row += basisT.value[0][j] * p;
+      rowT += basisT.value[1][j] * p;
+      rowTt += basisT.value[2][j] * p;
     }
-    jet.at += bu.value[0][i] * row;
-    jet.u += bu.value[1][i] * row;
-    jet.uu += bu.value[2][i] * row;
-    jet.t += bu.value[0][i] * rowT;
-    jet.ut += bu.value[1][i] * rowT;
-    jet.tt += bu.value[0][i] * rowTt;
+    jet.at += basisU.value[0][i] * row;
+    jet.u += basisU.value[1][i] * row;
+    jet.uu += basisU.value[2][i] * row;
+    jet.t += basisU.value[0][i] * rowT;
+    jet.ut += basisU.value[1][i] * rowT;
+    jet.tt += basisU.value[0][i] * rowTt;
   }
   return jet;
 }

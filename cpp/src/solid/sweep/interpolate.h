@@ -16,6 +16,9 @@
 
 namespace swept::step {
 
+/// A sheet that needs more poles is next to a singular one.
+constexpr std::size_t kMostPoles = 1000;
+
 /// A point of the exact surface; not finite where it has none.
 using ExactSurface = std::function<Eigen::Vector3d(double u, double t)>;
 

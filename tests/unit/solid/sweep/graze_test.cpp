@@ -3,8 +3,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include <iostream>
-
 #include "solid/sweep/borders.h"
 #include "solid/sweep/motions.h"
 #include "solid/sweep/swept_surface.h"
@@ -62,12 +60,8 @@ void expectGrazes(const SweptSurface& made, const Truth& truth, double bound = 2
     ASSERT_LE(std::abs(made.carrier->distance(p)), bound) << truth.contacts[i].s;
     ASSERT_GT(made.carrier->normal(p).dot(truth.normals[i]), 1 - 1e-6);
   }
-  if (made.carrier->kind == CarrierKind::Sheet) {
-    std::cout << "sheet of " << made.carrier->sheet->poles().size() << " poles, error "
-              << made.error << " mm\n";
-  } else {
-    std::cout << surfaceKindName(made.carrier->kind) << "\n";
-  }
+  if (made.carrier->kind == CarrierKind::Sheet)
+    EXPECT_LE(made.carrier->sheet->poles().size(), 400U);
 }
 
 Vector3d onCylinder(const Carrier& c, double h, double angle) {

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <iostream>
-
 #include "solid/carrier/section.h"
 #include "solid/sweep/borders.h"
 #include "solid/sweep/interpolate.h"
@@ -66,7 +64,6 @@ TEST(Sheet, FollowsTheExactSurfaceBetweenItsSites) {
   for (const double bound : {1e-4, 1e-8}) {
     const FittedSheet fitted = wavy(bound);
     ASSERT_TRUE(fitted.sheet);
-    std::cout << bound << ": " << fitted.sheet->poles().size() << " poles\n";
     double largest = 0;
     for (int i = 0; i <= 60; ++i) {
       for (int j = 0; j <= 60; ++j) {
@@ -145,7 +142,6 @@ void expectSection(const Carrier& a, const Carrier& b, const std::vector<Vector3
                    std::size_t mostPoles) {
   const auto curve = sectionCurve(along, false, a, b, 5);
   ASSERT_TRUE(curve);
-  std::cout << "section of " << curve->poles.size() << " poles\n";
   EXPECT_LE(curve->poles.size(), mostPoles);
   for (int i = 0; i <= 1000; ++i) {
     const Vector3d p = curve->at(curve->last * i / 1000);

@@ -129,20 +129,14 @@ TEST(SweptCurve, AGeneralMotionNeedsFewPoles) {
     expectSweptBy(ruled, line, {0, line.last}, motion, 2 * kOnCarrier);
     ASSERT_EQ(ruled.carrier->kind, CarrierKind::Sheet);
     EXPECT_LE(ruled.error, kOnCarrier);
-    EXPECT_LE(ruled.carrier->sheet->poles().size(), 2U * 24U) << angle;
+    EXPECT_LE(ruled.carrier->sheet->poles().size(), 2U * 18U) << angle;
     const Curve circle = circleCurve({5, 0, 15}, {1, 0.2, 0}, 8);
     const Range part{0.5, 2};
     const auto round = sweptBy(circle, part, motion.path(), kWhole);
-    if (round.carrier) {
-      expectSweptBy(round, circle, part, motion, 2 * kOnCarrier);
-      ASSERT_EQ(round.carrier->kind, CarrierKind::Sheet);
-      std::cout << angle << ": " << ruled.carrier->sheet->poles().size() << " and "
-                << round.carrier->sheet->poles().size() << " poles, errors " << ruled.error << " "
-                << round.error << "\n";
-    } else {
-      std::cout << angle << ": " << degeneracyText(round.why) << " " << round.where.transpose()
-                << "\n";
-    }
+    expectSweptBy(round, circle, part, motion, 2 * kOnCarrier);
+    ASSERT_EQ(round.carrier->kind, CarrierKind::Sheet);
+    EXPECT_LE(round.error, kOnCarrier);
+    EXPECT_LE(round.carrier->sheet->poles().size(), 240U) << angle;
   }
 }
 

@@ -3,8 +3,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include <iostream>
-
 #include "solid/sweep/borders.h"
 #include "solid/sweep/hand_built.h"
 #include "solid/sweep/motions.h"
@@ -19,11 +17,6 @@ void expectSound(HandBuilt& solid, double volume, int faces) {
   ASSERT_TRUE(solid.isClosed());
   EXPECT_LE(solid.largestGap(), 2e-7);
   const test::JudgedSolid judged = solid.judge(true);
-  std::cout << faces << " faces, " << static_cast<double>(solid.text().size()) / 1024
-            << " kB, edge tolerance " << judged.edgeTolerance << ", vertex "
-            << judged.vertexTolerance << ", volume off by " << judged.volume / volume - 1
-            << ", block off by " << judged.blockError << "\n";
-  for (const std::string& fault : judged.details) std::cout << "  " << fault << "\n";
   EXPECT_TRUE(judged.valid);
   EXPECT_EQ(judged.solids, 1);
   EXPECT_EQ(judged.faces, faces);
@@ -32,13 +25,12 @@ void expectSound(HandBuilt& solid, double volume, int faces) {
   EXPECT_NEAR(judged.volume / volume, 1, 1e-7);
   EXPECT_GE(judged.blockError, 0);
   EXPECT_LE(judged.blockError, 1e-6);
-  EXPECT_TRUE(judged.faults.empty());
+  EXPECT_TRUE(judged.faults.empty()) << (judged.details.empty() ? "" : judged.details.front());
   const test::JudgedSolid made = solid.judgeMade();
   EXPECT_EQ(solid.failed(), 0U);
   EXPECT_TRUE(made.valid);
   EXPECT_LE(made.edgeTolerance, 1e-5);
   EXPECT_NEAR(made.volume / volume, 1, 1e-7);
-  std::cout << "  made by the kernel: edge tolerance " << made.edgeTolerance << "\n";
 }
 
 // Three points of Gauss on each of many intervals.
@@ -210,7 +202,6 @@ void expectRodSound(const TestMotion& motion) {
     }
     const auto made = grazeOf(rod, contacts, path);
     ASSERT_TRUE(made.carrier) << degeneracyText(made.why);
-    std::cout << "graze: " << surfaceKindName(made.carrier->kind) << "\n";
     graze[k] = *made.carrier;
     for (int s = 0; s < 2; ++s) {
       std::vector<Vector3d> line;
@@ -247,7 +238,6 @@ void expectRodSound(const TestMotion& motion) {
     const double middle = contactAngle(top * kHeight, 0.5, 1) + (top == 1 ? 1 : -1) * M_PI / 2;
     const auto swept = sweptBy(ring(top), {middle - 1.8, middle + 1.8}, path, kWhole);
     ASSERT_TRUE(swept.carrier) << degeneracyText(swept.why);
-    std::cout << "circle: " << surfaceKindName(swept.carrier->kind) << "\n";
     const Vector3d out = turned(radial(middle), 0.5) + (top == 1 ? 0.3 : -0.3) * turned(up, 0.5);
     solid.face(*swept.carrier,
                top == 1 ? std::vector{topRear0, along[1][0], topRear1, along[1][1]}
