@@ -29,7 +29,7 @@ struct FittedSheet {
 
 /// `given`: knots along u, if the exact surface is a spline with these knots along u, as what a
 /// line or a spline sweeps; null: they are sought. Nothing if the bound is not reached with
-/// kMostSpans spans, or if a value is not finite.
+/// kMostSpans spans and kMostPoles poles, or if a value is not finite.
 std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
                                     double bound);
 

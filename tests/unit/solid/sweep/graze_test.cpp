@@ -60,8 +60,9 @@ void expectGrazes(const SweptSurface& made, const Truth& truth, double bound = 2
     ASSERT_LE(std::abs(made.carrier->distance(p)), bound) << truth.contacts[i].s;
     ASSERT_GT(made.carrier->normal(p).dot(truth.normals[i]), 1 - 1e-6);
   }
-  if (made.carrier->kind == CarrierKind::Sheet)
+  if (made.carrier->kind == CarrierKind::Sheet) {
     EXPECT_LE(made.carrier->sheet->poles().size(), 400U);
+  }
 }
 
 Vector3d onCylinder(const Carrier& c, double h, double angle) {
