@@ -27,8 +27,10 @@ class SweptVolumeWorkbench(FreeCADGui.Workbench):
 
     def Activated(self):
         from sweptvolume import core
+        from sweptvolume.panels import core_dialog
 
         core.tell_if_missing()
+        core_dialog.offer_once()
 
     def ContextMenu(self, recipient):
         from sweptvolume import commands

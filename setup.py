@@ -43,7 +43,7 @@ class CMakeBuild(build_ext):
 
 setup(
     name="swept-volume",
-    version=re.search(r"VERSION (\d+\.\d+\.\d+)", (ROOT / "CMakeLists.txt").read_text())[1],
+    version=re.search("<version>(.*)</version>", (ROOT / "package.xml").read_text("utf-8"))[1],
     description="Envelopes of moving solids: meshes and motions in, closed meshes out",
     license="LGPL-2.1-or-later",
     python_requires=">=3.9",

@@ -215,6 +215,14 @@
    <translation>Beseitigt Kollisionen der ausgewählten Bewegung, macht sie kürzer mit weniger Stützstellen oder vergrößert ihren Abstand. Das Ergebnis ist eine neue Bewegung; die ausgewählte bleibt</translation>
   </message>
   <message>
+   <source>Install the core</source>
+   <translation>Rechenkern installieren</translation>
+  </message>
+  <message>
+   <source>Installs the compiled package with which the workbench computes</source>
+   <translation>Installiert das kompilierte Paket, mit dem die Arbeitsumgebung rechnet</translation>
+  </message>
+  <message>
    <source>What made this?</source>
    <translation>Was hat das erzeugt?</translation>
   </message>
@@ -669,23 +677,77 @@
    <translation>Der Pfad „{0}“ führt zu keinem Objekt mehr: Wählen Sie das Teil neu.</translation>
   </message>
   <message>
+   <source>The interpreter {0} has no pip. Install it (on Debian and Ubuntu: the package python3-pip), or choose another interpreter in the preferences of the Addon Manager.</source>
+   <translation>Der Interpreter {0} hat kein pip. Installieren Sie es (in Debian und Ubuntu das Paket python3-pip), oder wählen Sie in den Einstellungen des Addon-Managers einen anderen Interpreter.</translation>
+  </message>
+  <message>
+   <source>The package index could not be reached. pip says:
+{0}</source>
+   <translation>Der Paketindex ist nicht erreichbar. pip meldet:
+{0}</translation>
+  </message>
+  <message>
+   <source>There is no core of version {0} for Python {1} on this system. pip says:
+{2}</source>
+   <translation>Für dieses System gibt es keinen Rechenkern der Version {0} für Python {1}. pip meldet:
+{2}</translation>
+  </message>
+  <message>
+   <source>The file "{0}" is not the core of Swept Volume.</source>
+   <translation>Die Datei „{0}“ ist nicht der Rechenkern von Swept Volume.</translation>
+  </message>
+  <message>
+   <source>The core in "{0}" has version {1}, but the workbench has version {2}.</source>
+   <translation>Der Rechenkern in „{0}“ hat Version {1}, die Arbeitsumgebung aber Version {2}.</translation>
+  </message>
+  <message>
+   <source>No Python interpreter was found to run pip: install Python.</source>
+   <translation>Es wurde kein Python-Interpreter gefunden, der pip ausführen kann: Installieren Sie Python.</translation>
+  </message>
+  <message>
+   <source>pip could not install the core:
+{0}</source>
+   <translation>pip konnte den Rechenkern nicht installieren:
+{0}</translation>
+  </message>
+  <message>
+   <source>The file "{0}" cannot be read as a Python package: {1}</source>
+   <translation>Die Datei „{0}“ kann nicht als Python-Paket gelesen werden: {1}</translation>
+  </message>
+  <message>
+   <source>Cancelled. Nothing was changed.</source>
+   <translation>Abgebrochen. Es wurde nichts geändert.</translation>
+  </message>
+  <message>
+   <source>The core was not installed: {0}</source>
+   <translation>Der Rechenkern wurde nicht installiert: {0}</translation>
+  </message>
+  <message>
+   <source>The core is not published on {0} yet: choose a file, or build the core.</source>
+   <translation>Der Rechenkern ist auf {0} noch nicht veröffentlicht: Wählen Sie eine Datei, oder bauen Sie ihn.</translation>
+  </message>
+  <message>
+   <source>pip has installed no core.</source>
+   <translation>pip hat keinen Rechenkern installiert.</translation>
+  </message>
+  <message>
    <source>The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.
-Build it once, in the folder {1}:
+Choose Swept Volume &gt; Install the core, or build it in the folder {1}:
     cmake --preset release &amp;&amp; cmake --build build
 README.md lists the packages that the build needs. If the core is elsewhere, set the environment variable SWEPT_CORE to its folder.
 Tried:
   {2}</source>
    <translation>Der kompilierte Rechenkern von Swept Volume (_swept, für Python {0}) kann nicht geladen werden.
-Bauen Sie ihn einmal, im Ordner {1}:
+Wählen Sie Überstrichener Raum &gt; Rechenkern installieren, oder bauen Sie ihn im Ordner {1}:
     cmake --preset release &amp;&amp; cmake --build build
 README.md nennt die Pakete, die dafür nötig sind. Liegt der Rechenkern anderswo, setzen Sie die Umgebungsvariable SWEPT_CORE auf seinen Ordner.
 Versucht:
   {2}</translation>
   </message>
   <message>
-   <source>The compiled core of Swept Volume in {0} has version {1}, but the workbench has version {2}. Install the same version of both, or build the core again in the folder {3}:
+   <source>The compiled core of Swept Volume in {0} has version {1}, but the workbench has version {2}. Choose Swept Volume &gt; Install the core, or build the core again in the folder {3}:
     cmake --preset release &amp;&amp; cmake --build build</source>
-   <translation>Der kompilierte Rechenkern von Swept Volume in {0} hat Version {1}, die Arbeitsumgebung aber Version {2}. Installieren Sie beide in derselben Version, oder bauen Sie den Rechenkern im Ordner {3} neu:
+   <translation>Der kompilierte Rechenkern von Swept Volume in {0} hat Version {1}, die Arbeitsumgebung aber Version {2}. Wählen Sie Überstrichener Raum &gt; Rechenkern installieren, oder bauen Sie den Rechenkern im Ordner {3} neu:
     cmake --preset release &amp;&amp; cmake --build build</translation>
   </message>
   <message>
@@ -1435,10 +1497,6 @@ Versucht:
    <translation>{0} Dreiecke, {1}, {2}</translation>
   </message>
   <message>
-   <source>Cancelled. Nothing was changed.</source>
-   <translation>Abgebrochen. Nichts wurde geändert.</translation>
-  </message>
-  <message>
    <source>Cancelled: the document was closed, or an object was deleted.</source>
    <translation>Abgebrochen: Das Dokument wurde geschlossen oder ein Objekt gelöscht.</translation>
   </message>
@@ -1868,6 +1926,82 @@ Versucht:
   <message>
    <source>Keep volume to cut awa&amp;y</source>
    <translation>Abzutragendes Volumen behal&amp;ten</translation>
+  </message>
+  <message>
+   <source>{0}, version {1}, for Python {2}</source>
+   <translation>{0}, Version {1}, für Python {2}</translation>
+  </message>
+  <message>
+   <source>Install the core</source>
+   <translation>Rechenkern installieren</translation>
+  </message>
+  <message>
+   <source>What is fetched</source>
+   <translation>Was geladen wird</translation>
+  </message>
+  <message>
+   <source>asking pip...</source>
+   <translation>pip wird gefragt ...</translation>
+  </message>
+  <message>
+   <source>Package</source>
+   <translation>Paket</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>Größe</translation>
+  </message>
+  <message>
+   <source>From</source>
+   <translation>Woher</translation>
+  </message>
+  <message>
+   <source>Into</source>
+   <translation>Wohin</translation>
+  </message>
+  <message>
+   <source>Install</source>
+   <translation>Installieren</translation>
+  </message>
+  <message>
+   <source>From a file...</source>
+   <translation>Aus einer Datei ...</translation>
+  </message>
+  <message>
+   <source>Installs a package file (.whl) that you have downloaded or built.</source>
+   <translation>Installiert eine Paketdatei (.whl), die Sie geladen oder gebaut haben.</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>Close</source>
+   <translation>Schließen</translation>
+  </message>
+  <message>
+   <source>Installed. You can use the workbench now.</source>
+   <translation>Installiert. Sie können die Arbeitsumgebung jetzt benutzen.</translation>
+  </message>
+  <message>
+   <source>Installed. Start FreeCAD again to use it.</source>
+   <translation>Installiert. Starten Sie FreeCAD neu, um ihn zu benutzen.</translation>
+  </message>
+  <message>
+   <source>about {0} MB</source>
+   <translation>etwa {0} MB</translation>
+  </message>
+  <message>
+   <source>The core is installed: {0}</source>
+   <translation>Der Rechenkern ist installiert: {0}</translation>
+  </message>
+  <message>
+   <source>The core in {0} cannot be used, and it would be loaded before an installed one. Build it again, or delete it from there.</source>
+   <translation>Der Rechenkern in {0} kann nicht benutzt werden, und er würde vor einem installierten geladen. Bauen Sie ihn neu, oder löschen Sie ihn dort.</translation>
+  </message>
+  <message>
+   <source>The workbench computes with a compiled Python package, its core. It is not installed for the Python {0} of this FreeCAD.</source>
+   <translation>Die Arbeitsumgebung rechnet mit einem kompilierten Python-Paket, dem Rechenkern. Für das Python {0} dieses FreeCAD ist er nicht installiert.</translation>
   </message>
   <message>
    <source>Swept envelope</source>
@@ -2944,10 +3078,6 @@ bis etwa {2}, {3}</translation>
   <message>
    <source>Automatic</source>
    <translation>Selbsttätig</translation>
-  </message>
-  <message>
-   <source>Stop</source>
-   <translation>Anhalten</translation>
   </message>
   <message>
    <source>Corner</source>

@@ -183,8 +183,8 @@ class BadInput(BadCase):
 import sys
 for folder in {[p for p in sys.path if "freecad" in p.lower()]!r}: sys.path.append(folder)
 import FreeCAD as App
-from sweptvolume import core
-core._search_folders = lambda: [{empty!r}]
+from sweptvolume import core, core_search
+core_search.folders = lambda: [{empty!r}]
 sys.modules["_swept"] = None
 doc = App.openDocument({path!r})
 doc.recompute(None, True)

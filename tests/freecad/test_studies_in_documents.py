@@ -301,6 +301,6 @@ class Studies(Slide):
 
     def test_no_interpreter_is_said(self):
         obj = self.of_file()
-        with mock.patch.object(studies, "_interpreter", lambda: None):
+        with mock.patch.object(studies.interpreter, "find", lambda: None):
             with self.assertRaisesRegex(InputProblem, "Studies need the program python3"):
                 study.compute(obj)

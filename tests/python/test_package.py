@@ -12,6 +12,8 @@ import xml.etree.ElementTree
 
 import pytest
 
+import _swept
+
 from conftest import BUILD
 
 MANAGERS = ("/usr/share/freecad/Mod/AddonManager", "/usr/lib/freecad/Mod/AddonManager")
@@ -22,8 +24,7 @@ def test_package_xml_names_this_project(root):
     text = (root / "package.xml").read_text(encoding="utf-8")
     space = {"p": "https://wiki.freecad.org/Package_Metadata"}
     package = xml.etree.ElementTree.fromstring(text)
-    version = re.search(r"VERSION (\d+\.\d+\.\d+)", (root / "CMakeLists.txt").read_text())[1]
-    assert package.find("p:version", space).text == version
+    assert package.find("p:version", space).text == _swept.__version__
     for key in ("name", "date", "description", "maintainer", "license", "icon", "content"):
         assert package.find(f"p:{key}", space) is not None, key
     bench = package.find("p:content/p:workbench", space)

@@ -2,16 +2,24 @@
 """Swept volumes in FreeCAD: motions, envelopes, solids.
 
 Order of imports (a module never imports one to its right):
-core_texts, quantities <- core <- core_paths, core_previews <- convert <- trajectory <- features
+core_texts, core_search, quantities <- core <- core_paths, core_previews <- convert <- trajectory <- features
 <- export, runner <- views <- panels <- commands.
 Everything up to `export` works without a GUI.
 """
 import os
-
-__version__ = "0.1.0"
+import re
 
 #: Root of the repository, or of the installed FreeCAD module.
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+
+
+def _version():
+    """Returns the version in package.xml, the only place that has it."""
+    with open(os.path.join(ROOT, "package.xml"), encoding="utf-8") as file:
+        return re.search("<version>(.*)</version>", file.read())[1]
+
+
+__version__ = _version()
 
 
 def resource(*names):

@@ -143,6 +143,36 @@ def split_path(root, sub):
     return sub[: sub.rfind(".") + 1] if sub else ""
 
 
+def is_plain_group(obj):
+    """Returns whether an object is a group without a placement of its own (Std Group)."""
+    return obj.isDerivedFrom("App::DocumentObjectGroup")
+
+
+def _plain_group_of(holder, member):
+    """Returns the plain group inside `holder`, a group with a placement, through which the tree
+    shows a member of it, or None. FreeCAD also counts such a member as the holder's own."""
+    group = getattr(holder.getLinkedObject(True), "Group", [])
+    if is_plain_group(holder) or member not in group:
+        return None
+    return next((o for o in member.InList if is_plain_group(o) and o in group), None)
+
+
+def as_in_tree(root, sub):
+    """Returns a path with all plain groups that the tree shows on it: "Box." -> "Group.Box."."""
+    names, holder = [], root
+    for name in sub.split(".")[:-1]:
+        member = holder.getSubObject(name + ".", retType=1)
+        if member is None:
+            return sub
+        above, group = [], _plain_group_of(holder, member)
+        while group is not None:
+            above.insert(0, group.Name)
+            group = _plain_group_of(holder, group)
+        names += above + [name]
+        holder = member
+    return ".".join(names + [sub.rsplit(".", 1)[-1]])
+
+
 def root_path(obj):
     """Returns (root, sub), the path by which the document shows an object.
 
@@ -150,7 +180,7 @@ def root_path(obj):
     """
     for root, sub in getattr(obj, "Parents", []) or []:
         if root.isDerivedFrom("App::DocumentObject") and not root.isDerivedFrom("App::Link"):
-            return root, sub
+            return root, as_in_tree(root, sub)
     return obj, ""
 
 
@@ -171,7 +201,7 @@ def pairs_of(links):
     pairs = []
     for obj, sub in links_in(links):
         root, path = root_path(obj)
-        pairs.append((root, path + sub))
+        pairs.append((root, path + as_in_tree(obj, sub)))
     return pairs
 
 
@@ -218,7 +248,21 @@ def global_matrix(root, sub):
     return path @ np.array(inner.A, dtype=float).reshape(4, 4)
 
 
-def leaves(root, sub="", hidden=False):
+def is_shown(obj):
+    """Returns whether an object that stands directly in the document shows what it holds. A plain
+    group does so even if it is hidden: FreeCAD then draws those of its members that are visible."""
+    return is_plain_group(obj) or getattr(obj, "Visibility", True)
+
+
+def _shows(holder, name, member):
+    """Returns whether a group or a link shows one of its members. Link arrays and groups of links
+    decide this themselves: such a member may be visible while its original is hidden, and hidden
+    while its original is visible."""
+    shown = holder.isElementVisible(name)
+    return bool(shown) if shown >= 0 else is_shown(member)
+
+
+def leaves(root, sub=""):
     """Returns all shapes and meshes below a path as a list of (linked object, path).
 
     Leaves out hidden children, which are usually inputs of Boolean operations. Includes the object
@@ -231,8 +275,6 @@ def leaves(root, sub="", hidden=False):
                 "Messages", 'The path "{0}" no longer leads to an object: choose the part again.'
             ).format(root.Label + "." + sub)
         )
-    if hidden and not getattr(target, "Visibility", True):
-        return []
     linked = target.getLinkedObject(True)
     if hasattr(linked, "Mesh") and linked.isDerivedFrom("Mesh::Feature"):
         return [(linked, sub)]
@@ -241,8 +283,13 @@ def leaves(root, sub="", hidden=False):
     found = []
     for child in target.getSubObjects():
         # A group may list elements of a shape here. Only names that end in a dot are objects.
-        if child.endswith("."):
-            found += leaves(root, sub + child, hidden=True)
+        if not child.endswith("."):
+            continue
+        member = root.getSubObject(sub + child, retType=1)
+        if member is not None and _plain_group_of(target, member) is not None:
+            continue  # found through that group
+        if member is None or _shows(target, child[:-1], member):
+            found += leaves(root, sub + child)
     return found
 
 

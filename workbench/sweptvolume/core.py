@@ -1,22 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Imports the compiled module `_swept`; no other module does so.
+"""The compiled module `_swept`, which core_search finds; no other module calls it.
 
-Searches the folder in the environment variable SWEPT_CORE, then build/python of the repository,
-then the ordinary Python path. The module is imported on first use. So the workbench starts, opens
-documents and shows stored results without it.
+It is imported on first use. So the workbench starts, opens documents and shows stored results
+without it.
 """
 import collections
 import contextlib
-import importlib
 import json
-import os
-import sys
 
 import FreeCAD as App
 
-from . import ROOT, __version__, settings
+from . import __version__, core_search, settings
 from .core_texts import said
-from .texts import translate
 
 _module = None
 _problem = None
@@ -27,75 +22,15 @@ class CoreMissing(RuntimeError):
     """The compiled module was not found or cannot be loaded. The text says what to do."""
 
 
-def _search_folders():
-    folders = []
-    if os.environ.get("SWEPT_CORE"):
-        folders.append(os.environ["SWEPT_CORE"])
-    folders.append(os.path.join(ROOT, "build", "python"))
-    return folders
-
-
-def _load_from(folder):
-    """Imports _swept from one folder and then removes that folder from the path."""
-    sys.path.insert(0, folder)
-    try:
-        return importlib.import_module("_swept")
-    finally:
-        sys.path.remove(folder)
-
-
-def _find():
-    tried = []
-    for folder in _search_folders():
-        names = os.listdir(folder) if os.path.isdir(folder) else []
-        if not any(n.startswith("_swept") and n.endswith((".so", ".pyd")) for n in names):
-            tried.append("{}: not there".format(folder))
-            continue
-        try:
-            return _load_from(folder), None
-        except ImportError as error:
-            tried.append("{}: {}".format(folder, error))
-    try:
-        return importlib.import_module("_swept"), None
-    except ImportError as error:
-        tried.append("Python path: {}".format(error))
-    return None, tried
-
-
-def _missing_text(tried):
-    python = "{}.{}".format(*sys.version_info[:2])
-    return translate(
-        "Messages",
-        "The compiled core of Swept Volume (_swept, for Python {0}) cannot be "
-        "loaded.\n"
-        "Build it once, in the folder {1}:\n"
-        "    cmake --preset release && cmake --build build\n"
-        "README.md lists the packages that the build needs. If the core is "
-        "elsewhere, set the environment variable SWEPT_CORE to its folder.\n"
-        "Tried:\n"
-        "  {2}",
-    ).format(python, ROOT, "\n  ".join(tried))
-
-
-def _other_version_text(found):
-    return translate(
-        "Messages",
-        "The compiled core of Swept Volume in {0} has version {1}, but the workbench "
-        "has version {2}. Install the same version of both, or build the core again "
-        "in the folder {3}:\n"
-        "    cmake --preset release && cmake --build build",
-    ).format(found.__file__, found.__version__, __version__, ROOT)
-
-
 def module():
     """Returns the compiled module. Raises CoreMissing with a text for users."""
     global _module, _problem
     if _module is None:
-        found, tried = _find()
+        found, tried = core_search.find()
         if found is None:
-            _problem = _missing_text(tried)
+            _problem = core_search.missing_text(tried)
         elif found.__version__ != __version__:
-            _problem = _other_version_text(found)
+            _problem = core_search.other_version_text(found)
         else:
             _module, _problem = found, None
         if _problem:
@@ -114,8 +49,13 @@ def available():
     return True
 
 
+def problem():
+    """Returns why the module cannot be used, or ""."""
+    return "" if available() else _problem
+
+
 def tell_if_missing():
-    """Prints in the report view, once in a session, how to build the core. Never raises."""
+    """Prints in the report view, once in a session, how to get the core. Never raises."""
     global _told
     if not _told and not available():
         _told = True

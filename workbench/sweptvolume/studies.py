@@ -3,29 +3,22 @@
 compiled core, computes them in its own process, as for `swept study`. So the window never waits,
 and a crash of that process does not affect FreeCAD. Any thread.
 """
-import contextlib
-import functools
 import importlib
 import json
 import os
 import queue
-import shutil
 import signal
 import subprocess
 import sys
 import tempfile
 import threading
 
-import FreeCAD as App
-
-from . import core
+from . import core, interpreter
 from .body import InputProblem
 from .texts import translate
 
 #: Interval (s) between two checks whether a study must stop, and time (s) that it then has to stop.
 _POLL, _LEAVE = 0.05, 20.0
-#: Python version for which the package was built: that of FreeCAD.
-_VERSION = "{}.{}".format(*sys.version_info[:2])
 
 
 def _folder():
@@ -97,41 +90,22 @@ def worst_first(rows):
     return _package("_study").worst_first(rows)
 
 
-@functools.lru_cache(maxsize=1)
-def _interpreter():
-    """Returns a Python interpreter of this version. FreeCAD's own executable cannot run a module."""
-    version = "python" + _VERSION
-    folders = [os.path.dirname(sys.executable or ""), os.path.join(sys.exec_prefix, "bin")]
-    folders += [sys.exec_prefix, os.path.join(App.getHomePath(), "bin")]
-    found = [shutil.which(version, path=folder) for folder in folders if folder]
-    found += [shutil.which(version)]
-    found += [shutil.which(name, path=f) for f in folders if f for name in ("python3", "python")]
-    for path in filter(None, found):
-        words = [path, "-c", "import sys; print('{}.{}'.format(*sys.version_info))"]
-        with contextlib.suppress(OSError, subprocess.SubprocessError):
-            told = subprocess.run(words, capture_output=True, text=True, timeout=30)
-            if told.stdout.strip() == _VERSION:
-                return path
-    return None
-
-
 def _start(words):
     """Starts a process of the package in its own folder, which contains nothing else that could be
     imported."""
-    python = _interpreter()
+    python = interpreter.find()
     if python is None:
         text = translate(
             "Messages", "Studies need the program {0}, but it was not found: install it."
         )
-        raise InputProblem(text.format("python" + _VERSION))
-    hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if os.name == "nt" else {}
+        raise InputProblem(text.format("python" + interpreter.VERSION))
     return subprocess.Popen(
         [python] + words,
         cwd=_folder(),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
-        **hidden,
+        **interpreter.HIDDEN,
     )
 
 

@@ -24,12 +24,12 @@ from driver import (  # noqa: E402
 
 
 def scenario():
-    from sweptvolume import core, runner
+    from sweptvolume import core, core_search, runner
     from sweptvolume.features import envelope, motion
     from sweptvolume.panels import envelope_panel, widgets
 
-    found = core._search_folders
-    core._search_folders = lambda: ["/nowhere"]
+    found = core_search.folders
+    core_search.folders = lambda: ["/nowhere"]
     assert not core.available()
     open_workbench()
     yield
@@ -74,7 +74,7 @@ def scenario():
     Gui.runCommand("SweptVolume_Solid")
     assert told, "nothing was said"
 
-    core._search_folders = found
+    core_search.folders = found
     App.closeDocument(doc.Name)
     yield
 

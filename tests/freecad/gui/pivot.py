@@ -128,7 +128,7 @@ def scenario():
     Gui.Selection.clearSelection()
     click(button("ChoosePart"))
     panel = motion_panel.opened[-1]
-    assert "select the part" in panel.message.text() and panel.pair[0] is part
+    assert "Select the moving part" in panel.message.text() and panel.pair[0] is part
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     table.item(1, 0).setText("3")
     select(other)

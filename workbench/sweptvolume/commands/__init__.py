@@ -33,6 +33,7 @@ _MODULES = [
     "",
     "to_tree",
     "demo_command",
+    "install_core",
 ]
 #: Commands that appear only in the menu.
 _MENU_ONLY = {
@@ -40,6 +41,7 @@ _MENU_ONLY = {
     "SweptVolume_EditEnvelope",
     "SweptVolume_ToTree",
     "SweptVolume_Demo",
+    "SweptVolume_InstallCore",
 }
 _names = []
 

@@ -63,11 +63,14 @@ class BaseCommand:
             action.setToolTip("{}<p><b>{}</b></p>".format(self._tip, text) if text else self._tip)
 
     def Activated(self):
+        from ..panels import core_dialog
         from ..panels.widgets import warn
 
         try:
             self.run(App.ActiveDocument)
-        except (InputProblem, core.CoreError, core.CoreMissing) as problem:
+        except core.CoreMissing:
+            core_dialog.offer()
+        except (InputProblem, core.CoreError) as problem:
             warn(translate("Commands", self.TEXT), str(problem))
 
     def run(self, document):

@@ -72,7 +72,7 @@ def links_for(holder, pairs):
         elif root not in outer or sub:
             found.append((root, sub))
         else:
-            parts = [o for o in root.Group if o.Visibility or o in outer]
+            parts = [o for o in root.Group if convert.is_shown(o) or o in outer]
             waiting += [(o, "") for o in reversed(parts) if not kind_of(o)]
     return found
 
@@ -157,14 +157,14 @@ class _Observer:
     target lost (test_states_in_groups.py, test_states_of_other_documents.py)."""
 
     def slotChangedObject(self, obj, name):  # noqa: N802
-        if name not in ("Visibility", "Group", "Placement", "Label"):
+        if name not in ("Visibility", "VisibilityList", "Group", "Placement", "Label"):
             return
         document = obj.Document
         if document.Restoring:
             return
         if name == "Label":
             _tell_what_names(obj)
-        elif name == "Visibility":
+        elif name in ("Visibility", "VisibilityList"):  # the list is of a link array's elements
             if not kind_of(obj):
                 _touch_users(obj)
         elif hasattr(obj, "Group"):

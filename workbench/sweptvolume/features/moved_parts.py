@@ -14,7 +14,7 @@ def _leaves(document):
     return [
         (root, path)
         for root in containers.standing(document)
-        if root.Visibility
+        if convert.is_shown(root)
         for linked, path in convert.leaves(root)
         if convert.solid_like(linked)
     ]

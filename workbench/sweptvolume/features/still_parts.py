@@ -120,7 +120,7 @@ class StillParts:
     def _all_visible(self):
         found = []
         for root in containers.standing(self.document):
-            if root.Visibility:
+            if convert.is_shown(root):
                 found += [
                     (r, path)
                     for r, path in _parts(root, "")

@@ -10,7 +10,7 @@ import FreeCAD as App
 from .. import core
 from ..convert import InputProblem
 from ..texts import translate
-from . import widgets
+from . import core_dialog, widgets
 from .widgets import QtCore, QtWidgets
 
 #: Exceptions caused by the input or the machine. All others are faults of the workbench.
@@ -21,6 +21,8 @@ AGREES = 1e-6
 
 def tell(label, problem):
     """Shows a problem in a panel. The report view gets the full text of a fault of the workbench."""
+    if isinstance(problem, core.CoreMissing):
+        core_dialog.offer()
     if isinstance(problem, EXPECTED):
         widgets.show_message(label, str(problem))
         return
