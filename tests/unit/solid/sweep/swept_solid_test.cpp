@@ -130,142 +130,163 @@ TEST(SweptSolid, ABoxAlongALineAndOnACircle) {
   expectBoxSound(screwMotion(-way.cross(axis) / 0.25, axis, 0.25, 0), {20, 14, 9});
 }
 
-// A rod that moves across and along its axis.
-void expectRodSound(const TestMotion& motion) {
-  constexpr double kRadius = 8, kHeight = 30;
-  const StepPath path = motion.path();
-  const Carrier rod = carrierOf(CarrierKind::Cylinder, {0, 0, 0}, {0, 0, 1}, kRadius);
-  const auto bodyVelocity = [&](const Vector3d& x, double s) {
-    const Vector3d v = motion.velocity(x, s);
-    return Vector3d(motion.turned(Vector3d::UnitX(), s).dot(v),
-                    motion.turned(Vector3d::UnitY(), s).dot(v),
-                    motion.turned(Vector3d::UnitZ(), s).dot(v));
-  };
-  const auto radial = [](double a) { return Vector3d(std::cos(a), std::sin(a), 0); };
-  // The angle of contact on one side (+1, -1) of the way.
-  const auto contactAngle = [&](double h, double s, int side) {
+// A rod that moves across and along its axis: a disc and half of its side at each end, two arcs
+// that sweep and two contact curves.
+class Rod {
+ public:
+  explicit Rod(const TestMotion& motion) : motion_(motion), path_(motion.path()) {}
+
+  void expectSoundSolid() {
+    followContacts();
+    if (testing::Test::HasFatalFailure()) return;
+    makeGrazes();
+    if (testing::Test::HasFatalFailure()) return;
+    makeEnds();
+    makeRings();
+    if (testing::Test::HasFatalFailure()) return;
+    expectSound(solid_, volume(), 8);
+  }
+
+ private:
+  static constexpr double kRadius = 8, kHeight = 30;
+  using Pair = std::array<std::int32_t, 2>;
+
+  static Vector3d radial(double a) { return {std::cos(a), std::sin(a), 0}; }
+  static int sideOf(int k) { return k == 0 ? -1 : 1; }
+  Vector3d turned(const Vector3d& d, double s) const { return motion_.turned(d, s); }
+  Vector3d bodyVelocity(const Vector3d& x, double s) const {
+    const Vector3d v = motion_.velocity(x, s);
+    return {turned(Vector3d::UnitX(), s).dot(v), turned(Vector3d::UnitY(), s).dot(v),
+            turned(Vector3d::UnitZ(), s).dot(v)};
+  }
+  // The direction across the axis in which the middle of the rod moves.
+  Vector3d way(double s) const {
+    const Vector3d v = bodyVelocity({0, 0, kHeight / 2}, s);
+    return Vector3d(v.x(), v.y(), 0).normalized();
+  }
+  // The angle of contact on one side (+1, -1) of the way, and the point there in the world.
+  double contactAngle(double h, double s, int side) const {
     const Vector3d v = bodyVelocity({0, 0, h}, s);
     return std::atan2(v.y(), v.x()) + side * M_PI / 2;
-  };
-  const auto ring = [&](int top) {
+  }
+  Vector3d contactPoint(double h, double s, int side) const {
+    return motion_.at(kRadius * radial(contactAngle(h, s, side)) + Vector3d(0, 0, h), s);
+  }
+  static Curve ring(int top) {
     Curve circle = circleCurve({0, 0, top * kHeight}, {0, 0, 1}, kRadius);
     circle.xdir = Vector3d::UnitX();
     return circle;
-  };
-  const auto sideOf = [](int k) { return k == 0 ? -1 : 1; };
-  HandBuilt solid;
-  // By [top][side][s].
-  std::array<std::array<std::array<std::int32_t, 2>, 2>, 2> at{};
-  std::array<std::array<std::int32_t, 2>, 2> along{};  // [top][side]
-  for (int top = 0; top < 2; ++top) {
-    for (int k = 0; k < 2; ++k) {
-      const double start = contactAngle(top * kHeight, 0.5, sideOf(k));
-      const auto curve =
-          contactAlong(ring(top), {start - 1.5, start + 1.5}, radial, path, kWhole, start);
-      ASSERT_TRUE(curve);
-      for (int s = 0; s < 2; ++s) {
-        at[top][k][s] = solid.vertex(curve->at(s * curve->last));
-        const Vector3d truth =
-            motion.at(kRadius * radial(contactAngle(top * kHeight, s, sideOf(k))) +
-                          Vector3d(0, 0, top * kHeight),
-                      s);
-        EXPECT_LE((truth - curve->at(s * curve->last)).norm(), 1e-7);
+  }
+
+  void followContacts() {
+    for (int top = 0; top < 2; ++top) {
+      for (int k = 0; k < 2; ++k) {
+        const double start = contactAngle(top * kHeight, 0.5, sideOf(k));
+        const auto curve =
+            contactAlong(ring(top), {start - 1.5, start + 1.5}, radial, path_, kWhole, start);
+        ASSERT_TRUE(curve);
+        for (int s = 0; s < 2; ++s) {
+          const Vector3d end = curve->at(s * curve->last);
+          at_[top][k][s] = solid_.vertex(end);
+          EXPECT_LE((contactPoint(top * kHeight, s, sideOf(k)) - end).norm(), 1e-7);
+        }
+        along_[top][k] = solid_.edge(at_[top][k][0], at_[top][k][1], *curve);
       }
-      along[top][k] = solid.edge(at[top][k][0], at[top][k][1], *curve);
     }
   }
-  // Arcs from side -1 over the front to side +1, and on over the rear.
-  const auto arc = [&](int top, int s, bool front) {
-    Curve curve = posed(ring(top), path.at(s));
-    const Vector3d a = solid.model().vertices[at[top][front ? 0 : 1][s]].point;
-    const Vector3d b = solid.model().vertices[at[top][front ? 1 : 0][s]].point;
-    curve.xdir = (a - curve.start).normalized();
-    const Vector3d d = b - curve.start;
+
+  // Grazing surfaces and their contact curves at both ends.
+  void makeGrazes() {
+    for (int k = 0; k < 2; ++k) {
+      std::vector<Contact> contacts;
+      for (int i = 0; i <= 80; ++i) {
+        const double s = (i % 9) / 8.0;
+        contacts.push_back({contactPoint(kHeight * (i / 9) / 8, s, sideOf(k)), s});
+      }
+      const auto made = grazeOf(rod_, contacts, path_);
+      ASSERT_TRUE(made.carrier) << degeneracyText(made.why);
+      for (int s = 0; s < 2; ++s) {
+        std::vector<Vector3d> line;
+        for (int i = 0; i <= 8; ++i) line.push_back(contactPoint(kHeight * i / 8, s, sideOf(k)));
+        const auto contact = contactAt(rod_, line, path_, s);
+        ASSERT_TRUE(contact);
+        lines_[k][s] = solid_.edge(at_[0][k][s], at_[1][k][s], *contact);
+      }
+      solid_.face(*made.carrier, {lines_[k][0], along_[1][k], lines_[k][1], along_[0][k]},
+                  turned(radial(contactAngle(kHeight / 2, 0.5, sideOf(k))), 0.5));
+    }
+  }
+
+  // An arc from side -1 over the front to side +1, or on over the rear.
+  std::int32_t arc(int top, int s, bool front) {
+    const std::int32_t from = at_[top][front ? 0 : 1][s], to = at_[top][front ? 1 : 0][s];
+    Curve curve = posed(ring(top), path_.at(s));
+    curve.xdir = (solid_.model().vertices[from].point - curve.start).normalized();
+    const Vector3d d = solid_.model().vertices[to].point - curve.start;
     curve.last = std::atan2(d.dot(curve.axis.cross(curve.xdir)), d.dot(curve.xdir));
     if (curve.last < 0) curve.last += 2 * M_PI;
-    return solid.edge(at[top][front ? 0 : 1][s], at[top][front ? 1 : 0][s], curve);
-  };
-  const std::int32_t bottomRear0 = arc(0, 0, false), bottomFront0 = arc(0, 0, true),
-                     topRear0 = arc(1, 0, false), topRear1 = arc(1, 1, false),
-                     topFront1 = arc(1, 1, true), bottomFront1 = arc(0, 1, true);
-  // Grazing surfaces and their contact curves at both ends.
-  std::array<std::array<std::int32_t, 2>, 2> lines{};  // [side][s]
-  std::array<Carrier, 2> graze;
-  for (int k = 0; k < 2; ++k) {
-    std::vector<Contact> contacts;
-    for (int i = 0; i <= 8; ++i) {
-      for (int j = 0; j <= 8; ++j) {
-        const double h = kHeight * i / 8, s = j / 8.0;
-        const Vector3d x = kRadius * radial(contactAngle(h, s, sideOf(k))) + Vector3d(0, 0, h);
-        contacts.push_back({motion.at(x, s), s});
-      }
+    return solid_.edge(from, to, curve);
+  }
+
+  // The discs and halves of the side that remain of the rod at both ends. arcs_[top][s] borders the
+  // surface that the arc of this disc sweeps.
+  void makeEnds() {
+    const Vector3d up = Vector3d::UnitZ();
+    arcs_ = {Pair{arc(0, 0, true), arc(0, 1, true)}, Pair{arc(1, 0, false), arc(1, 1, false)}};
+    const std::int32_t rearArc = arc(0, 0, false), frontArc = arc(1, 1, true);
+    solid_.face(carrierOf(CarrierKind::Plane, motion_.at({0, 0, 0}, 0), turned(-up, 0)),
+                {rearArc, arcs_[0][0]}, turned(-up, 0));
+    solid_.face(carrierOf(CarrierKind::Plane, motion_.at({0, 0, kHeight}, 1), turned(up, 1)),
+                {arcs_[1][1], frontArc}, turned(up, 1));
+    Carrier rear = posed(rod_, path_.at(0)), front = posed(rod_, path_.at(1));
+    rear.xdir = turned(way(0), 0);  // the seam lies opposite to the face
+    front.xdir = turned(-way(1), 1);
+    solid_.face(rear, {rearArc, lines_[0][0], arcs_[1][0], lines_[1][0]}, turned(-way(0), 0));
+    solid_.face(front, {arcs_[0][1], lines_[1][1], frontArc, lines_[0][1]}, turned(way(1), 1));
+  }
+
+  void makeRings() {
+    for (int top = 0; top < 2; ++top) {
+      const double middle = contactAngle(top * kHeight, 0.5, 1) + sideOf(top) * M_PI / 2;
+      const auto swept = sweptBy(ring(top), {middle - 1.8, middle + 1.8}, path_, kWhole);
+      ASSERT_TRUE(swept.carrier) << degeneracyText(swept.why);
+      const Vector3d out = radial(middle) + 0.3 * sideOf(top) * Vector3d::UnitZ();
+      solid_.face(*swept.carrier,
+                  {arcs_[top][0], along_[top][1 - top], arcs_[top][1], along_[top][top]},
+                  turned(out, 0.5));
     }
-    const auto made = grazeOf(rod, contacts, path);
-    ASSERT_TRUE(made.carrier) << degeneracyText(made.why);
-    graze[k] = *made.carrier;
-    for (int s = 0; s < 2; ++s) {
-      std::vector<Vector3d> line;
-      for (int i = 0; i <= 8; ++i) {
-        const double h = kHeight * i / 8;
-        line.push_back(
-            motion.at(kRadius * radial(contactAngle(h, s, sideOf(k))) + Vector3d(0, 0, h), s));
-      }
-      const auto contact = contactAt(rod, line, path, s);
-      ASSERT_TRUE(contact);
-      lines[k][s] = solid.edge(at[0][k][s], at[1][k][s], *contact);
-    }
   }
-  const auto turned = [&](const Vector3d& d, double s) { return motion.turned(d, s); };
-  const Vector3d up = Vector3d::UnitZ();
-  solid.face(carrierOf(CarrierKind::Plane, motion.at({0, 0, 0}, 0), turned(-up, 0)),
-             {bottomRear0, bottomFront0}, turned(-up, 0));
-  solid.face(carrierOf(CarrierKind::Plane, motion.at({0, 0, kHeight}, 1), turned(up, 1)),
-             {topRear1, topFront1}, turned(up, 1));
-  const auto way = [&](double s) {
-    const Vector3d v = bodyVelocity({0, 0, kHeight / 2}, s);
-    return Vector3d(v.x(), v.y(), 0).normalized();
-  };
-  Carrier rear = posed(rod, path.at(0)), front = posed(rod, path.at(1));
-  rear.xdir = turned(way(0), 0);  // the seam lies opposite to the face
-  front.xdir = turned(-way(1), 1);
-  solid.face(rear, {bottomRear0, lines[0][0], topRear0, lines[1][0]}, turned(-way(0), 0));
-  solid.face(front, {bottomFront1, lines[1][1], topFront1, lines[0][1]}, turned(way(1), 1));
-  for (int k = 0; k < 2; ++k) {
-    solid.face(graze[k], {lines[k][0], along[1][k], lines[k][1], along[0][k]},
-               turned(radial(contactAngle(kHeight / 2, 0.5, sideOf(k))), 0.5));
+
+  double volume() const {
+    const auto through = [&](double s) {
+      const auto side = [&](double h) {
+        return 2 * kRadius * bodyVelocity({0, 0, h}, s).head<2>().norm();
+      };
+      return M_PI * kRadius * kRadius * bodyVelocity({0, 0, kHeight}, s).z() +
+             integral(side, 0, kHeight);
+    };
+    return M_PI * kRadius * kRadius * kHeight + integral(through, 0, 1);
   }
-  for (int top = 0; top < 2; ++top) {
-    const double middle = contactAngle(top * kHeight, 0.5, 1) + (top == 1 ? 1 : -1) * M_PI / 2;
-    const auto swept = sweptBy(ring(top), {middle - 1.8, middle + 1.8}, path, kWhole);
-    ASSERT_TRUE(swept.carrier) << degeneracyText(swept.why);
-    const Vector3d out = turned(radial(middle), 0.5) + (top == 1 ? 0.3 : -0.3) * turned(up, 0.5);
-    solid.face(*swept.carrier,
-               top == 1 ? std::vector{topRear0, along[1][0], topRear1, along[1][1]}
-                        : std::vector{bottomFront0, along[0][1], bottomFront1, along[0][0]},
-               out);
-  }
-  const double flux = integral(
-      [&](double s) {
-        const double top = M_PI * kRadius * kRadius * bodyVelocity({0, 0, kHeight}, s).z();
-        return top + integral(
-                         [&](double h) {
-                           return 2 * kRadius * bodyVelocity({0, 0, h}, s).head<2>().norm();
-                         },
-                         0, kHeight);
-      },
-      0, 1);
-  expectSound(solid, M_PI * kRadius * kRadius * kHeight + flux, 8);
-}
+
+  const TestMotion& motion_;
+  const StepPath path_;
+  const Carrier rod_ = carrierOf(CarrierKind::Cylinder, {0, 0, 0}, {0, 0, 1}, kRadius);
+  HandBuilt solid_;
+  std::array<std::array<Pair, 2>, 2> at_{};         // [top][side][s]
+  std::array<Pair, 2> along_{}, lines_{}, arcs_{};  // [top][side], [side][s], [top][s]
+};
 
 TEST(SweptSolid, ARodInAGeneralMotion) {
   TestMotion motion = generalMotion(0.4);
   motion.to.translation = motion.from.translation + motion.from.rotation * Vector3d(45, 10, 40);
-  expectRodSound(motion);
+  Rod(motion).expectSoundSolid();
 }
 
 TEST(SweptSolid, ARodAlongALineAndOnACircle) {
-  expectRodSound(lineMotion({45, 10, 40}));
-  expectRodSound(screwMotion({150, 20, -150}, {0.1, 1, 0.2}, 0.3, 0));
+  const TestMotion line = lineMotion({45, 10, 40});
+  Rod(line).expectSoundSolid();
+  const TestMotion turn = screwMotion({150, 20, -150}, {0.1, 1, 0.2}, 0.3, 0);
+  Rod(turn).expectSoundSolid();
 }
 
 }  // namespace
