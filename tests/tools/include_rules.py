@@ -51,6 +51,8 @@ MAY_INCLUDE = {
     # Tells what a report says; shapes come to it thinned through a public header.
     "page": {"base", "geometry", "motion"},
     "solid/carrier": BELOW,
+    # Surfaces that the edges and faces of a moving body sweep.
+    "solid/sweep": BELOW | {"solid/carrier"},
     "solid/mesh": BELOW | {"solid/carrier", "simplify"},
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},
     "solid/model": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
@@ -61,7 +63,7 @@ MAY_INCLUDE = {
     | {f"solid/{r}" for r in "carrier mesh recognise label model text".split()},
     "solid": BELOW
     | {"simplify"}
-    | {f"solid/{r}" for r in "carrier mesh recognise label model text".split()},
+    | {f"solid/{r}" for r in "carrier sweep mesh recognise label model text".split()},
     "pipeline": BELOW | STAGES | SAMPLERS | {"sampling/culling", "contour/mend"},
     "python": {"base", "io"},  # besides the public headers
     "tools": {"base", "io"},

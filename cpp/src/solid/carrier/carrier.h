@@ -1,7 +1,7 @@
-// Carrier: the unbounded surface on which a face lies. Elementary surfaces, extrusions and
-// revolutions, with signed distance and outward normal.
+// Carrier: the unbounded surface on which a face lies. Elementary surfaces, extrusions, revolutions
+// and free-form sheets, with signed distance and outward normal.
 // Units:   mm, rad. The distance is exact (not algebraic) and positive on the side of `normal`.
-// Cost:    O(1) per query.
+// Cost:    O(1) per query; a sheet takes O(samples).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,12 +10,23 @@
 #include <memory>
 
 #include "solid/carrier/profile.h"
+#include "solid/carrier/sheet.h"
 
 namespace swept::step {
 
 struct Traces;
 
-enum class CarrierKind { Facet, Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Revolution };
+enum class CarrierKind {
+  Facet,
+  Plane,
+  Cylinder,
+  Cone,
+  Sphere,
+  Torus,
+  Extrusion,
+  Revolution,
+  Sheet
+};
 const char* surfaceKindName(CarrierKind kind);
 
 struct Carrier {
@@ -31,7 +42,7 @@ struct Carrier {
   double halfAngle = 0;  ///< cone: between axis and generator line; the radius grows along the axis
   double cosine = 1, sine = 0;  ///< cosine and sine of halfAngle
   /// True if the material lies outside (a bore). The outward normal then points towards the axis or
-  /// centre.
+  /// centre; on a sheet, against S_u x S_t.
   bool reversed = false;
   /// The curve that generates the surface; outward is to its right. The profile of an extrusion
   /// lies in the plane perpendicular to the axis, with coordinates along xdir and axis x xdir from
@@ -40,6 +51,8 @@ struct Carrier {
   std::shared_ptr<const Profile> profile;
   /// Curves and points of the surface where other surfaces meet it (traces.h). Null: none is known.
   std::shared_ptr<const Traces> traces;
+  /// The free-form surface itself. The fields above do not apply to it.
+  std::shared_ptr<const Sheet> sheet;
 
   bool isPlanar() const { return kind == CarrierKind::Facet || kind == CarrierKind::Plane; }
   bool hasProfile() const { return profile != nullptr; }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "solid/carrier/bspline.h"
+
 namespace swept::step {
 namespace {
 
@@ -27,6 +29,11 @@ double lengthScale(const Carrier& s) {
     case CarrierKind::Extrusion:
     case CarrierKind::Revolution:
       return s.profile->length() / (2 * M_PI);
+    case CarrierKind::Sheet: {
+      Eigen::AlignedBox3d box;
+      for (const Vector3d& pole : s.sheet->poles()) box.extend(pole);
+      return box.diagonal().norm() / (2 * M_PI);
+    }
     default:
       return 1e300;
   }
@@ -171,6 +178,12 @@ Vector3d Curve::at(double t) const {
   if (kind == CurveKind::Circle) {
     return start + radius * (std::cos(t) * xdir + std::sin(t) * axis.cross(xdir));
   }
+  if (degree != 3 || joints != 2) {
+    const Knots::Basis basis = Knots(degree, knots, joints).basis(t);
+    Vector3d sum = Vector3d::Zero();
+    for (int k = 0; k <= degree; ++k) sum += basis.value[0][k] * poles[basis.first + k];
+    return sum;
+  }
   std::size_t i = 0;
   while (i + 2 < knots.size() && knots[i + 1] < t) ++i;
   // Bezier points of span i. An inner joint lies between its two neighbouring poles, in the ratio
@@ -184,6 +197,26 @@ Vector3d Curve::at(double t) const {
   const double w = (t - knots[i]) / (knots[i + 1] - knots[i]), m = 1 - w;
   return m * m * m * joint(i) + 3 * m * m * w * poles[2 * i + 1] +
          3 * m * w * w * poles[2 * i + 2] + w * w * w * joint(i + 1);
+}
+
+Curve partOf(const Curve& curve, double from, double to) {
+  if (curve.kind == CurveKind::Line) return lineThrough(curve.at(from), curve.at(to));
+  Curve part = curve;
+  part.last = to - from;
+  if (curve.kind == CurveKind::Circle) {
+    part.xdir = (curve.at(from) - curve.start).normalized();
+    return part;
+  }
+  Eigen::MatrixXd poles(curve.poles.size(), 3);
+  for (std::size_t i = 0; i < curve.poles.size(); ++i)
+    poles.row(static_cast<Eigen::Index>(i)) = curve.poles[i].transpose();
+  Knots knots;
+  poles = partOf(Knots(curve.degree, curve.knots, curve.joints), poles, {from, to}, knots);
+  part.knots = knots.breaks();
+  for (double& knot : part.knots) knot -= from;
+  part.poles.clear();
+  for (Eigen::Index i = 0; i < poles.rows(); ++i) part.poles.emplace_back(poles.row(i).transpose());
+  return part;
 }
 
 Curve lineThrough(const Vector3d& a, const Vector3d& b) {

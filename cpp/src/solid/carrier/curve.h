@@ -1,7 +1,7 @@
 // Curves of edges, and points where carrier surfaces intersect.
 // In:      points in order, or carriers.
 // Out:     the simplest curve within a tolerance.
-// Units:   mm, rad. Parameters: Line 0..length, Circle 0..sweep, Spline 0..1.
+// Units:   mm, rad. Parameters: Line 0..length, Circle 0..sweep, Spline 0..last.
 // Cost:    O(points).
 // Source:  circles by linear least squares (Kasa 1976); cubic B-splines (Piegl and Tiller, "The
 //          NURBS Book"); polylines (Douglas and Peucker 1973).
@@ -27,12 +27,17 @@ struct Curve {
   Eigen::Vector3d xdir = Eigen::Vector3d::UnitX();  ///< circle: direction of its first point
   double radius = 0;
   double last = 0;  ///< end parameter; the first parameter is 0
-  /// Cubic B-spline with C1 joints: 2 n + 2 poles for n + 1 knots.
+  /// Spline: a B-spline. Cubics with C1 joints unless `degree` and `joints` say otherwise; they
+  /// have 2 n + 2 poles for n + 1 knots.
   std::vector<Eigen::Vector3d> poles;
-  std::vector<double> knots;  ///< distinct knots; the ends have multiplicity 4, inner knots 2
+  std::vector<double> knots;   ///< distinct knots; the ends have multiplicity degree + 1
+  int degree = 3, joints = 2;  ///< `joints`: multiplicity of inner knots
 
   Eigen::Vector3d at(double t) const;
 };
+
+/// Returns the part of a curve from parameter `from` to `to`.
+Curve partOf(const Curve& curve, double from, double to);
 
 Curve lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "solid/carrier/fit_spline.h"
 
 namespace swept::step {
 namespace {
@@ -12,7 +15,7 @@ using Eigen::Vector3d;
 
 /// Sine of 0.17 degrees. At smaller angles between the carriers, rounding decides where they meet.
 constexpr double kLeastSine = 0.003;
-constexpr std::size_t kFewestSpans = 4, kMostSpans = 64;
+constexpr std::size_t kFewestPieces = 4, kMostPieces = 64;
 
 // Returns the point on both carriers near q. Each step of the iteration is the shortest to first
 // order. Returns nothing if the point moves farther than `strays`.
@@ -159,6 +162,50 @@ std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrie
   return curve;
 }
 
+// Returns the point on both carriers in the plane dir.(x - base) = height, near p.
+Vector3d pointInSlice(Vector3d p, const Carrier& a, const Carrier& b, const Vector3d& dir,
+                      const Vector3d& base, double height) {
+  for (int round = 0; round < 20; ++round) {
+    Eigen::Matrix3d rows;
+    rows << a.normal(p).transpose(), b.normal(p).transpose(), dir.transpose();
+    if (!(std::abs(rows.determinant()) > 0.1 * kLeastSine)) break;
+    const Vector3d off(a.distance(p), b.distance(p), dir.dot(p - base) - height);
+    const Vector3d step = rows.inverse() * off;
+    p -= step;
+    if (step.norm() < 1e-10) return p;
+  }
+  return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+// Returns the intersection as an interpolated spline of few poles. Each of its points is found in a
+// plane across the line from the first to the last point, so the curve must not turn away from this
+// line. Nothing if it does.
+std::optional<Curve> slicedCurve(const std::vector<Vector3d>& points,
+                                 const std::vector<Vector3d>& tangents, const Carrier& a,
+                                 const Carrier& b) {
+  constexpr double kLeastCosine = 0.4;
+  const Vector3d &first = points.front(), way = points.back() - first;
+  const double length = way.norm();
+  const Vector3d dir = way / length;
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    heights.push_back(dir.dot(points[i] - first));
+    if (tangents[i].dot(dir) < kLeastCosine || (i > 0 && heights[i] <= heights[i - 1]))
+      return std::nullopt;
+  }
+  const auto exact = [&](double height) {
+    const auto above = std::upper_bound(heights.begin() + 1, heights.end() - 1, height);
+    const std::size_t i = above - heights.begin();
+    const double w = (height - heights[i - 1]) / (heights[i] - heights[i - 1]);
+    return pointInSlice((1 - w) * points[i - 1] + w * points[i], a, b, dir, first, height);
+  };
+  auto curve = fitSpline(exact, {0, length}, 0.4 * kOnCarrier);
+  if (!curve) return std::nullopt;
+  curve->poles.front() = first;
+  curve->poles.back() = points.back();
+  return curve;
+}
+
 }  // namespace
 
 double largestGap(const Curve& curve, const Carrier& carrier) {
@@ -183,7 +230,7 @@ std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, cons
     const auto curve = cutProfile(along, *extrusion, *plane);
     if (curve && isOnBoth(*curve, a, b)) return curve;
   }
-  for (std::size_t spans = kFewestSpans; spans <= kMostSpans; spans *= 2) {
+  for (std::size_t spans = kFewestPieces; spans <= kMostPieces; spans *= 2) {
     std::vector<Vector3d> points = spaced(along, spans);
     for (std::size_t i = 0; i <= spans; ++i) {
       if (!closed && (i == 0 || i == spans)) continue;
@@ -196,12 +243,17 @@ std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, cons
       const Curve line = lineThrough(points.front(), points.back());
       if (isOnBoth(line, a, b)) return line;
     }
-    if (spans > kFewestSpans) {
+    if (spans > kFewestPieces) {
       const auto circle = circleThrough(points, closed, kOnCarrier);
       if (circle && isOnBoth(*circle, a, b)) return circle;
     }
     const auto tangents = tangentsAt(points, closed, a, b);
     if (!tangents) return std::nullopt;
+    const bool isSheet = a.kind == CarrierKind::Sheet || b.kind == CarrierKind::Sheet;
+    if (isSheet && !closed && spans > kFewestPieces) {
+      const auto sliced = slicedCurve(points, *tangents, a, b);
+      if (sliced && isOnBoth(*sliced, a, b)) return sliced;
+    }
     Curve spline = splineAlong(points, *tangents);
     if (isOnBoth(spline, a, b)) return spline;
     along.clear();

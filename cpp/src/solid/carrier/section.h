@@ -3,9 +3,11 @@
 // Out:     a line, circle or spline with all points within kOnCarrier of both carriers. Nothing if
 //          the carriers are nearly parallel along it, or if the curve strays from the points.
 // Units:   mm.
+//          Carriers that cross at less than 0.6 degrees somewhere along it count as parallel.
 // Method:  Newton's method on both distances at evenly spaced points, joined by cubics whose
 //          tangents follow from the normals. The number of points doubles until each span is
-//          accurate.
+//          accurate. With a sheet, a spline of degree 5 is interpolated instead, which needs far
+//          fewer poles, unless the curve turns away from the line between its ends.
 // Cost:    O(points).
 // Source:  marching over intersections with exact tangents (Patrikalakis and Maekawa 2002, ch. 5).
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -4,6 +4,7 @@
 #include <BRep_Builder.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -19,6 +20,7 @@
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
@@ -45,6 +47,19 @@ gp_Dir dirOf(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
 // Returns the tolerance to store for a measured distance: slightly larger because of rounding, and
 // never below the kernel's own.
 double stated(double measured) { return std::max(kKernelTolerance, 1.01 * measured); }
+
+// The knots of a B-spline as the kernel takes them.
+struct KernelKnots {
+  explicit KernelKnots(const Knots& knots)
+      : at(1, static_cast<Standard_Integer>(knots.breaks().size())), multiplicities(1, at.Upper()) {
+    for (Standard_Integer i = 1; i <= at.Upper(); ++i) {
+      at(i) = knots.breaks()[i - 1];
+      multiplicities(i) = i == 1 || i == at.Upper() ? knots.degree() + 1 : knots.joints();
+    }
+  }
+  TColStd_Array1OfReal at;
+  TColStd_Array1OfInteger multiplicities;
+};
 
 class BrepBuilder {
  public:
@@ -91,18 +106,24 @@ class BrepBuilder {
       return new Geom_Circle(gp_Ax2(pointOf(curve.start), dirOf(curve.axis), dirOf(curve.xdir)),
                              curve.radius);
     }
-    const auto knotCount = static_cast<Standard_Integer>(curve.knots.size());
     TColgp_Array1OfPnt poles(1, static_cast<Standard_Integer>(curve.poles.size()));
-    TColStd_Array1OfReal knots(1, knotCount);
-    TColStd_Array1OfInteger multiplicities(1, knotCount);
-    for (std::size_t i = 0; i < curve.poles.size(); ++i) {
+    for (std::size_t i = 0; i < curve.poles.size(); ++i)
       poles(static_cast<Standard_Integer>(i) + 1) = pointOf(curve.poles[i]);
+    const KernelKnots knots(Knots(curve.degree, curve.knots, curve.joints));
+    return new Geom_BSplineCurve(poles, knots.at, knots.multiplicities, curve.degree);
+  }
+
+  static Handle(Geom_Surface) sheetOf(const Sheet& sheet) {
+    const auto rows = static_cast<Standard_Integer>(sheet.knotsU().poleCount());
+    const auto columns = static_cast<Standard_Integer>(sheet.knotsT().poleCount());
+    TColgp_Array2OfPnt poles(1, rows, 1, columns);
+    for (Standard_Integer i = 1; i <= rows; ++i) {
+      for (Standard_Integer j = 1; j <= columns; ++j)
+        poles(i, j) = pointOf(sheet.pole(i - 1, j - 1));
     }
-    for (Standard_Integer i = 1; i <= knotCount; ++i) {
-      knots(i) = curve.knots[i - 1];
-      multiplicities(i) = i == 1 || i == knotCount ? 4 : 2;
-    }
-    return new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+    const KernelKnots u(sheet.knotsU()), t(sheet.knotsT());
+    return new Geom_BSplineSurface(poles, u.at, t.at, u.multiplicities, t.multiplicities,
+                                   sheet.knotsU().degree(), sheet.knotsT().degree());
   }
 
   static Handle(Geom_Surface) surfaceOf(const Carrier& s) {
@@ -122,6 +143,8 @@ class BrepBuilder {
       case CarrierKind::Revolution:
         return new Geom_SurfaceOfRevolution(curveOf(profileOf(s)),
                                             gp_Ax1(pointOf(s.point), dirOf(s.axis)));
+      case CarrierKind::Sheet:
+        return sheetOf(*s.sheet);
       default:
         return new Geom_Plane(axes);
     }
@@ -183,8 +206,8 @@ class BrepBuilder {
       return std::round((wanted - value) / (2 * M_PI));
     };
     // Only parameters that are angles are periodic.
-    const double u =
-        surface.kind == CarrierKind::Extrusion ? 0 : 2 * M_PI * periods(middle.X(), M_PI);
+    const bool turns = surface.kind != CarrierKind::Extrusion && surface.kind != CarrierKind::Sheet;
+    const double u = turns ? 2 * M_PI * periods(middle.X(), M_PI) : 0;
     const double v =
         surface.kind == CarrierKind::Torus ? 2 * M_PI * periods(middle.Y(), surface.tubeMid) : 0;
     if (u != 0 || v != 0) flat->Translate(gp_Vec2d(u, v));

@@ -67,16 +67,51 @@ class Writer {
     std::vector<Id> poles;
     for (const Vector3d& pole : curve.poles) poles.push_back(sections_.point(pole));
     const Id id = lines_.begin("B_SPLINE_CURVE_WITH_KNOTS");
-    lines_.raw("'',3,").ids(poles).raw(",.UNSPECIFIED.,.F.,.F.,(");
-    for (std::size_t i = 0; i < curve.knots.size(); ++i) {
-      lines_.raw(i == 0 ? "4" : i + 1 == curve.knots.size() ? ",4" : ",2");
-    }
-    lines_.raw("),(");
-    for (std::size_t i = 0; i < curve.knots.size(); ++i) {
+    lines_.raw("'',").raw(std::to_string(curve.degree)).raw(",").ids(poles);
+    lines_.raw(",.UNSPECIFIED.,.F.,.F.,");
+    multiplicities(curve.degree, curve.joints, curve.knots.size());
+    lines_.raw(",");
+    breaks(curve.knots);
+    lines_.raw(",.UNSPECIFIED.").end();
+    return id;
+  }
+
+  // The multiplicities of the knots of a B-spline.
+  void multiplicities(int degree, int joints, std::size_t count) {
+    const std::string ends = std::to_string(degree + 1), inner = ',' + std::to_string(joints);
+    lines_.raw("(").raw(ends);
+    for (std::size_t i = 1; i + 1 < count; ++i) lines_.raw(inner);
+    lines_.raw(",").raw(ends).raw(")");
+  }
+  void breaks(const std::vector<double>& knots) {
+    lines_.raw("(");
+    for (std::size_t i = 0; i < knots.size(); ++i) {
       if (i > 0) lines_.raw(",");
-      lines_.ratio(curve.knots[i]);
+      lines_.ratio(knots[i]);
     }
-    lines_.raw("),.UNSPECIFIED.").end();
+    lines_.raw(")");
+  }
+
+  Id sheet(const Sheet& sheet) {
+    const Knots &u = sheet.knotsU(), &t = sheet.knotsT();
+    std::vector<Id> poles;
+    for (const Vector3d& pole : sheet.poles()) poles.push_back(sections_.point(pole));
+    const Id id = lines_.begin("B_SPLINE_SURFACE_WITH_KNOTS");
+    lines_.raw("'',").raw(std::to_string(u.degree())).raw(",").raw(std::to_string(t.degree()));
+    for (std::size_t i = 0; i < u.poleCount(); ++i) {
+      const auto row = poles.begin() + static_cast<std::ptrdiff_t>(i * t.poleCount());
+      lines_.raw(i == 0 ? ",(" : ",");
+      lines_.ids({row, row + static_cast<std::ptrdiff_t>(t.poleCount())});
+    }
+    lines_.raw("),.UNSPECIFIED.,.F.,.F.,.F.,");
+    multiplicities(u.degree(), u.joints(), u.breaks().size());
+    lines_.raw(",");
+    multiplicities(t.degree(), t.joints(), t.breaks().size());
+    lines_.raw(",");
+    breaks(u.breaks());
+    lines_.raw(",");
+    breaks(t.breaks());
+    lines_.raw(",.UNSPECIFIED.").end();
     return id;
   }
 
@@ -114,6 +149,7 @@ class Writer {
     const Vector3d x = s.xdir.norm() > 0.5 ? s.xdir : anyOrthogonal(s.axis);
     if (s.kind == CarrierKind::Plane) return plane(sections_.placement(s.point, s.axis, x));
     if (s.hasProfile()) return pushedOrTurned(s);
+    if (s.kind == CarrierKind::Sheet) return sheet(*s.sheet);
     // STEP requires a positive angle, so the radius of a cone must grow along its axis.
     const bool turned = s.kind == CarrierKind::Cone && s.halfAngle < 0;
     const Id axes = sections_.placement(s.point, turned ? Vector3d(-s.axis) : s.axis, x);

@@ -1,0 +1,85 @@
+// B-splines: knots, basis functions, and interpolation between exact values.
+// In:      distinct knots ("breaks"); the ends have multiplicity degree + 1, inner ones `joints`.
+// Cost:    O(degree^2) per evaluation, O(poles^3) once to interpolate (few poles).
+// Source:  Piegl and Tiller, "The NURBS Book" (A2.2, A2.3, A5.1); sites of interpolation by
+//          Greville 1969, for which the equations are well-conditioned up to degree 5 and beyond.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace swept::step {
+
+/// An interval of parameters.
+struct Range {
+  double from = 0, to = 1;
+  double length() const { return to - from; }
+  double at(double share) const { return from + share * (to - from); }
+  Range grown(double share) const { return {at(-share), at(1 + share)}; }
+};
+
+class Knots {
+ public:
+  static constexpr int kMaxDegree = 5;
+  /// The basis functions that are not zero at one parameter, with two derivatives: [order][i]
+  /// belongs to pole first + i.
+  struct Basis {
+    std::size_t first = 0;
+    std::array<std::array<double, kMaxDegree + 1>, 3> value{};
+  };
+
+  Knots() = default;
+  Knots(int degree, std::vector<double> breaks, int joints = 1);
+
+  int degree() const { return degree_; }
+  int joints() const { return joints_; }
+  std::size_t poleCount() const { return flat_.size() - degree_ - 1; }
+  const std::vector<double>& breaks() const { return breaks_; }
+  Range range() const { return {breaks_.front(), breaks_.back()}; }
+  /// Beyond the ends, the first and the last polynomial go on.
+  Basis basis(double t) const;
+  /// One parameter for each pole, the ends among them.
+  std::vector<double> sites() const;
+  /// Each knot with its multiplicity.
+  const std::vector<double>& flat() const { return flat_; }
+
+ private:
+  int degree_ = 1, joints_ = 1;
+  std::vector<double> breaks_{0, 1}, flat_{0, 0, 1, 1};
+};
+
+/// Finds poles, one in each row, from values at the sites of the knots, one in each row.
+class Interpolator {
+ public:
+  explicit Interpolator(const Knots& knots);
+  Eigen::MatrixXd poles(const Eigen::MatrixXd& values) const { return solver_.solve(values); }
+
+ private:
+  Eigen::PartialPivLU<Eigen::MatrixXd> solver_;
+};
+
+/// Returns the value (derivative 0, 1 or 2) of a spline with these poles, one in each row.
+Eigen::RowVectorXd valueOf(const Knots& knots, const Eigen::MatrixXd& poles, double t,
+                           int derivative = 0);
+
+/// Several exact curves at once: the value at one parameter is one row.
+using ExactRow = std::function<Eigen::RowVectorXd(double)>;
+
+/// Returns knots with which the interpolating spline is within `bound` of the exact values, each
+/// group of three columns being a point. The spans that are not are cut further, so knots are dense
+/// only where they must be. Nothing if `mostSpans` do not suffice or a value is not finite.
+std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, double bound,
+                              std::size_t mostSpans);
+
+/// Cuts spans into equal pieces: pieces[i] for span i.
+Knots finer(const Knots& knots, const std::vector<int>& pieces);
+
+/// Returns the poles of the same spline between two parameters, on `part`, which gets its knots.
+Eigen::MatrixXd partOf(const Knots& knots, const Eigen::MatrixXd& poles, Range range, Knots& part);
+
+}  // namespace swept::step

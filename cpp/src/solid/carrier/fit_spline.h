@@ -1,0 +1,28 @@
+// A spline that interpolates an exact curve, refined until it is within a bound between the points
+// of interpolation.
+// Units:   mm.
+// Cost:    about ten exact evaluations per pole.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "solid/carrier/bspline.h"
+#include "solid/carrier/curve.h"
+
+namespace swept::step {
+
+/// Degree of curves and of sheets in curved directions. Rotations are so smooth that degree 5 needs
+/// a third of the poles of degree 3.
+constexpr int kSmoothDegree = 5;
+constexpr std::size_t kMostSpans = 64;
+
+/// A point of the exact curve; not finite where it has none.
+using ExactCurve = std::function<Eigen::Vector3d(double)>;
+
+/// Returns the curve through exact(v), v in `range`; its parameter starts at 0. Nothing if the
+/// bound is not reached with kMostSpans spans, or if a value is not finite.
+std::optional<Curve> fitSpline(const ExactCurve& exact, Range range, double bound);
+
+}  // namespace swept::step

@@ -1,0 +1,66 @@
+// Sheet: a free-form surface S(u, t), a tensor product of B-splines. It carries the faces that are
+// no plane, cylinder, ...: what an edge sweeps and where a face grazes the envelope
+// (solid/sweep/swept_surface.h makes them).
+// Units:   mm. The distance is exact, for the nearest point within the borders; a little way beyond
+//          them the surface goes on, so that borders of faces have room.
+// Cost:    O(samples) for a distance without a start, O(1) with one.
+// Source:  foot points by Newton's method with a damped step (Piegl and Tiller, section 6.1).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "solid/carrier/bspline.h"
+
+namespace swept::step {
+
+class Sheet {
+ public:
+  /// A point of the surface with its derivatives. `isInside`: the foot is a true one; otherwise the
+  /// nearest point lies on the end of the continuation.
+  struct Foot {
+    double u = 0, t = 0;
+    Eigen::Vector3d at, alongU, alongT;
+    bool isInside = true;
+    Eigen::Vector3d normal() const { return alongU.cross(alongT).normalized(); }
+  };
+
+  /// `poles`: row after row, u is the slow index.
+  Sheet(Knots u, Knots t, std::vector<Eigen::Vector3d> poles);
+
+  Eigen::Vector3d at(double u, double t) const;
+  Foot footAt(double u, double t) const;
+  /// Returns the foot point nearest to p. Newton's method starts at the nearest sample.
+  Foot foot(const Eigen::Vector3d& p) const;
+  /// Does the same from the given parameters, for queries in a row.
+  Foot foot(const Eigen::Vector3d& p, double u, double t) const;
+  /// Positive on the side of S_u x S_t.
+  double distance(const Eigen::Vector3d& p) const;
+  /// Unit vector along S_u x S_t at the foot point.
+  Eigen::Vector3d normal(const Eigen::Vector3d& p) const { return foot(p).normal(); }
+
+  const Knots& knotsU() const { return u_; }
+  const Knots& knotsT() const { return t_; }
+  const std::vector<Eigen::Vector3d>& poles() const { return poles_; }
+  const Eigen::Vector3d& pole(std::size_t i, std::size_t j) const {
+    return poles_[i * t_.poleCount() + j];
+  }
+  /// The same surface between these parameters.
+  Sheet part(Range u, Range t) const;
+
+ private:
+  struct Jet {
+    Eigen::Vector3d at, u, t, uu, ut, tt;
+  };
+  Jet jet(double u, double t) const;
+
+  Knots u_, t_;
+  std::vector<Eigen::Vector3d> poles_;
+  Range roomU_, roomT_;  // with the continuation
+  std::vector<double> sampleU_, sampleT_;
+  std::vector<Eigen::Vector3d> samples_;
+  double spacing_ = 0;  // mm, about, between samples
+};
+
+}  // namespace swept::step

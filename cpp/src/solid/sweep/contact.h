@@ -1,0 +1,58 @@
+// Points of contact: where the normal of a face of the moving body is orthogonal to its velocity,
+// followed over rails and time.
+// In:      rails of a face, the motion, a range of rails and time, and a start.
+// Units:   mm, rad.
+// Cost:    O(kNodes^2) steps of Newton's method to begin with, then O(1) per point.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solid/sweep/rails.h"
+#include "solid/sweep/swept_surface.h"
+
+namespace swept::step {
+
+/// The motion at one moment, seen from the body: x moves with linear + angular x x.
+struct Moment {
+  Moment(const StepPath& path, double s);
+  Eigen::Vector3d velocityAt(const Eigen::Vector3d& x) const { return linear + angular.cross(x); }
+  Placement placement;
+  Eigen::Vector3d linear, angular;  // body frame
+};
+
+class ContactMap {
+ public:
+  /// `size`: mm, extent of the contact. Starts at rail w and moment s with the place v.
+  ContactMap(const Rails& rails, const StepPath& path, double size)
+      : rails_(rails), path_(path), size_(size) {}
+
+  /// n.v at one point, in mm per unit of s.
+  double speed(double w, double v, const Moment& moment) const;
+  /// Derivatives of n.v by the length along the rail and across the rails.
+  Eigen::Vector2d slopes(double w, double v, const Moment& moment) const;
+  /// The place of contact on rail w near v, if Newton's method finds it.
+  std::optional<double> solve(double w, double v, const Moment& moment) const;
+
+  /// Follows the contact from the start over the whole range. Returns how it degenerates within
+  /// `inner`, and where; the rest of the range is room.
+  Degeneracy follow(Range w, Range s, Range innerW, Range innerS, const Eigen::Vector3d& start,
+                    Eigen::Vector2d& where);
+  /// The place of contact anywhere in the range that was followed. NaN if there is none.
+  double placeAt(double w, double s) const;
+
+ private:
+  static constexpr int kNodes = 24;  // intervals in each direction
+  double& node(int i, int j) { return places_[i * (kNodes + 1) + j]; }
+  double node(int i, int j) const { return places_[i * (kNodes + 1) + j]; }
+  double lengthPer(double w, double v, bool alongRail) const;
+
+  const Rails& rails_;
+  const StepPath& path_;
+  double size_;
+  Range w_, s_;
+  std::vector<double> places_;
+};
+
+}  // namespace swept::step

@@ -1,0 +1,36 @@
+// Sheets that interpolate an exact surface on a grid, refined until they are within a bound between
+// the grid points.
+// Units:   mm.
+// Cost:    O(poles) exact evaluations for the grid and about five times as many to test it.
+// Promise: `error` is at most the bound at twice as many test points as poles in each direction;
+//          the result depends on nothing but the exact values.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "solid/carrier/fit_spline.h"
+#include "solid/carrier/sheet.h"
+
+namespace swept::step {
+
+/// A sheet that needs more poles is next to a singular one.
+constexpr std::size_t kMostPoles = 1000;
+
+/// A point of the exact surface; not finite where it has none.
+using ExactSurface = std::function<Eigen::Vector3d(double u, double t)>;
+
+struct FittedSheet {
+  std::shared_ptr<const Sheet> sheet;
+  double error = 0;  ///< mm, largest one at the test points
+};
+
+/// `given`: knots along u, if the exact surface is a spline with these knots along u, as what a
+/// line or a spline sweeps; null: they are sought. Nothing if the bound is not reached with
+/// kMostSpans spans and kMostPoles poles, or if a value is not finite.
+std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
+                                    double bound);
+
+}  // namespace swept::step

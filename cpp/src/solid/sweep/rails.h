@@ -1,0 +1,38 @@
+// Rails: curves that cover a face of the body, on which points of contact are sought. A point of
+// the face has the parameters (w, v): rail w, place v on the rail.
+// In:      the carrier of a face, in coordinates of the body.
+// Units:   mm, rad.
+// Cost:    O(1).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "solid/carrier/carrier.h"
+
+namespace swept::step {
+
+class Rails {
+ public:
+  struct Point {
+    Eigen::Vector3d at, normal;  ///< `normal`: outward
+  };
+
+  virtual ~Rails() = default;
+  virtual Point at(double w, double v) const = 0;
+  /// The parameters of a point near the face.
+  virtual Eigen::Vector2d parametersOf(const Eigen::Vector3d& p) const = 0;
+  /// The period of w and of v, or 0.
+  virtual std::array<double, 2> periods() const { return {0, 0}; }
+  /// Whether the face ends here: nothing is known of it beyond.
+  virtual bool covers(double, double) const { return true; }
+};
+
+/// The rails of a face in one of two directions across each other; null if this kind of face has
+/// none. `direction`: for a plane the direction of w, otherwise ignored.
+std::unique_ptr<const Rails> railsOf(const Carrier& face, bool crossed,
+                                     const Eigen::Vector3d& direction);
+
+}  // namespace swept::step
