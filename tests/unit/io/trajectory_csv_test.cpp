@@ -169,7 +169,7 @@ const std::vector<BrokenTable>& brokenTables() {
       {"0;1,5.5;2;3;0;0;0;1\n", "BadFile", "line 1, column 2"},
       {kHeader + "0,0,1,5,2,0,3,0,0,0,0,0,0,0,1,0\n", "BadFile", "decimal comma"},
       {"0,0,1,5,2,0,3,0,0,0,0,0,0,0,1,0\n", "NotRigid", "line 1, pose 1"},
-      {kHeader + "0,1,2,3,0,0,\0,1\n"s, "BadFile", "line 2, byte 13: a NUL byte"},
+      {kHeader + "0,1,2,3,0,0,\0,1\n"s, "BadFile", "line 2, byte 13: a zero byte"},
       {"\xff\xfe"
        "0\0,\0"s,
        "BadFile", "UTF-16"},

@@ -68,7 +68,7 @@ TEST(PageLayout, PlaceholdersAreFilledOnceAndUnknownOnesNamed) {
           [&] { filled("a\nb {{logo}}", values); },
           "line 2 of the template: {{logo}} is not a placeholder; use one of these: table, title"),
       "BadTemplate");
-  EXPECT_EQ(codeOf([&] { filled("{{title", values); }, "{{ without }}"), "BadTemplate");
+  EXPECT_EQ(codeOf([&] { filled("{{title", values); }, "{{ has no closing }}"), "BadTemplate");
 }
 
 TEST(PageHtml, NothingBecomesMarkup) {
@@ -115,7 +115,7 @@ TEST(Page, ReportsThatAreNoneAreNamed) {
     return codeOf([&] { reportPage(report, {}, run); }, part);
   };
   EXPECT_EQ(code("", "no page can be made"), "BadReport");
-  EXPECT_EQ(code("[]", "no report of version 1"), "BadReport");
+  EXPECT_EQ(code("[]", "it is not a report of version 1"), "BadReport");
   EXPECT_EQ(
       code(R"({"report_version": 1, "command": "check"})", "'clearance', 'mechanism' and 'study'"),
       "BadReport");
@@ -171,7 +171,7 @@ TEST(Page, TheTemplatesAreWholeAndAViewCanBeStopped) {
   }
   const std::string names = "{{data}}{{view}}{{ graph }}";
   EXPECT_NO_THROW(checkPageTemplate(names));
-  EXPECT_EQ(codeOf([] { checkPageTemplate("{{logo}}"); }, "{{logo}} is no placeholder"),
+  EXPECT_EQ(codeOf([] { checkPageTemplate("{{logo}}"); }, "{{logo}} is not a placeholder"),
             "BadTemplate");
   // The same names are checked and filled in.
   const auto known = [](const std::function<void()>& act) {
