@@ -126,7 +126,7 @@ def test_bad_input_05_soup(both, box):
     index = np.arange(len(soup)).reshape(-1, 3)
     welded = both(soup, index, slide(), resolution=24)
     found = accepted(welded, "Welded")
-    assert "before 36" in found["Welded"]["text"] and "after 8" in found["Welded"]["text"]
+    assert "before: 36, after: 8" in found["Welded"]["text"]
     assert welded["volume"] == both(*box, slide(), resolution=24)["volume"]
     gap = soup + np.arange(len(soup))[:, None] * 1e-7
     accepted(both(gap, index, slide(), resolution=24, **{}), "WeldedWithinTolerance")

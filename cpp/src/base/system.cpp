@@ -236,15 +236,6 @@ fs::path programPath() {
 #endif
 }
 
-int becomeProgram(const std::vector<std::string>& words) {
-  std::vector<std::string> copies = words;
-  std::vector<char*> arguments;
-  for (std::string& word : copies) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  execv(arguments[0], arguments.data());
-  return errno;
-}
-
 std::uint64_t processId() { return static_cast<std::uint64_t>(getpid()); }
 
 void lowerThreadPriority() {
