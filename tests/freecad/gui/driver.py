@@ -261,12 +261,14 @@ def line_of(graph):
 
 
 def widen():
-    """A roomier window: no console, no report view, a wider combo view."""
+    """A roomier window: no console, no report view, a wider combo view. FreeCAD 0.20 may start with
+    that view hidden until a panel opens in it."""
     window = Gui.getMainWindow()
     for dock in window.findChildren(QtWidgets.QDockWidget):
         if dock.objectName() in ("Report view", "Python console"):
             dock.hide()
         elif dock.objectName() == "Combo View":
+            dock.show()
             window.resizeDocks([dock], [400], QtCore.Qt.Horizontal)
 
 
