@@ -24,7 +24,7 @@ import tempfile
 
 import numpy as np
 import shared_data
-from supplier_suite import PATHS, box_of, motion_rows, report_of, run
+from supplier_suite import PATHS, box_of, is_clean, motion_rows, report_of, run
 
 COLUMNS = (
     "part", "status", "valid", "faults", "edge_tolerance", "vertex_tolerance", "tolerance",
@@ -118,18 +118,6 @@ def judged(part, folder, options):
     ]  # fmt: skip
 
 
-def is_clean(row):
-    """Without faults, and no tolerance of an edge or vertex above that of the solid."""
-    cell = dict(zip(COLUMNS, row))
-    return (
-        cell["status"] == "Ok"
-        and cell["valid"] is True
-        and cell["faults"] == "none"
-        and max(float(cell["edge_tolerance"]), float(cell["vertex_tolerance"]))
-        <= float(cell["tolerance"])
-    )
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build", type=lambda p: pathlib.Path(p).resolve())
@@ -159,8 +147,9 @@ def main():
             table.writerow(row)
             file.flush()
             count += 1
-            clean += is_clean(row)
-            print(", ".join(map(str, row)) + ("" if is_clean(row) else "   NOT CLEAN"), flush=True)
+            sound = is_clean(row, COLUMNS)
+            clean += sound
+            print(", ".join(map(str, row)) + ("" if sound else "   NOT CLEAN"), flush=True)
     print("solids: {} of {} clean".format(clean, count))
     return 0 if clean == count else 1
 

@@ -121,9 +121,9 @@ def judged(part, folder, options):
     ]  # fmt: skip
 
 
-def is_clean(row):
+def is_clean(row, columns=None):
     """Without faults, and no tolerance of an edge or vertex above that of the solid."""
-    cell = dict(zip(COLUMNS, row))
+    cell = dict(zip(columns or COLUMNS, row))
     return (
         cell["status"] == "Ok"
         and cell["valid"] is True

@@ -49,25 +49,13 @@ std::vector<std::int32_t> TextJudge::findBadFaces(RunContext& run, double from, 
 
 std::vector<std::int32_t> TextJudge::findUnreadable(const Model& model, const StepOptions& options,
                                                     RunContext& run) {
-  std::vector<std::int32_t> from;
-  const Model part = curvedPart(model, from);
-  if (from.empty()) return {};
-  std::stringstream stream;
-  writeStepText(part, stream, "curved", options, run);
-  const std::string text = std::move(stream).str();
-  // Compares only the data section, since the header contains the time of writing.
-  std::string data = text.substr(std::min(text.size(), text.find("DATA;")));
-  if (data != lastText_) {
+  return curved_.findRefused(model, options, run, [&](const std::string& text, std::size_t count) {
     const StepReader::Answer read = reader_.read(text);
-    // If the reader split faces, their order is lost. Then only the later check of the whole file
-    // can decide.
-    answer_.clear();
-    if (read.check.faces == std::ssize(from)) answer_ = read.badFaces;
-    lastText_ = std::move(data);
-  }
-  std::vector<std::int32_t> bad;
-  for (const std::int32_t i : answer_) bad.push_back(from[static_cast<std::size_t>(i)]);
-  return bad;
+    // If the reader split faces, their order is lost. Then only the later check of the whole
+    // file can decide.
+    if (read.check.faces != static_cast<std::int64_t>(count)) return std::vector<std::int32_t>();
+    return read.badFaces;
+  });
 }
 
 std::vector<std::int32_t> TextJudge::findInterfering(const Model& /*model*/, RunContext& run) {

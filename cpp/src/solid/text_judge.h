@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solid/model/judge.h"
+#include "solid/text/curved_text.h"
 #include "swept/solid.h"
 
 namespace swept::step {
@@ -31,9 +32,7 @@ class TextJudge : public Judge {
 
  private:
   StepReader& reader_;
-  // The last query and its answer. The same faces are checked again if only facets have changed.
-  std::string lastText_;
-  std::vector<std::int32_t> answer_;
+  CurvedText curved_;
 };
 
 }  // namespace swept::step

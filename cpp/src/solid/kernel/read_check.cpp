@@ -9,27 +9,13 @@
 
 #include "solid/kernel/shape_check.h"
 #include "solid/kernel/solid_file.h"
-#include "solid/model/curved_part.h"
-#include "solid/text/step_text.h"
 
 namespace swept::step {
 std::vector<std::int32_t> ReadCheck::findUnreadable(const Model& model, const StepOptions& options,
                                                     RunContext& run) {
-  std::vector<std::int32_t> from;
-  const Model part = curvedPart(model, from);
-  if (from.empty()) return {};
-  std::stringstream stream;
-  writeStepText(part, stream, "curved", options, run);
-  const std::string text = std::move(stream).str();
-  // Compares only the data section, since the header contains the time of writing.
-  std::string data = text.substr(std::min(text.size(), text.find("DATA;")));
-  if (data != lastText_) {
-    answer_ = read(text, from.size(), run);
-    lastText_ = std::move(data);
-  }
-  std::vector<std::int32_t> bad;
-  for (const std::int32_t i : answer_) bad.push_back(from[i]);
-  return bad;
+  return curved_.findRefused(model, options, run, [&](const std::string& text, std::size_t count) {
+    return read(text, count, run);
+  });
 }
 
 std::vector<std::int32_t> ReadCheck::read(const std::string& text, std::size_t count,

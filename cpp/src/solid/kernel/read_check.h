@@ -12,6 +12,7 @@
 
 #include "solid/kernel/kernel.h"
 #include "solid/model/model.h"
+#include "solid/text/curved_text.h"
 #include "swept/run_context.h"
 #include "swept/solid.h"
 
@@ -27,9 +28,7 @@ class ReadCheck {
   std::vector<std::int32_t> read(const std::string& text, std::size_t faces, RunContext& run);
 
   KernelSession& kernel_;
-  // The last query and its answer. The same faces are checked again if only facets have changed.
-  std::string lastText_;
-  std::vector<std::int32_t> answer_;
+  CurvedText curved_;
 };
 
 }  // namespace swept::step

@@ -14,15 +14,7 @@ class Corners : LabelTools {
   // Three regions that meet at a vertex of the mesh need a common point of their carriers. If there
   // is none, the shortest of the three borders does not exist: the third region covers it.
   bool coverShortBorders() {
-    bool changed = false;
-    std::vector<char> seen(mesh_.points.size(), 0);
-    for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
-      const std::int32_t v = mesh_.origin(static_cast<std::int32_t>(h));
-      if (seen[v]) continue;
-      seen[v] = 1;
-      changed = coverAt(static_cast<std::int32_t>(h)) || changed;
-    }
-    return changed;
+    return anyVertex([this](std::int32_t h) { return coverAt(h); });
   }
 
   bool coverAt(std::int32_t first) {

@@ -51,6 +51,21 @@ class LabelTools {
 
   bool isBorder(std::int32_t h) const { return of_[h / 3] != of_[mesh_.opposite[h] / 3]; }
 
+  // Calls visit(half-edge that starts there) for each vertex of the mesh. Returns whether one of
+  // the calls returned true.
+  template <class Visit>
+  bool anyVertex(const Visit& visit) const {
+    bool changed = false;
+    std::vector<char> seen(mesh_.points.size(), 0);
+    for (std::size_t i = 0; i < mesh_.opposite.size(); ++i) {
+      const auto h = static_cast<std::int32_t>(i);
+      if (seen[mesh_.origin(h)]) continue;
+      seen[mesh_.origin(h)] = 1;
+      changed = visit(h) || changed;
+    }
+    return changed;
+  }
+
   // Triangles of one region around the origin of a border half-edge, from that on.
   std::vector<std::int32_t> fanFrom(std::int32_t h) const {
     std::vector<std::int32_t> fan;

@@ -71,15 +71,7 @@ class Tidier : LabelTools {
   // it is near its carrier, the smallest fan of triangles first. So narrow strips become connected,
   // and borders do not touch themselves.
   bool untouch() {
-    bool changed = false;
-    std::vector<char> seen(mesh_.points.size(), 0);
-    for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
-      const std::int32_t v = mesh_.origin(static_cast<std::int32_t>(h));
-      if (seen[v]) continue;
-      seen[v] = 1;
-      changed = untouchAt(static_cast<std::int32_t>(h)) || changed;
-    }
-    return changed;
+    return anyVertex([this](std::int32_t h) { return untouchAt(h); });
   }
 
   bool untouchAt(std::int32_t first) {
