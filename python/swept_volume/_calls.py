@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs: options by name, results that can be pickled, what was found in the log."""
+"""Runs: options by name, results that can be pickled, findings in the log."""
 from __future__ import annotations
 
 import logging
@@ -32,9 +32,9 @@ Report = Dict[str, Any]
 
 
 class RunContext(_core.RunContext):
-    """Watches and cancels one run from any thread: cancel(), cancelled, progress (0 to 1), phase.
-    threads: None for all cores; memory_limit_mb: None for three quarters of what is free. In a with
-    block, whatever leaves it early cancels the run."""
+    """Watches and cancels one run, from any thread: cancel(), cancelled, progress (0 to 1), phase.
+    threads: None for all cores; memory_limit_mb: None for three quarters of the free memory. Used in a
+    with statement, it cancels the run if the block is left early."""
 
     def __init__(
         self, threads: Optional[int] = None, memory_limit_mb: Optional[float] = None
@@ -59,9 +59,9 @@ class RunContext(_core.RunContext):
 
 
 class Result:
-    """Of compute(): mesh, report (dict), contact_time (float64 (N,): s at which the surface point is
-    touched; may be empty), feature_edges (int32 (E, 2): vertex pairs along creases; may be empty),
-    sources (Sources; None unless asked for). The arrays are read-only."""
+    """The result of compute(): mesh, report (dict), contact_time (float64 (N,): time in s at which the
+    body touches the vertex; may be empty), feature_edges (int32 (E, 2): pairs of vertices along creases;
+    may be empty), sources (Sources; None unless requested). The arrays are read-only."""
 
     __slots__ = ("mesh", "report", "contact_time", "feature_edges", "_sources", "_core")
     mesh: Mesh
@@ -95,27 +95,27 @@ class Result:
 
     @property
     def sources(self) -> Optional[Sources]:
-        """What made each triangle, where it was asked for: as arrays when they are first wanted."""
+        """Returns what made each triangle, if requested; the arrays are made at the first call."""
         if self._sources is None and self._core is not None and self._core.sources is not None:
             self._sources = Sources._of_core(self._core.sources)
         return self._sources
 
     @property
     def vertices(self) -> Floats:
-        """Those of the mesh."""
+        """Returns those of the mesh."""
         return self.mesh.vertices
 
     @property
     def triangles(self) -> Integers:
-        """Those of the mesh."""
+        """Returns those of the mesh."""
         return self.mesh.triangles
 
     def recut(self, tolerance: float, *, run: Optional[RunContext] = None) -> Result:
-        """The same envelope simplified to another tolerance (mm; 0: not at all) without sampling
-        again. Only for a result that was computed with a tolerance, and not for a copy that was
-        pickled: the surface before simplification stays behind."""
+        """Returns the same envelope, simplified with another tolerance (mm; 0: no simplification), without
+        sampling again. The result must have been computed with a tolerance. A pickled copy cannot be
+        recut, because it has no surface before simplification."""
         if self._core is None:
-            raise bad_option("a copy of a result cannot be cut again: compute it here")
+            raise bad_option("a pickled copy of a result cannot be recut; compute the result again")
         return Result._of_core(self._core.recut(tolerance, run))
 
     def __reduce__(self) -> Tuple[Any, ...]:
@@ -135,7 +135,7 @@ class Result:
 
 
 def _given(**options: Any) -> Dict[str, Any]:
-    """What the caller has set; resolution and cell exclude one another, as in the program."""
+    """Returns the options that the caller has set. resolution and cell exclude one another."""
     refuse_both(options.get("resolution"), options.get("cell"))
     if options.get("cell") is not None and not options["cell"] > 0:
         raise bad_option("cell must be greater than 0 mm")
@@ -169,25 +169,25 @@ def compute(
     memory_limit_mb: Optional[float] = None,
     run: Optional[RunContext] = None,
 ) -> Result:
-    """Envelope of a body moved along a motion.
+    """Computes the envelope of a body that moves along a motion.
 
-    interpolation   between two poses, where it is not the motion's own: none, linear or screw
-    resolution      cells along the longest side of the sweep (128), or
+    interpolation   between two poses: none, linear or screw; default: that of the motion
+    resolution      cells along the longest side of the swept volume (128), or
     cell            size of a cell, mm
-    tolerance       mm, simplification: how far the surface may be left
-    offset          mm, safety distance by which the envelope is grown
+    tolerance       mm, how far simplification may move the surface
+    offset          mm, distance by which the envelope is grown
     conservative    the envelope provably contains the swept volume
-    keep_cavities   sealed-off hollow spaces stay as inner shells
-    components      for research; only consistent keeps the promise of a closed manifold
+    keep_cavities   enclosed cavities are kept as inner shells
+    components      for research; only consistent guarantees a closed manifold
     backend         auto, cpu or gpu
     cull            leave out faces that are provably enclosed
-    position_filter mm; drop poses while the body stays within this
-    chord           cells: how far a point may leave the refined motion's chord (0.02)
-    weld            of the box diagonal: vertices along open edges that are nearer are joined (1e-6)
-    sources         tell what made each triangle (Result.sources); neither with an offset nor with
-                    conservative
-    threads         None: all cores; memory_limit_mb None: three quarters of what is free
-    run             watches and cancels
+    position_filter mm; skips a pose if no point of the body has moved farther since the last pose used
+    chord           cells; largest deviation of the computed motion from the true one (0.02)
+    weld            fraction of the box diagonal; closer vertices along open edges are joined (1e-6)
+    sources         record what made each triangle (Result.sources); not with offset or conservative
+    threads         None: all cores
+    memory_limit_mb None: three quarters of the free memory
+    run             watches and cancels the run
 
     Raises Error with .status, .code and .report; TypeError and ValueError for wrong types and shapes.
     """
@@ -235,10 +235,10 @@ def estimate(
     run: Optional[RunContext] = None,
     **options: Any,
 ) -> Dict[str, Any]:
-    """What compute() with the same options would take: grid (3 ints), cell (mm), memory_bytes,
-    seconds, triangles, and useful_filter (mm) where such a position_filter would leave out most poses
-    without changing the result by more than the chord does. trial: some steps are sampled for it,
-    which takes up to a second; without, memory, seconds and triangles are from boxes, and rough."""
+    """Estimates compute() with the same options. Returns grid (3 ints), cell (mm), memory_bytes,
+    seconds, triangles, and useful_filter (mm) if such a position_filter would leave out most poses
+    without changing the result by more than the chord error. trial: samples some steps, which takes up
+    to a second. Without it, memory, seconds and triangles are rough figures from boxes."""
     body, way = mesh_of(mesh), motion_of(motion, interpolation)
     given = _given(resolution=resolution, cell=cell, **options)
     return _core.estimate(
@@ -247,8 +247,8 @@ def estimate(
 
 
 class PreviewSession:
-    """Quick, coarse envelopes of one body while its motion is edited: the checked body stays warm
-    between calls. Options as those of compute(), for all calls."""
+    """Computes quick, coarse envelopes of one body while its motion is edited. The checked body is
+    kept between calls. The options are those of compute() and hold for all calls."""
 
     def __init__(
         self,
@@ -271,8 +271,8 @@ class PreviewSession:
         sketch: bool = False,
         run: Optional[RunContext] = None,
     ) -> Result:
-        """As compute(); from one thread at a time. sketch: the surface alone, neither mended nor
-        checked (finding NotChecked), to be drawn; half the time."""
+        """Like compute(); call it from one thread at a time. sketch: only the surface, neither repaired nor
+        checked (finding NotChecked), for drawing; takes half the time."""
         way = motion_of(motion, interpolation)
         return Result._of_core(self._session.compute(way._arrays(), way.interpolation, run, sketch))
 
@@ -303,17 +303,18 @@ def write_solid(
     run: Optional[RunContext] = None,
     origin: Optional[Tuple[Result, Mesh, MotionLike]] = None,
 ) -> Dict[str, Any]:
-    """Closed mesh -> solid in a STEP (.step, .stp) or BREP (.brep, .brp) file, read back and checked
-    before it replaces an old one, which no_clobber refuses. tolerance: mm, 0 for exact unless a limit
-    asks for more; strict refuses a solid that is farther from the mesh. Returns solids, faces,
-    faces_by_kind, valid, tolerance, deviation, volume, warnings ... as "solid" in README.md.
+    """Converts a closed mesh to a solid in a STEP (.step, .stp) or BREP (.brep, .brp) file. The file is
+    read back and checked before it replaces an old one; no_clobber never replaces a file. tolerance: mm,
+    0 for an exact solid unless a limit requires a tolerance; strict refuses a solid that deviates more.
+    Returns solids, faces, faces_by_kind, valid, tolerance, deviation, volume, warnings ...; see "solid"
+    in docs/report.md.
 
-    reader: checks the text of a STEP file in place of the core's OpenCASCADE, which a core from a wheel
-    does not have; help(_swept.write_solid) says what it returns.
+    reader: checks the text of a STEP file in place of OpenCASCADE, which a core from a wheel does not
+    have; help(_swept.write_solid) says what it returns.
 
     origin: (result, body, motion) of the mesh. With a tolerance, the solid then gets the faces that
-    the sweep really has on straight steps. result: computed with sources=True; body: from read_body()
-    of a STEP or BREP file; motion: that of the result, no pose skipped. Raises ExportFailed
+    the body really sweeps on straight steps. result: computed with sources=True; body: from read_body()
+    of a STEP or BREP file; motion: that of the result, with all its poses. Raises ExportFailed
     (BadOption) if they do not belong together."""
     body = mesh_of(mesh)
     report = _core.write_solid(
@@ -341,7 +342,7 @@ def write_solid(
 
 
 def _origin_of(result: Result, body: Mesh, motion: MotionLike) -> Tuple[Any, ...]:
-    """The origin of a solid in the form of the core."""
+    """Returns the origin of a solid in the form of the core."""
     sources = result._core.sources if result._core is not None else None
     if sources is None:
         raise bad_option("the result has no sources: compute it with sources=True")
@@ -360,12 +361,12 @@ def estimate_solid(
     quick: bool = False,
     **options: Any,
 ) -> Dict[str, Any]:
-    """What write_solid() with the same options would take, from a trial that builds the solid and writes
-    no file: triangles, faces, megabytes (of a 'step' or 'brep' file), seconds (elapsed), tolerance and
-    deviation (mm), tried.
+    """Estimates write_solid() with the same options. Builds the solid, but writes no file. Returns
+    triangles, faces, megabytes (of a 'step' or 'brep' file), seconds (elapsed), tolerance and deviation
+    (mm), tried.
 
-    quick: from a look at the mesh, microseconds a triangle. Then tried is False, and faces, megabytes and
-    seconds are upper bounds, far too large where surfaces are recognised. Raises ExportFailed where
-    write_solid() would refuse the mesh or its options, Cancelled."""
+    quick: only looks at the mesh, which takes microseconds for each triangle. Then tried is False, and
+    faces, megabytes and seconds are upper bounds, far too large if surfaces are recognised. Raises
+    ExportFailed if write_solid() would refuse the mesh or its options, Cancelled."""
     body = mesh_of(mesh)
     return _core.estimate_solid(body.vertices, body.triangles, run, format, quick, **options)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Distances of a moving body to its neighbours over a whole motion, and rules for neighbours."""
+"""Distances of a moving body from its neighbours over a whole motion, and rules for neighbours."""
 from __future__ import annotations
 
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
@@ -17,7 +17,7 @@ Rules = Mapping[str, Union[float, str]]
 
 
 def rule_texts(rules: Optional[Rules]) -> List[str]:
-    """As the core takes them. Raises TypeError."""
+    """Returns the rules in the form of the core. Raises TypeError."""
     texts = []
     for name, rule in (rules or {}).items():
         if isinstance(rule, bool) or not isinstance(rule, (str, int, float, np.number)):
@@ -53,11 +53,11 @@ def clearance(
     rules: Optional[Rules] = None,
     run: Optional[RunContext] = None,
 ) -> Dict[str, Any]:
-    """Smallest distance of a moving body to each neighbour over the whole motion; nothing between two
-    poses is missed. neighbours: (name, mesh) or (name, mesh, chord error). Lengths in mm; chord errors
-    not given are those of the meshes. rules: what neighbours ask for instead of the common required
-    distance, {"bolt*": "contact:0.1", "cover": 5.0, "hose": "ignore"}. Returns the report, as
-    docs/clearance.md says."""
+    """Measures the smallest distance of a moving body from each neighbour over the whole motion. No
+    approach between two poses is missed. neighbours: (name, mesh) or (name, mesh, chord error). Lengths
+    in mm; a chord error that is not given is that of the mesh. rules: for neighbours that do not follow
+    the common required distance: {"bolt*": "contact:0.1", "cover": 5.0, "hose": "ignore"}. Returns the
+    report (docs/clearance.md)."""
     body, way = mesh_of(mesh), motion_of(motion, interpolation)
     report: Dict[str, Any] = _core.clearance(
         body.vertices,
@@ -88,9 +88,9 @@ def first_contacts(
     body_chord: Optional[float] = None,
     run: Optional[RunContext] = None,
 ) -> Dict[str, str]:
-    """What the body touches at the first pose of its motion, as rules for clearance() that allow it:
-    {"flange": "contact", "bearing": "contact:0.09"}; take out what is not meant. Arguments as those of
-    clearance()."""
+    """Returns the contacts of the body at the first pose of its motion, as rules for clearance() that
+    allow them: {"flange": "contact", "bearing": "contact:0.09"}. Remove contacts that are not intended.
+    The arguments are those of clearance()."""
     body, way = mesh_of(mesh), motion_of(motion, interpolation)
     parts = [_neighbour(item) for item in neighbours]
     texts = _core.first_contacts(
@@ -114,7 +114,7 @@ def first_contacts(
 def distance_to_mesh(
     points: npt.ArrayLike, mesh: MeshLike, *, run: Optional[RunContext] = None
 ) -> Floats:
-    """Distance of each point (N, 3) to a mesh, mm; negative inside if the mesh is closed."""
+    """Returns the distance of each point (N, 3) from a mesh, mm; negative inside a closed mesh."""
     body = mesh_of(mesh)
     checked = frozen(points, np.float64, (-1, 3), "points")
     return _core.distance_to_mesh(checked, body.vertices, body.triangles, run)

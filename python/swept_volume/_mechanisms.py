@@ -37,14 +37,14 @@ def mechanism(
     rules: Iterable[Tuple[str, str, Union[str, float]]] = (),
     run: Optional[RunContext] = None,
 ) -> Dict[str, Any]:
-    """Smallest distance between each two of the parts over the time that all motions share; nothing
-    between two poses is missed. parts: (name, mesh, motion) or (name, mesh, motion, chord error), motion
-    None for a part that stands still where its mesh has it. Times in s, lengths in mm. Pairs that come
-    nearer than `range` (0: a tenth of the size of the parts) are measured and listed; ignored: pairs of
-    names that are not looked at; rules: (name, name, rule) of pairs that ask for something of their own, a
-    rule as clearance() takes it (mm, 'contact', 'contact:MM', 'ignore'). Returns the report, as
-    docs/clearance.md says. Raises InvalidInput (NoParts, PartTwice, UnknownPart, BadRule, NothingMoves,
-    NoCommonTime, NotInterpolated, EqualTimes), Cancelled.
+    """Measures the smallest distance between each two parts over the time that all motions share. No
+    approach between two poses is missed. parts: (name, mesh, motion) or (name, mesh, motion, chord
+    error); motion None: the part stands still at the place of its mesh. Times in s, lengths in mm. Pairs
+    that come closer than `range` (0: a tenth of the size of the parts) are measured and listed. ignored:
+    pairs of names that are not checked. rules: (name, name, rule) for single pairs, with rules as for
+    clearance() (mm, 'contact', 'contact:MM', 'ignore'). Returns the report (docs/clearance.md). Raises
+    InvalidInput (NoParts, PartTwice, UnknownPart, BadRule, NothingMoves, NoCommonTime, NotInterpolated,
+    EqualTimes), Cancelled.
     """
     report: Dict[str, Any] = _core.mechanism(
         [_part(item) for item in parts],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that stand still against each other: distances, depths and shared solids."""
+"""Comparison of parts that stand still: distances, depths and shared solids."""
 from __future__ import annotations
 
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
@@ -28,11 +28,11 @@ def overlap(
     shared: bool = True,
     run: Optional[RunContext] = None,
 ) -> Tuple[Dict[str, Any], List[Optional[Mesh]]]:
-    """Each two of some parts that stand still: the smallest distance, or how deep they lie in each other,
-    and the solid that they share. parts: (name, mesh) or (name, mesh, chord error in mm), such as envelopes
-    and other reserved spaces. Lengths in mm, volumes in mm^3. Returns the report, as docs/overlap.md says,
-    and for each of its pairs the shared solid, None where there is none or shared=False. Raises InvalidInput
-    (NoParts, PartTwice), Cancelled.
+    """Measures, for each two of some parts that stand still, the smallest distance, or the depth of the
+    overlap and the shared volume. parts: (name, mesh) or (name, mesh, chord error in mm), such as
+    envelopes and other reserved spaces. Lengths in mm, volumes in mm^3. Returns the report
+    (docs/overlap.md), and for each of its pairs the mesh of the shared volume; None if there is none, or
+    if shared=False. Raises InvalidInput (NoParts, PartTwice), Cancelled.
     """
     report, found = _core.overlap([_part(item) for item in parts], required, tolerance, shared, run)
     _log(report["warnings"])

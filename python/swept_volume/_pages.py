@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pages: what a report says, as one HTML file for people."""
+"""Pages: a report as one HTML file for people."""
 from __future__ import annotations
 
 import json
@@ -43,7 +43,7 @@ def report_page(
     view_triangles: int = 50000,
     run: Optional[RunContext] = None,
 ) -> str:
-    """One HTML file, as text, that tells what a report of clearance() or mechanism() says: it needs no
+    """Returns one HTML file, as text, that shows a report of clearance() or mechanism(). It needs no
     other file and no network. parts and envelope (translucent) are shown in a 3D view, with about
     view_triangles triangles. language: en or de; date: free text; template: text with {{placeholders}}
     in place of page_template(). Raises InvalidInput (BadReport, BadTemplate, BadOption), Cancelled.
@@ -70,6 +70,6 @@ def report_page(
 
 
 def page_template(name: str = "page") -> str:
-    """A template of the program, to be changed and given to report_page(): "page", or "print" (simple
-    HTML without a 3D view, for Qt's text documents). Raises InvalidInput (BadOption)."""
+    """Returns a built-in template, which can be changed and given to report_page(): "page", or "print"
+    (simple HTML without a 3D view, for Qt's text documents). Raises InvalidInput (BadOption)."""
     return _core.page_template(name)

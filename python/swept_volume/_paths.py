@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Installation paths: found, and made better."""
+"""Installation paths: searches for a path, and improves one."""
 from __future__ import annotations
 
 from typing import Any, Dict, Iterable, Optional, Sequence, Tuple, Union
@@ -32,11 +32,12 @@ def find_path(
     rules: Optional[Rules] = None,
     run: Optional[RunContext] = None,
 ) -> Tuple[Dict[str, Any], Optional[Motion]]:
-    """A motion that brings a part to its goal and keeps the clearance (mm) from every neighbour, between
-    its keys as well. goal, start, via: matrices (4, 4); extract, instead of a start: a radius in mm or
-    a direction (x, y, z). Contact is allowed until the part is `release` mm out. rules: as those of
-    clearance(), but no contact at any time. max_angle in rad,
-    budget in s. Returns the report (docs/paths.md) and the motion, None where none was found."""
+    """Searches for a motion that brings a part to its goal and keeps the clearance (mm) from every
+    neighbour, also between its keys. goal, start, via: matrices (4, 4). extract, in place of a start: a
+    radius in mm or a direction (x, y, z). Contact is allowed while no point of the part is farther than
+    `release` (mm) from its place at that end. rules: as for clearance(), but without contact. max_angle
+    in rad, budget in s. Returns the report (docs/paths.md) and the motion; None if none was found.
+    """
     body = mesh_of(mesh)
     report, arrays = _core.find_path(
         body.vertices,
@@ -82,11 +83,11 @@ def improve_path(
     rules: Optional[Rules] = None,
     run: Optional[RunContext] = None,
 ) -> Tuple[Dict[str, Any], Optional[Motion]]:
-    """A motion made better: what is nearer to a neighbour than the clearance (mm) is led another way where
-    one is found, the rest made shorter, with fewer keys; with more_clearance as far from the neighbours as
-    can be had. The ends and the keys in `locked` (indices from 0) stay; what lies within `release` mm of the
-    ends may be nearer and stays as it was. Returns the report (docs/paths.md) and the motion, None where
-    nothing keeps the clearance."""
+    """Improves a motion: sections that are closer to a neighbour than the clearance (mm) get another way
+    if one is found; the rest becomes shorter, with fewer keys. With more_clearance, the distance from the
+    neighbours becomes as large as possible. The ends and the keys in `locked` (indices from 0) stay.
+    Sections within `release` (mm) of the ends may be closer and stay as they are. Returns the report
+    (docs/paths.md) and the motion; None if nothing keeps the clearance."""
     body, path = mesh_of(mesh), motion_of(motion, interpolation)
     report, arrays = _core.improve_path(
         body.vertices,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The file with the report of a command: never an input or another output, whole or not at all. "-" is
-standard output."""
+"""The file with the report of a command. It is never an input or another output, and is written completely
+or not at all. "-" is standard output.
+"""
 from __future__ import annotations
 
 import os
@@ -19,15 +20,15 @@ def _failed(code: str, message: str) -> _core.Error:
 
 
 def _target(path: str) -> str:
-    """Where the report comes to stand: links are followed. A terminal or a pipe is no file."""
+    """Returns the file of the report: links are followed. A terminal or a pipe is no file."""
     return os.path.realpath("/dev/stdout" if path == "-" else path)
 
 
 def check_report(
     path: str, inputs: Sequence[str], folder: str, results: Sequence[str], no_clobber: bool
 ) -> None:
-    """To be called before anything is computed. inputs: names of files; results: names in `folder`, of
-    files and of folders with files. Raises InvalidInput (SameFile), ExportFailed (Exists,
+    """Checks the name of the report before anything is computed. inputs: names of files; results: names
+    in `folder`, of files and of folders with files. Raises InvalidInput (SameFile), ExportFailed (Exists,
     MissingFolder, BadTarget, ReadOnly)."""
     target = _target(path)
     is_file = os.path.isfile(target)
@@ -46,16 +47,20 @@ def check_report(
         raise _failed("Exists", text)
     parent = os.path.dirname(target)
     if not os.path.isdir(parent):
-        raise _failed("MissingFolder", f"cannot write '{path}': there is no folder '{parent}'")
+        raise _failed(
+            "MissingFolder", f"cannot write '{path}': the folder '{parent}' does not exist"
+        )
     if os.path.exists(target) and not is_file:
-        raise _failed("BadTarget", f"cannot write '{path}': it is no normal file")
+        raise _failed(
+            "BadTarget", f"cannot write '{path}': it is not an ordinary file; choose another name"
+        )
     if not os.access(parent, os.W_OK) or (is_file and not os.access(target, os.W_OK)):
         raise _failed("ReadOnly", f"cannot write '{path}': it or its folder is write-protected")
 
 
 def silence_output() -> None:
-    """What still waits for a reader who has gone is dropped, so that the end of the program says nothing
-    of it."""
+    """Drops output that waits for a reader who has gone, so that Python prints no error about it when
+    the program ends."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
@@ -70,7 +75,7 @@ def _print(text: str) -> None:
 
 
 def write_report(path: str, text: str) -> None:
-    """An old file is replaced by the whole new one, with its permissions. Raises ExportFailed."""
+    """Replaces an old file by the complete new one, which gets its permissions. Raises ExportFailed."""
     if path == "-":
         _print(text)
         return
@@ -88,7 +93,7 @@ def write_report(path: str, text: str) -> None:
 
 
 def _mode(target: str) -> int:
-    """Of the old file, or of one that is made without further ado."""
+    """Returns the permissions of the old file, or those of a new file."""
     if os.path.exists(target):
         return stat.S_IMODE(os.stat(target).st_mode)
     mask = os.umask(0)

@@ -15,10 +15,10 @@ from ._values import MeshLike, Motion, MotionLike, matrix, mesh_of, motion_of, w
 
 @dataclass(frozen=True)
 class SequencePart:
-    """A part, where it belongs and how it comes there. goal, start, via: matrices (4, 4), the goal where
-    its mesh has it unless given; extract, instead of a start: a radius in mm or a direction (x, y, z).
-    Instead of all of these a motion that ends where the part belongs. chord_error in mm, that of the
-    mesh unless given."""
+    """A part, its installed position, and how it gets there. goal, start, via: matrices (4, 4); without
+    a goal, the part is installed at the place of its mesh. extract, in place of a start: a radius in mm
+    or a direction (x, y, z). motion, in place of all these: a motion that ends in the installed position.
+    chord_error in mm; default: that of the mesh."""
 
     name: str
     mesh: MeshLike
@@ -59,14 +59,14 @@ def find_sequence(
     rules: Iterable[Tuple[str, str, Union[str, float]]] = (),
     run: Optional[RunContext] = None,
 ) -> Tuple[Dict[str, Any], Optional[Dict[str, Motion]]]:
-    """Motions of parts that are installed one after the other, each clear of the neighbours and of what is
-    installed by then: in the order given, or with order="find" in one that is found by taking apart.
-    rules: (name, name, rule) of pairs that ask for a distance of their own (mm) or are not looked at
-    ("ignore", as `ignored`). The budget (s) is that of all searches; most_moves ends a search in six
-    dimensions after so many moves, the same on every machine. The rest as for find_path(). Returns the
-    report (docs/paths.md) and, by name, the motion of each part on one common timeline; None where not
-    all have a path. Raises InvalidInput (NoParts, PartTwice, PartsIntersect, PartsTooNear, ... and what
-    find_path() refuses), Cancelled."""
+    """Searches for motions of parts that are installed one after the other. Each part keeps its distance
+    from the neighbours and from the parts already in place. The order is the given one; with order="find",
+    it is found by taking the parts out. rules: (name, name, rule) for single pairs: a required distance
+    (mm), or "ignore" (like `ignored`). The budget (s) is for all searches together. most_moves limits the
+    moves of a search with turns; the result is then the same on every machine. The other arguments are
+    those of find_path(). Returns the report (docs/paths.md) and, by name, the motion of each part on a
+    common time axis; None if not all parts have a path. Raises InvalidInput (NoParts, PartTwice,
+    PartsIntersect, PartsTooNear, ... and the codes of find_path()), Cancelled."""
     given: List[SequencePart] = list(parts)
     report, arrays = _core.find_sequence(
         [part._tuple() for part in given],

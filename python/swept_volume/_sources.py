@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made each triangle of an envelope: values that can be pickled."""
+"""What made each triangle of an envelope, as values that can be pickled."""
 from __future__ import annotations
 
 from typing import Any, Tuple
@@ -15,19 +15,20 @@ from ._values import Floats, Integers, frozen
 class Sources:
     """What made each of the M triangles of an envelope. All arrays are read-only.
 
-    kind    int8 (M,): index into KINDS; -1 where nothing is known
-    faces   int32 (M, 2): the face of a cap or graze and -1; the two faces beside an edge, or those of a
-            graze that meet smoothly, the smaller first
+    kind    int8 (M,): index into KINDS; -1: unknown
+    faces   int32 (M, 2): for a cap or graze, the face and -1; for an edge, its two faces, and for a graze
+            between faces that meet smoothly, these two, the lower one first
     step    int32 (M,): pose of a cap; pose at which the step of an edge or graze begins; counted from 0
-    time    float64 (M,), s; nan where nothing is known
-    point   float64 (M, 3), mm: a point of the exact surface beside the triangle, through which the face
-            or edge passes at that time; nan where nothing is known
+    time    float64 (M,), s; nan: unknown
+    point   float64 (M, 3), mm: a point of the exact surface near the triangle, through which the face
+            or edge passes at that time; nan: unknown
 
-    A cap is a face of the body as it lies at one pose. An edge was swept by an edge of the body, where
-    two faces meet at 8 degrees or more. A graze was swept by the inside of a face that the sweep touches
-    along a curve, by a face that slides along itself, or by two faces that meet smoothly. Faces are
-    numbered as in Mesh.faces; of a mesh without, triangles of the body are its faces. Of a simplified
-    envelope each triangle has what made the largest part of its area."""
+    A cap is a face of the body at one pose. An edge was swept by an edge of the body, where two faces meet
+    at 8 degrees or more. A graze was swept by the interior of a face that touches the envelope along a
+    curve, by a face that slides along itself, or by two faces that meet smoothly. Faces are numbered as in
+    Mesh.faces; if the mesh has none, each triangle of the body is a face. A triangle of a simplified
+    envelope has the source that made the largest part of its area.
+    """
 
     KINDS = ("cap", "edge", "graze")
     __slots__ = ("kind", "faces", "step", "time", "point")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Studies: many runs from one file, kept in a folder that knows what is done, with one table."""
+"""Studies: many runs from one file, with one table and a folder that keeps their results."""
 from __future__ import annotations
 
 import csv
@@ -63,7 +63,7 @@ def _worst_neighbour(report: Report) -> Optional[Row]:
 
 
 def _row(run: Run, report: Optional[Report], strict: bool = False) -> Row:
-    """strict: a finding that costs accuracy is a failure."""
+    """Returns the row of a run. strict: a finding that costs accuracy is a failure."""
     row: Row = {"run": run.name, "state": NOT_RUN}
     if report is None:
         return row
@@ -163,7 +163,7 @@ class _Looked:
         self.rows = [_row(one, None) for one in self.study.runs]
 
     def look(self) -> None:
-        """Takes over what an earlier study has left."""
+        """Takes over the results of an earlier study."""
         for number, (one, key) in enumerate(zip(self.study.runs, self.keys)):
             self.take(number, self.folder.earlier(one, key))
 
@@ -173,7 +173,7 @@ class _Looked:
         self.rows[number] = _row(self.study.runs[number], report, self.strict)
 
     def tasks(self) -> List[Task]:
-        """What is left."""
+        """Returns the runs that are not done."""
         found = []
         for number, (one, key) in enumerate(zip(self.study.runs, self.keys)):
             if self.reports[number] is None:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the runs of a study file must hold to beyond their keys: names, files, roles, rules, template. Each
-check adds what is wrong to a list of problems."""
+"""Checks of the runs of a study beyond their keys: names, files, roles, rules, template. Each check adds
+problems to a list.
+"""
 from __future__ import annotations
 
 import os
@@ -20,7 +21,7 @@ _EXACT = (".step", ".stp", ".brep", ".brp")  # files whose solids have names of 
 
 
 def check_names(runs: Sequence[Run], problems: List[str]) -> None:
-    """Names of runs are names of folders, also on systems that do not tell A from a."""
+    """Names of runs become names of folders, also on systems that do not distinguish A from a."""
     seen: Dict[str, str] = {}
     for run in runs:
         if not re.fullmatch(r"[\w()+=,@ .-]{1,120}", run.name) or run.name.strip(" .") != run.name:
@@ -50,8 +51,8 @@ def check_roles(runs: Sequence[Run], problems: List[str]) -> None:
 
 
 def check_rules(runs: Sequence[Run], problems: List[str]) -> None:
-    """As clearance() would refuse them. The names in a STEP or BREP file are known when it is read: with
-    such neighbours only kinds and lengths are checked."""
+    """Refuses rules that clearance() would refuse. The names in a STEP or BREP file are known only when
+    it is read; with such neighbours, only kinds and lengths are checked."""
     seen = set()
     for run in runs:
         rules = rule_texts(run.rules)
@@ -68,7 +69,7 @@ def check_rules(runs: Sequence[Run], problems: List[str]) -> None:
 
 
 def read_template(name: str, folder: pathlib.Path, problems: List[str]) -> str:
-    """Text of a template for pages; "" for none."""
+    """Returns the text of a template for pages; "" for none."""
     if not name:
         return ""
     try:

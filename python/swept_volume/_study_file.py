@@ -41,7 +41,7 @@ class Run:
     options: Mapping[str, Table]
 
     def files(self) -> List[str]:
-        """What it reads."""
+        """Returns the files that the run reads."""
         return list(dict.fromkeys([self.part, self.motion, *self.neighbours]))
 
 
@@ -165,7 +165,7 @@ _OPTIONS: Dict[str, Dict[str, Check]] = {
 
 
 class _Problems(List[str]):
-    """What is wrong with a file, each with its place."""
+    """The problems of a file, each with its place."""
 
     def unknown(self, where: str, key: str, known: Sequence[str]) -> None:
         near = difflib.get_close_matches(key, known, 1)
@@ -202,7 +202,7 @@ def _parsed(path: pathlib.Path) -> Dict[str, Any]:
 
 
 def _checked(table: Table, where: str, problems: _Problems) -> Dict[str, Any]:
-    """The keys of a table [[run]] or [defaults] that are as they must be."""
+    """Returns the keys of a table [[run]] or [defaults] that are valid."""
     good: Dict[str, Any] = {}
     known = {**_RUN_KEYS, **_OPTIONS[""]}
     for key, value in table.items():
@@ -257,11 +257,11 @@ def _combinations(
         return
     stages = tuple(stage for stage in STAGES if stage in table["compute"])
     if "clearance" in stages and not table.get("neighbours"):
-        problems.append(f"{where}: clearance is to be computed, but there are no neighbours")
+        problems.append(f"{where}: compute contains 'clearance', but there are no neighbours")
     if {"cell", "resolution"} <= set(table["envelope"]):
         problems.append(f"{where}, envelope: cell and resolution exclude one another")
     if "solid" in stages and not _core.HAS_SOLIDS:
-        problems.append(f"{where}: this build is without OpenCASCADE and makes no solids")
+        problems.append(f"{where}: this build has no OpenCASCADE and cannot make solids")
     neighbours = tuple(_joined(folder, name) for name in table.get("neighbours", ()))
     used = {*stages, "envelope"} if "solid" in stages else {*stages}  # a solid is made of one
     options: Dict[str, Table] = {s: table[s] for s in STAGES if s in used}
@@ -274,7 +274,7 @@ def _combinations(
 
 
 def _with_pages(run: Run, language: str, template: str) -> Run:
-    """The run, whose page has the language and the template of the study."""
+    """Returns the run with the language and the template of the study for its page."""
     options = run.options.get("clearance", {})
     if not options.get("page"):
         return run
@@ -293,7 +293,7 @@ def read_study(path: Path, output: Optional[Path] = None) -> Study:
             problems.unknown("the file", key, ["study", "defaults", "run"])
     about, tables = parsed.get("study", {}), parsed.get("run", [])
     if not isinstance(about, dict) or not isinstance(tables, list) or not tables:
-        raise _bad_study(file, [*problems, "it has no table [[run]]"])
+        raise _bad_study(file, [*problems, "it has no table [[run]]; add one for each run"])
     for key, value in about.items():
         if key not in _STUDY_KEYS:
             problems.unknown("[study]", key, list(_STUDY_KEYS))

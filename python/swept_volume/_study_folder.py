@@ -36,16 +36,16 @@ def _in_use(path: pathlib.Path) -> _core.InvalidInput:
 
 
 class Folder:
-    """See the module's head. Results are put in their place once they are whole."""
+    """The folder of results. Results are moved into place when they are complete."""
 
     def __init__(self, path: pathlib.Path) -> None:
         self.path = path
 
     @contextlib.contextmanager
     def filled_alone(self) -> Iterator[None]:
-        """Only one study at a time fills a folder. The lock belongs to the process: it is free when the
-        process has ended, however that was. The empty file stays. Raises InvalidInput (FolderInUse), OSError.
-        Windows has no such lock."""
+        """Allows only one study at a time to fill a folder. The lock belongs to the process and is free when
+        the process has ended, in whatever way. The empty file remains. Raises InvalidInput (FolderInUse),
+        OSError. Windows has no such lock."""
         self.path.mkdir(parents=True, exist_ok=True)
         handle = os.open(self.path / _LOCK, os.O_RDWR | os.O_CREAT, 0o666)
         try:
@@ -60,12 +60,12 @@ class Folder:
             os.close(handle)
 
     def remove_partial(self) -> None:
-        """What a study that was stopped has left."""
+        """Removes what a stopped study has left."""
         for left in self.path.glob(PARTIAL + "*"):
             shutil.rmtree(left, ignore_errors=True)
 
     def earlier(self, run: Run, key: str) -> Optional[Report]:
-        """The report of an earlier run of the same input with the same options, unless it failed."""
+        """Returns the report of an earlier run with the same input and options, unless it failed."""
         folder = self.path / run.name
         try:
             report: Report = json.loads((folder / REPORT_FILE).read_text(encoding="utf-8"))
@@ -76,7 +76,7 @@ class Folder:
         return report if whole and same else None
 
     def take(self, run: Run, report: Report, filled: Optional[str]) -> None:
-        """Puts the folder that a run filled in the place of an older one."""
+        """Moves the folder that a run filled to its place; it replaces an older one."""
         folder = self.path / run.name
         if filled is None:
             filled = partial_folder(str(self.path))

@@ -16,8 +16,8 @@ from ._values import bad_option
 
 
 def page_date() -> str:
-    """The time of a page; that of SOURCE_DATE_EPOCH (seconds since 1970) where the environment has it.
-    Raises InvalidInput (BadOption)."""
+    """Returns the time for a page: now, or that of the environment variable SOURCE_DATE_EPOCH (seconds
+    since 1970). Raises InvalidInput (BadOption)."""
     given = os.environ.get("SOURCE_DATE_EPOCH")
     try:
         now = time.gmtime(int(given)) if given else time.gmtime()
@@ -28,7 +28,7 @@ def page_date() -> str:
 
 
 def _inputs(study: Study, hashes: Mapping[str, str]) -> List[PageInput]:
-    """Each file once, with the role that it has first."""
+    """Returns each file once, with its first role."""
     rows: Dict[str, PageInput] = {}
 
     def add(role: str, file: str) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One run of a study: reads its files, computes what is asked for, writes results into a folder."""
+"""One run of a study: reads its files, computes its stages, writes the results into a folder."""
 from __future__ import annotations
 
 import hashlib
@@ -27,19 +27,19 @@ _SUFFIXES = {"envelope": "ply", "solid": "step"}  # where the file does not choo
 
 
 def json_text(report: Mapping[str, Any]) -> str:
-    """As reports stand in files."""
+    """Returns the JSON text of a report, as it is written to files."""
     return json.dumps(report, indent=1) + "\n"
 
 
 def partial_folder(output: str) -> str:
-    """A new folder below output, to be filled."""
+    """Makes a new folder below output, to be filled."""
     folder = os.path.join(output, PARTIAL + uuid.uuid4().hex)
     os.mkdir(folder)
     return folder
 
 
 def file_hash(path: str) -> str:
-    """SHA-256 of a file's bytes."""
+    """Returns the SHA-256 of a file."""
     digest = hashlib.sha256()
     with open(path, "rb") as file:
         while block := file.read(1 << 20):
@@ -48,7 +48,7 @@ def file_hash(path: str) -> str:
 
 
 def run_key(run: Run, hashes: Mapping[str, str]) -> str:
-    """What the results of a run depend on, as one hash: the version of the core, the bytes of the
+    """Returns one hash of all that the results of a run depend on: the version of the core, the bytes of the
     files with the names that appear in reports, rules and options."""
     files = [[pathlib.PurePath(file).name, hashes[file]] for file in run.files()]
     roles = [run.part, run.motion, *run.neighbours]
@@ -58,19 +58,19 @@ def run_key(run: Run, hashes: Mapping[str, str]) -> str:
 
 
 def output_name(run: Run, stage: str) -> str:
-    """Of the file with a stage's result; a clearance has none beside the report."""
+    """Returns the file name of a stage's result. A clearance has none besides the report."""
     suffix = run.options[stage].get("format", _SUFFIXES[stage])
     return f"{stage}.{suffix}"
 
 
 def output_names(run: Run) -> List[str]:
-    """Of all files with results, without the report."""
+    """Returns the file names of all results, without the report."""
     names = [output_name(run, stage) for stage in run.compute if stage in _SUFFIXES]
     return names + [PAGE_FILE] * run.options.get("clearance", {}).get("page", False)
 
 
 class _Stages:
-    """The stages of one run; what several of them need is read or computed once."""
+    """The stages of one run. What several stages need is read or computed only once."""
 
     def __init__(
         self,
@@ -176,7 +176,7 @@ def _failure(error: BaseException) -> Report:
 
 
 def failed(run: Run, key: str, status: str, code: str, message: str) -> Report:
-    """The report of a run that did not come to its end."""
+    """Returns the report of a run that did not end normally."""
     found = {"status": status, "code": code, "message": message}
     return {
         "report_version": 1,
@@ -189,7 +189,7 @@ def failed(run: Run, key: str, status: str, code: str, message: str) -> Report:
 
 
 def state_of(report: Mapping[str, Any]) -> str:
-    """done, not clear (a neighbour does not meet its rule) or failed."""
+    """Returns done, not clear (a neighbour does not meet its rule) or failed."""
     if report["status"] != "Ok":
         return FAILED
     rows = report.get("clearance", {}).get("neighbours", ())

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Who computes the runs of a study: processes of this machine, or the workers of a dask cluster.
+"""The workers of a study: processes of this machine, or the workers of a dask cluster.
 
 A process of this machine reads tasks from its standard input and writes their reports, both pickled
-(serve()). When it dies, its run has failed and a new process goes on.
+(serve()). If it dies, its run has failed, and a new process takes its place.
 """
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ Done = Tuple[int, Report, Optional[str]]  # number of the run, its report, the f
 
 
 class Task(NamedTuple):
-    """What a worker needs for one run."""
+    """The data that a worker needs for one run."""
 
     number: int
     run: Run
@@ -43,7 +43,7 @@ class Task(NamedTuple):
 
 
 def cores() -> int:
-    """That this process may use."""
+    """Returns the number of cores that this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
@@ -57,7 +57,7 @@ def _ended(code: int) -> str:
 
 
 class _Process:
-    """One process of this machine; started again when it has died."""
+    """One process of this machine; it is started again after it has died."""
 
     def __init__(self, threads: int) -> None:
         self._threads = threads
@@ -82,7 +82,7 @@ class _Process:
             return self._child
 
     def compute(self, task: Task) -> Optional[Done]:
-        """None: it was stopped."""
+        """Computes a task. Returns None if the process was stopped."""
         child = self._running()
         if child is None:
             return None
@@ -102,7 +102,7 @@ class _Process:
             return task.number, report, None
 
     def stop(self) -> None:
-        """From any thread; a run that is computed is given up."""
+        """Stops the process and gives up its run. Any thread may call it."""
         with self._lock:
             self._stopped = True
             child = self._child
@@ -157,7 +157,8 @@ def _distributed() -> Any:
         return importlib.import_module("distributed")
     except ImportError as error:
         raise bad_option(
-            "a scheduler needs dask.distributed (python3-distributed), which is not installed"
+            "a scheduler needs dask.distributed, which is not installed; install it (on Debian: the "
+            "package python3-distributed)"
         ) from error
 
 
@@ -167,7 +168,7 @@ def _threads_of_worker() -> int:
 
 
 def _on_worker(task: Task) -> Tuple[Report, Optional[str]]:
-    """For folders that all machines share."""
+    """Computes a task on a machine that shares the folders."""
     return execute(task.run, task.key, task.output, task.hashes, _threads_of_worker())
 
 
@@ -175,7 +176,8 @@ Sent = Tuple[Report, Dict[str, bytes]]
 
 
 def _on_worker_with_files(task: Task, files: Dict[str, bytes]) -> Sent:
-    """For machines that share no folder: the inputs come with the task, the results go back with it."""
+    """Computes a task on a machine that shares no folder: the inputs come with the task, and the results
+    go back with its report."""
     with tempfile.TemporaryDirectory(prefix="swept-study-") as place:
         where = {}
         for number, (name, data) in enumerate(files.items()):
@@ -258,7 +260,7 @@ def _as_they_end(
 
 
 def serve(threads: int) -> None:
-    """The loop of a process: tasks from standard input, reports to standard output."""
+    """Reads tasks from standard input and writes reports to standard output, until the input ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the study tells its processes when to end
     reports = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # nothing else writes between the reports

@@ -17,31 +17,31 @@ Integers = npt.NDArray[np.int32]
 
 
 def core_error(kind: Type[Failure], code: str, message: str) -> Failure:
-    """An error as the core raises it."""
+    """Returns an error of the kind that the core raises."""
     error = kind(message)
     error.status, error.code, error.report = kind.__name__, code, None
     return error
 
 
 def bad_option(message: str) -> _core.InvalidInput:
-    """The error of options that cannot be had."""
+    """Returns the error for options that are not allowed."""
     return core_error(_core.InvalidInput, "BadOption", message)
 
 
 def refuse_both(resolution: Optional[int], cell: Optional[float]) -> None:
-    """Raises InvalidInput where both are given, as the program does."""
+    """Raises InvalidInput if both are given."""
     if resolution is not None and cell is not None:
-        raise bad_option("resolution and cell exclude one another; give one of them")
+        raise bad_option("resolution and cell exclude one another; give only one of them")
 
 
 def require_file(path: Path) -> None:
-    """Raises the system's own error (FileNotFoundError, PermissionError ...) for what cannot be read."""
+    """Raises the error of the system (FileNotFoundError, PermissionError ...) if a file cannot be read."""
     with open(path, "rb"):
         pass
 
 
 def frozen(values: Any, dtype: Any, shape: Tuple[int, ...], name: str) -> npt.NDArray[Any]:
-    """A read-only copy; -1 in the shape: any length."""
+    """Returns a read-only copy. -1 in the shape stands for any length."""
     if isinstance(values, np.ma.MaskedArray):
         raise TypeError(f"{name} is a masked array: fill or remove the masked entries first")
     given = np.asarray(values)
@@ -55,14 +55,14 @@ def frozen(values: Any, dtype: Any, shape: Tuple[int, ...], name: str) -> npt.ND
     if np.dtype(dtype).kind == "i" and given.size > 0:
         limits = np.iinfo(dtype)
         if given.min() < limits.min or given.max() > limits.max:
-            raise ValueError(f"{name} holds numbers beyond 32 bits")
+            raise ValueError(f"{name} contains numbers beyond 32 bits")
     array = np.array(given, dtype=dtype, order="C")
     array.setflags(write=False)
     return array
 
 
 def matrix(values: npt.ArrayLike, name: str) -> Floats:
-    """A placement, (4, 4)."""
+    """Returns a placement as a matrix (4, 4)."""
     return frozen(values, np.float64, (4, 4), name)
 
 
@@ -107,7 +107,7 @@ class Mesh:
 
     @classmethod
     def _of_core(cls, mesh: _core.Mesh) -> Mesh:
-        """Looks at the core's arrays, which are read-only, without copying them."""
+        """Returns a view of the arrays of the core, which are read-only, without a copy."""
         made = cls.__new__(cls)
         made.vertices, made.triangles = mesh.vertices, mesh.triangles
         made.chord_error, made.findings = mesh.chord_error, list(mesh.findings)
@@ -224,12 +224,13 @@ class Motion:
         return cls(*arrays, interpolation=interpolation, pivot=pivot)
 
     def with_pivot(self, pivot: npt.ArrayLike) -> Motion:
-        """The same poses with another point of the body (3,), mm, moving straight between them."""
+        """Returns the same poses with another pivot (3,), mm: the point of the body that moves in a straight
+        line between them."""
         arrays = self.times, self.quaternions, self.translations
         return Motion(*arrays, interpolation=self.interpolation, pivot=pivot)
 
     def _arrays(self) -> Tuple[Floats, Floats, Floats, Floats]:
-        """As the core takes a motion."""
+        """Returns the motion in the form of the core."""
         return self.times, self.quaternions, self.translations, self.pivot
 
     def __len__(self) -> int:
@@ -278,7 +279,7 @@ MotionLike = Union[
 
 
 def mesh_of(mesh: MeshLike) -> Mesh:
-    """A Mesh as it is, a pair of arrays as one."""
+    """Returns a Mesh: the given one, or one made of a pair of arrays."""
     if isinstance(mesh, Mesh):
         return mesh
     if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
@@ -287,7 +288,7 @@ def mesh_of(mesh: MeshLike) -> Mesh:
 
 
 def motion_of(motion: MotionLike, interpolation: Optional[str] = None) -> Motion:
-    """A Motion as it is, arrays as one; interpolation: another one than the motion's own."""
+    """Returns a Motion: the given one, or one made of arrays. interpolation: replaces that of the motion."""
     parts: Sequence[Any] = motion if isinstance(motion, (tuple, list)) else ()
     if isinstance(motion, Motion):
         made = motion

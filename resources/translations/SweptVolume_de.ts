@@ -320,8 +320,8 @@
    <translation>Zeit von einer Lage zur nächsten (s)</translation>
   </message>
   <message>
-   <source>Rapid</source>
-   <translation>Eilgang</translation>
+   <source>Speed of rapid moves (G0)</source>
+   <translation>Geschwindigkeit der Eilgänge (G0)</translation>
   </message>
   <message>
    <source>What the G-code words A, B and C rotate: the tool head or the table</source>
@@ -408,8 +408,8 @@
    <translation>Hülle oder anderes geschlossenes Netz, das in einen Festkörper umgewandelt wird</translation>
   </message>
   <message>
-   <source>Merge coplanar</source>
-   <translation>Koplanare vereinigen</translation>
+   <source>Whether adjacent coplanar triangles are merged into one flat face</source>
+   <translation>Ob benachbarte koplanare Dreiecke zu einer ebenen Fläche vereinigt werden</translation>
   </message>
   <message>
    <source>Largest number of faces. If Tolerance is 0, the smallest tolerance that meets this limit is chosen</source>
@@ -885,8 +885,8 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
    <translation>Das Teil oder die Bewegung reicht weiter als 1e9 mm vom Ursprung: Prüfen Sie die Längeneinheit.</translation>
   </message>
   <message>
-   <source>The cell is larger than the part: choose a smaller cell or a higher resolution.</source>
-   <translation>Die Zelle ist größer als das Teil: Wählen Sie eine kleinere Zelle oder eine höhere Auflösung.</translation>
+   <source>The cell is too large for the part: the part is smaller, or thinner everywhere, than one cell. Choose a smaller cell or a higher resolution.</source>
+   <translation>Die Zelle ist zu groß für das Teil: Das Teil ist kleiner als eine Zelle oder überall dünner. Wählen Sie eine kleinere Zelle oder eine höhere Auflösung.</translation>
   </message>
   <message>
    <source>A setting is not allowed: the text in brackets names the setting and says what is allowed.</source>
@@ -905,16 +905,16 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
    <translation>Eine Lage kann nicht verwendet werden: Alle ihre Zahlen müssen endlich sein, und die Zeiten dürfen nicht abnehmen.</translation>
   </message>
   <message>
-   <source>The part turns by 180 degrees between two poses, so the direction of the turn is ambiguous: add a pose between them.</source>
-   <translation>Das Teil dreht sich zwischen zwei Lagen um 180 Grad, daher ist die Drehrichtung nicht eindeutig: Fügen Sie eine Lage dazwischen ein.</translation>
+   <source>The part turns by 180 degrees, or nearly so, between two poses, so the direction of the turn is ambiguous: add a pose between them.</source>
+   <translation>Das Teil dreht sich zwischen zwei Lagen um 180 Grad oder fast so weit, daher ist die Drehrichtung nicht eindeutig: Fügen Sie eine Lage dazwischen ein.</translation>
   </message>
   <message>
    <source>Two parts overlap in their installed positions: move one of them, or set the rule of the pair to Ignore.</source>
    <translation>Zwei Teile überschneiden sich in ihrer Einbaulage: Verschieben Sie eines, oder setzen Sie die Regel des Paars auf „Übergangen“.</translation>
   </message>
   <message>
-   <source>Two parts are below the required distance in their installed positions: reduce the required distance, or allow contact for the pair.</source>
-   <translation>Zwei Teile sind in ihrer Einbaulage näher als der Sollabstand: Verringern Sie den Sollabstand, oder erlauben Sie dem Paar Kontakt.</translation>
+   <source>Two parts are below the required distance in their installed positions: reduce the required distance, or set a release distance.</source>
+   <translation>Zwei Teile sind in ihrer Einbaulage näher als der Sollabstand: Verringern Sie den Sollabstand, oder setzen Sie einen Freigabeabstand.</translation>
   </message>
   <message>
    <source>The file cannot be read: the text in brackets says where and why.</source>
@@ -1172,8 +1172,8 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
    <translation>Der Pfad „{0}“ führt zu keinem Objekt mehr: Wählen Sie das Teil neu.</translation>
   </message>
   <message>
-   <source>The interpreter {0} has no pip. Install it (on Debian and Ubuntu: the package python3-pip), or choose another interpreter in the preferences of the Addon Manager.</source>
-   <translation>Der Interpreter {0} hat kein pip. Installieren Sie es (in Debian und Ubuntu das Paket python3-pip), oder wählen Sie in den Einstellungen des Addon-Managers einen anderen Interpreter.</translation>
+   <source>The interpreter {0} has no pip. Install pip (on Debian and Ubuntu: the package python3-pip), or choose another interpreter in the preferences of the Addon Manager.</source>
+   <translation>Der Interpreter {0} hat kein pip. Installieren Sie pip (in Debian und Ubuntu das Paket python3-pip), oder wählen Sie in den Einstellungen des Addon-Managers einen anderen Interpreter.</translation>
   </message>
   <message>
    <source>The package index could not be reached. pip says:
@@ -1188,8 +1188,8 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
 {2}</translation>
   </message>
   <message>
-   <source>The file "{0}" is not the core of Swept Volume.</source>
-   <translation>Die Datei „{0}“ ist nicht der Rechenkern von Swept Volume.</translation>
+   <source>The file "{0}" is not the core of Swept Volume: choose a file whose name begins with swept_volume.</source>
+   <translation>Die Datei „{0}“ ist nicht der Rechenkern von Swept Volume: Wählen Sie eine Datei, deren Name mit swept_volume beginnt.</translation>
   </message>
   <message>
    <source>The core in "{0}" has version {1}, but the workbench has version {2}.</source>
@@ -1206,8 +1206,8 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
 {0}</translation>
   </message>
   <message>
-   <source>The file "{0}" cannot be read as a Python package: {1}</source>
-   <translation>Die Datei „{0}“ kann nicht als Python-Paket gelesen werden: {1}</translation>
+   <source>The file "{0}" cannot be read as a Python package ({1}): choose another file.</source>
+   <translation>Die Datei „{0}“ kann nicht als Python-Paket gelesen werden ({1}): Wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>Cancelled. Nothing was changed.</source>
@@ -1222,8 +1222,8 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
    <translation>Der Rechenkern ist auf {0} noch nicht veröffentlicht: Wählen Sie eine Datei, oder bauen Sie ihn.</translation>
   </message>
   <message>
-   <source>pip has installed no core.</source>
-   <translation>pip hat keinen Rechenkern installiert.</translation>
+   <source>pip ended without an error, but installed no usable core: choose another file, or build the core.</source>
+   <translation>pip endete ohne Fehler, hat aber keinen brauchbaren Rechenkern installiert: Wählen Sie eine andere Datei, oder bauen Sie den Rechenkern.</translation>
   </message>
   <message>
    <source>The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.
@@ -1280,6 +1280,10 @@ Versucht:
   <message>
    <source>Frame rail</source>
    <translation>Rahmenträger</translation>
+  </message>
+  <message>
+   <source>"{0}" exists already: choose another name.</source>
+   <translation>„{0}“ gibt es schon: Wählen Sie einen anderen Namen.</translation>
   </message>
   <message>
    <source>Not computed</source>
@@ -1410,18 +1414,6 @@ Versucht:
    <translation>Es gibt {0} bewegte Teile, aber {1} einzelne Bewegungen: Geben Sie für jedes Teil eine Bewegung an, oder keine.</translation>
   </message>
   <message>
-   <source>the core was built without OpenCASCADE, so FreeCAD made one face for each triangle and recognised no surfaces</source>
-   <translation>der Rechenkern wurde ohne OpenCASCADE gebaut, daher hat FreeCAD aus jedem Dreieck eine Fläche gemacht und keine Flächen erkannt</translation>
-  </message>
-  <message>
-   <source>FreeCAD could not make a valid solid from this envelope: build the core with OpenCASCADE, or export a mesh file.</source>
-   <translation>FreeCAD konnte aus dieser Hülle keinen gültigen Festkörper machen: Bauen Sie den Rechenkern mit OpenCASCADE, oder exportieren Sie eine Netzdatei.</translation>
-  </message>
-  <message>
-   <source>the core was built without OpenCASCADE, so each of the {0} triangles would become a face, but the limit is {1} faces: simplify the envelope, or export STL, PLY or OBJ.</source>
-   <translation>der Rechenkern wurde ohne OpenCASCADE gebaut, daher würde jedes der {0} Dreiecke eine Fläche, aber die Grenze ist {1} Flächen: Vereinfachen Sie die Hülle, oder exportieren Sie sie als STL, PLY oder OBJ.</translation>
-  </message>
-  <message>
    <source>{0}, improved</source>
    <translation>{0}, verbessert</translation>
   </message>
@@ -1542,7 +1534,7 @@ Versucht:
    <translation>Die Regeln von „{0}“ sind widersprüchlich: Es gibt {1} Teile, {2} Arten und {3} Längen, aber diese Anzahlen müssen gleich sein. Geben Sie die Regeln neu ein.</translation>
   </message>
   <message>
-   <source>there is nothing to compare: choose two or more parts, envelopes or solids.</source>
+   <source>There is nothing to compare: choose two or more parts, envelopes or solids.</source>
    <translation>Es gibt nichts zu vergleichen: Wählen Sie zwei oder mehr Teile, Hüllen oder Festkörper.</translation>
   </message>
   <message>
@@ -1626,7 +1618,7 @@ Versucht:
    <translation>Gemeinsames Volumen</translation>
   </message>
   <message>
-   <source>a shared volume needs two sides: choose two parts or envelopes.</source>
+   <source>A shared volume needs two sides: choose two parts or envelopes.</source>
    <translation>Ein gemeinsames Volumen braucht zwei Seiten: Wählen Sie zwei Teile oder Hüllen.</translation>
   </message>
   <message>
@@ -1638,15 +1630,15 @@ Versucht:
    <translation>Festkörper erzeugen</translation>
   </message>
   <message>
-   <source>the envelope has no mesh yet: compute it first.</source>
+   <source>The envelope has no mesh yet: compute it first.</source>
    <translation>Die Hülle hat noch kein Netz: Berechnen Sie sie zuerst.</translation>
   </message>
   <message>
-   <source>at one edge, the gap between two faces of the solid is {0}, which is more than the tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and smaller gaps.</source>
+   <source>At one edge, the gap between two faces of the solid is {0}, which is more than the tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and smaller gaps.</source>
    <translation>An einer Kante ist der Spalt zwischen zwei Flächen des Festkörpers {0}, mehr als die Toleranz oder Abweichung des Festkörpers ({1}). Eine kleinere Toleranz gibt mehr Flächen und kleinere Spalte.</translation>
   </message>
   <message>
-   <source>the envelope is conservative, but a solid with a tolerance could cut into the swept volume: set the Tolerance of the solid to 0.</source>
+   <source>The envelope is conservative, but a solid with a tolerance could cut into the swept volume: set the Tolerance of the solid to 0.</source>
    <translation>Die Hülle ist konservativ, aber ein Festkörper mit Toleranz könnte in das überstrichene Volumen schneiden: Setzen Sie die Toleranz des Festkörpers auf 0.</translation>
   </message>
   <message>
@@ -1818,12 +1810,16 @@ Versucht:
    <translation>Wählen Sie das bewegte Teil im Baum oder in der 3D-Ansicht aus.</translation>
   </message>
   <message>
+   <source>This is a fault of the workbench ({0}: {1}). The report view has the details; please report it.</source>
+   <translation>Dies ist ein Fehler der Arbeitsumgebung ({0}: {1}). Einzelheiten stehen im Ausgabefenster; bitte melden Sie ihn.</translation>
+  </message>
+  <message>
    <source>{0}: "{1}" is not a valid value (it would count as {2}): correct it.</source>
    <translation>{0}: „{1}“ ist kein gültiger Wert (er würde als {2} gelten): Berichtigen Sie ihn.</translation>
   </message>
   <message>
-   <source>What made the envelope cannot be recorded if the envelope has an offset or is conservative: set Offset to 0 and Conservative to off.</source>
-   <translation>Was die Hülle erzeugt hat, kann nicht aufgezeichnet werden, wenn die Hülle einen Versatz hat oder konservativ ist: Setzen Sie den Versatz auf 0, und schalten Sie „Konservativ“ aus.</translation>
+   <source>No record can be made for an envelope that has an offset or is conservative: set Offset to 0 and switch Conservative off.</source>
+   <translation>Für eine Hülle, die einen Versatz hat oder konservativ ist, kann nichts aufgezeichnet werden: Setzen Sie den Versatz auf 0, und schalten Sie „Konservativ“ aus.</translation>
   </message>
   <message>
    <source>Transform cannot be used while the motion editor is open: drag the chosen key, or enter numbers.</source>
@@ -1964,8 +1960,8 @@ Versucht:
    <translation>Wählen Sie zuerst eine Bewegung aus.</translation>
   </message>
   <message>
-   <source>No program is installed that opens {0}.</source>
-   <translation>Es ist kein Programm installiert, das {0} öffnet.</translation>
+   <source>{0} could not be opened: install a web browser, or open the file yourself.</source>
+   <translation>{0} konnte nicht geöffnet werden: Installieren Sie einen Webbrowser, oder öffnen Sie die Datei selbst.</translation>
   </message>
   <message>
    <source>Open run</source>
@@ -2012,12 +2008,12 @@ Versucht:
    <translation>Studien brauchen das Programm {0}, das nicht gefunden wurde: Installieren Sie es.</translation>
   </message>
   <message>
-   <source>study files cannot be read: {0}</source>
-   <translation>Studiendateien können nicht gelesen werden: {0}</translation>
+   <source>A Python module is missing ({0}): install it.</source>
+   <translation>Ein Python-Modul fehlt ({0}): Installieren Sie es.</translation>
   </message>
   <message>
-   <source>the study file "{0}" cannot be read: {1}</source>
-   <translation>die Studiendatei „{0}“ kann nicht gelesen werden: {1}</translation>
+   <source>The study file "{0}" cannot be read: {1}</source>
+   <translation>Die Studiendatei „{0}“ kann nicht gelesen werden: {1}</translation>
   </message>
   <message>
    <source>The file type "{0}" is not supported: use one of these: {1}.</source>
@@ -2076,8 +2072,8 @@ Versucht:
    <translation>Die Bewegungsdatei „{0}“ existiert nicht: Wählen Sie eine andere.</translation>
   </message>
   <message>
-   <source>A curve needs at least two poses: set Count to 0, or to 2 or more.</source>
-   <translation>Eine Kurve braucht mindestens zwei Lagen: Setzen Sie die Anzahl auf 0 oder auf mindestens 2.</translation>
+   <source>A curve needs at least two poses: set Count to 2 or more, or to 0 (then Accuracy decides).</source>
+   <translation>Eine Kurve braucht mindestens zwei Lagen: Setzen Sie die Anzahl auf mindestens 2, oder auf 0 (dann entscheidet die Genauigkeit).</translation>
   </message>
   <message>
    <source>Select two wires: the curve to follow, then the curve that sets the orientation.</source>
@@ -2104,16 +2100,20 @@ Versucht:
    <translation>Die zweite Kurve „{0}“ liegt am Anfang auf der Tangente der Kurve „{1}“, daher bestimmt sie die z-Achse nicht: Verschieben Sie die zweite Kurve seitlich.</translation>
   </message>
   <message>
+   <source>"{0}" has no value "{1}" that can be changed: choose one of {2}.</source>
+   <translation>„{0}“ hat keinen Wert „{1}“, der geändert werden kann: Wählen Sie einen von {2}.</translation>
+  </message>
+  <message>
+   <source>"{0}" has no value that can be changed: choose another object.</source>
+   <translation>„{0}“ hat keinen Wert, der geändert werden kann: Wählen Sie ein anderes Objekt.</translation>
+  </message>
+  <message>
    <source>The document could not be recomputed with "{0}" = {1:g}: choose another start or end value.</source>
    <translation>Das Dokument konnte mit „{0}“ = {1:g} nicht neu berechnet werden: Wählen Sie einen anderen Anfangs- oder Endwert.</translation>
   </message>
   <message>
    <source>Select the object with the value to change, then the part to follow.</source>
    <translation>Wählen Sie das Objekt mit dem Wert aus, der geändert wird, dann das Teil, dem gefolgt wird.</translation>
-  </message>
-  <message>
-   <source>"{0}" has no value "{1}" that can be changed: choose one of {2}</source>
-   <translation>„{0}“ hat keinen Wert „{1}“, der geändert werden kann: Wählen Sie einen von {2}</translation>
   </message>
   <message>
    <source>The value "{0}" of "{1}" is set by the expression {2}: choose a value in that expression instead.</source>
@@ -2172,8 +2172,8 @@ Versucht:
    <translation>Die Art der Lage „{0}“ ist unbekannt: Verwenden Sie eine von diesen: {1}.</translation>
   </message>
   <message>
-   <source>The motion has {0} times but {1} placements: their numbers must be equal.</source>
-   <translation>Die Bewegung hat {0} Zeiten, aber {1} Platzierungen: Ihre Anzahl muss gleich sein.</translation>
+   <source>The motion has {0} times but {1} placements: give one time for each placement.</source>
+   <translation>Die Bewegung hat {0} Zeiten, aber {1} Platzierungen: Geben Sie zu jeder Platzierung eine Zeit an.</translation>
   </message>
   <message>
    <source>Poses {0} and {1} have the same time ({2:g} s): give them different times, because the motion is a spline or has a reference part.</source>
@@ -2188,12 +2188,12 @@ Versucht:
    <translation>„{0}“ hat {1} Wegpunkte, aber eine Bewegung braucht mindestens zwei: Fügen Sie Wegpunkte hinzu.</translation>
   </message>
   <message>
-   <source>The settings of the motion's source are damaged: create the motion again, or use its poses as they are.</source>
-   <translation>Die Einstellungen der Quelle dieser Bewegung sind beschädigt: Legen Sie die Bewegung neu an, oder verwenden Sie ihre Lagen, wie sie sind.</translation>
+   <source>The settings of the motion's source are damaged: create the motion again, or edit its keys with Edit motion, which removes the link to the source and keeps the poses.</source>
+   <translation>Die Einstellungen der Quelle dieser Bewegung sind beschädigt: Legen Sie die Bewegung neu an, oder bearbeiten Sie ihre Stützstellen mit „Bewegung bearbeiten“; dies entfernt die Verknüpfung mit der Quelle und behält die Lagen.</translation>
   </message>
   <message>
-   <source>This motion has no source that could be read again: its poses are stored only in the document.</source>
-   <translation>Diese Bewegung hat keine Quelle, die neu gelesen werden könnte: Ihre Lagen sind im Dokument gespeichert.</translation>
+   <source>This motion has no source that could be read again: its poses are stored only in the document. To change them, choose Edit motion.</source>
+   <translation>Diese Bewegung hat keine Quelle, die neu gelesen werden könnte: Ihre Lagen sind nur im Dokument gespeichert. Um sie zu ändern, wählen Sie „Bewegung bearbeiten“.</translation>
   </message>
   <message>
    <source>The number of poses is {0}: enter a number from {1} to {2}.</source>
@@ -2491,8 +2491,8 @@ Versucht:
    <translation>Der Rechenkern ist installiert: {0}</translation>
   </message>
   <message>
-   <source>The core in {0} cannot be used, and it would be loaded before an installed one. Build it again, or delete it from there.</source>
-   <translation>Der Rechenkern in {0} kann nicht benutzt werden, und er würde vor einem installierten geladen. Bauen Sie ihn neu, oder löschen Sie ihn dort.</translation>
+   <source>The core in {0} cannot be used, but FreeCAD would load it instead of an installed core. Build it again, or delete it.</source>
+   <translation>Der Rechenkern in {0} kann nicht benutzt werden, aber FreeCAD würde ihn statt eines installierten laden. Bauen Sie ihn neu, oder löschen Sie ihn.</translation>
   </message>
   <message>
    <source>The workbench computes with a compiled Python package, its core. It is not installed for the Python {0} of this FreeCAD.</source>
@@ -3415,8 +3415,8 @@ bis etwa {2}, {3}</translation>
    <translation>Max. Dateigröße</translation>
   </message>
   <message>
-   <source>The limits need a tolerance of {0}</source>
-   <translation>Die Grenzen erfordern eine Toleranz von {0}</translation>
+   <source>A tolerance of {0} is needed to meet the limits</source>
+   <translation>Um die Grenzen einzuhalten, ist eine Toleranz von {0} nötig</translation>
   </message>
   <message>
    <source>Motion from object</source>

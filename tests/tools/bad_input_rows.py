@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which way each row of docs/bad_input.md is tested: C++, Python, program, FreeCAD.
+"""Lists how each row of docs/bad_input.md is tested: by C++, Python, program or FreeCAD tests.
 
-    python3 tests/tools/bad_input_rows.py [--write]     (the names of the tests into the document)
+    python3 tests/tools/bad_input_rows.py [--write]     (writes the names of the tests into the document)
 
 Read from the tests themselves: a test is named after its row, and goes the ways that its code and its
 fixtures go. The document lists the rows that cannot be reached some way, with the reason; every other
@@ -13,19 +13,20 @@ import pathlib
 import re
 import sys
 
-#: Calls of the module that only make what the program is given.
+#: Functions of the module that only make inputs for the program.
 INPUTS = {"write_mesh", "read_mesh", "__file__", "__version__", "HAS_SOLIDS"}
 WAYS = ("C++", "Python", "program", "FreeCAD")
 
 
 def rows_of(name):
-    """Rows of the table that the name of a test stands for."""
+    """Returns the rows of the table that the name of a test mentions."""
     match = re.match(r"(?:test_)?(?:bad_input_|BadInput)(\d\d)(?:(?:_and_|And)(\d\d))?", name)
     return [int(number) for number in match.groups() if number] if match else []
 
 
 def own_ways(function, scripts):
-    """What the code of one function calls: the module (not only to make its inputs), the program."""
+    """Returns what the code of a function tests: the Python module (calls that only make inputs do
+    not count), the program, or both."""
     nodes = list(ast.walk(function))
     attributes = [n for n in nodes if isinstance(n, ast.Attribute)]
     used = {n.attr for n in attributes if ast.unparse(n.value) == "_swept"}
@@ -35,14 +36,15 @@ def own_ways(function, scripts):
 
 
 def python_tests(path):
-    """(name, ways) of the tests of bad input in a file; a test goes the ways of its fixtures too."""
+    """Returns (name, ways) of the tests of bad input in a file. The ways of its fixtures count as ways of
+    the test."""
     tree = ast.parse(path.read_text(encoding="utf-8")).body
     if path.parent.name == "freecad":
         found = [n for c in tree if isinstance(c, ast.ClassDef) for n in c.body]
         found = [n.name for n in found if isinstance(n, ast.FunctionDef)]
         return [(name, {"FreeCAD"}) for name in found if name.startswith("test_bad_input_")]
     functions = {f.name: f for f in tree if isinstance(f, ast.FunctionDef)}
-    # Texts that run in a process of their own.
+    # Scripts that tests run in a separate process.
     texts = [
         n for n in tree if isinstance(n, ast.Assign) and "import _swept" in ast.unparse(n.value)
     ]
@@ -56,7 +58,7 @@ def python_tests(path):
 
 
 def tests(root):
-    """{row: {way: [names]}} of all tests."""
+    """Returns {row: {way: [names]}} of all tests."""
     found = {}
     for path in sorted((root / "tests").rglob("*")):
         if path.suffix == ".cpp":
@@ -77,7 +79,7 @@ def tests(root):
 
 
 def write(root):
-    """Puts the names of the tests into the last column of the document's table."""
+    """Writes the names of the tests into the last column of the table."""
     path, found = root / "docs/bad_input.md", tests(root)
     lines = path.read_text(encoding="utf-8").split("\n")
     for n, line in enumerate(lines):
@@ -96,7 +98,7 @@ def write(root):
 
 
 def out_of_reach(root):
-    """{way: rows} that the document says cannot be reached that way."""
+    """Returns {way: rows}: the rows that cannot be tested in this way, according to the document."""
     text = (root / "docs/bad_input.md").read_text(encoding="utf-8")
     lists = re.findall(r"^- \*\*Not through ([^:*]+):\*\* ((?:\d+[, ]*)+)", text, re.M)
     rows = {way: set() for way in WAYS}
@@ -107,7 +109,8 @@ def out_of_reach(root):
 
 
 def gaps(root):
-    """(row, way) without a test; a row listed as out of reach that has one counts as well."""
+    """Returns each (row, way) without a test, and each with a test although the document says that
+    there can be none."""
     found, unreachable = tests(root), out_of_reach(root)
     return [
         (row, way)

@@ -19,7 +19,7 @@ MEASURED = 100
 
 
 def slerp(a, b, s):
-    """Between rows of a and b, the short way."""
+    """Interpolates between the rows of a and b (unit quaternions), on the shorter way."""
     dot = np.sum(a * b, axis=1, keepdims=True)
     b = np.where(dot < 0, -b, b)
     angle = np.arccos(np.clip(np.abs(dot), 0, 1))
@@ -33,11 +33,11 @@ def slerp(a, b, s):
 
 
 def sweep_points(body, q, t, random):
-    """Random points of the true sweep."""
+    """Returns random points of the true sweep."""
     vertices, triangles = np.asarray(body.vertices), np.asarray(body.triangles)
     chosen = triangles[random.integers(0, len(triangles), POINTS)]
     weights = random.dirichlet((1, 1, 1), POINTS)
-    weights[::5] = (1, 0, 0)  # corners are what gets lost first
+    weights[::5] = (1, 0, 0)  # a fifth of the points: corners, which are lost first
     x = np.einsum("nk,nkd->nd", weights, vertices[chosen])
     k = random.integers(0, max(len(q) - 1, 1), POINTS)
     s = random.random((POINTS, 1)) if len(q) > 1 else np.zeros((POINTS, 1))
@@ -46,7 +46,7 @@ def sweep_points(body, q, t, random):
 
 
 def farthest_vertex(swept, body, poses, result, random):
-    """Largest distance, over some vertices of the result, to the body in motion; in cells."""
+    """Returns the largest distance (cells) from some vertices of the result to the moving body."""
     cell = result.report["cell"]
     vertices = np.asarray(result.vertices)
     speck = 1e-6 * cell * np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], dtype=float)

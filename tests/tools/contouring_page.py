@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What docs/contouring.md shows: the five component methods compared, tables and pictures.
+"""Makes what docs/contouring.md shows: the five component methods compared, tables and pictures.
 
     contouring_page.py BUILD [BODY...] [--pictures FOLDER]
     contouring_page.py BUILD --walls        thin walls in cells twice as wide, the default way
     contouring_page.py BUILD --simplified --pictures FOLDER         a body before and after
 
-Bodies stand still. Lengths in cells; 60,000 points spread evenly over each surface. Of the body's outer
-surface, which an envelope with four times as many cells comes within half of its own cell of, the part
-with no envelope within half a cell is either outside the envelope, lost, or inside: a gap that is filled.
+The bodies stand still. Lengths are in cells; 60,000 points are spread evenly over each surface. A point
+belongs to the outer surface of the body if an envelope with four times as many cells lies within half of
+its own cell. Such a point with no envelope within half a cell is "lost" if it is outside the envelope, and
+"filled" if it is inside, because then a gap of the body is filled.
 """
 import argparse
 import collections
@@ -28,7 +29,7 @@ FAR = 0.5  # cells
 FINER = 4
 
 Body = collections.namedtuple("Body", "title file unit cells columns panel centre toward up width")
-#: Where the five differ; centre and width of the picture in mm.
+#: Places where the five methods differ: centre and width of the picture in mm.
 BODIES = {
     "fandisk": Body(
         title="fandisk",
@@ -85,7 +86,7 @@ Envelope = collections.namedtuple("Envelope", "vertices triangles report")
 
 
 def spread(vertices, triangles, count):
-    """Points spread evenly over a mesh."""
+    """Returns points that are spread evenly over a mesh."""
     random = np.random.default_rng(1)
     a, b, c = (vertices[triangles[:, k]] for k in range(3))
     sums = np.cumsum(np.linalg.norm(np.cross(b - a, c - a), axis=1))
@@ -110,7 +111,7 @@ def edges_by_use(triangles, count):
 
 
 def inside(points, mesh):
-    """Which points a mesh goes round; holes in it matter little (winding numbers)."""
+    """Returns which points lie inside a mesh, by winding numbers. Holes change the result little."""
     angles = np.zeros(len(points))
     for n, point in enumerate(points):
         a, b, c = (mesh.vertices[mesh.triangles[:, k]] - point for k in range(3))
@@ -121,7 +122,7 @@ def inside(points, mesh):
 
 
 def closed(vertices, triangles):
-    """A mesh with its open rims closed by a fan each, about the middle of the rim."""
+    """Returns the mesh with each open rim closed by a fan of triangles around the middle of the rim."""
     vertices, back = np.unique(vertices, axis=0, return_inverse=True)
     triangles = back.reshape(-1)[triangles]
     edges = all_edges(triangles)
@@ -142,7 +143,7 @@ def closed(vertices, triangles):
 
 
 class Comparison:
-    """One body in some of the five ways; `size`: resolution=cells or cell=mm."""
+    """The envelopes of one body, made by some of the five methods. `size`: resolution=cells or cell=mm."""
 
     def __init__(self, swept, file, unit, ways, **size):
         self.swept = swept
@@ -161,7 +162,7 @@ class Comparison:
         return np.abs(self.swept.distance_to_mesh(points, *mesh[:2])) / self.cell
 
     def outer(self, points):
-        """Those of the body's points that the outside reaches."""
+        """Returns those of the body's points that lie on its outer surface."""
         return points[self.distance(points, self.fine) <= 0.5 / FINER]
 
     def far(self, way, count):
@@ -228,7 +229,7 @@ def write(panels, columns, legend, path):
         draw.rectangle((x, y, x + 12, y + 12), colour)
         draw.text((x + 18, y - 2), text, "black", font)
         x += 40 + draw.textlength(text, font)
-    few = Image.new("P", (1, 1))  # a palette in which the legend's colours stay as they are
+    few = Image.new("P", (1, 1))  # its palette contains the exact colours of the legend
     few.putpalette(page.quantize(120).getpalette()[:360] + [x for mark in legend for x in mark])
     page.quantize(palette=few, dither=Image.Dither.NONE).save(path, optimize=True)
 

@@ -42,7 +42,7 @@ def load(build):
 
 
 def faults(result):
-    """What is wrong with a mesh that came out Ok; counted without the module's checker."""
+    """Returns what is wrong with the mesh of a run with the status Ok, without the module's checker."""
     v, t = np.asarray(result.vertices), np.asarray(result.triangles)
     if not len(t):
         return ["empty"]
@@ -86,7 +86,8 @@ def one_run(swept, body, motion, resolution):
 
 
 def serve(build):
-    """Child: one line of JSON in, one out. What takes far more than its limit ends, not the machine."""
+    """The child process: reads a job as a line of JSON and prints the outcome as a line. A job that takes
+    far more memory than its limit ends the child, not the machine."""
     resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
     swept = load(build)
     makers = {name: make for name, _, _, make in corpus_bodies.all_bodies(swept)}
@@ -97,9 +98,7 @@ def serve(build):
             if job["body"] != name:
                 name, body = job["body"], makers[job["body"]]()
             outcome = one_run(swept, body, job["motion"], job["resolution"])
-        except (
-            Exception
-        ) as error:  # what is not the module's own kind of failure breaks the promise
+        except Exception as error:  # any exception but the module's own breaks the promise
             outcome = {"status": type(error).__name__, "text": str(error), "valid_end": False}
         print(json.dumps(outcome), flush=True)
 
@@ -143,7 +142,7 @@ class Child:
 
 
 def table(results):
-    """Prints counts by family; True if the promise and the 99.5 % hold."""
+    """Prints counts by family. Returns whether the promise holds for all runs, and 99.5 % are Ok."""
     rows = collections.defaultdict(list)
     for r in results:
         rows[r["family"]].append(r)
@@ -188,8 +187,9 @@ def table(results):
 
 
 def one_of_each_first(jobs, resolutions):
-    """Resolution after resolution, families in turn, the motions of a body together (it is then made
-    once): a part of a campaign has tried every kind of body. Bodies of a family at random."""
+    """Returns the jobs in an order that tries every kind of body early: resolution by resolution, the
+    families in turn, and the bodies of a family in random order. The motions of a body stay together,
+    so that the body is made only once."""
     bodies = sorted({(job["family"], job["body"]) for job in jobs})
     random.Random(1).shuffle(bodies)
     seen, turn = collections.Counter(), {}

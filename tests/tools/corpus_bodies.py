@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bodies of the corpus: made ones for every row of the table of bad input, and variants of the
-shared meshes.
+"""Bodies of the corpus: generated bodies for every row of the table of bad input, and variants of
+the shared meshes.
 
 `all_bodies` gives entries (name, family, valid, make); make() -> (vertices, triangles, cell).
-valid: a solid whose envelope must come out Ok; others end as the table says (docs/bad_input.md).
-cell: None, or its size where 64 cells are asked for.
+valid: a solid whose run must end with the status Ok; others end as docs/bad_input.md says.
+cell: None, or the cell size to use for the resolution of 64 cells.
 """
 import numpy as np
 
@@ -12,14 +12,14 @@ from bodies import ball, box, frame, joined, moved, prism, torus
 from shared_data import FOLDER
 
 SEEDS = 50
-#: closed, orientable, without open rims: their plain and mirrored copies are valid solids
+#: Bodies that are closed and orientable: they are valid solids, and so are their mirrored copies.
 CLOSED = (
     "armadillo beam_joint bunny counter_wheel differential fandisk gripper housing robot_leg tooth"
 ).split()
 
 
 def solid(rng):
-    """A box, prism, torus or ball, or two of them, oddly turned; 1 to 5 mm."""
+    """Returns a box, prism, torus or ball, or two of them, turned by odd angles; 1 to 5 mm."""
 
     def piece():
         kind = rng.integers(4)
@@ -154,7 +154,7 @@ def any_cell(rng, body):
     return body
 
 
-#: row of the table or word, what is done to a body, a valid solid afterwards?
+#: Row of the table or a word, the change to a body, and whether the result is a valid solid.
 FAMILIES = [
     ("00_solid", any_cell, True),
     ("01_empty", empty, False),
@@ -191,7 +191,8 @@ FAMILIES_INDEX = {name: i for i, (name, _, _) in enumerate(FAMILIES)}
 
 
 def decimated(v, t, cells):
-    """Vertices within a lattice cell become one: closed stays closed, manifold may not."""
+    """Merges the vertices in each cell of a lattice. A closed mesh stays closed, but a manifold may not
+    stay one."""
     low, size = v.min(axis=0), np.ptp(v, axis=0).max()
     key = np.floor((v - low) / size * cells).astype(np.int64)
     _, index = np.unique(key, axis=0, return_inverse=True)
@@ -201,7 +202,7 @@ def decimated(v, t, cells):
 
 
 def variants(v, t, seed):
-    """(word, keeps a valid solid valid, body) of a shared mesh."""
+    """Yields variants of a shared mesh: (word, whether a valid solid stays valid, body)."""
     rng = np.random.default_rng(seed)
     size = np.ptp(v, axis=0).max()
     normal = rng.normal(size=3)
@@ -222,7 +223,7 @@ def variants(v, t, seed):
 
 
 def all_bodies(swept):
-    """Every entry; files are read only when an entry is made."""
+    """Returns all entries. A file is read only when its body is made."""
     for seed in range(SEEDS):
         for name, change, valid in FAMILIES:
             yield f"{name}/{seed}", name, valid, (

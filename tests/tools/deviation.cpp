@@ -1,4 +1,4 @@
-// How far is an envelope from the true one? Dense distances over continuous time against a result.
+// Compares an envelope with the true one, by dense distances over continuous time.
 //   swept_deviation MESH MOTION.csv MM_PER_UNIT RESOLUTION... [--samples N] [--tolerance MM]
 // Prints, in cells: deviation of creases at the first and last key (mean / max), share of area
 // whose normal is more than 20 degrees off, distance of the result from the truth (mean, p95, p99,
@@ -31,7 +31,7 @@ struct SurfacePoint {
   V3 point, normal;
 };
 
-/// Points spread over a mesh by area.
+/// Returns random points on a mesh, evenly distributed over its area.
 std::vector<SurfacePoint> spread(const TriMesh& mesh, int count, std::mt19937& random) {
   std::vector<double> sums;
   double sum = 0;
@@ -60,8 +60,8 @@ std::vector<SurfacePoint> spread(const TriMesh& mesh, int count, std::mt19937& r
   return points;
 }
 
-/// Points on the body's sharp edges, as placed at the first and the last key, that lie on the
-/// envelope.
+/// Returns points on the sharp edges of the body, placed at the first and the last key, that lie on
+/// the envelope.
 std::vector<V3> creasePoints(const SweptDistance& truth, double spacing, double slack) {
   std::vector<V3> points;
   const TriMesh& mesh = truth.body().mesh();
@@ -85,7 +85,8 @@ std::vector<V3> creasePoints(const SweptDistance& truth, double spacing, double 
   return kept;
 }
 
-/// Points of the true envelope: of faces at both ends, and of contour edges at random times.
+/// Returns points of the true envelope: of faces at both ends, and of contour edges at random
+/// times.
 std::vector<V3> truthPoints(const SweptDistance& truth, int count, double slack,
                             std::mt19937& random) {
   std::vector<V3> points;
@@ -148,9 +149,10 @@ void measureCreases(const SweptDistance& truth, const MeshDistance& out,
   printPlace("max", worst, report);
 }
 
-/// Whether the truth has a normal within 20 degrees of the point's own, no farther away than
-/// `reach`. Near a valley or crease the one nearest point does not tell: the other side may be
-/// nearer by less than the result is off. Asked from outside, where nearest points are exact.
+/// Returns whether the true envelope has, within `reach`, a normal that differs by less than 20
+/// degrees from that of the point. The single nearest point is not enough: near a valley or crease
+/// it may lie on the other side, because the result deviates a little. Queries start outside, where
+/// nearest points are exact.
 bool hasNormalNear(const SweptDistance& truth, const SurfacePoint& at, double reach) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;

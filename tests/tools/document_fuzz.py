@@ -6,10 +6,11 @@
 
 A document with each kind of our objects is saved once. Each case changes one to four values in it (numbers,
 texts, links, lists of times and placements, dropped properties), opens it, recomputes, reads every report,
-computes every object, saves it and opens it again. Each must end as promised: FreeCAD refuses the file, or
-every run is Ok or a failure with a sentence (InputProblem, CoreError); never another exception, neither in
-what FreeCAD calls by itself, a crash or a hang. Cases run in a child process and follow from their seed
-alone. A document that breaks something is kept in FOLDER (out/documents). Ends with 1 then.
+computes every object, saves it and opens it again. Each case must end as promised: FreeCAD refuses the
+file, or every run is Ok or fails with a sentence (InputProblem, CoreError). No other exception may occur,
+not even in methods that FreeCAD calls by itself, and no crash or hang. Cases run in a child process and
+depend only on their seed. A document that breaks the promise is kept in FOLDER (out/documents), and the
+exit status is 1.
 """
 import argparse
 import collections
@@ -63,7 +64,7 @@ TEXTS += [
 
 
 def base_document(folder):
-    """Saves a document with each kind of our objects; returns its path."""
+    """Saves a document with one object of each of our kinds. Returns its path."""
     import FreeCAD as App
     from case import Case, shift, turn
     from sweptvolume.features import clearance, envelope, motion, solid
@@ -105,7 +106,7 @@ def base_document(folder):
 
 @contextlib.contextmanager
 def watched(found):
-    """FreeCAD keeps to itself what proxies raise: exceptions of other kinds than ours go to `found`."""
+    """FreeCAD only prints exceptions of proxies. Adds those that are not of our own kinds to `found`."""
     from sweptvolume import core
     from sweptvolume.convert import InputProblem
     from sweptvolume.features import clearance, envelope, motion, solid
@@ -130,7 +131,7 @@ def watched(found):
 
 
 def use(path, copy):
-    """Opens a document and does to it what users do. Returns a word for how it ended."""
+    """Opens a document and does what users do with it. Returns a word that says how it ended."""
     import FreeCAD as App
     from sweptvolume import core
     from sweptvolume.convert import InputProblem
@@ -187,7 +188,7 @@ def use(path, copy):
 
 
 def judged(path, copy):
-    """How a document ended: dict with ends and fault, "" if all is as promised."""
+    """Returns how a document ended: a dict with `ends` and `fault` ("" if all is as promised)."""
     import FreeCAD as App
 
     found, ends = [], {}
@@ -202,7 +203,7 @@ def judged(path, copy):
 
 
 def serve(folder):
-    """Child: seeds in, one line of JSON out for each."""
+    """The child process: reads seeds and prints a line of JSON for each."""
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # for whatever FreeCAD and the kernel print
     sys.path[:0] = [str(ROOT / "tests/freecad")]
@@ -222,7 +223,8 @@ def serve(folder):
 
 
 def damage(items, chance, path):
-    """Writes a document with one to four changes to properties of our objects; returns them as texts."""
+    """Writes a document with one to four changes to properties of our objects. Returns the changes as
+    texts."""
     items = dict(items)
     tree = ElementTree.fromstring(items["Document.xml"])
     places = []
@@ -287,7 +289,8 @@ def change(place, properties, items, names, chance):
 
 
 def other_list(data, tag, chance):
-    """A stored list of doubles with another length or other numbers; its count agrees with its bytes."""
+    """Changes the length or the numbers of a stored list of doubles. The count at its start still agrees
+    with its bytes."""
     width = {"FloatList": 8, "VectorList": 24, "PlacementList": 56}.get(tag)
     if width is None or len(data) < 4:
         return data

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compares what estimate() says with what runs take, over drawn inputs (unseen_inputs.py).
+"""Compares estimate() with the time and memory of runs, for random inputs (unseen_inputs.py).
 
     python3 tests/tools/estimate_suite.py [--build build] [--seed 1] [--count 40] [--copies 2e9]
         [--least-copies 0] [--most-seconds 600]
 
-Each case runs in a process of its own, and so does its estimate: a run would grow by less where memory
-is at hand that an estimate has given back. Seconds: the processor's, shared out to the threads, so that
+Each run has its own process, and so has each estimate: a run would seem to need less memory if it could
+use memory that an estimate has freed. Seconds are CPU seconds divided by the number of threads, so that
 other work on the machine counts little. Memory: by how much the process grows. Prints a row a case;
 exit status 1 if a factor is above 2 for memory or 3 for seconds. What is foreseen to take more than
 --most-seconds is listed and not run.
@@ -23,18 +23,18 @@ import time
 import unseen_inputs
 
 MOST_MEMORY, MOST_SECONDS = 2.0, 3.0
-#: Below these, a run takes what starting it takes.
+#: Below these, the cost of starting a run dominates.
 LEAST_BYTES, LEAST_SECONDS = 32e6, 0.3
 
 
 def resident():
-    """Bytes of this process now."""
+    """Returns the resident size of this process in bytes."""
     with open("/proc/self/statm", encoding="ascii") as file:
         return int(file.read().split()[1]) * resource.getpagesize()
 
 
 def in_child(work):
-    """What work() returns, as JSON can carry it, from a process that ends with it."""
+    """Runs work() in a process of its own and returns its result, which must fit into JSON."""
     reader, writer = os.pipe()
     child = os.fork()
     if child == 0:
@@ -51,7 +51,8 @@ def in_child(work):
 
 
 def run_case(seed, build, threads, most_seconds):
-    """Estimate, run unless that is foreseen to take longer; a dict. In the process of the case."""
+    """Estimates a case and, unless the estimate exceeds most_seconds, runs it. Returns a dict. Must be
+    called in a process of its own."""
     sys.path.insert(0, str(build / "python"))
     import swept_volume as sv
 
@@ -91,7 +92,7 @@ def run_case(seed, build, threads, most_seconds):
 
 
 def factor(a, b, least):
-    """How far apart two figures are, where both say more than the least."""
+    """Returns the ratio of the larger figure to the smaller; figures below `least` count as `least`."""
     a, b = max(a, least), max(b, least)
     return max(a / b, b / a)
 
@@ -105,7 +106,7 @@ def factors(found):
 
 
 def measure(seed, build, threads=None, most_seconds=math.inf):
-    """run_case() in another process."""
+    """Calls run_case() in another process."""
     words = [sys.executable, __file__, "--case", str(seed), "--build", str(build)]
     words += ["--threads", str(threads or os.cpu_count() or 1)]
     words += ["--most-seconds", str(most_seconds)]

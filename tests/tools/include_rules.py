@@ -31,24 +31,24 @@ MAY_INCLUDE = {
     "signs": BELOW,
     "sampling": BELOW | {"signs"},
     "sampling/culling": BELOW | {"signs", "sampling"},
-    # Two samplers ask on the way which lattice points the outside reaches.
+    # Two samplers compute, while they sample, which lattice points the outside reaches.
     **{sampler: BELOW | {"signs", "sampling", "sampling/culling"} for sampler in SAMPLERS},
     # Exact crossings are computed from the elements that a sampler was given.
     "crossings": BELOW | {"signs", "sampling", "sampling/culling"},
-    # The second pipeline covers the sweep with the elements that culling leaves.
+    # Covers the sweep with the elements that culling keeps.
     "offset": BELOW | {"signs", "sampling", "sampling/culling"},
     "contour": BELOW,
-    # Contouring's second half compares and moves what the first has made.
+    # The second half of contouring checks and moves what the first half made.
     "contour/mend": BELOW | {"contour", "check"},
     "simplify": BELOW,
     "check": BELOW,
-    # A consumer beside the pipeline: it checks its own inputs as the pipeline does.
+    # Independent of the pipeline; checks its inputs with the same functions.
     "clearance": BELOW | {"input"},
-    # What two solids share, measured as clearances are.
+    # The shared volume of two solids; distances are measured by `clearance`.
     "overlap": BELOW | {"clearance", "input"},
-    # Searches for a way, and asks clearance about every step of it.
+    # Searches for a path; `clearance` checks every step.
     "path": BELOW | {"clearance", "input"},
-    # Tells what a report says; shapes come to it thinned through a public header.
+    # Makes a page from a report; a public header thins the shapes for it.
     "page": {"base", "geometry", "motion"},
     "solid/carrier": BELOW,
     # Surfaces that the edges and faces of a moving body sweep.
@@ -57,7 +57,7 @@ MAY_INCLUDE = {
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},
     "solid/model": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
     "solid/text": BELOW | {"solid/carrier", "solid/mesh", "solid/model"},
-    # Faces from what made the triangles; cuts round patches as the recognition does.
+    # Makes faces from the sources of the triangles; cuts around patches like `recognise`.
     "solid/label": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
     "solid/kernel": BELOW
     | {f"solid/{r}" for r in "carrier mesh recognise label model text".split()},

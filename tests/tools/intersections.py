@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pairs of triangles that meet in the envelopes of the shared meshes: still, 16 and 34 keys.
+"""Counts intersecting pairs of triangles in envelopes of the shared meshes: still, 16 and 34 keys.
 
     intersections.py BUILD RESOLUTION... [--only WORD]
 
-Prints every run that is not free of them, and how many are. The 16 keys are the arc made for the
-mesh where there is one, else the bunny's, scaled and about the mesh's middle.
+Prints every run with such pairs, and the number of runs without. The 16 keys are the arc made for the
+mesh if there is one, otherwise the arc of the bunny, scaled and moved to the middle of the mesh.
 """
 import argparse
 import pathlib
@@ -32,7 +32,7 @@ def middle(vertices):
 
 
 def arc(swept, word, unit, vertices):
-    """16 keys on an arc about the mesh."""
+    """Returns 16 keys on an arc about the mesh."""
     if word in ARCS:
         return trajectory(swept, f"keyposes_16_arc_for_{ARCS[word]}.csv", unit)
     times, turns, shifts = trajectory(swept, "keyposes_16_arc_for_bunny.csv", "m")
@@ -45,7 +45,8 @@ def arc(swept, word, unit, vertices):
 
 
 def runs(swept, path, resolution):
-    """(motion, outcome): triangles and pairs that meet, or why there is no envelope."""
+    """Yields (motion, outcome). The outcome has the numbers of triangles and of intersecting pairs, or
+    says why there is no envelope."""
     word = path.name.split("_")[0]
     unit = "m" if word in METRES else "cm" if word == "beam" else "mm"
     mesh = swept.read_mesh(str(path), unit)

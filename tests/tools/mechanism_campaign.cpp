@@ -1,6 +1,7 @@
-// Many made-up mechanisms, each report compared with stamping every pair by FCL.
+// Checks many random mechanisms. Compares each report with distances of FCL at sampled poses
+// ("stamps").
 // Usage: swept_mechanism_campaign FIRST LAST [BETWEEN [THREADS]]; ends with 1 if anything is wrong.
-// BETWEEN: stamps between two poses (default 40).
+// BETWEEN: number of stamps between two poses (default 40).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cstdio>
 #include <cstdlib>

@@ -3,8 +3,8 @@
 hidden. Colours are (r, g, b) 0 to 255; lengths are those of the mesh."""
 import numpy as np
 
-OUTER, INNER = (150, 172, 205), (214, 178, 120)  # sides of a surface
-SAMPLES = 2  # a side: pictures are drawn larger and averaged
+OUTER, INNER = (150, 172, 205), (214, 178, 120)  # colours of the two sides of a surface
+SAMPLES = 2  # samples per pixel and direction: pictures are drawn larger, then averaged
 
 
 class Picture:
@@ -22,19 +22,19 @@ class Picture:
         self.depth = np.full(self.shape, -np.inf)
 
     def project(self, points):
-        """Pixels across, pixels down, depth in pixels (large: near)."""
+        """Returns pixels across, pixels down, and depth in pixels (large: near)."""
         seen = (np.asarray(points) - self.centre) @ self.axes.T * self.scale
         return seen + [self.shape[1] / 2, self.shape[0] / 2, 0]
 
     def inside(self, points):
-        """Which points lie in the window."""
+        """Returns which points lie in the window."""
         seen = self.project(points)
         return (
             (seen[:, :2] >= 0).all(1) & (seen[:, 0] < self.shape[1]) & (seen[:, 1] < self.shape[0])
         )
 
     def put(self, across, down, depth, colour):
-        """Draws pixels; of those at one place the nearest stays."""
+        """Draws pixels. Of several at the same place, the nearest remains."""
         kept = (across >= 0) & (across < self.shape[1]) & (down >= 0) & (down < self.shape[0])
         at = down[kept] * self.shape[1] + across[kept]
         depth, colour = depth[kept], np.broadcast_to(colour, (len(kept), 3))[kept]
@@ -45,11 +45,11 @@ class Picture:
         self.colour.reshape(-1, 3)[at[nearer]] = colour[nearer]
 
     def fill(self, vertices, triangles, front=OUTER, behind=INNER):
-        """Triangles, in another colour where they are seen from their inner side."""
+        """Draws triangles, in another colour where their inner side is seen."""
         corners = self.project(vertices)[triangles]
         e, f = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
         normal = np.cross(e, f)
-        area = normal[:, 2]  # down grows downward: a front face has a negative one
+        area = normal[:, 2]  # negative for front faces, because the second axis points down
         length = np.linalg.norm(normal, axis=1)
         low, high = corners[:, :, :2].min(1), corners[:, :, :2].max(1)
         seen = (high >= 0).all(1) & (low < self.shape[::-1]).all(1) & (np.abs(area) > 1e-9)
@@ -76,7 +76,7 @@ class Picture:
                 self.put(x[hit], y[hit], z[hit], tint[which])
 
     def dots(self, points, colour, radius=1.0, lift=1.0):
-        """Points as discs of `radius` pixels, drawn `lift` pixels nearer than they are."""
+        """Draws points as discs of `radius` pixels, `lift` pixels nearer than they are."""
         seen = self.project(points)
         reach = int(np.ceil(radius * SAMPLES))
         dy, dx = np.mgrid[-reach : reach + 1, -reach : reach + 1]
@@ -101,6 +101,6 @@ class Picture:
             self.dots(points, colour, radius, lift)
 
     def array(self):
-        """The finished picture: (height, width, 3), bytes."""
+        """Returns the finished picture: uint8 (height, width, 3)."""
         h, w = self.shape[0] // SAMPLES, self.shape[1] // SAMPLES
         return self.colour.reshape(h, SAMPLES, w, SAMPLES, 3).mean((1, 3)).astype(np.uint8)

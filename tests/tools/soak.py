@@ -3,12 +3,12 @@
 
     python3 tests/tools/soak.py [RUNS]      (200)
 
-Five rounds of the same runs, only what a timer cancels differs; the first is for warming up. Looked at
-after each run: the bytes in use, as the allocator counts them, and the resident size. All threads share
-one heap (MALLOC_ARENA_MAX=1): else each thread's own keeps what its largest run needed, which jumps by
-up to 18 MB without a trend and would hide one. Exit status 0 only if the largest number of bytes in use
-and the median resident size are within 5 % in the last round of what they were in the second, and no
-file handle or thread was added.
+Makes five rounds of the same runs; only the runs that a timer cancels differ. The first round is a
+warm-up. After each run, the bytes in use (as the allocator counts them) and the resident size are read.
+All threads share one heap (MALLOC_ARENA_MAX=1). Otherwise the heap of each thread keeps what its largest
+run needed; this jumps by up to 18 MB without a trend and would hide one. The exit status is 0 only if the
+largest number of bytes in use and the median resident size of the last round are within 5 % of those of
+the second, and no file handle or thread was added.
 """
 import ctypes
 import os
@@ -39,7 +39,7 @@ def resident():
 
 
 class MallInfo(ctypes.Structure):
-    """struct mallinfo2 of the GNU C library."""
+    """The struct mallinfo2 of the GNU C library."""
 
     _fields_ = [
         (name, ctypes.c_size_t)
@@ -48,7 +48,7 @@ class MallInfo(ctypes.Structure):
 
 
 def in_use():
-    """Bytes that were allocated and not freed, in all threads' heaps and in mapped pieces."""
+    """Returns the bytes that are allocated and not freed, in all heaps and in mapped pieces."""
     library = ctypes.CDLL(None)
     library.mallinfo2.restype = MallInfo
     found = library.mallinfo2()
@@ -64,7 +64,7 @@ def threads():
 
 
 def one_run(rng, size):
-    """A run of one size, which in two of five cases is cancelled. True if it ended Ok."""
+    """Makes a run of one size; two of five runs are cancelled. Returns whether it ended with Ok."""
     body = bodies.joined(
         bodies.torus(2, rng.uniform(0.4, 0.9), 24, 12), bodies.box((-1, -1, -3), (1, 1, 3))
     )
@@ -91,7 +91,8 @@ def one_run(rng, size):
 
 
 def one_round(runs, size):
-    """The same runs each time. (how many ended Ok, most bytes in use, median resident size)"""
+    """Makes a round of runs, the same each time. Returns (number that ended with Ok, largest number of
+    bytes in use, median resident size)."""
     rng = random.Random(11)
     ok, used, sizes = 0, [], []
     for _ in range(runs):
@@ -126,7 +127,9 @@ def main(runs):
 
 
 if __name__ == "__main__":
-    if os.environ.get("MALLOC_ARENA_MAX") != "1":  # only a process that starts with it has it
+    if (
+        os.environ.get("MALLOC_ARENA_MAX") != "1"
+    ):  # the variable works only if it is set before the process starts
         os.environ["MALLOC_ARENA_MAX"] = "1"
         os.execv(sys.executable, [sys.executable, *sys.argv])
     sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 200))

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compares what estimate_solid() foretells with what write_solid() gives and takes.
+"""Compares estimate_solid() with the results and the time of write_solid().
 
 Each mesh (PLY of closed bodies) in FOLDER is estimated and written as STEP with tolerances of 0 (as the
 limit of 20,000 faces asks), 0.02 %, 0.1 % and 0.5 % of its box diagonal, and with plane faces alone.
@@ -20,7 +20,7 @@ import time
 from supplier_suite import box_of
 
 MOST = 2.0
-#: Below this a run takes what starting it takes.
+#: Below this, the cost of starting a run dominates.
 LEAST_SECONDS = 0.2
 CASES = {
     "limit": {"tolerance": 0.0},
@@ -36,7 +36,7 @@ COLUMNS = (
 
 
 def judged(swept, mesh, options, suffix):
-    """The cells behind mesh and case. Seconds: of the processor."""
+    """Returns the cells of a row after those for mesh and case. Seconds are CPU seconds."""
     read = swept.read_mesh(str(mesh))
     body = read.vertices, read.triangles
 
@@ -49,7 +49,7 @@ def judged(swept, mesh, options, suffix):
             *body, run=swept.RunContext(threads=1), format=suffix, **options
         )
         trial = time.process_time() - start
-        # What the trial measured counts as the processor's time, what it foretells as it stands.
+        # Replaces the wall time of the trial in the estimate by its CPU time.
         seconds = trial + foretold["seconds"] - foretold["trial_seconds"]
     except swept.Error as error:
         guess, foretold, trial, seconds = None, str(error), 0, 0

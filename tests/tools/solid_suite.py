@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Solids of the swept shared meshes: still, 16 keys and 34 keys, each a valid STEP file or refused by
-name.
+"""Makes solids of the swept shared meshes: still, 16 keys and 34 keys. Each must become a valid STEP
+file, or be refused with an expected code.
 
 Every case runs in a process of its own; its row goes to TABLE, and cases found there are not run
 again. Usage: solid_suite.py BUILD TABLE [RESOLUTION] [MESH...]     ends with 1 if a case fails
@@ -19,12 +19,12 @@ import shared_data
 SHARE = 1e-3  # of the box diagonal: the tolerance
 SECONDS = 900
 COLUMNS = ("case", "outcome", "triangles", "faces", "curved", "megabytes", "share", "seconds")
-# What may be refused, and says so: no surface to make a solid of.
+# Codes of allowed refusals: the envelope has no surface of which a solid can be made.
 NAMED = ("OpenMesh", "AmbiguousTurn", "TooManyFaces", "NotClosed", "NonManifold")
 
 
 def run(build, mesh, motion, resolution):
-    """One row of the table."""
+    """Returns one row of the table."""
     import _swept
 
     program = build / "bin" / "swept"

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Are the faces, edges and times that an envelope names for its triangles right? On the shared CAD parts.
+"""Checks the faces, edges and times that an envelope names for its triangles, on the shared CAD parts.
 
     source_suite.py BUILD [--cells N] [--parts NAME ...]
 
@@ -33,7 +33,7 @@ NEAR, CHORD, SAMPLE, ON_CORNERS = 1e-3, 0.02, 400, 1.0
 
 
 def turn(axis, degrees):
-    """Unit quaternion, scalar last."""
+    """Returns a unit quaternion, scalar last."""
     axis, half = np.array(axis, float), np.radians(degrees) / 2
     return np.append(axis / np.linalg.norm(axis) * np.sin(half), np.cos(half))
 
@@ -44,7 +44,7 @@ def product(a, b):
 
 
 def motions(low, high):
-    """Motions of a part in that box, by name: times, quaternions, translations, pivot."""
+    """Returns motions for a part with this box, by name: times, quaternions, translations, pivot."""
     size, middle = np.linalg.norm(high - low), (low + high) / 2
     none, one = turn((1, 0, 0), 0), turn((1, 2, 3), 25)
     two = product(turn((2, -1, 1), 35), one)
@@ -72,7 +72,7 @@ def share(of):
 
 
 def on_faces(shape, points, rows, limit):
-    """(n,): whether points in the part's coordinates lie on all faces that their rows name."""
+    """Returns, for each point (part coordinates), whether it lies on all faces that its row names (n,)."""
     import FreeCAD
     import Part
 
@@ -85,7 +85,7 @@ def on_faces(shape, points, rows, limit):
 
 
 def kernel_shape(path):
-    """The STEP file as FreeCAD has it; None without FreeCAD."""
+    """Returns the shape of the STEP file, read by FreeCAD; None if FreeCAD is not installed."""
     for folder in ("/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib"):
         if pathlib.Path(folder).is_dir() and folder not in sys.path:
             sys.path.append(folder)
@@ -100,7 +100,7 @@ def kernel_shape(path):
 
 
 def timed(swept, body, motion, cells, rounds):
-    """Least CPU seconds with and without sources of runs in turns, and the last result."""
+    """Runs with and without sources in turn. Returns the least CPU seconds of each, and the last result."""
     best = [np.inf, np.inf]
     for _ in range(rounds):
         for on in (False, True):

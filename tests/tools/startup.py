@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the workbench adds to the start of FreeCAD: processor seconds from the command until the window
-stands, with and without it, in turn.
+"""Measures what the workbench adds to the start of FreeCAD: CPU seconds from the command until the window
+is shown, with and without the workbench, in turn.
 
     python3 tests/tools/startup.py [TIMES]      (5)
 """
@@ -16,7 +16,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-#: Ends FreeCAD as soon as its own loop runs.
+#: Ends FreeCAD as soon as its event loop runs.
 WINDOW = """
 import os
 from PySide import QtCore
@@ -26,7 +26,7 @@ CONSOLE = "import os; os._exit(0)\n"
 
 
 def started(command, home):
-    """Processor and wall seconds of one start."""
+    """Returns the CPU seconds and wall seconds of one start."""
     environment = {**os.environ, "FREECAD_USER_HOME": home, "LC_ALL": "C.UTF-8"}
     for name in ("PYTHONPATH", "DISPLAY"):
         environment.pop(name, None)

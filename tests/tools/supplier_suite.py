@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Solids as the one who receives them sees them: CAD parts along three keys with turns.
+"""Checks solids as a receiver of the files would: CAD parts along three keys with turns.
 
 Each part is swept, written as STEP with a tolerance of 0.1 % of the box diagonal, and judged by
-swept_judge_solid: what FreeCAD's geometry check with its BOP test finds, tolerances of edges and
-vertices, cut and common with a block. A row for each part goes to TABLE (CSV).
+swept_judge_solid: faults that FreeCAD's geometry check (with its test for Boolean operations) finds,
+tolerances of edges and vertices, and the volumes of the cut and the common with a block. A row for each
+part goes to TABLE (CSV).
 
 Usage: supplier_suite.py BUILD TABLE [--parts FOLDER] [--path path3|path5|lift2] [--facets]
        [--resolution N] [--keep FOLDER] [WORD...]      only parts whose name contains a WORD
@@ -46,7 +47,7 @@ PATHS = {
 
 
 def motion_rows(path, size):
-    """Rows t, tx, ty, tz, qx, qy, qz, qw; lengths in mm for a part of this size."""
+    """Returns rows t, tx, ty, tz, qx, qy, qz, qw; lengths in mm for a part of this size."""
     rows = []
     for time, (shift, axis, degrees) in enumerate(PATHS[path]):
         axis = np.asarray(axis) / np.linalg.norm(axis)
@@ -64,7 +65,7 @@ def box_of(mesh):
 
 
 def run(words):
-    """CPU seconds of a program, and its result."""
+    """Returns the CPU seconds of a program, and its result."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = subprocess.run([str(w) for w in words], capture_output=True, text=True)
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, done
@@ -77,9 +78,9 @@ def report_of(words, folder):
 
 
 def judged(part, folder, options):
-    """One row of the table. Everything stays in `folder`."""
+    """Returns one row of the table. All files stay in `folder`."""
     program = options.build / "bin" / "swept"
-    # The moving part itself tells the size: swept once without a motion.
+    # The size is that of the moving part, which is swept once without a motion.
     motion, envelope = folder / (part.stem + ".csv"), folder / (part.stem + ".ply")
     motion.write_text("0,0,0,0,0,0,0,1\n")
     _, found = report_of(
@@ -122,7 +123,7 @@ def judged(part, folder, options):
 
 
 def is_clean(row, columns=None):
-    """Without faults, and no tolerance of an edge or vertex above that of the solid."""
+    """Returns whether the solid has no faults, and no edge or vertex tolerance above its own tolerance."""
     cell = dict(zip(columns or COLUMNS, row))
     return (
         cell["status"] == "Ok"

@@ -25,7 +25,7 @@ KEYS = 16
 
 @dataclasses.dataclass(frozen=True)
 class ThinPart:
-    """motion: times (K,), quaternions x y z w (K, 4), translations (K, 3)."""
+    """A part with its motion: times (K,), quaternions x y z w (K, 4), translations (K, 3)."""
 
     name: str
     vertices: np.ndarray
@@ -34,7 +34,7 @@ class ThinPart:
 
 
 def ears(polygon):
-    """Triangles (indices) of a simple polygon (N, 2) that runs counter-clockwise."""
+    """Returns the triangles (indices) of a simple counter-clockwise polygon (N, 2)."""
     left, triangles = list(range(len(polygon))), []
     while len(left) > 3:
         for at in range(len(left)):
@@ -61,7 +61,7 @@ def _side(p, q, r):
 
 
 def loft(polygon, heights, turns=None, scales=None):
-    """A polygon (N, 2) at the heights, turned by `turns` (radians) and scaled."""
+    """Returns a body with a polygon (N, 2) at each height, turned by `turns` (radians) and scaled."""
     polygon, count = np.asarray(polygon, float), len(polygon)
     turns = np.zeros(len(heights)) if turns is None else turns
     scales = np.ones(len(heights)) if scales is None else scales
@@ -83,7 +83,7 @@ def loft(polygon, heights, turns=None, scales=None):
 
 
 def blocks(xs, ys, zs, full):
-    """The boundary of the blocks between planes for which full[x, y, z] is true."""
+    """Returns the boundary of the blocks between planes for which full[x, y, z] is true."""
     full = np.pad(np.asarray(full, bool), 1)
     planes = np.arange((len(xs)) * len(ys) * len(zs)).reshape(len(xs), len(ys), len(zs))
     triangles = []
@@ -98,7 +98,7 @@ def blocks(xs, ys, zs, full):
                 place[u] += du
                 place[v] += dv
                 square.append(planes[tuple(place)])
-            if step[tuple(at)] > 0:  # the block lies beyond: the face looks back
+            if step[tuple(at)] > 0:  # the block lies on the far side: turn the face round
                 square.reverse()
             a, b, c, d = square
             triangles += [(a, b, c), (a, c, d)]
@@ -113,7 +113,7 @@ def _polar(radii, angles):
 
 
 def _band(middle, wall):
-    """The outline of a band of width `wall` along the middle line (N, 2)."""
+    """Returns the outline of a band of width `wall` along the middle line (N, 2)."""
     along = np.gradient(middle, axis=0)
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     across = np.column_stack([-along[:, 1], along[:, 0]]) * wall / 2
@@ -266,7 +266,7 @@ MAKERS = {
 
 
 def parts():
-    """All ten."""
+    """Returns all ten parts."""
     made = []
     for number, (name, make) in enumerate(MAKERS.items()):
         rng = np.random.default_rng(SEED + number)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Inputs that nobody has looked at: parts and motions drawn over orders of size, one from each seed.
+"""Random inputs of very different sizes: a part and a motion for each seed.
 
     for case in cases(seed=1, count=40): run(case.mesh, case.motion, **case.options)
 
@@ -21,7 +21,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
 
 import bodies  # noqa: E402
 
-LARGEST_TURN = 0.9 * math.pi  # between poses: at half a turn the way is not unique any more
+LARGEST_TURN = 0.9 * math.pi  # between two poses; at half a turn the direction would be ambiguous
 
 
 @dataclasses.dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Case:
 
     @property
     def copies(self):
-        """Triangles times poses: the work of a union of copies without a shortcut."""
+        """Returns triangles times poses: the number of triangles in a union of whole copies."""
         return len(self.mesh[1]) * len(self.motion[0])
 
 
@@ -45,7 +45,7 @@ def _logarithmic(rng, low, high):
 
 
 def _ball(rng, triangles):
-    """A ball with relief."""
+    """Returns a ball with a wavy surface."""
     across = max(4, round(math.sqrt(triangles / 4)))
     vertices, faces = bodies.ball(1.0, 2 * across, across)
     waves, depth = rng.integers(2, 9, 3), rng.uniform(0, 0.2)
@@ -59,12 +59,12 @@ def _torus(rng, triangles):
 
 
 def _prism(rng, triangles):
-    """Long triangles, as CAD programs make them."""
+    """Returns a prism with long triangles, as CAD programs make them."""
     return bodies.prism(max(3, triangles // 4), rng.uniform(0.05, 1), 2.0, rng.uniform(0.3, 1))
 
 
 def _comb(rng, triangles):
-    """Thin walls beside each other."""
+    """Returns thin walls beside each other."""
     count = max(2, min(40, triangles // 12))
     side = max(1, round(math.sqrt(triangles / (12 * count))))
     wall = rng.uniform(0.1, 0.9) * 2 / count
@@ -73,7 +73,7 @@ def _comb(rng, triangles):
 
 
 def _grid_box(corner, size, side):
-    """A box whose faces have side x side squares each."""
+    """Returns a box; each of its faces has side x side squares."""
     step = np.linspace(0, 1, side + 1)
     u, v = (a.ravel() for a in np.meshgrid(step, step, indexing="ij"))
     i, j = (a.ravel() for a in np.meshgrid(np.arange(side), np.arange(side), indexing="ij"))
@@ -96,7 +96,7 @@ PARTS = (_ball, _torus, _prism, _comb)
 
 
 def draw_part(rng, triangles):
-    """Vertices (N, 3) in mm, triangles (M, 3); closed and outward, M about `triangles`."""
+    """Returns vertices (N, 3) in mm and about `triangles` triangles (M, 3), closed and facing outwards."""
     vertices, faces = PARTS[rng.integers(len(PARTS))](rng, triangles)
     stretch = rng.uniform(0.3, 1, 3)
     vertices = vertices * stretch * _logarithmic(rng, 1, 1000) / 2
@@ -104,7 +104,7 @@ def draw_part(rng, triangles):
 
 
 def _way(rng, s):
-    """Points (K, 3) at the fractions s of a way of about length 1."""
+    """Returns the points (K, 3) at the fractions s of a random curve of length about 1."""
     kind = rng.integers(4)
     if kind == 0:
         way = s[:, None] * [1.0, 0, 0]
@@ -124,7 +124,7 @@ def _way(rng, s):
 
 
 def draw_motion(rng, poses, size):
-    """times (K,), quaternions (K, 4), translations (K, 3) of a part of `size` mm."""
+    """Returns times (K,), quaternions (K, 4) and translations (K, 3) of a part of `size` mm."""
     s = np.linspace(0, 1, poses) if poses > 1 else np.ones(1)
     if rng.random() < 0.2:  # to and fro
         s = 0.5 - 0.5 * np.cos(2 * math.pi * rng.integers(1, 6) * s)
@@ -135,7 +135,7 @@ def draw_motion(rng, poses, size):
     axis = rng.normal(size=3)
     axis /= np.linalg.norm(axis)
     vectors = turn * s[:, None] * axis
-    if rng.random() < 0.4:  # of a recorder
+    if rng.random() < 0.4:  # with the noise of a recorder
         noise = _logarithmic(rng, 1e-5, 1e-2)
         places = places + rng.normal(size=places.shape) * noise * size
         vectors = vectors + rng.normal(size=vectors.shape) * noise / 4
@@ -146,7 +146,7 @@ def draw_motion(rng, poses, size):
 
 
 def draw_case(seed, most_triangles=300_000, most_poses=200_000):
-    """The case of one seed."""
+    """Returns the case of one seed."""
     rng = np.random.default_rng(seed)
     mesh = draw_part(rng, int(_logarithmic(rng, 100, most_triangles)))
     poses = int(_logarithmic(rng, 1, most_poses))
@@ -163,6 +163,6 @@ def draw_case(seed, most_triangles=300_000, most_poses=200_000):
 
 
 def cases(seed, count, **limits):
-    """`count` cases; limits as those of draw_case()."""
+    """Yields `count` cases, with the limits of draw_case()."""
     for number in range(count):
         yield draw_case(1_000_003 * seed + number, **limits)

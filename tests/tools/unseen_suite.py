@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs the program on drawn inputs (unseen_inputs.py) and looks for slow runs and broken promises.
+"""Runs the program on random inputs (unseen_inputs.py) and looks for slow runs and broken promises.
 
     python3 tests/tools/unseen_suite.py [SECONDS] [--program build/bin/swept] [--seed 1]
 
@@ -27,14 +27,14 @@ import numpy as np
 import unseen_inputs
 
 MOST_SECONDS = 300
-#: Output below this many triangles counts as this many: what starting a run takes is not its fault.
+#: A smaller output counts as this many triangles, because every run needs some time to start.
 LEAST_OUTPUT = 20_000
-SLOW_FACTOR = 20  # times the median, from which a run is marked
+SLOW_FACTOR = 20  # a run that takes this many times the median is marked as slow
 
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
-    """What one run gave; seconds of the processor."""
+    """The result of one run. Seconds are CPU seconds."""
 
     name: str
     seconds: float
@@ -43,20 +43,21 @@ class Outcome:
 
     @property
     def microseconds(self):
-        """Processor time for each triangle of the result."""
+        """Returns the CPU seconds for each triangle of the result."""
         return 1e6 * self.seconds / max(LEAST_OUTPUT, self.triangles)
 
 
 def volume_of(vertices, triangles):
-    """Signed; of a closed mesh turned outward positive."""
+    """Returns the signed volume; positive for a closed mesh that faces outwards."""
     a, b, c = (vertices[triangles[:, n]] - vertices.mean(axis=0) for n in range(3))
     return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6)
 
 
 def broken_promises(report, part_volume):
-    """What of the list above holds for a report, in words; part_volume in mm^3.
+    """Returns the broken promises of a report, as words of the list above. part_volume: mm^3.
 
-    A surface leaves the truth by a part of a cell, and a part may be thinner than a cell: hence half.
+    The surface may deviate by a part of a cell, and a part may be thinner than a cell. So the volume must
+    only be at least half of that of the part.
     """
     if report["status"] != "Ok":
         return (f"status {report['status']} {report.get('code', '')}: {report['message']}",)
@@ -77,7 +78,7 @@ def broken_promises(report, part_volume):
 
 
 def write_ply(path, vertices, triangles):
-    """Binary, double."""
+    """Writes a binary PLY file with double coordinates."""
     rows = np.empty(len(triangles), dtype=[("n", "u1"), ("v", "<i4", 3)])
     rows["n"], rows["v"] = 3, triangles
     head = (
@@ -90,7 +91,7 @@ def write_ply(path, vertices, triangles):
 
 
 def run_case(case, program, folder):
-    """Runs the program on a case; an Outcome."""
+    """Runs the program on a case. Returns an Outcome."""
     vertices, triangles = case.mesh
     times, quaternions, places = case.motion
     write_ply(folder / "part.ply", vertices, triangles)
@@ -118,7 +119,7 @@ def run_case(case, program, folder):
 
 
 def table(outcomes):
-    """The lines to be printed: the slowest ten, the median, and what breaks a promise."""
+    """Returns the lines to print: the slowest ten, the median, and the runs that break a promise."""
     lines = []
     if not outcomes:
         return ["no run"]

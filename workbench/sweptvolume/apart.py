@@ -46,7 +46,7 @@ class Apart:
         self.shape = None if self.is_mesh else obj.Shape
         self._mesh = obj.Mesh if self.is_mesh else None
         self._taken, self._copy, self._kept, self._broken = None, None, {}, False
-        # a thread that holds one lock may need another.
+        # One lock for each value, because a thread that computes one value may need another.
         self._locks = collections.defaultdict(threading.Lock)
 
     def is_of(self, obj):

@@ -18,8 +18,8 @@ class Body:
     """Parts as triangles in world coordinates (mm), as placed when they were read, and the
     placement of the first part.
 
-    The triangles are created on first use, in any thread; FreeCAD's mesher does not block the
-    window. Raises InputProblem then if a part gives no triangles."""
+    The triangles are created on first use, in any thread. The first use raises InputProblem if a
+    part gives no triangles."""
 
     def __init__(self, parts, placement, labels):
         # (label, 4x4 matrix to the world, result of reader(), label, root and sub)

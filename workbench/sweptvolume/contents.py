@@ -157,7 +157,7 @@ def _outermost(points):
     return np.unique(np.concatenate(found))
 
 
-# --- documents of before
+# --- documents of earlier versions
 
 
 def signature_of_before(pairs):

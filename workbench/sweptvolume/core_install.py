@@ -43,8 +43,8 @@ def target():
 
 
 def obstacle():
-    """Returns the folder of a core that would be loaded before an installed one, though it cannot be
-    used, or ""."""
+    """Returns the folder of a core that FreeCAD would load instead of an installed one, although it
+    cannot be used; "" if there is none."""
     for folder in core_search.searched_first():
         if core_search.holds_core(folder):
             return folder
@@ -118,7 +118,7 @@ def _reason(python, output):
     if "No module named pip" in output:
         text = translate(
             "Messages",
-            "The interpreter {0} has no pip. Install it (on Debian and Ubuntu: the package "
+            "The interpreter {0} has no pip. Install pip (on Debian and Ubuntu: the package "
             "python3-pip), or choose another interpreter in the preferences of the Addon Manager.",
         )
         return text.format(python)
@@ -140,11 +140,18 @@ def version_in(path):
         with zipfile.ZipFile(path) as wheel:
             names = [re.match(r"swept_volume-([^/]+)\.dist-info/", n) for n in wheel.namelist()]
     except (OSError, zipfile.BadZipFile) as problem:
-        text = translate("Messages", 'The file "{0}" cannot be read as a Python package: {1}')
+        text = translate(
+            "Messages",
+            'The file "{0}" cannot be read as a Python package ({1}): choose another file.',
+        )
         raise Failed(text.format(path, problem)) from None
     versions = {found[1] for found in names if found}
     if len(versions) != 1:
-        text = translate("Messages", 'The file "{0}" is not the core of Swept Volume.')
+        text = translate(
+            "Messages",
+            'The file "{0}" is not the core of Swept Volume: choose a file whose name begins with '
+            "swept_volume.",
+        )
         raise Failed(text.format(path))
     return versions.pop()
 
@@ -158,8 +165,8 @@ def _check_version(version, place):
 
 
 def _move(staged, folder):
-    """Replaces the core in a folder by that in another one. A loaded library cannot be deleted on
-    Windows, only moved away: what is left there goes at the next installation."""
+    """Replaces the core in a folder by that in another one. Windows cannot delete a loaded library,
+    but can move it: such leftovers are deleted at the next installation."""
     old = tempfile.mkdtemp(prefix=".swept-old-", dir=folder)
     try:
         _move_parts(folder, old)
@@ -256,7 +263,13 @@ class Installation(threading.Thread):
         """Moves a complete core of the right version to its folder."""
         infos = glob.glob(os.path.join(staged, "swept_volume-*.dist-info"))
         if len(infos) != 1 or not core_search.holds_core(staged):
-            raise Failed(translate("Messages", "pip has installed no core."))
+            raise Failed(
+                translate(
+                    "Messages",
+                    "pip ended without an error, but installed no usable core: choose another "
+                    "file, or build the core.",
+                )
+            )
         name = os.path.basename(infos[0])
         _check_version(name[len("swept_volume-") : -len(".dist-info")], name)
         self.restart = "_swept" in sys.modules

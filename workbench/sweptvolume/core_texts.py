@@ -29,7 +29,9 @@ _TEXTS = {
         "of length.",
     ),
     "CellTooLarge": mark(
-        "Core", "The cell is larger than the part: choose a smaller cell or a higher resolution."
+        "Core",
+        "The cell is too large for the part: the part is smaller, or thinner everywhere, than "
+        "one cell. Choose a smaller cell or a higher resolution.",
     ),
     "BadOption": mark(
         "Core",
@@ -48,8 +50,8 @@ _TEXTS = {
     ),
     "AmbiguousTurn": mark(
         "Core",
-        "The part turns by 180 degrees between two poses, so the direction of the "
-        "turn is ambiguous: add a pose between them.",
+        "The part turns by 180 degrees, or nearly so, between two poses, so the direction of "
+        "the turn is ambiguous: add a pose between them.",
     ),
     "PartsIntersect": mark(
         "Core",
@@ -59,7 +61,7 @@ _TEXTS = {
     "PartsTooNear": mark(
         "Core",
         "Two parts are below the required distance in their installed positions: "
-        "reduce the required distance, or allow contact for the pair.",
+        "reduce the required distance, or set a release distance.",
     ),
     "BadFile": mark("Core", "The file cannot be read: the text in brackets says where and why."),
     "BadFormat": mark(

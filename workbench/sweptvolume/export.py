@@ -4,12 +4,12 @@
 Every writer writes beside the target, checks the file, and then renames it. After a failure the old
 file is unchanged.
 """
-import errno
 import os
 
 from . import core, targets
 from .convert import InputProblem
 from .features import solid
+from .texts import translate
 
 SOLID_SUFFIXES = (".step", ".stp", ".brep", ".brp")
 MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".3mf")
@@ -32,11 +32,12 @@ def request(source, settings=None):
 
 def write(req, path, control=None, no_clobber=False):
     """Writes the file, in any thread. Returns a dict: bytes, and for solids the core's report.
-    no_clobber: refuse to replace an existing file. Scripts need it; the file dialog of the
-    window asks the user itself."""
+    no_clobber: raise InputProblem instead of replacing an existing file. This is for scripts; in
+    the window, the file dialog asks whether to replace it."""
     check_target(path)
     if no_clobber and os.path.lexists(path):
-        raise InputProblem('"{}": {}'.format(path, os.strerror(errno.EEXIST)))
+        text = translate("Messages", '"{0}" exists already: choose another name.')
+        raise InputProblem(text.format(path))
     if is_solid_file(path):
         return req.write(path, control or core.Control())
     core.write_mesh(req.vertices, req.triangles, path)

@@ -41,7 +41,7 @@ def _package(name):
     try:
         return importlib.import_module("swept_volume." + name)
     except ImportError as problem:  # before Python 3.11, tomli may be missing
-        text = translate("Messages", "study files cannot be read: {0}")
+        text = translate("Messages", "A Python module is missing ({0}): install it.")
         raise InputProblem(text.format(problem)) from None
     finally:
         sys.path.remove(folder)
@@ -56,7 +56,7 @@ def read(path, output=None):
         with core.errors():
             return package.read_study(path, output or None)
     except OSError as problem:
-        text = translate("Messages", 'the study file "{0}" cannot be read: {1}')
+        text = translate("Messages", 'The study file "{0}" cannot be read: {1}')
         raise InputProblem(text.format(path, problem.strerror or problem)) from None
 
 

@@ -55,7 +55,7 @@ int errnoOfLastError() {
   }
 }
 
-/// A word as CommandLineToArgvW() of the other program reads it.
+/// Quotes a word so that CommandLineToArgvW() in the started program returns it unchanged.
 std::wstring quoted(const std::string& word) {
   std::wstring text = L"\"";
   std::size_t slashes = 0;
@@ -81,7 +81,8 @@ std::uint64_t availableMemory() {
 void returnFreeMemory() {}
 bool setHeap(HeapSetting /*setting*/) { return false; }
 
-// The access list of the folder holds for the file: a user's own folders are his alone.
+// The file inherits the access list of its folder. In folders of the user, only the user can open
+// it.
 unsigned createPrivate(const fs::path& file) {
   const HANDLE handle = CreateFileW(file.c_str(), GENERIC_WRITE, 0, nullptr, CREATE_NEW,
                                     FILE_ATTRIBUTE_NORMAL, nullptr);

@@ -64,7 +64,8 @@ bool isDisc(const TriMesh& mesh, const Fan& fan) {
     n += out.cross(in);
     out = in;
   }
-  // (wa, wb), along the axes a and b, is a vector exactly perpendicular to n and not short.
+  // The vector with the components wa and wb along the axes a and b, and 0 along the third axis, is
+  // exactly perpendicular to n. It is not short, because wb is the largest component of n.
   int a = 0;
   n.cwiseAbs().maxCoeff(&a);
   const int b = (a + 1) % 3;

@@ -91,7 +91,7 @@ class MinimumSearch {
     if (overlapping && result_.distance > slack_) takeInside(*overlapping);
   }
 
-  /// Returns the distance, in mm, from which on surfaces count as not touching.
+  /// Returns the smallest distance, in mm, at which surfaces count as apart.
   double meeting() const { return std::max(slack_, std::numeric_limits<double>::min()); }
 
   void takeInside(double parameter) {

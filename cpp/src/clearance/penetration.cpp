@@ -16,8 +16,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
-/// A point of a piece is likely to lie deeper than the piece's centre by about this share of two
-/// lengths: the radius of the piece and the reach of its motion.
+/// Some point of a piece probably lies deeper than the centre of the piece. The difference is about
+/// this share of the sum of the piece's radius and the reach of its motion.
 constexpr double kPromise = 0.3;
 // Largest number of connected pieces of a part at which the search starts.
 constexpr std::size_t kMostPieces = 1000;

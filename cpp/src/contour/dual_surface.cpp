@@ -21,8 +21,8 @@ namespace {
 /// A vertex stays in its cell if the root mean square distance of its planes from the best point in
 /// the cell is at most this (in cells). The planes then nearly meet inside the cell: the crease
 /// passes through the cell, although its point next to the mass point lies outside. Moving these
-/// vertices out of their cells, too, gave 1,484 intersecting pairs on fandisk_keys16 at 256 cells;
-/// this limit gives 62.
+/// vertices out of their cells, too, gave 1,484 intersecting pairs on the fandisk test mesh moved
+/// over 16 keys, at 256 cells; this limit gives 62.
 constexpr double kMinEscapeMiss = 0.03;
 
 /// Fits the vertex of a component to the planes of its crossings.
@@ -46,18 +46,19 @@ struct VertexFit {
   /// Returns whether clearly different planes meet outside the cell and keep at least a small mean
   /// distance from every point in the cell.
   bool mayHideSide() const {
-    // Cells; 689 of the fandisk's 146,000 cells are probed with these limits (docs/contouring.md).
+    // Cells. With these limits, 689 of 146,000 cells are probed on the fandisk test mesh
+    // (docs/contouring.md).
     constexpr double kMinOutside = 0.02, kMinMiss = 0.008;
     return out > kMinOutside && meanSquaredMiss > kMinMiss * kMinMiss &&
            qef.sharpness() > kMinSharpness;
   }
 
-  /// Damps the minimiser towards the mass point if the planes differ by only a few degrees, because
-  /// such planes have no reliable common point. If they do not coincide either, the crossings are
-  /// inexact by about the distance between the planes. A vertex at the point where the planes seem
-  /// to meet would slide along the surface and through the other side of a thin wall. The damping
-  /// grows with the mean squared distance to the planes (docs/contouring.md, "Sides of thin walls":
-  /// 32,585 intersecting pairs without damping, 25,177 with it).
+  /// Draws the minimiser towards the mass point if the planes differ by only a few degrees. Such
+  /// planes have no reliable common point: if they are some distance apart, the crossings are
+  /// inexact by about this distance. A vertex at the point where the planes seem to meet would then
+  /// slide along the surface and through the other side of a thin wall. The damping grows with the
+  /// mean squared distance to the planes (docs/contouring.md, "Sides of thin walls"). In a trial,
+  /// 25,177 pairs of triangles intersected with damping, and 32,585 without.
   void keepNear() {
     constexpr double kMaxSharpness = 0.002;  // sharpness of two planes that differ by 5 degrees
     // If the planes are this far from the best point (cells), the damping weighs as much as all

@@ -73,7 +73,7 @@ Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunConte
   // A placement is skipped if its box lies in the box found so far. Visiting the placements in
   // strides finds a large box early.
   const std::size_t n = motion.placements.size();
-  // From this many placements on, the search for the foremost vertices saves time.
+  // With this many placements or more, the search for the foremost vertices saves time.
   constexpr std::size_t kMany = 1024;
   if (n >= kMany) {
     box = boxOfSimilarPlacements(body, centre, motion);

@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 
 constexpr double kRounding = 1e-6;   // cells: gaps are stored as floats
 constexpr double kFromPoint = 1e-3;  // cells: smallest distance of crossings from lattice points
-// Offset distance (cells) from which on dips are not searched for. A dip (see the header) is less
-// deep than 1 / (8 distance).
+// Dips are searched for only below this offset distance (cells), because a dip (see the header) is
+// less deep than 1 / (8 distance).
 constexpr double kDipsBelow = 2;
 constexpr double kShortest = 1.0 / 32;  // fraction of an edge: shorter dips are not searched for
 // Offset distances (cells).

@@ -19,17 +19,15 @@ namespace {
 using namespace path;
 
 constexpr int kTrials = 400;          // number of shortcuts tried
-constexpr double kLeastRaise = 1.05;  // raising ends at this factor
+constexpr double kLeastRaise = 1.05;  // raising ends when its factor is this small
 constexpr double kRaise = 1.5;        // factor from one clearance to the next
 constexpr double kRoom = 0.98;        // a search begins after this fraction of the free part
 constexpr double kLeast = 1e-4;       // radii; shorter pieces of a move get no key
 constexpr double kShare = 0.25;       // fraction of the budget for one search
 
-// Consecutive keys. If `free`, all moves between them keep the clearance; if not, none is proven
-// to.
 struct Piece {
-  std::vector<State> keys;
-  bool free = false;
+  std::vector<State> keys;  // consecutive
+  bool free = false;        // true: all moves between the keys are proven to keep the clearance
 };
 
 // The pieces between two consecutive locked keys.
@@ -368,7 +366,8 @@ PathReport improvePath(const TriMesh& part, const ImproveTask& task,
     ends.start = Pose{};
     checkPathOptions(ends, counted, o);
     for (const Pose& pose : task.motion.poses) checkedPose(pose, "key");
-    // Straight is straight for the pivot: there all is done in coordinates whose origin it is.
+    // The pivot moves along straight lines, so all work is done in coordinates whose origin is the
+    // pivot.
     const Eigen::Vector3d pivot = pivotOf(task.motion);
     const ImproveTask carried{carriedByPivot(task.motion, pivot), task.locked, task.moreClearance};
     Improver improver(seenFromPivot(part, pivot), carried, counted, o, run, report);

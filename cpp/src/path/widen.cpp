@@ -11,16 +11,16 @@ namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-// Tried on cases of OMPL.app: with kMargin 1.02, blocked moves open too slowly; with 1.25 and more,
-// wide detours use up the length.
 constexpr double kLongestMove = 0.5;  // radii of the part; longer moves get keys in between
 constexpr std::size_t kMaxKeys = 300;
-constexpr int kPlaces = 6;           // number of places at which a free move is sampled
-constexpr int kManyPlaces = 24;      // the same for a blocked move
-constexpr int kRounds = 12;          // after these, a raise has failed
-constexpr int kSweeps = 60;          // of the dual ascent
-constexpr double kTrust = 0.1;       // radii; a key moves no farther in one round
-constexpr double kMargin = 1.1;      // pairs are opened to this multiple of the wanted distance
+constexpr int kPlaces = 6;       // number of places at which a free move is sampled
+constexpr int kManyPlaces = 24;  // the same for a blocked move
+constexpr int kRounds = 12;      // after these, a raise has failed
+constexpr int kSweeps = 60;      // of the dual ascent
+constexpr double kTrust = 0.1;   // radii; a key moves no farther in one round
+// Pairs are opened to this multiple of the wanted distance. Tried on cases of OMPL.app: with 1.02,
+// blocked moves open too slowly; with 1.25 and more, wide detours use up the length.
+constexpr double kMargin = 1.1;
 constexpr double kFirst = 2e-3;      // radii; the first raise
 constexpr double kLeast = 2e-6;      // radii; smaller raises are not worth the time
 constexpr double kMostRaise = 0.25;  // radii

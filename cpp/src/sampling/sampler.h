@@ -2,7 +2,7 @@
 // In: SamplerInput.
 // Out: for every lattice edge that the swept surface crosses, the first crossing from each end.
 // Units: mm; fractions of an edge.
-// Promise: exact decisions, the same bytes for any number of threads. Source: METHOD.md section 2.
+// Promise: exact decisions, the same bytes for any number of threads. Source: docs/pipeline.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -60,9 +60,9 @@ struct CollapseState {
   /// collapses passes this flag on. Empty: no vertex has the flag.
   std::vector<char> careful;
   /// Distance of the sample points on all other new triangles, in tolerances. It comes from a
-  /// trial: the bunny over 16 keys at 512 cells, tolerance 0.5 mm. After the first round, with
-  /// coarseness 1.5, 10 places were too far off, by at most 1.1 tolerances; with 3, 11 places by
-  /// 1.2; with 5, 48 places by 1.3; with 8, 53 places by 2.1.
+  /// trial: the bunny test mesh moved over 16 keys, at 512 cells, tolerance 0.5 mm. After the first
+  /// round, with coarseness 1.5, 10 places were too far off, by at most 1.1 tolerances; with 3, 11
+  /// places by 1.2; with 5, 48 places by 1.3; with 8, 53 places by 2.1.
   double coarseness = 3;
   /// By vertex: a triangle of the original near the vertex; -1 if not known. Empty: none is known.
   std::vector<std::int32_t> nearby;

@@ -22,8 +22,9 @@ using Flags = std::vector<char>;
 constexpr double kFirstFraction = 0.1;  // share of the limit in the first round
 
 // Parameters of the thinning. They come from trials on a part with curved and plane faces (1.2
-// million triangles, fandisk over 16 keys), within 0.08 cells. The mesh for edge collapses gets a
-// quarter of the triangles of the mesh for surface recognition. More rounds do not make it smaller.
+// million triangles: the fandisk test mesh moved over 16 keys), within 0.08 cells. The mesh for
+// edge collapses gets a quarter of the triangles of the mesh for surface recognition. More rounds
+// do not make it smaller.
 struct Manner {
   int rounds = 3;
   double meanFraction = 1;  // share of the limit: largest root mean square distance from the planes
@@ -31,8 +32,8 @@ struct Manner {
   double minShape = 0.03;   // area vector / longest side squared
   double longest = 50;  // limit of a new edge's length, as a multiple of the mean edge of the input
   // Also compares new edges with the old triangles. Without this, a spike of 1.1 tolerances
-  // remained on a scanned body (bunny over 16 keys, 2 mm). Surface recognition does not need it:
-  // surfaces are fitted to the vertices, and the solid is measured in the end.
+  // remained on a scanned body (the bunny test mesh moved over 16 keys, 2 mm). Surface recognition
+  // does not need it: surfaces are fitted to the vertices, and the solid is measured in the end.
   bool looksBack = true;
 };
 constexpr Manner kForCollapse;

@@ -28,14 +28,14 @@ struct Built {
   double deviation = 0;  // mm, of the mesh's vertices from the faces of the solid
 };
 
-/// Returns the model, which the judge has taken last, or nothing. `faces` receives the number of
-/// faces, even if there are too many.
+/// Returns the model, or nothing. The judge still holds this model (Judge::take()). `faces`
+/// receives the number of faces, even if there are too many.
 std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
                                const StepOptions& options,
                                const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                std::int64_t& faces, RunContext& run);
 
-/// Returns a shape with the faces of StepOptions::origin. Nothing if they do not fit together.
+/// Returns a shape with the faces of StepOptions::origin, or nothing if they do not fit together.
 std::optional<Built> makeLabelledShape(const HalfEdgeMesh& mesh, const StepOptions& options,
                                        const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                        RunContext& run);

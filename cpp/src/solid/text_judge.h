@@ -1,5 +1,5 @@
-// A judge for programs without a kernel of their own: asks a reader of the caller, such as
-// FreeCAD's, about texts of STEP files.
+// A judge for programs without a geometry kernel: it passes texts of STEP files to a reader of the
+// caller, such as FreeCAD's.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,9 +12,9 @@
 
 namespace swept::step {
 
-/// Judges what such a reader can tell: whether curved faces are valid after reading, and the
-/// finished file. It finds no faces that intersect and no edges between the points at which a
-/// reader measures them; `reader` must outlive it.
+/// Checks with the reader whether curved faces are valid after reading, and whether the finished
+/// file is the solid. It cannot find faces that intersect. It finds edges off their faces only at
+/// the points at which the reader measures them. `reader` must outlive the judge.
 class TextJudge : public Judge {
  public:
   explicit TextJudge(StepReader& reader) : reader_(reader) {}

@@ -130,7 +130,7 @@ def scenario():
     yield tried
     find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").setValue(1500)
     yield lambda: tried() and figures(label.text())[0] <= 1500
-    assert "limits need a tolerance of" in label.text(), label.text()
+    assert "is needed to meet the limits" in label.text(), label.text()
     # What cannot be made is refused by the trial in the words of the run.
     find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").setValue(4)
     yield lambda: "the limit is 4 faces" in label.text()

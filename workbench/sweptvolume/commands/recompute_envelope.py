@@ -26,8 +26,12 @@ class Command(BaseCommand):
         return selection.envelope() or next(iter(stale or (known if len(known) == 1 else [])), None)
 
     def missing(self, document):
+        from ..panels import selection
+
         if self.find(document) is not None:
             return ""
+        if not objects_of_kind(document, Envelope.KIND):
+            return selection.wanting_envelope(document)
         return translate("Messages", "No envelope is stale. Select one to compute it again.")
 
     def run(self, document):

@@ -16,10 +16,9 @@ from .still_parts import StillParts, chord_of, left_out_text
 
 
 class Part:
-    """name: different for each part; pair: (root, sub); body: has vertices and triangles; chord:
-    mm; way: a moving.Way, or None if the part stands still; straight: mm by which straight
-    pieces may deviate from a curved way.
-    """
+    """A part of a mechanism. name: different for each part; pair: (root, sub); body: a convert.Body;
+    chord: largest deviation of its triangles from its surface (mm); way: a moving.Way, or None if
+    the part stands still; straight: largest deviation of straight pieces from a curved way (mm)."""
 
     def __init__(self, name, pair, body, chord, way=None, straight=0.0):
         self.name, self.pair, self.body, self.chord = name, pair, body, chord

@@ -243,7 +243,7 @@ _SETTINGS = {
     "rapid": (
         "App::PropertySpeed",
         "SourceRapid",
-        mark("Properties", "Rapid"),
+        mark("Properties", "Speed of rapid moves (G0)"),
         100.0,
     ),
     "convention": (

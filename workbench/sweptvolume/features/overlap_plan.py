@@ -31,7 +31,7 @@ class Plan:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "there is nothing to compare: choose two or more parts, envelopes or solids.",
+                    "There is nothing to compare: choose two or more parts, envelopes or solids.",
                 )
             )
         for (root, sub), (other, path) in itertools.combinations(self.pairs, 2):

@@ -148,7 +148,7 @@ class Plan:
         if not all(self.sides):
             raise InputProblem(
                 translate(
-                    "Messages", "a shared volume needs two sides: choose two parts or envelopes."
+                    "Messages", "A shared volume needs two sides: choose two parts or envelopes."
                 )
             )
         for pair in self.sides[0]:

@@ -137,7 +137,7 @@ def _words(source, wanted):
 
 def _check_source(source):
     if source is None or not can_be_source(source):
-        raise InputProblem(translate("Messages", "the envelope has no mesh yet: compute it first."))
+        raise InputProblem(translate("Messages", "The envelope has no mesh yet: compute it first."))
 
 
 def update_status(obj):
@@ -163,7 +163,7 @@ def notes_of(obj):
         return ""
     return translate(
         "Messages",
-        "at one edge, the gap between two faces of the solid is {0}, which is more than the "
+        "At one edge, the gap between two faces of the solid is {0}, which is more than the "
         "tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and "
         "smaller gaps.",
     ).format(quantity(obj.EdgeTolerance.Value), quantity(asked))
@@ -186,8 +186,8 @@ class Request:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "the envelope is conservative, but a solid with a tolerance could cut into the swept "
-                    "volume: set the Tolerance of the solid to 0.",
+                    "The envelope is conservative, but a solid with a tolerance could cut into the "
+                    "swept volume: set the Tolerance of the solid to 0.",
                 )
             )
         return Request(self.vertices, self.triangles, self.name, self.exact, wanted)

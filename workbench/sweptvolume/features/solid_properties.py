@@ -20,7 +20,7 @@ PROPERTIES = [
         "App::PropertyBool",
         "MergeCoplanar",
         "Solid",
-        mark("Properties", "Merge coplanar"),
+        mark("Properties", "Whether adjacent coplanar triangles are merged into one flat face"),
         True,
         0,
     ),

@@ -11,7 +11,7 @@ from .base import kind_of
 
 #: Factor on the mesh deflection for solids that are only drawn, not measured.
 DRAWN = 4
-#: Kinds of result objects that are part of the document as parts are.
+#: Kinds of result objects that count as parts.
 _RESULTS = (envelope_feature.Envelope.KIND, "SweptVolume::Solid")
 
 

@@ -116,8 +116,8 @@ class CoreDialog(QtWidgets.QDialog):
         elif blocked:
             text = translate(
                 "Panels",
-                "The core in {0} cannot be used, and it would be loaded before an installed one. "
-                "Build it again, or delete it from there.",
+                "The core in {0} cannot be used, but FreeCAD would load it instead of an installed "
+                "core. Build it again, or delete it.",
             ).format(blocked)
         elif "_swept" in sys.modules:
             text = core.problem().split("\n")[0]

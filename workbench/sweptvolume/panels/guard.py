@@ -28,7 +28,12 @@ def tell(label, problem):
         return
     text = "".join(traceback.format_exception(type(problem), problem, problem.__traceback__))
     App.Console.PrintError(text)
-    widgets.show_message(label, "{}: {}".format(type(problem).__name__, problem))
+    said = translate(
+        "Messages",
+        "This is a fault of the workbench ({0}: {1}). The report view has the details; please "
+        "report it.",
+    )
+    widgets.show_message(label, said.format(type(problem).__name__, problem))
 
 
 def told(method):

@@ -17,9 +17,9 @@ LOOK = 20
 
 
 class Answer:
-    """number: that of the request; matrix: where the part may be (4x4); distance (mm, 0: clash) and
-    name of the nearest neighbour; points: two (mm, world), both None if one part lies inside the
-    other."""
+    """The answer to a request. number: that of the request; matrix: placement of the part (4x4);
+    distance: to the nearest neighbour (mm; 0: clash); name: of this neighbour; points: the two
+    nearest points (mm, world), both None if one part lies inside the other."""
 
     def __init__(self, number, matrix, distance, name, points):
         self.number = number

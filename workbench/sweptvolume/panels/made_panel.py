@@ -135,8 +135,8 @@ class MadePanel(StayingPanel):
             raise InputProblem(
                 translate(
                     "Messages",
-                    "What made the envelope cannot be recorded if the envelope has an "
-                    "offset or is conservative: set Offset to 0 and Conservative to off.",
+                    "No record can be made for an envelope that has an offset or is conservative: "
+                    "set Offset to 0 and switch Conservative off.",
                 )
             )
         plan = Plan.of(self.obj)

@@ -162,7 +162,7 @@ class SolidPanel(StartPanel):
         if not found["tried"]:
             text += "\n" + translate("Panels", "Estimating the solid ...")
         elif found["tolerance"] > 0 and not self.settings()["tolerance"]:
-            asked = translate("Panels", "The limits need a tolerance of {0}")
+            asked = translate("Panels", "A tolerance of {0} is needed to meet the limits")
             text += "\n" + asked.format(quantities.quantity(found["tolerance"]))
         widgets.show_message(self.expected, text)
 

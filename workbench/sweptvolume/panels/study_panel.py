@@ -262,7 +262,10 @@ class StudyPanel(StayingPanel):
     def open_page(self):
         path = self._page()
         if not QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path)):
-            text = translate("Messages", "No program is installed that opens {0}.")
+            text = translate(
+                "Messages",
+                "{0} could not be opened: install a web browser, or open the file yourself.",
+            )
             raise InputProblem(text.format(path))
 
     @guard.told

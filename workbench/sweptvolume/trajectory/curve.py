@@ -54,7 +54,9 @@ def poses(objects, count, orientation, duration):
     if count < 2:
         raise InputProblem(
             translate(
-                "Messages", "A curve needs at least two poses: set Count to 0, or to 2 or more."
+                "Messages",
+                "A curve needs at least two poses: set Count to 2 or more, or to 0 (then Accuracy "
+                "decides).",
             )
         )
     track = _Track(edges)

@@ -21,17 +21,26 @@ CONSTRAINT = "Constraints."
 _PLACEMENT = ("Base.x", "Base.y", "Base.z", "Rotation.Angle")
 
 
+def _no_such_value(driver, name):
+    """Returns an InputProblem that lists the values of an object that can be changed."""
+    values = names_of(driver)
+    if not values:
+        text = translate(
+            "Messages", '"{0}" has no value that can be changed: choose another object.'
+        )
+        return InputProblem(text.format(driver.Label))
+    text = translate("Messages", '"{0}" has no value "{1}" that can be changed: choose one of {2}.')
+    more = ", ..." if len(values) > 12 else ""
+    return InputProblem(text.format(driver.Label, name, ", ".join(values[:12]) + more))
+
+
 class Handle:
     """A value that can be read, set and restored: property, sketch constraint or cell."""
 
     def __init__(self, driver, name):
         self.driver, self.name = driver, name
         if name not in names_of(driver):
-            raise InputProblem(
-                translate(
-                    "Messages", '"{0}" has no value "{1}" that can be changed: choose one of {2}'
-                ).format(driver.Label, name, ", ".join(names_of(driver)[:12]) or "-")
-            )
+            raise _no_such_value(driver, name)
         for path, expression in getattr(driver, "ExpressionEngine", []):
             if path.lstrip(".") == name:
                 raise InputProblem(

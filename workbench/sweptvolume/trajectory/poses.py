@@ -47,7 +47,7 @@ class Poses:
             raise InputProblem(
                 translate(
                     "Messages",
-                    "The motion has {0} times but {1} placements: their numbers must be equal.",
+                    "The motion has {0} times but {1} placements: give one time for each placement.",
                 ).format(len(self.times), len(self.placements))
             )
         self._check_times()

@@ -49,8 +49,8 @@ def damaged():
     return InputProblem(
         translate(
             "Messages",
-            "The settings of the motion's source are damaged: create the motion "
-            "again, or use its poses as they are.",
+            "The settings of the motion's source are damaged: create the motion again, or edit its "
+            "keys with Edit motion, which removes the link to the source and keeps the poses.",
         )
     )
 
@@ -72,7 +72,7 @@ def _stored(settings):
         translate(
             "Messages",
             "This motion has no source that could be read again: its poses are "
-            "stored only in the document.",
+            "stored only in the document. To change them, choose Edit motion.",
         )
     )
 

@@ -18,8 +18,9 @@ class TriangleBlocks {
   TriangleBlocks(const TriMesh& mesh, const GridPlan& plan);
   /// Call this after triangles or their corners have changed, or after triangles were added.
   void update(const TriMesh& mesh, const std::vector<std::int32_t>& changed);
-  /// Returns the triangles whose first corner lies in a block within `reachCells` of the box of a
-  /// member. Searches the whole surface, or only `among` if given; keeps the order of the list.
+  /// Returns the triangles near the members, in the order of the list that was searched: `among` if
+  /// given, otherwise all triangles of the surface. A triangle is near if the block with its first
+  /// corner meets the bounding box of some member, enlarged by `reachCells`.
   std::vector<std::int32_t> near(const TriMesh& mesh, const std::vector<std::int32_t>& members,
                                  int reachCells,
                                  const std::vector<std::int32_t>* among = nullptr) const;

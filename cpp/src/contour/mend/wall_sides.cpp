@@ -99,7 +99,7 @@ class Layer {
     return intoCell(now, homeCell(now, mass));
   }
 
-  /// Returns half the vector, in cells, that shall lead from a to b. Call this when both vertices
+  /// Returns half of the vector (cells) from a to b after the move. Call this when both vertices
   /// lie at their common point.
   Vec3 half(const WallSides& sides, const std::vector<Through>& edges) const {
     std::vector<Vec3> normals;  // pointing into the wall from the side of a

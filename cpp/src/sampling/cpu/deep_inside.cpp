@@ -13,8 +13,8 @@ namespace swept {
 namespace {
 
 /// The number of whole copies is that of the placements, divided by kPlacementsPerCopy, up to
-/// kMost. If it is less than kFewest, no copies are sampled. From kWithExtreme copies on, they
-/// include the placements farthest along many directions.
+/// kMost. If it is less than kFewest, no copies are sampled. If it is kWithExtreme or more, the
+/// copies include the placements farthest along many directions.
 constexpr std::size_t kPlacementsPerCopy = 128, kFewest = 8, kWithExtreme = 176, kMost = 256;
 /// The map is used only if it hides at least this fraction of the crossings of some other copies.
 /// Thin parts that travel far hide little, and the queries take time.

@@ -3,7 +3,7 @@
 //
 // In: sampler input with a closed body. Out: the lattice points that the copies enclose.
 // Units: cells. Cost: sampling the copies, a small part of sampling the motion.
-// Source: METHOD.md section 2, "what is inside stays inside".
+// Source: docs/pipeline.md, "Culling".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -10,7 +10,7 @@
 //        points that a part of the sweep encloses stay enclosed, and the search never reaches an
 //        edge between two of them. On an edge with an outside end, only the first crossing from
 //        that end counts, so a crossing behind a known one does not.
-// Source: METHOD.md section 2, "what is inside stays inside".
+// Source: docs/pipeline.md, "Culling".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -7,7 +7,7 @@
 // Units: mm, cells. Cost: O(shown clusters + placements).
 // Promise: an element that is left out crosses no lattice line, or its crossings cannot matter
 //        (inside_map.h). The marks that count are the same to the last bit.
-// Source: own method; METHOD.md section 2, "Dense motions", space-time subdivision.
+// Source: own method (docs/pipeline.md, "Culling").
 //
 // A block bounds where its placements, and the steps that start at them, carry the body: an affine
 // map and the largest deviation from it. The map takes the ball of a cluster to a box that contains

@@ -4,7 +4,7 @@
 // Cost: O(clusters), plus O(faces) for undecided clusters.
 // Promise: a dropped element is enclosed by the swept volume. The proof only requires a closed body
 // with positive volume on both sides of the dropped piece.
-// Source: METHOD.md section 2, "every face of every prism is sent"; docs/pipeline.md, "Culling".
+// Source: docs/pipeline.md, "Culling".
 //
 // A face has direction +1 if all its points move outward during a whole step, -1 if all move
 // inward, otherwise 0. During the chord motion of the step, a point p is at p + s d(p). The

@@ -2,8 +2,7 @@
 //
 // In: body, placement space. Out: per face the sorted placements at which it must be sampled.
 // Units: mm. Cost: O(vertices x queries); 4 bytes per (face, placement) pair.
-// Source: METHOD.md section 2, "Support queries in placement space", which gives the figures for
-// slack and rings.
+// Source: docs/pipeline.md, "Dense motions". The figures for slack and rings are in DenseSettings.
 //
 // A query at a vertex with a normal finds its winner: the placement with the largest advance along
 // the normal (placement_space.h). Every vertex queries its own normal, the normals of its faces,

@@ -4,7 +4,7 @@
 // Cost: a few seconds for 10^5 placements (docs/performance.md).
 // Promise: the envelope may be too small by the figure in "DensePruned", but never too large. Tests
 // compare with brute force (sampleCpu).
-// Source: METHOD.md section 2, "Dense motions".
+// Source: docs/pipeline.md, "Dense motions".
 //
 // The sampler takes only the (face, placement) pairs that can reach the envelope (candidates.h) and
 // a few whole copies that close the inside. Then it searches, against all placements, for places
@@ -42,11 +42,11 @@ struct DenseSettings {
   int rings = 8;                 ///< rings over which winners spread within the slack
   std::size_t maxAtVertex = 96;  ///< a vertex accepts at most this many placements
   int wholeCopies = 12;
-  /// Largest fraction of the surface points that may remain open. Above it, brute force takes over
-  /// ...
+  /// Largest fraction of the surface points that may remain open. Above it, brute force takes over,
+  /// unless it would have to sample more than bruteForcePairs pairs.
   double maxOpenFraction = 1e-3;
-  double bruteForcePairs = 2e9;  ///< ... unless it has more pairs than this to sample
-  int rounds = 6;                ///< largest number of repair rounds
+  double bruteForcePairs = 2e9;
+  int rounds = 6;  ///< largest number of repair rounds
 };
 
 struct DenseSurface {

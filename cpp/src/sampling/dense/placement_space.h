@@ -4,7 +4,7 @@
 // Units: mm; w is scaled by the body's radius, so that all six coordinates are lengths.
 // Cost: O(n log n) to build; microseconds per query.
 // Promise: of equal values the lower index wins, so results are the same for any number of threads.
-// Source: METHOD.md section 2, "Support queries in placement space".
+// Source: docs/pipeline.md, "Dense motions".
 //
 // Relative to a mean placement, a body point with mean position c + q moves by dt + w x q, to first
 // order in the turn w. So its advance along a unit normal n is n.dt + (q x n).w, which is linear in

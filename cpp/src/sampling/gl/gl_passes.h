@@ -3,7 +3,7 @@
 // Cost: O(elements) vertices per pass and brick, plus fragments. A draw takes less than 50 ms, so
 // that a cancel is noticed and no watchdog of the driver ends it. Positions are doubles in cells of
 // the grid. The device snaps them to 2^-17 cell by the same operations as the CPU.
-// Source: thesis of 2017, chapter 3; docs/gpu.md.
+// Source: J. Brummer, bachelor's thesis, Mainz 2017, chapter 3; docs/gpu.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

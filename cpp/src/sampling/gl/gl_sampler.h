@@ -2,7 +2,7 @@
 // In: body, motion, grid. Out: the marked edges of sampleCpu(), bit for bit. Elements and fractions
 // are set for contributing edges only.
 // Cost: time O(elements x bricks + fragments), device memory within a budget.
-// Source: thesis of 2017, chapter 3 (docs/gpu.md).
+// Source: J. Brummer, bachelor's thesis, Mainz 2017, chapter 3; docs/gpu.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -27,7 +27,7 @@ void insertKnot(std::vector<double>& flat, Eigen::MatrixXd& poles, int degree, d
   poles = std::move(more);
 }
 
-// The largest distance of points: the columns in groups of three.
+// Returns the largest length of the vectors in a row; each three columns are one vector.
 double largestError(const Eigen::RowVectorXd& difference) {
   double largest = 0;
   for (Eigen::Index i = 0; i + 2 < difference.cols(); i += 3)
@@ -136,7 +136,7 @@ std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, do
   Knots knots(degree, {range.from, range.to});
   // The errors of a span are largest near the middle between two sites.
   constexpr std::array<double, 6> kBetween{0.06, 0.23, 0.41, 0.59, 0.77, 0.94};
-  /// Spans whose needs differ by less are cut alike.
+  /// All spans are cut alike if each needs at least this share of the largest number of pieces.
   constexpr double kEven = 0.4;
   while (knots.breaks().size() <= mostSpans + 1) {
     const std::vector<double> sites = knots.sites();
@@ -148,8 +148,8 @@ std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, do
       values.row(static_cast<Eigen::Index>(i)) = row;
     }
     const Eigen::MatrixXd poles = Interpolator(knots).poles(values);
-    // How many times as many spans are needed: the error falls with the power degree + 1 of their
-    // length.
+    // Number of pieces that each span needs. The error is proportional to the span length to the
+    // power degree + 1.
     std::vector<double> wanted;
     for (std::size_t i = 0; i + 1 < knots.breaks().size(); ++i) {
       const Range span{knots.breaks()[i], knots.breaks()[i + 1]};
@@ -164,7 +164,8 @@ std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, do
     const auto [least, most] = std::minmax_element(wanted.begin(), wanted.end());
     if (*most <= 1) return knots;
     if (*least >= kEven * *most) {
-      // Equal spans, but never twice as many as the estimate from few spans says.
+      // Uses equal spans. An estimate from fewer than three spans is too high, so only 80 % of it
+      // is taken.
       const double share = wanted.size() < 3 ? 0.8 : 1;
       const auto count = static_cast<double>(wanted.size());
       const double next = std::max(count + 1, std::ceil(share * *most * count));
@@ -187,7 +188,7 @@ Eigen::MatrixXd partOf(const Knots& knots, const Eigen::MatrixXd& poles, Range r
     auto count = std::count(flat.begin(), flat.end(), end);
     for (; count < degree; ++count) insertKnot(flat, more, degree, end);
   }
-  // The poles of the part are those whose knots, without the first and the last, lie in it.
+  // A pole belongs to the part if all its knots, except the first and the last, lie in the range.
   std::vector<double> breaks;
   Eigen::Index first = -1, last = 0;
   for (Eigen::Index i = 0; i < more.rows(); ++i) {

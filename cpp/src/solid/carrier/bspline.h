@@ -41,11 +41,11 @@ class Knots {
   std::size_t poleCount() const { return flat_.size() - degree_ - 1; }
   const std::vector<double>& breaks() const { return breaks_; }
   Range range() const { return {breaks_.front(), breaks_.back()}; }
-  /// Beyond the ends, the first and the last polynomial go on.
+  /// Beyond the ends, the first and the last polynomial are continued.
   Basis basis(double t) const;
-  /// One parameter for each pole, the ends among them.
+  /// Returns one parameter for each pole, including both ends.
   std::vector<double> sites() const;
-  /// Each knot with its multiplicity.
+  /// Returns the knots; each occurs as often as its multiplicity says.
   const std::vector<double>& flat() const { return flat_; }
 
  private:
@@ -70,9 +70,9 @@ Eigen::RowVectorXd valueOf(const Knots& knots, const Eigen::MatrixXd& poles, dou
 /// Several exact curves at once: the value at one parameter is one row.
 using ExactRow = std::function<Eigen::RowVectorXd(double)>;
 
-/// Returns knots with which the interpolating spline is within `bound` of the exact values, each
-/// group of three columns being a point. The spans that are not are cut further, so knots are dense
-/// only where they must be. Nothing if `mostSpans` do not suffice or a value is not finite.
+/// Returns knots with which the interpolating spline is within `bound` of the exact values; each
+/// three columns are a point. Cuts only spans that are too inaccurate, so knots are dense only
+/// where necessary. Returns nothing if `mostSpans` do not suffice or a value is not finite.
 std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, double bound,
                               std::size_t mostSpans);
 

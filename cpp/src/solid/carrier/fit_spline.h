@@ -18,11 +18,11 @@ namespace swept::step {
 constexpr int kSmoothDegree = 5;
 constexpr std::size_t kMostSpans = 64;
 
-/// A point of the exact curve; not finite where it has none.
+/// Returns a point of the exact curve; its coordinates are not finite where the curve is undefined.
 using ExactCurve = std::function<Eigen::Vector3d(double)>;
 
-/// Returns the curve through exact(v), v in `range`; its parameter starts at 0. Nothing if the
-/// bound is not reached with kMostSpans spans, or if a value is not finite.
+/// Returns the curve through exact(v), v in `range`; its parameter starts at 0. Returns nothing if
+/// the bound is not reached with kMostSpans spans, or if a value is not finite.
 std::optional<Curve> fitSpline(const ExactCurve& exact, Range range, double bound);
 
 }  // namespace swept::step

@@ -40,7 +40,7 @@ std::optional<double> meet(const Curve& curve, const Carrier& surface, double t,
                                                                : std::nullopt;
 }
 
-// Whether the curve lies on the surface for a little way on both sides of t.
+// Returns whether the curve lies on the surface for a short distance on both sides of t.
 bool runsAlong(const Curve& curve, const Carrier& surface, double t, double reach) {
   const double step = 0.5 * reach / std::max(1e-300, slopeAt(curve, t).norm());
   for (const double s : {t - step, t, t + step}) {

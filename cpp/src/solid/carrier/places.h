@@ -22,7 +22,7 @@ std::optional<Eigen::Vector3d> knownPlace(const Eigen::Vector3d& from,
                                           double reach);
 
 /// Returns the trace that lies on both surfaces, between the first and the last of these points. It
-/// may lie farther than `gap` (mm) from neither surface.
+/// lies within `gap` (mm) of both surfaces.
 std::optional<Curve> knownCurve(const std::vector<Eigen::Vector3d>& along, const Carrier& a,
                                 const Carrier& b, double gap, double strays);
 

@@ -58,8 +58,9 @@ bool isOnBoth(const Curve& curve, const Carrier& a, const Carrier& b) {
 }
 
 // Returns the direction of the intersection at a point where the carriers touch and two branches of
-// it cross. To second order the carriers part there like a quadratic form of the direction, whose
-// zeros are the branches. Returns nothing if no zero is near the given way.
+// the intersection cross. There, to second order, the distance between the carriers is a quadratic
+// form of the direction, and it is zero along the branches. Returns nothing if no branch is near
+// the given direction `way`.
 std::optional<Vector3d> branchTangent(const Vector3d& p, const Vector3d& way, double step,
                                       const Carrier& a, const Carrier& b) {
   const Vector3d normal = a.normal(p), x = (way - way.dot(normal) * normal).normalized();
@@ -179,7 +180,7 @@ Vector3d pointInSlice(Vector3d p, const Carrier& a, const Carrier& b, const Vect
 
 // Returns the intersection as an interpolated spline of few poles. Each of its points is found in a
 // plane across the line from the first to the last point, so the curve must not turn away from this
-// line. Nothing if it does.
+// line. Returns nothing if it does.
 std::optional<Curve> slicedCurve(const std::vector<Vector3d>& points,
                                  const std::vector<Vector3d>& tangents, const Carrier& a,
                                  const Carrier& b) {

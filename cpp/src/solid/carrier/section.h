@@ -1,9 +1,9 @@
 // Computes the curve in which two carriers intersect, so exactly that a CAD kernel sees no gap.
 // In:      points along the curve in order. The first and the last one lie on both carriers.
 // Out:     a line, circle or spline with all points within kOnCarrier of both carriers. Nothing if
-//          the carriers are nearly parallel along it, or if the curve strays from the points.
+//          the carriers are nearly parallel (less than 0.6 degrees) somewhere along it, or if the
+//          curve strays from the points.
 // Units:   mm.
-//          Carriers that cross at less than 0.6 degrees somewhere along it count as parallel.
 // Method:  Newton's method on both distances at evenly spaced points, joined by cubics whose
 //          tangents follow from the normals. The number of points doubles until each span is
 //          accurate. With a sheet, a spline of degree 5 is interpolated instead, which needs far

@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Share of the range by which the surface goes on beyond its borders.
+// Share of the range by which the surface is continued beyond its borders.
 constexpr double kBeyond = 0.05;
-/// Samples are about as far apart in both directions: this many along the longer one, and a few at
-/// least along the other one.
+/// Number of samples along the longer direction. Along the other one, samples are about as far
+/// apart, but there are at least a few.
 constexpr int kSamples = 40, kFewestSamples = 6;
 constexpr int kRounds = 40;
 
@@ -124,12 +124,12 @@ Sheet::Foot Sheet::foot(const Vector3d& p) const {
 
 namespace {
 
-// One direction of a step: whether its parameter stands at an end of its room and would leave it.
+// Returns whether the parameter x is at an end of its range and the step would leave the range.
 bool isBlocked(const Range& room, double x, double step) {
   return (x <= room.from && step < 0) || (x >= room.to && step > 0);
 }
 
-// The largest share of a step, at most 1, that stays in the room.
+// Returns the largest share of a step, at most 1, that stays in the range.
 double shareInRoom(const Range& room, double x, double step) {
   if (step == 0) return 1;
   return std::min(1.0, ((step > 0 ? room.to : room.from) - x) / step);
@@ -138,7 +138,7 @@ double shareInRoom(const Range& room, double x, double step) {
 }  // namespace
 
 // Minimises the squared distance within the box of parameters. A step that does not shorten the
-// distance is halved; where the second derivatives would lead to a saddle, they are left out.
+// distance is halved. Where the second derivatives would lead to a saddle, they are ignored.
 Sheet::Foot Sheet::foot(const Vector3d& p, double u, double t) const {
   u = std::clamp(u, roomU_.from, roomU_.to);
   t = std::clamp(t, roomT_.from, roomT_.to);
@@ -157,7 +157,8 @@ Sheet::Foot Sheet::foot(const Vector3d& p, double u, double t) const {
     }
     const double det = std::max(a * c - b * b, 1e-12 * a * c);
     double du = -(c * gu - b * gt) / det, dt = -(a * gt - b * gu) / det;
-    // A parameter that would leave its room stays, and the other one goes its own way.
+    // If one parameter would leave its range, it is kept, and the step of the other is computed
+    // alone.
     const bool fixU = isBlocked(roomU_, u, du) || isBlocked(roomU_, u, -gu);
     if (fixU) {
       du = 0;

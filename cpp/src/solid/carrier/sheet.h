@@ -1,8 +1,8 @@
-// Sheet: a free-form surface S(u, t), a tensor product of B-splines. It carries the faces that are
-// no plane, cylinder, ...: what an edge sweeps and where a face grazes the envelope
-// (solid/sweep/swept_surface.h makes them).
-// Units:   mm. The distance is exact, for the nearest point within the borders; a little way beyond
-//          them the surface goes on, so that borders of faces have room.
+// Sheet: a free-form surface S(u, t), a tensor product of B-splines. It carries faces that no
+// plane, cylinder or the like can carry: what an edge sweeps, and where a face grazes the envelope
+// (solid/sweep/swept_surface.h).
+// Units:   mm. Distances are exact. The surface is continued a little beyond its borders, so that
+//          borders of faces have room.
 // Cost:    O(samples) for a distance without a start, O(1) with one.
 // Source:  foot points by Newton's method with a damped step (Piegl and Tiller, section 6.1).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -17,8 +17,8 @@ namespace swept::step {
 
 class Sheet {
  public:
-  /// A point of the surface with its derivatives. `isInside`: the foot is a true one; otherwise the
-  /// nearest point lies on the end of the continuation.
+  /// The nearest point of the surface, with the derivatives there. `isInside`: false if the point
+  /// lies at the end of the continuation; the way to it then need not be perpendicular.
   struct Foot {
     double u = 0, t = 0;
     Eigen::Vector3d at, alongU, alongT;
@@ -33,7 +33,7 @@ class Sheet {
   Foot footAt(double u, double t) const;
   /// Returns the foot point nearest to p. Newton's method starts at the nearest sample.
   Foot foot(const Eigen::Vector3d& p) const;
-  /// Does the same from the given parameters, for queries in a row.
+  /// Does the same, but starts at the given parameters, such as those of the query before.
   Foot foot(const Eigen::Vector3d& p, double u, double t) const;
   /// Positive on the side of S_u x S_t.
   double distance(const Eigen::Vector3d& p) const;
@@ -57,10 +57,10 @@ class Sheet {
 
   Knots u_, t_;
   std::vector<Eigen::Vector3d> poles_;
-  Range roomU_, roomT_;  // with the continuation
+  Range roomU_, roomT_;  // ranges of the parameters, including the continuation
   std::vector<double> sampleU_, sampleT_;
   std::vector<Eigen::Vector3d> samples_;
-  double spacing_ = 0;  // mm, about, between samples
+  double spacing_ = 0;  // mm, approximate distance between samples
 };
 
 }  // namespace swept::step

@@ -43,8 +43,8 @@ struct CurvePoint {
   Eigen::Vector3d at, slope;
 };
 
-/// Returns the spline through a curve within `bound`: cubics with its points and derivatives.
-/// `breaks`: ascending parameters, the ends among them. More are added where needed.
+/// Returns a spline within `bound` of a curve: cubics with its points and derivatives at the
+/// breaks. `breaks`: ascending parameters, including both ends. More are added where needed.
 Curve splineOf(const std::function<CurvePoint(double)>& exact, std::vector<double> breaks,
                double bound);
 

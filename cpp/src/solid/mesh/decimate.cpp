@@ -16,8 +16,8 @@ using Eigen::Vector3d;
 
 // Distance of sample points, in tolerances. It is larger than for envelopes: the distance of facets
 // from the mesh is not measured afterwards, but the solid gets new vertices where it misses the
-// mesh. With 1.5, the gripper over 34 keys takes an eighth more time and gets a fiftieth more
-// facets.
+// mesh. With 1.5, the gripper test mesh moved over 34 keys takes an eighth more time and gets a
+// fiftieth more facets.
 constexpr double kCoarseness = 5;
 
 // The surface of a patch, in the form that the simplifier needs.

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kSamples = 24;
-constexpr int kNodes = 32;  // moments at which a contact along an edge is found first
+constexpr int kNodes = 32;  // number of moments at which the contact along an edge is found first
 
 }  // namespace
 
@@ -56,7 +56,7 @@ std::optional<Curve> curveOf(const ExactCurve& exact, Range range, double bound)
   const bool isStraight = std::all_of(points.begin(), points.end(), [&](const Vector3d& p) {
     return (p - line.start).cross(line.axis).norm() <= 0.5 * bound;
   });
-  // A path that turns back on itself is no line.
+  // A path that turns back on itself is not a line.
   if (isStraight) {
     return length <= line.last + bound ? std::optional<Curve>(line) : std::nullopt;
   }

@@ -28,18 +28,22 @@ class ContactMap {
   ContactMap(const Rails& rails, const StepPath& path, double size)
       : rails_(rails), path_(path), size_(size) {}
 
-  /// n.v at one point, in mm per unit of s.
+  /// Returns n.v at one point, in mm per unit of s.
   double speed(double w, double v, const Moment& moment) const;
-  /// Derivatives of n.v by the length along the rail and across the rails.
+  /// Returns the derivatives of n.v by the length along the rail and by the length across the
+  /// rails.
   Eigen::Vector2d slopes(double w, double v, const Moment& moment) const;
-  /// The place of contact on rail w near v, if Newton's method finds it.
+  /// Returns the parameter v of the contact on rail w near the given v, if Newton's method finds
+  /// it.
   std::optional<double> solve(double w, double v, const Moment& moment) const;
 
-  /// Follows the contact from the start over the whole range. Returns how it degenerates within
-  /// `inner`, and where; the rest of the range is room.
+  /// Follows the contact from the start over the ranges of w and s. Returns how the contact
+  /// degenerates within the inner ranges; `where` receives the place. Faults in the margin around
+  /// the inner ranges do not count.
   Degeneracy follow(Range w, Range s, Range innerW, Range innerS, const Eigen::Vector3d& start,
                     Eigen::Vector2d& where);
-  /// The place of contact anywhere in the range that was followed. NaN if there is none.
+  /// Returns the parameter v of the contact at (w, s) in the range that was followed; NaN if there
+  /// is none.
   double placeAt(double w, double s) const;
 
  private:

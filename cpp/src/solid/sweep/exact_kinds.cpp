@@ -16,9 +16,10 @@ constexpr int kTests = 13;  // test points in each direction
 constexpr double kTiny = 1e-7;
 /// A revolution may not come nearer to its axis than this share of its size.
 constexpr double kNearAxis = 1e-3;
-/// A profile is made of cubics with C1 joints. With more of them than this, a sheet has fewer
-/// poles, and the kernel's BOP test, which reports InvalidCurveOnSurface for such profiles, finds
-/// nothing.
+/// A profile consists of cubics with C1 joints. If it needs more than kMostNodes, a sheet is
+/// better: it has fewer poles. It also passes the kernel's test of a shape for Boolean operations
+/// (BOPAlgo_ArgumentAnalyzer), which finds curves off their surfaces (InvalidCurveOnSurface) in
+/// such profiles.
 constexpr std::size_t kFewestNodes = 4, kMostNodes = 16;
 
 // Points of the surface, row after row along t, for each of kTests values of u.
@@ -142,7 +143,8 @@ std::shared_ptr<const Profile> profileThrough(const std::function<Vector2d(doubl
         (8 * (at(v + h) - at(v - h)) - (at(v + 2 * h) - at(v - 2 * h))) / (12 * h);
     nodes.push_back({at(v), slope, v});
   }
-  // The parameter becomes about the length: one constant for the whole, so that slopes stay common.
+  // Scales the parameter so that it is about the length along the profile. All nodes get the same
+  // factor, so that the cubics on both sides of a node keep the same slope there.
   double length = 0;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     length += (nodes[i + 1].at - nodes[i].at).norm();
@@ -167,14 +169,15 @@ std::optional<Carrier> withProfile(Carrier carrier, const ExactCurve& generator,
       const double v = range.at(static_cast<double>(i) / static_cast<double>(4 * count));
       error = std::max(error, std::abs(carrier.distance(generator(v))));
     }
-    // Points that are not on the surface of an exact profile will not be with more nodes.
+    // The profile is exact now. If points lie off its surface, more nodes would not help.
     if (error <= 0.5 * bound)
       return holds(carrier, samples, bound) ? std::optional(carrier) : std::nullopt;
   }
   return std::nullopt;
 }
 
-// The common direction of the lines between neighbours along u or t, if there is one.
+// Returns the common direction of the chords from the first to the last sample along u (or along
+// t). Returns nothing if they are not parallel.
 std::optional<Vector3d> commonDirection(const Samples& samples, bool alongU) {
   Vector3d longest = Vector3d::Zero();
   std::vector<Vector3d> chords;
@@ -231,7 +234,8 @@ std::optional<Carrier> revolution(const ExactSurface& exact, Range u, Range t,
     if (!((p - axis.point).cross(axis.direction).norm() > kNearAxis * samples.size))
       return std::nullopt;
   }
-  // Surfaces of a general motion are none; the ends of the turn tell.
+  // The surface of a general motion is no surface of revolution. Then the profiles at the two ends
+  // of the turn differ.
   for (int i = 0; i < kTests; ++i) {
     const Vector2d a = carrier.inProfile(samples.at(i, 0)),
                    b = carrier.inProfile(samples.at(i, kTests - 1));

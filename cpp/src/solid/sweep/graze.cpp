@@ -17,9 +17,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A speed, relative to the largest one, that counts as none.
+/// Smaller speeds, relative to the largest one, count as zero.
 constexpr double kNone = 1e-9;
-/// Radians: a gap that contacts leave on a closed rail, at which it can be cut open.
+/// Radians: the smallest gap between contacts on a closed rail at which the rail can be cut open.
 constexpr double kLeastGap = 0.35;
 
 SweptSurface none(Degeneracy why, const Vector2d& where = Vector2d::Zero()) {
@@ -56,7 +56,7 @@ Range rangeOf(const std::vector<double>& values) {
   return {*low, *high};
 }
 
-// The index of the value nearest to the middle of the box.
+// Returns the index of the value nearest to the middle of the box.
 std::size_t middleOf(const std::vector<double>& w, Range rangeW, const std::vector<double>& s,
                      Range rangeS) {
   std::size_t best = 0;
@@ -97,7 +97,7 @@ SweptSurface carrierOf(const ExactSurface& exact, const ExactSurface& outward, R
 class SphereContact {
  public:
   SphereContact(const Carrier& face, const StepPath& path) : face_(face), path_(path) {
-    // The direction from which angles are counted is the one least along the velocity.
+    // Angles start in the direction that is most nearly perpendicular to the velocity.
     double least = 1e300;
     for (const Vector3d& k : {Vector3d(path.axis()), Vector3d::UnitX().eval(),
                               Vector3d::UnitY().eval(), Vector3d::UnitZ().eval()}) {
@@ -176,13 +176,13 @@ SweptSurface grazeOfSphere(const Carrier& face, const std::vector<Contact>& cont
   return carrierOf(exact, outward, w, s, innerW, innerS, false, path, bound);
 }
 
-// Contacts on the rails of a face: their parameters, and the ranges that they span.
+// Contacts on the rails of a face: their parameters and the ranges of these.
 struct OnRails {
   std::vector<double> w, v, s;
   Range rangeW, rangeS;
-  bool isOpen = true;   // they leave a gap on closed rails
+  bool isOpen = true;   // true: on closed rails, there is a gap between the contacts
   double crossing = 0;  // the smallest sine of the angle between rails and contact curves
-  double fastest = 0, farthest = 0;  // speed along the normal and in all, mm per unit of s
+  double fastest = 0, farthest = 0;  // largest speeds (mm per unit of s): normal, any
 };
 
 OnRails place(const Rails& rails, const std::vector<Contact>& contacts, const StepPath& path,
@@ -215,8 +215,8 @@ double extentOf(const std::vector<Contact>& contacts) {
   return box.diagonal().norm();
 }
 
-// The direction of the contact line of a plane: the part of the axis of turning that lies in it.
-// Nothing if the plane only moves parallel to itself.
+// Returns the direction of the contact line of a plane: the projection of the rotation axis onto
+// the plane. Returns nothing if the plane only moves parallel to itself.
 std::optional<Vector3d> lineDirection(const Carrier& face, const std::vector<Contact>& contacts,
                                       const StepPath& path, double size) {
   const Moment moment(path, contacts.front().s);
@@ -233,7 +233,7 @@ SweptSurface followed(const Rails& rails, const OnRails& on, bool isRuled, doubl
   const std::size_t first = middleOf(on.w, on.rangeW, on.s, on.rangeS);
   const Vector3d start(on.w[first], on.v[first], on.s[first]);
   SweptSurface result;
-  // Where there is no room beyond the range, the surface ends with it.
+  // If the surface with a margin around the range is too complex, tries again without the margin.
   for (const double margin : {kMargin, 0.0}) {
     const Range w = on.rangeW.grown(margin), s = on.rangeS.grown(margin);
     ContactMap map(rails, path, size);

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kLines = 7;  // iso-lines that decide on the knots across them
+constexpr std::size_t kLines = 7;  // number of iso-lines along which knots are chosen
 constexpr int kTries = 3;
 
 std::vector<double> evenly(Range range, std::size_t count) {
@@ -85,7 +85,8 @@ std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t,
   std::size_t lines = kLines;
   double each = bound / 3;  // the errors of the two directions add up
   for (int attempt = 0; attempt < kTries; ++attempt, lines = 2 * lines - 1, each /= 3) {
-    // What moves rigidly along t moves its poles along u, so few lines decide on them.
+    // If the knots along u are given, the surface is a rigidly moved spline, and so its poles move
+    // rigidly. For a line, the paths of its two ends are enough to choose the knots along t.
     const auto across = given != nullptr && given->degree() == 1 ? evenly(u, 2) : evenly(u, lines);
     const auto knotsT = knotsAcross(exact, t, across, false, each);
     if (!knotsT) return std::nullopt;

@@ -16,10 +16,11 @@
 
 namespace swept::step {
 
-/// A sheet that needs more poles is next to a singular one.
+/// A sheet that needs more poles is nearly singular and is not made.
 constexpr std::size_t kMostPoles = 1000;
 
-/// A point of the exact surface; not finite where it has none.
+/// Returns a point of the exact surface, or coordinates that are not finite where the surface is
+/// undefined.
 using ExactSurface = std::function<Eigen::Vector3d(double u, double t)>;
 
 struct FittedSheet {
@@ -27,9 +28,10 @@ struct FittedSheet {
   double error = 0;  ///< mm, largest one at the test points
 };
 
-/// `given`: knots along u, if the exact surface is a spline with these knots along u, as what a
-/// line or a spline sweeps; null: they are sought. Nothing if the bound is not reached with
-/// kMostSpans spans and kMostPoles poles, or if a value is not finite.
+/// Returns a sheet within `bound` of the exact surface. `given`: the knots along u if the exact
+/// surface is a spline along u, such as the surface that a line or a spline sweeps; null: the knots
+/// are searched for. Returns nothing if the bound is not reached with kMostSpans spans and
+/// kMostPoles poles, or if a value is not finite.
 std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
                                     double bound);
 

@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// The frame of a carrier about its axis.
+// The coordinate frame of a carrier, with z along its axis.
 struct Frame {
   explicit Frame(const Carrier& face)
       : z(face.axis), x(face.xdir.norm() > 0.5 ? face.xdir : anyOrthogonal(face.axis)) {
@@ -20,7 +20,7 @@ struct Frame {
   Vector3d z, x, y;
 };
 
-// Lines across the direction of contact.
+// Lines perpendicular to the direction of contact.
 class PlaneRails : public Rails {
  public:
   PlaneRails(const Carrier& face, const Vector3d& along)
@@ -37,8 +37,8 @@ class PlaneRails : public Rails {
   Vector3d along_, across_;
 };
 
-// Cylinders, cones, revolutions: w is the height (or the profile's parameter), v the angle. Tori:
-// w is the angle of the tube, v that about the axis.
+// Cylinders, cones, revolutions: w is the height (or the parameter of the profile), v is the angle.
+// Tori: w is the angle around the tube, v is the angle about the axis.
 class RoundRails : public Rails {
  public:
   explicit RoundRails(const Carrier& face) : face_(face), frame_(face) {}
@@ -84,7 +84,7 @@ class RoundRails : public Rails {
   Frame frame_;
 };
 
-// w is the length along the direction, v the profile's parameter.
+// Extrusions: w is the length along the direction, v is the parameter of the profile.
 class ExtrusionRails : public Rails {
  public:
   explicit ExtrusionRails(const Carrier& face) : face_(face), frame_(face) {}
@@ -128,7 +128,7 @@ class SheetRails : public Rails {
   Carrier face_;
 };
 
-// Rails in the other direction: w and v exchanged.
+// The rails in the other direction: w and v are exchanged.
 class Crossed : public Rails {
  public:
   explicit Crossed(std::unique_ptr<const Rails> rails) : rails_(std::move(rails)) {}

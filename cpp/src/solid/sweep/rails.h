@@ -22,16 +22,17 @@ class Rails {
 
   virtual ~Rails() = default;
   virtual Point at(double w, double v) const = 0;
-  /// The parameters of a point near the face.
+  /// Returns the parameters (w, v) of a point near the face.
   virtual Eigen::Vector2d parametersOf(const Eigen::Vector3d& p) const = 0;
-  /// The period of w and of v, or 0.
+  /// Returns the periods of w and of v; 0 for a parameter that is not periodic.
   virtual std::array<double, 2> periods() const { return {0, 0}; }
-  /// Whether the face ends here: nothing is known of it beyond.
+  /// Returns false where (w, v) lies beyond the known part of the face.
   virtual bool covers(double, double) const { return true; }
 };
 
-/// The rails of a face in one of two directions across each other; null if this kind of face has
-/// none. `direction`: for a plane the direction of w, otherwise ignored.
+/// Returns the rails of a face; null if this kind of face has none. There are two sets of rails,
+/// which cross each other; `crossed` chooses between them. `direction`: for a plane, the direction
+/// of w; ignored for other faces.
 std::unique_ptr<const Rails> railsOf(const Carrier& face, bool crossed,
                                      const Eigen::Vector3d& direction);
 

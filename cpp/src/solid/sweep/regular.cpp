@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kSteps = 32;
-/// Cosine of 45 degrees: neighbouring normals that differ by more have a singular point between.
+/// Cosine of 45 degrees. Between adjacent normals that differ by more, there is a singular point.
 constexpr double kLeastAgreement = 0.7;
 
 class Search {
@@ -27,7 +27,8 @@ class Search {
     }
   }
 
-  // 0 at a singular point: the area of the unit parallelogram, and the relative lengths.
+  // Returns the area of the unit parallelogram or a relative length, whichever is smallest. It is 0
+  // at a singular point.
   double regularity(const Sheet::Foot& foot) const {
     const double a = foot.alongU.norm(), b = foot.alongT.norm();
     if (!(a > 0 && b > 0)) return 0;
@@ -35,7 +36,7 @@ class Search {
     return std::min({sine, a / largestU_, b / largestT_});
   }
 
-  // The least regular point: the worst of the grid, then a search with ever smaller steps round it.
+  // Returns the least regular point: the worst point of the grid, improved in ever smaller steps.
   Vector2d worst() const {
     const auto least = std::min_element(
         feet_.begin(), feet_.end(),
@@ -62,7 +63,8 @@ class Search {
     return at;
   }
 
-  // A place where the normal turns by much from one grid point to the next, or leaves its side.
+  // Returns a place where the normal differs much between adjacent grid points, or changes its
+  // side.
   std::optional<Vector2d> turning(const std::function<Vector3d(double, double)>& side) const {
     double sign = 0;
     for (int i = 0; i <= kSteps; ++i) {

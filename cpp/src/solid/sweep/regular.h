@@ -16,8 +16,9 @@ namespace swept::step {
 /// largest one of its kind, of a regular sheet.
 constexpr double kLeastRegular = 0.01;
 
-/// Returns where the sheet is not regular, within the two ranges. `side`: if given, the direction
-/// to which the normal S_u x S_t must keep at (u, t), on one side or the other all over.
+/// Returns a place (u, t) within the two ranges where the sheet is not regular, if there is one.
+/// `side`: if given, it returns a direction at (u, t). The normal S_u x S_t must then point to the
+/// same side everywhere: always along this direction, or always against it.
 std::optional<Eigen::Vector2d> findSingular(
     const Sheet& sheet, Range u, Range t,
     const std::function<Eigen::Vector3d(double u, double t)>& side = nullptr);

@@ -24,7 +24,8 @@ Range withRoom(const Curve& curve, Range range) {
   return {range.from - spare, range.to + spare};
 }
 
-// The knots of a line or spline in the range; its first and last polynomials go on beyond its ends.
+// Returns the knots of a line or spline in the range. Beyond the ends of the curve, its first and
+// last polynomials are continued. A circle has no knots.
 std::optional<Knots> knotsOf(const Curve& curve, Range range) {
   if (curve.kind == CurveKind::Circle) return std::nullopt;
   std::vector<double> breaks{range.from};
@@ -38,7 +39,7 @@ std::optional<Knots> knotsOf(const Curve& curve, Range range) {
   return Knots(curve.degree, std::move(breaks), curve.joints);
 }
 
-// Whether nothing of the curve moves, or only along itself.
+// Returns whether the curve is at rest, or moves only along itself.
 Degeneracy idle(const ExactSurface& exact, Range u, Range t) {
   double way = 0, length = 0, area = 0;
   for (int i = 0; i < kSteps; ++i) {
@@ -48,8 +49,8 @@ Degeneracy idle(const ExactSurface& exact, Range u, Range t) {
       const Vector3d p = exact(u0, t0), along = exact(u1, t0) - p, moved = exact(u0, t1) - p;
       way = std::max(way, moved.norm());
       length = std::max(length, along.norm());
-      // Both chords of a curve are bent; the way round the cell closes only on a surface that is a
-      // curve.
+      // If the curve slides along itself, both chords lie along it and span no area. Bent curves
+      // escape this test: see turnsInItself().
       area = std::max(area, along.cross(moved).norm());
     }
   }
@@ -57,7 +58,8 @@ Degeneracy idle(const ExactSurface& exact, Range u, Range t) {
   return area > kNone * way * length ? Degeneracy::None : Degeneracy::AlongItself;
 }
 
-// A circle that turns about its own axis: chords of it are not parallel, so idle() cannot tell.
+// Returns whether the curve is a circle that turns about its own axis. Its chords are not parallel,
+// so idle() cannot tell.
 bool turnsInItself(const Curve& curve, const StepPath& path) {
   const auto axis = fixedAxis(path);
   if (curve.kind != CurveKind::Circle || !axis) return false;

@@ -19,8 +19,9 @@
 //   within `bound` of it between the grid points. The parameters u, t of the sheet are u (or w) and
 //   s: the iso-line t = 0 is the posed curve, u = 0 the path of the curve's start, and so on.
 //   Adjacent sheets agree along a shared path within the bound. The bound is by default as fine as
-//   the kernel's own tolerance. With 1e-6 mm the files are a third smaller, but the kernel's BOP
-//   test then finds curves off their surfaces.
+//   the kernel's own tolerance. With 1e-6 mm the files are a third smaller, but then the kernel's
+//   test of a shape for Boolean operations (BOPAlgo_ArgumentAnalyzer) finds curves off their
+//   surfaces.
 //
 //   Carriers cover the asked range with a margin of kMargin on each side (motion and curves go on
 //   analytically), so borders of faces never touch the borders of the surface.
@@ -62,7 +63,7 @@ enum class Degeneracy {
   TooComplex,   ///< the bound is not reached with kMostSpans
   NotKnown,     ///< no method for this kind of face
 };
-/// For example "the curve slides along itself".
+/// Returns a text such as "the curve slides along itself".
 const char* degeneracyText(Degeneracy why);
 
 struct SweptSurface {
@@ -73,9 +74,10 @@ struct SweptSurface {
   double error = 0;  ///< mm: largest deviation measured between the points of interpolation
 };
 
-/// Returns the surface swept by c(u), u in `along`, while s is in `during`. The curve may be asked
-/// a little beyond its ends. A face on a full circle needs a seam, so cut the circle and ask for
-/// its parts. A curve that slides along itself has no surface; that of the face beside it remains.
+/// Returns the surface swept by c(u), u in `along`, while s is in `during`. `along` may reach a
+/// little beyond the ends of the curve. A face on a full circle would need a seam, so cut the
+/// circle and call this function for each part. A curve that slides along itself sweeps no surface:
+/// there, the envelope consists of the faces beside the curve.
 SweptSurface sweptBy(const Curve& curve, Range along, const StepPath& path, Range during,
                      double bound = kOnCarrier);
 
@@ -88,8 +90,8 @@ struct Contact {
 /// Returns the surface in which a face grazes the envelope. `face`: its carrier in coordinates of
 /// the body, with its outward side. `contacts`: points that the surface must cover; they choose the
 /// branch and the range. They need not be exact. A face that slides along itself (AlongItself) has
-/// no surface of its own: it is the same as a cap. Contacts all round a cylinder, or on both sides
-/// of it, must be cut into pieces before.
+/// no grazing surface besides its own. Contacts all round a cylinder, or on both sides of it, must
+/// be cut into pieces before.
 SweptSurface grazeOf(const Carrier& face, const std::vector<Contact>& contacts,
                      const StepPath& path, double bound = kOnCarrier);
 

@@ -21,7 +21,7 @@ namespace swept::step {
 void writeStepText(const Model& model, std::ostream& out, const std::string& fileName,
                    const StepOptions& options, RunContext& run);
 
-/// From this number of plane faces on, the file contains only their corners (FACETED_BREP). Such a
+/// With this many plane faces or more, the file contains only their corners (FACETED_BREP). Such a
 /// file has less than half of the bytes and is read in half of the time.
 constexpr std::int64_t kManyFaces = 20000;
 
