@@ -1,12 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the pictures of this handbook from the real program:
-
-    docs/handbook/make-pictures [FOLDER]
-"""
+"""Makes the pictures of this handbook from the real program; make-pictures runs it."""
 import os
 import shutil
 import sys
-import tempfile
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "tests", "freecad", "gui"))
@@ -52,6 +48,13 @@ def picture(name):
     yield 0.8
 
 
+def place(name):
+    """A folder of a user."""
+    folder = os.path.join(os.environ["SWEPT_PLACE"], name)
+    os.makedirs(folder, exist_ok=True)
+    return folder
+
+
 def show_parts():
     """The 3D view of the only document, in front of its spreadsheet."""
     area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
@@ -72,8 +75,7 @@ def demo():
     yield 0.6
     yield from picture("demo_opened")
 
-    folder = os.path.join(tempfile.mkdtemp(), "engine bay")
-    os.mkdir(folder)
+    folder = place("engine bay")
     os.chdir(folder)  # where the file dialog begins
     path = os.path.join(folder, "lift.csv")
     with open(path, "w") as out:
@@ -147,7 +149,7 @@ def demo():
     yield lambda: not runner.running()
     click(panel_button(Cancel))
     yield no_panel
-    made.Resolution = 32
+    made.Resolution = 128
     doc.recompute()
     select(made)
     Gui.runCommand("SweptVolume_Recompute")
@@ -227,13 +229,16 @@ def bay():
 
 def assembly():
     """The third tutorial."""
-    yield from assembly_pictures.work(picture, os.environ["SWEPT_SHOTS"])
+    folder = place("bay")
+    yield from assembly_pictures.work(picture, folder)
+    for name in ("assembly.html", "study.html"):
+        shutil.copy(os.path.join(folder, name), os.environ["SWEPT_SHOTS"])
     App.closeDocument(App.ActiveDocument.Name)
 
 
 def opened(name):
     """A document of the tutorials, opened from a copy."""
-    path = os.path.join(tempfile.mkdtemp(), name)
+    path = os.path.join(place("tutorials"), name)
     shutil.copy(os.path.join(engine_bay.FILES, name), path)
     return App.openDocument(path)
 

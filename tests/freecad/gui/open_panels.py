@@ -8,6 +8,7 @@ HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path[:0] = [HERE, os.path.dirname(HERE)]
 from driver import (  # noqa: E402
     App,
+    Cancel,
     Close,
     Gui,
     QtWidgets,
@@ -157,6 +158,20 @@ def record(doc):
     yield no_panel
 
 
+def numbers(doc):
+    """The read-outs of an envelope in its panel."""
+    from sweptvolume.features import envelope
+
+    obj = envelope.make_envelope(doc, [doc.Wall], doc.Motion, Resolution=24)
+    doc.recompute()
+    envelope.compute(obj)
+    obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+    yield 0.5
+    yield from follows(doc, lambda: is_stale("SweptVolumeReadOuts"))
+    click(panel_button(Cancel))
+    yield no_panel
+
+
 def installation(doc):
     """A sequence is not played once its parts stand elsewhere; typed values stay."""
     from shaft import plan_of, shaft, stack
@@ -198,7 +213,7 @@ def scenario():
     motion.motion_from_poses(doc, [0, 1], [at(0, 0, 0), at(20, 0, 0)])
     doc.recompute()
     yield
-    for part in (checks, spaces, record, installation):
+    for part in (checks, spaces, record, numbers, installation):
         yield from part(doc)
     App.closeDocument(doc.Name)
 
