@@ -41,8 +41,14 @@ CSV += "2,0,20,5,0,0,0.7071068,0.7071068\n"
 
 
 def picture(name):
-    """A picture of the window when it has come to rest, as large as the screen."""
-    Gui.getMainWindow().setGeometry(0, 0, 1280, 1010)
+    """A picture of the window when it has come to rest, as large as the screen. FreeCAD 1.1 has its
+    task panel in a dock of its own."""
+    window = Gui.getMainWindow()
+    window.setGeometry(0, 0, 1280, 1010)
+    tasks = window.findChild(QtWidgets.QDockWidget, "Tasks")
+    if tasks is not None:
+        tasks.setVisible(bool(Gui.Control.activeDialog()))
+        window.resizeDocks([tasks], [410], QtCore.Qt.Horizontal)
     yield 0.6
     shot(name)
     yield 0.8

@@ -27,6 +27,12 @@ def _theme(name):
     return _groups(["BaseApp", "Preferences", "MainWindow"], sheet)
 
 
+def _docked():
+    """The task panel beside the 3D view, not over it as in a fresh FreeCAD 1.1."""
+    names = ["BaseApp", "MainWindow", "DockWindows", "OverlayRight"]
+    return _groups(names, '<FCText Name="Widgets"></FCText><FCInt Name="Width" Value="400"/>')
+
+
 def _add(settings, others):
     """Puts other settings into the tree of a profile."""
     for other in others:
@@ -39,14 +45,16 @@ def _add(settings, others):
         settings.append(other)
 
 
-def write(home, theme=""):
+def write(home, theme="", docked=False):
     """Writes user.cfg into the folder that FREECAD_USER_HOME is to name. theme: "Dark", "Light" or
-    FreeCAD's own ("")."""
+    FreeCAD's own (""). docked: the task panel does not cover the 3D view."""
     tree = Tree.parse(os.path.join(ROOT, "resources", "demo-user.cfg"))
     if theme:
         _add(tree.getroot(), _theme(theme))
+    if docked:
+        _add(tree.getroot(), _docked())
     tree.write(os.path.join(home, "user.cfg"), encoding="utf-8", xml_declaration=True)
 
 
 if __name__ == "__main__":
-    write(*sys.argv[1:])
+    write(*sys.argv[1:], docked=True)
