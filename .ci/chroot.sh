@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Sourced after common.sh by scripts that use chroots of other Debian releases, as root.
+# Sourced after common.sh by scripts that use chroots of other Debian releases, as root. About 3 GB each; they
+# stay in build-matrix/ and are used again. SWEPT_MIRROR names another mirror of Debian.
 [ "$(id -u)" = 0 ] || { echo "chroots can only be made as root" >&2; exit 1; }
 # What is mounted here is seen by this run alone and gone with it, however it ends: whoever deletes a
 # chroot with /dev mounted into it deletes /dev.
@@ -24,4 +25,27 @@ open_chroot() {
   }
   mount --bind "$chroot_folder" "$chroot_folder" # a root that can be mounted over, as one test does
   for place in proc dev dev/pts sys; do mount --bind "/$place" "$chroot_folder/$place"; done
+}
+
+# make_system SUITE TARGETS: a chroot with all packages and the built targets, in $folder (relative). The
+# working tree stands in /opt/repository there.
+make_system() {
+  local suite=$1 targets=$2 wanted=() launcher=-DCMAKE_CXX_COMPILER_LAUNCHER= # not this system's
+  step "$suite: chroot"
+  open_chroot "$suite" "$root/build-matrix/$suite"
+  mkdir -p "$chroot_folder"/opt/repository "$chroot_folder"/opt/shared
+  mount --bind "$root" "$chroot_folder/opt/repository"
+  [ ! -d "$root/../shared" ] || mount --bind "$root/../shared" "$chroot_folder/opt/shared"
+  step "$suite: packages"
+  # Formatters and compilers of Debian 12 are not needed here.
+  mapfile -t wanted < <(grep -v -e '^#' -e clang -e black -e flake8 .ci/packages.txt)
+  [ "$suite" = trixie ] || wanted+=(qt6-svg-plugins) # check marks of FreeCAD's themes
+  inside apt-get update -q
+  inside apt-get install -q -y --no-install-recommends "${wanted[@]}"
+  step "$suite: build"
+  folder=build-matrix/build-$suite
+  ! inside which ccache >/dev/null || launcher+=ccache
+  inside bash -c "cd /opt/repository &&
+    cmake -S . -B $folder -G Ninja -DCMAKE_BUILD_TYPE=Release $launcher &&
+    cmake --build $folder --parallel $jobs --target $targets"
 }

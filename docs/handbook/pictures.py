@@ -1,12 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the pictures of this handbook from the real program:
-
-    docs/handbook/make-pictures [FOLDER]
-"""
+"""Makes the pictures of this handbook from the real program; make-pictures runs it."""
 import os
 import shutil
 import sys
-import tempfile
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "tests", "freecad", "gui"))
@@ -45,11 +41,24 @@ CSV += "2,0,20,5,0,0,0.7071068,0.7071068\n"
 
 
 def picture(name):
-    """A picture of the window when it has come to rest, as large as the screen."""
-    Gui.getMainWindow().setGeometry(0, 0, 1280, 1010)
+    """A picture of the window when it has come to rest, as large as the screen. FreeCAD 1.1 has its
+    task panel in a dock of its own."""
+    window = Gui.getMainWindow()
+    window.setGeometry(0, 0, 1280, 1010)
+    tasks = window.findChild(QtWidgets.QDockWidget, "Tasks")
+    if tasks is not None:
+        tasks.setVisible(bool(Gui.Control.activeDialog()))
+        window.resizeDocks([tasks], [410], QtCore.Qt.Horizontal)
     yield 0.6
     shot(name)
     yield 0.8
+
+
+def place(name):
+    """A folder of a user."""
+    folder = os.path.join(os.environ["SWEPT_PLACE"], name)
+    os.makedirs(folder, exist_ok=True)
+    return folder
 
 
 def show_parts():
@@ -72,8 +81,7 @@ def demo():
     yield 0.6
     yield from picture("demo_opened")
 
-    folder = os.path.join(tempfile.mkdtemp(), "engine bay")
-    os.mkdir(folder)
+    folder = place("engine bay")
     os.chdir(folder)  # where the file dialog begins
     path = os.path.join(folder, "lift.csv")
     with open(path, "w") as out:
@@ -147,7 +155,7 @@ def demo():
     yield lambda: not runner.running()
     click(panel_button(Cancel))
     yield no_panel
-    made.Resolution = 32
+    made.Resolution = 128
     doc.recompute()
     select(made)
     Gui.runCommand("SweptVolume_Recompute")
@@ -227,13 +235,16 @@ def bay():
 
 def assembly():
     """The third tutorial."""
-    yield from assembly_pictures.work(picture, os.environ["SWEPT_SHOTS"])
+    folder = place("bay")
+    yield from assembly_pictures.work(picture, folder)
+    for name in ("assembly.html", "study.html"):
+        shutil.copy(os.path.join(folder, name), os.environ["SWEPT_SHOTS"])
     App.closeDocument(App.ActiveDocument.Name)
 
 
 def opened(name):
     """A document of the tutorials, opened from a copy."""
-    path = os.path.join(tempfile.mkdtemp(), name)
+    path = os.path.join(place("tutorials"), name)
     shutil.copy(os.path.join(engine_bay.FILES, name), path)
     return App.openDocument(path)
 

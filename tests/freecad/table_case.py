@@ -8,7 +8,8 @@ import FreeCAD as App
 from case import Case, shift
 from sweptvolume import core
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import clearance, envelope, mechanism, sequence, shared, solid, study
+from sweptvolume.features import clearance, envelope, made_by, mechanism, sequence, shared, solid
+from sweptvolume.features import study
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE, kind_of
 
 
@@ -96,7 +97,14 @@ class Table(Case):
         box = (obj.Mesh if hasattr(obj, "Mesh") else obj.Shape).copy().BoundBox
         numbers = (place.Base.x, place.Base.y, place.Base.z, place.Rotation.Angle)
         numbers += (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax, obj.Volume.Value)
-        return [round(n, 4) + 0.0 for n in numbers]
+        told = self.record(obj) if kind_of(obj) == envelope.Envelope.KIND else []
+        return [round(n, 4) + 0.0 for n in numbers] + told
+
+    def record(self, obj):
+        """What the record of an envelope, if it has one, tells of some of its triangles."""
+        record = made_by.find(obj)
+        answers = map(record.answer, range(0, len(record.kind), 40)) if record else []
+        return [made_by.text_of(answer) for answer in answers if answer is not None]
 
     def modules(self):
         """KIND of a result -> the module that computes it."""

@@ -8,10 +8,10 @@ import os
 import shutil
 import subprocess
 import tempfile
-import xml.etree.ElementTree as Tree
 
 import pytest
 
+import fresh_profile
 from conftest import ROOT
 
 HERE = os.path.join(ROOT, "tests", "freecad", "gui")
@@ -20,41 +20,6 @@ SCENARIOS = sorted(n for n in os.listdir(HERE) if n.endswith(".py") and n != "dr
 
 def _freecad():
     return shutil.which("freecad") or shutil.which("FreeCAD")
-
-
-def _dark_settings():
-    """The dark theme of this FreeCAD: since 1.0 a pack of preferences, before a style sheet."""
-    packs = glob.glob("/usr/share/freecad/**/FreeCAD Dark.cfg", recursive=True)
-    if packs:
-        return Tree.parse(packs[0]).getroot()
-    groups = "".join(
-        '<FCParamGroup Name="{}">'.format(name)
-        for name in ("Root", "BaseApp", "Preferences", "MainWindow")
-    )
-    sheet = '<FCText Name="StyleSheet">Behave-dark.qss</FCText>'
-    return Tree.fromstring(
-        "<FCParameters>" + groups + sheet + 4 * "</FCParamGroup>" + "</FCParameters>"
-    )
-
-
-def _add(settings, others):
-    """Puts other settings into the tree of a profile."""
-    for other in others:
-        own = [e for e in settings if (e.tag, e.get("Name")) == (other.tag, other.get("Name"))]
-        if own and other.tag == "FCParamGroup":
-            _add(own[0], other)
-            continue
-        for element in own:
-            settings.remove(element)
-        settings.append(other)
-
-
-def _profile(home, dark):
-    """The settings of a fresh FreeCAD that asks nothing at its start."""
-    tree = Tree.parse(os.path.join(ROOT, "resources", "demo-user.cfg"))
-    if dark:
-        _add(tree.getroot(), _dark_settings())
-    tree.write(os.path.join(home, "user.cfg"), encoding="utf-8", xml_declaration=True)
 
 
 @pytest.mark.skipif(not shutil.which("xvfb-run"), reason="xvfb-run is not installed")
@@ -94,7 +59,7 @@ def _run(scenario, before=()):
     with tempfile.TemporaryDirectory() as home:
         os.makedirs(os.path.join(home, "Mod"))
         os.symlink(ROOT, os.path.join(home, "Mod", "SweptVolume"))
-        _profile(home, dark=scenario == "dark.py")
+        fresh_profile.write(home, "Dark" if scenario == "dark.py" else "")
         environment = dict(os.environ, FREECAD_USER_HOME=home)
         environment.pop("DISPLAY", None)
         environment.pop("PYTHONPATH", None)

@@ -39,6 +39,12 @@ class Quantities(unittest.TestCase):
             self.assertAlmostEqual(back, 0.1, delta=0.0005, msg=text)
             self.assertAlmostEqual(App.Units.Quantity("1 " + unit).Value, one)
 
+    def test_rounding_is_no_distance(self):
+        App.Units.setSchema(0)
+        self.assertEqual(quantities.quantity(6.6e-16), "0 mm")
+        self.assertEqual(quantities.quantity(-6.6e-16), "0 mm")
+        self.assertNotEqual(quantities.quantity(1e-6), "0 mm")
+
     def test_volume_is_the_cube_of_the_length(self):
         App.Units.setSchema(3)
         self.assertEqual(quantities.volume(25.4**3), "1 in^3")

@@ -354,7 +354,7 @@ class States(Table):
         wire = self.straight_wire()
         self.line()
         motion.motion_from_source(doc, "Curve", [wire])
-        self.envelope([box, plate, link], doc.Motion, Resolution=20)
+        self.envelope([box, plate, link], doc.Motion, Resolution=20, MadeBy="Session")
         solid.make_solid(doc, doc.Envelope)
         clearance.make_clearance(doc, MovingParts=[(box, "")], Motion=doc.Motion)
         second = self.envelope([net], doc.Motion001, Resolution=16)
@@ -368,6 +368,7 @@ class States(Table):
 
     def test_nothing_changes_nothing(self):
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
+        self.assertGreater(len(set(self.record(self.doc.Envelope))), 5)
         self.look("nothing")
         label_only(self.doc)
         backend_only(self.doc)

@@ -10,16 +10,12 @@ import FreeCAD as App
 import Part
 
 from case import V, shift, turn
+from other_document_case import OtherDocumentTable, elsewhere
 from sweptvolume.features import clearance, envelope, motion
 from sweptvolume.features.base import FAILED, UP_TO_DATE
-from table_case import Table, add_box, changes, put_into, rows
+from table_case import add_box, changes, put_into, rows
 
 CHANGES, change = changes()
-
-
-def elsewhere():
-    """The other document."""
-    return App.getDocument("Elsewhere")
 
 
 # --- there
@@ -210,7 +206,7 @@ def the_expression_is_another(doc):
 
 
 @rows
-class OtherDocuments(Table):
+class OtherDocuments(OtherDocumentTable):
     CHANGES = CHANGES
 
     def setUp(self):
@@ -275,40 +271,6 @@ class OtherDocuments(Table):
         envelope.compute(obj)
         other.recompute()
         other.saveAs(self.file_there)
-
-    def results(self):
-        return [obj for obj in super().results() if obj.Document is self.doc]
-
-    def changed(self, name):
-        """A change in one of both documents or in both, and its undo."""
-        both = self.doc, elsewhere()
-        before = [document.UndoCount for document in both]
-        shown = [(o, o.Visibility) for document in both for o in document.Objects]
-        for document in both:
-            document.openTransaction(name)
-        self.CHANGES[name](self.doc)
-        for document in both:
-            document.commitTransaction()
-        self.recomputed()
-        self.look(name)
-        for document, count in reversed(
-            list(zip(both, before))
-        ):  # links come back to what is there
-            while document.UndoCount > count:
-                document.undo()
-        for obj, visible in shown:
-            obj.Visibility = visible
-        self.recomputed()
-        self.look(name + ", undone")
-        if "expression" not in name:
-            self.assertEqual(self.behind(), {})
-
-    def recomputed(self):
-        elsewhere().recompute()
-        self.doc.recompute()
-
-    def behind(self):
-        return {o.Name: (o.Status, o.Message) for o in self.results() if o.Status != UP_TO_DATE}
 
     def test_nothing_changes_nothing(self):
         self.assertEqual(self.behind(), {})

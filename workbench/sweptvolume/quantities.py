@@ -43,7 +43,9 @@ def count(value):
 
 
 def quantity(value, digits=DIGITS):
-    """Formats a length (mm) with the unit that FreeCAD would choose."""
+    """Formats a length (mm) with the unit that FreeCAD would choose. Distances of parts in contact
+    differ from 0 by rounding; they are 0."""
+    value = round(float(value), MOST_DECIMALS)
     factor, name = _preferred(value)
     return "{} {}".format(number(value / factor, digits), name)
 

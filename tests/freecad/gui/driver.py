@@ -331,6 +331,13 @@ def no_panel():
     return not Gui.Control.activeDialog()
 
 
+def line_in(steps):
+    """The line at which a generator waits, in the innermost one that it yields from."""
+    while steps.gi_yieldfrom is not None:
+        steps = steps.gi_yieldfrom
+    return steps.gi_frame.f_lineno if steps.gi_frame else 0
+
+
 def run(scenario):
     """Runs a generator function on the event loop and leaves FreeCAD; says which file's it was."""
     steps = scenario()
@@ -348,8 +355,7 @@ def run(scenario):
             if state["wait"] is not None:
                 if not state["wait"]():
                     if time.time() - state["since"] > LIMIT:
-                        line = steps.gi_frame.f_lineno if steps.gi_frame else 0
-                        raise AssertionError("line {}: waited {} s".format(line, LIMIT))
+                        raise AssertionError("line {}: waited {} s".format(line_in(steps), LIMIT))
                     return QtCore.QTimer.singleShot(20, tick)
                 state["wait"] = None
             wanted = next(steps, END)

@@ -16,6 +16,7 @@ class Plan:
     def __init__(self, document, pairs, required=0.0, deflection=0.05):
         self.document, self.pairs = document, list(pairs)
         self.required, self.deflection = float(required), float(deflection)
+        self.known = None  # state() at the time of request()
 
     def names(self):
         """Returns the label of each object. Equal labels are numbered."""
@@ -24,6 +25,16 @@ class Plan:
     def words(self):
         """As contents.words(). Raises InputProblem."""
         return contents.words(self.pairs)
+
+    def state(self):
+        """Returns the names, and the texts that identify the geometry and the places of the objects.
+        Returns None if an object is gone, or if large parts must be read first."""
+        try:
+            found = self.words()
+            large = contents.is_much(contents.unread(found))
+            return None if large else (self.names(), contents.texts(found))
+        except (InputProblem, ReferenceError, RuntimeError, AttributeError):
+            return None
 
     def request(self):
         """Returns the plain values for work(). Raises InputProblem."""
@@ -46,6 +57,7 @@ class Plan:
             (name, convert.body_from([pair], deflection), chord_of([pair], deflection))
             for name, pair in zip(self.names(), self.pairs)
         ]
+        self.known = self.state()
         return Request(parts, {"required": self.required})
 
 

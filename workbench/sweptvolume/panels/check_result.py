@@ -143,11 +143,16 @@ class ResultPanel(StayingPanel):
         buttons.addWidget(self.worse)
         return buttons
 
+    def lost(self):
+        self.painted.remove()
+
     def show_result(self):
         report = self.stored_report() if self.obj is not None else None
+        self.note_state()
         self.result.setVisible(report is not None)
         if report is None:
             return
+        self.table.clearSelection()  # rows may have other places now
         self.whole, self.report = report, self.rows_of(report)
         text = self.TABLE.summary(report)
         if self.obj.Status != clearance.UP_TO_DATE:

@@ -49,7 +49,7 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.show_result()
         if obj is not None and plan.lost:
             widgets.show_message(self.message, plan.lost)
-        self.watch = widgets.DocumentWatch(document, self.reject)
+        self.watch = self.watched()
 
     # --- building
 

@@ -149,9 +149,7 @@ class ResultPanel(played_result.PlayedPanel):
         envelope = self.obj.Envelope
         if not self.coloured.isChecked():
             self._view().hide_colours()
-            if self.hidden is not None and widgets.alive(self.hidden):
-                self.hidden.ViewObject.Visibility = True
-            self.hidden = None
+            self._show_hidden()
             return
         shown = self._view().show_colours(
             self.obj,
@@ -167,6 +165,15 @@ class ResultPanel(played_result.PlayedPanel):
                 "Panels", "The envelope has changed since the check: run the check again."
             )
             widgets.show_message(self.message, text)
+
+    def _show_hidden(self):
+        if self.hidden is not None and widgets.alive(self.hidden):
+            self.hidden.ViewObject.Visibility = True
+        self.hidden = None
+
+    def lost(self):
+        super().lost()
+        self._show_hidden()
 
     def standing_rows(self):
         rows = self.report["neighbours"]

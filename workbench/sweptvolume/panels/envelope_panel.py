@@ -71,7 +71,7 @@ class EnvelopePanel(StartPanel):
         self.form, self.layout = widgets.window(title, "SweptVolume_Envelope")
         self.box = widgets.RunBox()
         self.message = widgets.message_label()
-        self.read_outs = ReadOuts()
+        self.read_outs = ReadOuts(document)
         for widget in (self.box, self.message, self.read_outs):
             self.layout.addWidget(widget)  # on top, visible without scrolling
         self.parts = PartsBox(document, plan, self.layout, obj is not None)
@@ -403,6 +403,7 @@ class EnvelopePanel(StartPanel):
         self.timer.stop()
         self.look.stop()
         self.preview.stop()
+        self.read_outs.stop()
         self._remove_coarse()
         self.close_dialog()
         return True

@@ -89,7 +89,10 @@ class KeyTable(QtCore.QObject):
         self.table.setTabKeyNavigation(
             False
         )  # Tab leaves the table, so that the panel works without a mouse
-        self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+        modes = QtWidgets.QHeaderView
+        for column in range(len(self.units)):  # heads of angles are long, their numbers are short
+            mode = modes.ResizeToContents if column >= len(COLUMNS) else modes.Stretch
+            self.table.horizontalHeader().setSectionResizeMode(column, mode)
         self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 8)
         font = self.table.font()
         font.setPointSizeF(font.pointSizeF() * 0.9)

@@ -74,7 +74,7 @@ class MadePanel(StayingPanel):
         layout.addStretch(1)
         Gui.Selection.clearSelection()  # the colour of the selection would cover the others
         self.picker = PlacePicker(document, self.found)
-        self.watch = widgets.DocumentWatch(document, self.reject)
+        self.watch = self.watched()
         self.renew()
 
     # --- building
@@ -114,6 +114,8 @@ class MadePanel(StayingPanel):
         self.again.setVisible(not known)
         self.answer = None
         self.choose.setEnabled(False)
+        self._remove_parts()
+        self.note_state()
         self.text.setText(
             translate("Panels", "Click a place of the envelope in the 3D view.")
             if known
@@ -124,6 +126,17 @@ class MadePanel(StayingPanel):
             )
         )
         self.player.setEnabled(False)
+
+    def show_result(self):
+        """Shows another state of the envelope. What was said of the clicked place stays, marked as
+        earlier, until the envelope is computed again."""
+        if self.obj is None:
+            self.reject()
+        elif self.answer is None or self.obj.Status == UP_TO_DATE:
+            self.renew()
+        else:
+            self.note_state()
+            self._show_answer()
 
     def _colour(self):
         self.obj.ViewObject.ColourBy = self.by.currentData()
@@ -164,22 +177,24 @@ class MadePanel(StayingPanel):
         if obj.Name != self.obj.Name or made_by.find(self.obj) is None:
             return
         self.answer = answer
-        current = self.obj.Status == UP_TO_DATE
-        self.choose.setEnabled(answer is not None and current)
-        if answer is None:
-            self.text.setText(
-                translate(
-                    "Panels", "It is not known what made this place: click a point beside it."
-                )
-            )
+        if answer is not None:
+            text = made_by.text_of(answer)
+            Gui.getMainWindow().statusBar().showMessage(text.replace("\n", ", "))
+            self._show_answer()
             return
-        text = made_by.text_of(answer)
+        self.choose.setEnabled(False)
+        self.text.setText(
+            translate("Panels", "It is not known what made this place: click a point beside it.")
+        )
+
+    def _show_answer(self):
+        text, current = made_by.text_of(self.answer), self.obj.Status == UP_TO_DATE
         self.text.setText(text if current else text + "\n" + _of_before())
-        Gui.getMainWindow().statusBar().showMessage(text.replace("\n", ", "))
-        self.player.setEnabled(current)
+        for widget in (self.choose, self.player):
+            widget.setEnabled(current)
         if current:
-            self._show_parts(answer.motion)
-            self.player.go_to(answer.time)
+            self._show_parts(self.answer.motion)
+            self.player.go_to(self.answer.time)
         else:  # the part may not pass there any more
             self._remove_parts()
 

@@ -47,7 +47,7 @@ class MechanismPanel(CheckRun, ResultPanel):
         self.show_result()
         if obj is not None and plan.lost:
             widgets.show_message(self.message, plan.lost)
-        self.watch = widgets.DocumentWatch(document, self.reject)
+        self.watch = self.watched()
 
     # --- building
 

@@ -14,6 +14,7 @@ from ..views.clearance_view import zoom_to_box
 from ..views.live_distance import LiveDistance
 from ..views.shared_view import SharedBody
 from . import focus, guard, selection, widgets
+from .played_result import gone
 from .run_panel import StayingPanel
 from .tasks import OverlapTask, SharedTask
 from .verdict_table import VerdictTable
@@ -27,7 +28,8 @@ class OverlapPanel(StayingPanel):
 
     def __init__(self, document, pairs=()):
         self.document, self.run, self.pairs = document, None, list(pairs)
-        self.report, self.drawn, self.plan, self.body, self.line = None, [], None, None, None
+        self.report, self.drawn, self.plan, self.names = None, [], None, []
+        self.body, self.line = None, None
         title = translate("Panels", "Reserved spaces")
         self.form, self.layout = widgets.window(title, "SweptVolume_Overlap")
         self.box, self.message = widgets.RunBox(), widgets.message_label()
@@ -37,7 +39,7 @@ class OverlapPanel(StayingPanel):
         self._build_result()
         self.layout.addStretch(1)
         self._show_chosen()
-        self.watch = widgets.DocumentWatch(document, self.reject)
+        self.watch = self.watched()
 
     # --- building
 
@@ -61,6 +63,8 @@ class OverlapPanel(StayingPanel):
         rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
         rows.addRow(self.check)
         self.take.clicked.connect(lambda *ignored: self._take())
+        for field in (self.required, self.deflection):
+            field.valueChanged.connect(lambda *ignored: self._look_again())
         self.check.clicked.connect(lambda *ignored: self.start())
 
     def _build_result(self):
@@ -100,6 +104,7 @@ class OverlapPanel(StayingPanel):
     def _take(self):
         self.pairs = selection.spaces()
         self._show_chosen()
+        self._look_again()
 
     def _show_chosen(self):
         names = [label_of(*pair) for pair in self.pairs]
@@ -122,6 +127,7 @@ class OverlapPanel(StayingPanel):
         ):
             self._enable(False)
 
+    @guard.told
     def keep_shared(self):
         """Creates an object from the shared volume of the chosen pair."""
         row = self.chosen_row()
@@ -146,6 +152,7 @@ class OverlapPanel(StayingPanel):
         elif isinstance(run.task, OverlapTask):
             self.box.leave(self.table)
             self.plan, (self.report, self.drawn) = run.task.plan, run.task.found
+            self.names = [name for name, _, _ in run.task.request.parts]
             self.show_result()
         else:
             self.box.leave(self.table)
@@ -155,15 +162,30 @@ class OverlapPanel(StayingPanel):
     # --- result
 
     def two_of(self, row):
-        """Returns (root, sub) of both parts of a row."""
-        pair, names = self.report["pairs"][row], self.plan.names()
-        return [self.plan.pairs[names.index(pair[side])] for side in ("first", "second")]
+        """Returns (root, sub) of both parts of a row. Raises InputProblem."""
+        pair = self.report["pairs"][row]
+        numbers = [self.names.index(pair[side]) for side in ("first", "second")]
+        found = [self.plan.pairs[number] for number in numbers]
+        if not all(widgets.alive(root) for root, _ in found):
+            raise gone()
+        return found
+
+    @guard.told
+    def _look_again(self):
+        if self.run is None and self.plan is not None:
+            self._show_summary()
+
+    def _is_of_before(self):
+        """Returns whether objects or settings differ from those of the result that is shown."""
+        now = self.new_plan()
+        known, wanted = ((plan.pairs, plan.required, plan.deflection) for plan in (self.plan, now))
+        return known != wanted or now.state() != self.plan.known
 
     def show_result(self):
         pairs = self.report["pairs"]
         self._clear_view()
         self.result.show()
-        self.summary.setText("<b>{}</b>".format(self._summary().replace("<", "&lt;")))
+        self._show_summary()
         warnings = [w["text"] for w in self.report["warnings"]]
         widgets.show_message(self.message, "\n".join(warnings))
         rows = [pair["clearance"] for pair in pairs]
@@ -173,6 +195,12 @@ class OverlapPanel(StayingPanel):
             self.table.put(r, self._cells(pairs[index]), index, rows[index])
         self.table.clearSelection()
         QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)
+
+    def _show_summary(self):
+        text = self._summary()
+        if self._is_of_before():
+            text = translate("Panels", "{0} (stale: run the check again)").format(text)
+        self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
 
     def _summary(self):
         count = len(self.report["pairs"])

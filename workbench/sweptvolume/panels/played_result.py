@@ -225,6 +225,10 @@ class PlayedPanel(check_result.ResultPanel):
         self.shapes, self.ghosts, self.line, self.cut, self.courses = None, None, None, None, []
         self.ends = None
 
+    def lost(self):
+        super().lost()
+        self.clear_view()
+
     def leave(self):
         super().leave()
         self.clear_view()

@@ -3,17 +3,19 @@
 from PySide import QtCore
 
 from .. import quantities
-from ..features.envelope import CANCELLED, FAILED, report_of, warnings_of
+from ..features.envelope import CANCELLED, FAILED, UP_TO_DATE, report_of, warnings_of
 from ..texts import translate
 from . import widgets
 from .widgets import QtWidgets
 
 
 class ReadOuts(QtWidgets.QGroupBox):
-    """Hidden until there is a result."""
+    """Hidden until there is a result. Follows the document until stop()."""
 
-    def __init__(self):
+    def __init__(self, document):
         super().__init__(translate("Panels", "Result"))
+        self.obj = None
+        self.watch = widgets.DocumentWatch(document, self.hide, self._look_again)
         self.text = QtWidgets.QLabel()
         self.text.setObjectName("SweptVolumeReadOuts")
         self.text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
@@ -25,6 +27,7 @@ class ReadOuts(QtWidgets.QGroupBox):
 
     def show_result(self, obj):
         """Shows the stored result of an envelope object (or None)."""
+        self.obj = obj
         report = report_of(obj) if obj is not None and obj.Mesh.CountFacets else None
         if report is None:
             self.hide()
@@ -32,14 +35,23 @@ class ReadOuts(QtWidgets.QGroupBox):
         self.text.setText("\n".join(lines_of(obj, report)))
         self.show()
 
+    def _look_again(self):
+        self.show_result(self.obj if self.obj is not None and widgets.alive(self.obj) else None)
+
+    def stop(self):
+        self.watch.stop()
+
 
 def lines_of(obj, report):
     """Returns the lines of text about an envelope."""
     box = obj.Mesh.BoundBox
     sides = " x ".join(quantities.quantity(v) for v in (box.XLength, box.YLength, box.ZLength))
     deviation = report["simplification_deviation"]
+    volume = translate("Panels", "Volume: {0}").format(quantities.volume(obj.Volume.Value))
+    if obj.Status != UP_TO_DATE:
+        volume = translate("Panels", "{0} (stale: run again)").format(volume)
     lines = [
-        translate("Panels", "Volume: {0}").format(quantities.volume(obj.Volume.Value)),
+        volume,
         translate("Panels", "Box: {0}").format(sides),
         translate("Panels", "Triangles: {0}, shells: {1}").format(
             quantities.count(obj.Triangles), quantities.count(obj.Shells)

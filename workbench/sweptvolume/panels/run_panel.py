@@ -74,7 +74,40 @@ class StartPanel:
 
 class StayingPanel(StartPanel):
     """A panel whose only dialog button is Close. Buttons of the form start its runs. The panel also
-    has `watch`, the observer of its document."""
+    has `watch`, the observer of its document (watched()). A panel that shows the result of an
+    object has that object in `obj` and defines show_result(), which ends with note_state()."""
+
+    obj = None
+
+    def watched(self):
+        """Returns the observer of the document: it closes the panel with the document, and shows
+        the result again when it or its state has changed."""
+        return widgets.DocumentWatch(self.document, self.reject, self._look_again)
+
+    def _state(self):
+        names = "Status", "Message", "Summary", "InputHash"
+        return tuple(getattr(self.obj, name, None) for name in names)
+
+    def note_state(self):
+        """Stores which state of the result is shown."""
+        self._noted = self._state()
+
+    @guard.told
+    def _look_again(self):
+        if self.run is not None or self.obj is None:  # a run shows its result itself
+            return
+        if not widgets.alive(self.obj):
+            self.lost()
+            self.obj = None
+        elif self._state() == self._noted:
+            return
+        self.show_result()
+
+    def lost(self):
+        """Called when the object was deleted while the panel shows it, for example by Undo."""
+
+    def show_result(self):
+        raise NotImplementedError
 
     def getStandardButtons(self):
         return widgets.standard_buttons(QtWidgets.QDialogButtonBox.Close)

@@ -29,7 +29,7 @@ class SearchPanel(StayingPanel):
         self.beside = NeighboursBox(document, lambda: self.pairs, self.layout)
         self._build_rules()
         self.layout.addStretch(1)
-        self.watch = widgets.DocumentWatch(document, self.reject)
+        self.watch = self.watched()
         self.beside.take_visible()
 
     def _build_rules(self):

@@ -96,10 +96,26 @@ class SequencePanel(SearchPanel):
             pair: pair_rules.of(plan.pair_rules, plan.pairs[0], pair) for pair in self.beside.pairs
         }
         self.beside.table.show_pairs(self.beside.pairs, kept)
+        self._show_state()
+        self._show_player()
+
+    def _show_state(self):
         text = self.obj.Message
         if self.obj.Status == STALE:
             text = translate("Panels", "{0} (stale: check again)").format(self.obj.Summary)
         widgets.show_message(self.message, text)
+        self.note_state()
+
+    def show_result(self):
+        """Shows another state of the sequence, and keeps what was typed."""
+        states = []
+        if self.obj is not None:
+            self._show_state()
+            plan = sequence.Plan.of(self.obj)
+            if (plan.pairs, plan.motions) == (self.rows.pairs, self.rows.motions):
+                states = [sequence.step_text(step) for step in plan.steps]
+        for row in range(len(self.rows.pairs)):
+            self.rows.set_state(row, states[row] if states else "")
         self._show_player()
 
     # --- inputs
@@ -206,6 +222,7 @@ class SequencePanel(SearchPanel):
             self.obj = task.obj
             self.rows.show_rows(task.plan.pairs, task.plan.motions, states)
             self.pairs = self.rows.pairs
+            self.note_state()
             self._show_player()
             return
         for number, text in zip(task.outcome.order, states):
@@ -221,15 +238,14 @@ class SequencePanel(SearchPanel):
     # --- played as one
 
     def _show_player(self):
-        plan = sequence.Plan.of(self.obj)
+        steps = sequence.Plan.of(self.obj).steps if self.obj is not None else []
         self.clear_view()
-        if not plan.steps:
-            return
-        times = {step["begin"] for step in plan.steps} | {step["end"] for step in plan.steps}
-        self.player.blockSignals(True)
-        self.player.set_times(sorted(times))
-        self.player.blockSignals(False)
-        self.player.show()
+        self.player.setVisible(bool(steps))
+        if steps:
+            times = {step["begin"] for step in steps} | {step["end"] for step in steps}
+            self.player.blockSignals(True)
+            self.player.set_times(sorted(times))
+            self.player.blockSignals(False)
 
     @guard.told
     def _moved(self):

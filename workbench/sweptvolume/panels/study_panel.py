@@ -36,7 +36,7 @@ class StudyPanel(StayingPanel):
         self.show_result()
         if plan.lost:
             widgets.show_message(self.message, plan.lost)
-        self.watch = widgets.DocumentWatch(document, self.reject)
+        self.watch = self.watched()
 
     # --- building
 
@@ -215,6 +215,7 @@ class StudyPanel(StayingPanel):
     # --- result
 
     def show_result(self):
+        self.note_state()
         report = study.report_of(self.obj) if self.obj is not None else None
         self.result.setVisible(report is not None)
         left = report is not None and study_table.count(report["runs"], "not run")

@@ -187,10 +187,11 @@ def to_first_field(form):
 
 
 class DocumentWatch:
-    """Calls gone() soon after a document was closed, unless stop() was called first."""
+    """Calls gone() soon after a document was closed, and changed() soon after states or names in it
+    may have changed, until stop() is called."""
 
-    def __init__(self, document, gone):
-        self.name, self.gone = document.Name, gone
+    def __init__(self, document, gone, changed=None):
+        self.name, self.gone, self.changed, self._waits = document.Name, gone, changed, False
         App.addDocumentObserver(self)
 
     def slotDeletedDocument(self, document):  # noqa: N802
@@ -201,6 +202,26 @@ class DocumentWatch:
         if self.name:
             self.stop()
             self.gone()
+
+    def slotChangedObject(self, obj, name):  # noqa: N802
+        if name in ("Status", "Message", "Label"):
+            self.slotRecomputedDocument(obj.Document)
+
+    def slotDeletedObject(self, obj):  # noqa: N802
+        self.slotRecomputedDocument(obj.Document)
+
+    def slotRecomputedDocument(self, document):  # noqa: N802
+        if self.changed is not None and not self._waits and document.Name == self.name:
+            # Called later from the event loop, once for all that changes now.
+            self._waits = True
+            QtCore.QTimer.singleShot(0, self._tell_change)
+
+    slotUndoDocument = slotRedoDocument = slotRecomputedDocument
+
+    def _tell_change(self):
+        self._waits = False
+        if self.name:
+            self.changed()
 
     def stop(self):
         if self.name:

@@ -2,7 +2,7 @@
 """Surfaces for the 3D view, simplified so that the window never freezes.
 
 drawn() may run in any thread; group_of() and changes of FreeCAD's own display must run in the
-window's thread. Without a graphics card, a picture of a million triangles takes the window 0.18 s
+window's thread. Without a graphics card, a picture of a million triangles takes the window 0.2 s
 of CPU. A picture of a simplified copy that looks the same takes 0.03 s. Each rotation of the view
 costs as much.
 """
@@ -103,8 +103,8 @@ def group_of(surface, solid=False):
 
 
 def unsorted_blending():
-    """Returns a Coin node that draws transparent triangles in any order. Sorting a million
-    triangles would take seconds for each picture."""
+    """Returns a Coin node that draws transparent triangles in any order. Sorting them would take
+    12 ms of CPU for each picture of a simplified copy, and 0.4 s for a million triangles."""
     from pivy import coin
 
     blend = coin.SoTransparencyType()

@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Panels that stay open while the document changes, is undone, or loses what they show: what they say of a
+result is true at each moment."""
+import os
+import sys
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path[:0] = [HERE, os.path.dirname(HERE)]
+from driver import (  # noqa: E402
+    App,
+    Cancel,
+    Close,
+    Gui,
+    QtWidgets,
+    click,
+    find,
+    new_document,
+    no_panel,
+    open_workbench,
+    panel_button,
+    run,
+    select,
+)
+from spaces import add_box, at  # noqa: E402
+
+#: Name of the label that shows the result of a check.
+SUMMARY = "SweptVolumeClearanceSummary"
+
+
+def text_of(name):
+    return find(QtWidgets.QLabel, name).text()
+
+
+def is_stale(name):
+    return "stale" in text_of(name)
+
+
+def follows(doc, says_stale):
+    """A step: the wall moves, goes back by Undo, and the panel says what is true each time."""
+    assert not says_stale()
+    doc.openTransaction("Move")
+    doc.Wall.Placement = at(45, 2, 0)
+    doc.commitTransaction()
+    doc.recompute()
+    yield says_stale
+    doc.undo()
+    doc.recompute()
+    yield lambda: not says_stale()
+
+
+def close():
+    click(panel_button(Close))
+    return no_panel
+
+
+def checks(doc):
+    """Clearance and mechanism: state, name, and a check that Undo takes away."""
+    from sweptvolume.features import clearance, mechanism
+
+    part, wall = [(doc.Slide, "")], [(doc.Wall, "")]
+    one = clearance.make_clearance(
+        doc, MovingParts=part, Motion=doc.Motion, Neighbours=wall, AllVisible=False
+    )
+    two = mechanism.make_mechanism(
+        doc, MovingParts=part, Motions=[doc.Motion], Neighbours=wall, Range=100
+    )
+    doc.recompute()
+    for obj, module in ((one, clearance), (two, mechanism)):
+        module.compute(obj)
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        yield 0.3
+        table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
+        yield from follows(doc, lambda: is_stale(SUMMARY))
+        doc.Wall.Label = "Gate"
+        yield lambda: "Gate" in table.item(0, 0).text()
+        assert "Gate" in text_of(SUMMARY), text_of(SUMMARY)
+        doc.Wall.Label = "Wall"
+        yield lambda: "Gate" not in table.item(0, 0).text()
+        table.selectRow(0)
+        yield 0.5
+        doc.removeObject(obj.Name)
+        yield lambda: not table.isVisible()
+        yield close()
+
+
+def spaces(doc):
+    """Reserved spaces: also other objects or another required distance than those that were checked."""
+    select(doc.Slide, doc.Wall)
+    Gui.runCommand("SweptVolume_Overlap")
+    yield 0.3
+    click(find(QtWidgets.QPushButton, "SweptVolumeCheckSpaces"))
+    summary = "SweptVolumeSpacesSummary"
+    yield lambda: any(
+        label.isVisible() for label in Gui.getMainWindow().findChildren(QtWidgets.QLabel, summary)
+    )
+    yield from follows(doc, lambda: is_stale(summary))
+    doc.Slide.Length = 9
+    doc.recompute()
+    yield lambda: is_stale(summary)
+    doc.Slide.Length = 10  # another shape with the same content
+    doc.recompute()
+    yield lambda: not is_stale(summary)
+    required = find(QtWidgets.QWidget, "SweptVolumeSpacesRequired")
+    required.setProperty("rawValue", 60.0)
+    yield lambda: is_stale(summary)
+    required.setProperty("rawValue", 0.0)
+    yield lambda: not is_stale(summary)
+    select(doc.Slide)
+    click(find(QtWidgets.QPushButton, "SweptVolumeTakeSpaces"))
+    yield lambda: is_stale(summary)
+    select(doc.Slide, doc.Wall)
+    click(find(QtWidgets.QPushButton, "SweptVolumeTakeSpaces"))
+    yield lambda: not is_stale(summary)
+    doc.Wall.Label = "Gate"
+    yield lambda: is_stale(summary)  # the row has the former name
+    find(QtWidgets.QTableWidget, "SweptVolumeSpacesTable").selectRow(0)
+    yield 0.3
+    doc.Wall.Label = "Wall"
+    yield close()
+
+
+def record(doc):
+    """What made this?: the record is that of the parts as they were, and no part is drawn elsewhere."""
+    from sweptvolume.features import envelope, made_by
+    from sweptvolume.panels import made_panel
+
+    obj = envelope.make_envelope(doc, [doc.Slide], doc.Motion, Resolution=24, MadeBy="Session")
+    doc.recompute()
+    envelope.compute(obj)
+    select(obj)
+    Gui.runCommand("SweptVolume_MadeBy")
+    yield 0.3
+    panel = made_panel.opened[-1]
+    known = made_by.find(obj)
+    panel.found(obj, next(filter(None, map(known.answer, range(len(known.kind))))))
+    yield 0.3
+    face, last = panel.text.text(), panel.moving.poses.placements[-1]
+    assert "earlier" not in face and panel.choose.isEnabled() and panel.moving is not None
+    doc.openTransaction("Edit")
+    doc.Motion.Placements = [at(0, 0, 0), at(20, 9, 0)]
+    doc.commitTransaction()
+    doc.recompute()
+    yield lambda: "earlier" in panel.text.text()
+    assert panel.text.text().startswith(face)
+    assert not panel.choose.isEnabled() and panel.moving is None and not panel.player.isEnabled()
+    doc.undo()
+    doc.recompute()
+    yield lambda: "earlier" not in panel.text.text()
+    doc.Motion.Placements = [at(0, 0, 0), at(20, 9, 0)]
+    doc.recompute()
+    envelope.compute(obj)
+    yield lambda: panel.answer is None
+    known = made_by.find(obj)
+    panel.found(obj, next(filter(None, map(known.answer, range(len(known.kind))))))
+    yield 0.3
+    assert (panel.moving.poses.placements[-1].Base - last.Base).Length > 5
+    doc.removeObject(obj.Name)
+    yield no_panel
+
+
+def numbers(doc):
+    """The read-outs of an envelope in its panel."""
+    from sweptvolume.features import envelope
+
+    obj = envelope.make_envelope(doc, [doc.Wall], doc.Motion, Resolution=24)
+    doc.recompute()
+    envelope.compute(obj)
+    obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+    yield 0.5
+    yield from follows(doc, lambda: is_stale("SweptVolumeReadOuts"))
+    click(panel_button(Cancel))
+    yield no_panel
+
+
+def installation(doc):
+    """A sequence is not played once its parts stand elsewhere; typed values stay."""
+    from shaft import plan_of, shaft, stack
+    from sweptvolume.features import sequence
+
+    walls, parts = shaft(doc), stack(doc)
+    doc.recompute()
+    _, obj = sequence.find(plan_of(doc, parts, walls, Order="find"))
+    obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+    yield 0.5
+    table = find(QtWidgets.QTableWidget, "SweptVolumeSequenceParts")
+    told = [table.item(row, 2).text() for row in range(2)]
+    assert all(told), told
+    release = find(QtWidgets.QWidget, "SweptVolumeRelease")
+    release.setProperty("rawValue", 7.0)
+    doc.openTransaction("Move")
+    doc.Upper.Placement.Base.x = -8.9
+    doc.Upper.Placement = at(-8.9, -9, 11)
+    doc.commitTransaction()
+    doc.recompute()
+    yield lambda: not any(table.item(row, 2).text() for row in range(2))
+    doc.undo()
+    doc.recompute()
+    yield lambda: [table.item(row, 2).text() for row in range(2)] == told
+    assert release.property("rawValue") == 7.0
+    doc.removeObject(obj.Name)
+    yield lambda: not any(table.item(row, 2).text() for row in range(2))
+    yield close()
+
+
+def scenario():
+    from sweptvolume.features import motion
+
+    open_workbench()
+    yield
+    doc = new_document("Open")
+    add_box(doc, "Slide", (10, 10, 10), (0, 0, 0))
+    add_box(doc, "Wall", (10, 10, 10), (50, 0, 0))
+    motion.motion_from_poses(doc, [0, 1], [at(0, 0, 0), at(20, 0, 0)])
+    doc.recompute()
+    yield
+    for part in (checks, spaces, record, numbers, installation):
+        yield from part(doc)
+    App.closeDocument(doc.Name)
+
+
+run(scenario)
