@@ -274,6 +274,7 @@ MotionLike = Union[
     Tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike],
     Tuple[npt.ArrayLike, npt.ArrayLike],
     npt.NDArray[Any],
+    Sequence[npt.NDArray[Any]],
 ]
 
 
@@ -291,6 +292,8 @@ def motion_of(motion: MotionLike, interpolation: Optional[str] = None) -> Motion
     parts: Sequence[Any] = motion if isinstance(motion, (tuple, list)) else ()
     if isinstance(motion, Motion):
         made = motion
+    elif parts and all(np.shape(part) == (4, 4) for part in parts):
+        made = Motion.from_matrices(np.array(parts))
     elif len(parts) == 3:
         made = Motion(*parts)
     elif len(parts) == 2:
@@ -299,8 +302,8 @@ def motion_of(motion: MotionLike, interpolation: Optional[str] = None) -> Motion
         made = Motion.from_matrices(motion)
     else:
         raise TypeError(
-            "a motion is a Motion, (times, quaternions, translations), (times, matrices) or an "
-            "array (K, 4, 4)"
+            "a motion is a Motion, (times, quaternions, translations), (times, matrices), an array "
+            "(K, 4, 4) or a list of matrices (4, 4)"
         )
     if interpolation is None or interpolation == made.interpolation:
         return made
