@@ -275,6 +275,7 @@ MotionLike = Union[
     Tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike],
     Tuple[npt.ArrayLike, npt.ArrayLike],
     npt.NDArray[Any],
+    Sequence[npt.NDArray[Any]],
 ]
 
 
@@ -292,6 +293,8 @@ def motion_of(motion: MotionLike, interpolation: Optional[str] = None) -> Motion
     parts: Sequence[Any] = motion if isinstance(motion, (tuple, list)) else ()
     if isinstance(motion, Motion):
         made = motion
+    elif parts and all(np.shape(part) == (4, 4) for part in parts):
+        made = Motion.from_matrices(np.array(parts))
     elif len(parts) == 3:
         made = Motion(*parts)
     elif len(parts) == 2:
@@ -300,8 +303,8 @@ def motion_of(motion: MotionLike, interpolation: Optional[str] = None) -> Motion
         made = Motion.from_matrices(motion)
     else:
         raise TypeError(
-            "a motion is a Motion, (times, quaternions, translations), (times, matrices) or an "
-            "array (K, 4, 4)"
+            "a motion is a Motion, (times, quaternions, translations), (times, matrices), an array "
+            "(K, 4, 4) or a list of matrices (4, 4)"
         )
     if interpolation is None or interpolation == made.interpolation:
         return made

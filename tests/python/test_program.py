@@ -135,7 +135,7 @@ def test_same_bytes_for_any_number_of_threads(call, inputs):
     "words, says",
     [
         (["--resolution", "many"], "--resolution is 'many'"),
-        (["--resolution", "0"], "from 1 to"),
+        (["--resolution", "3"], "from 4 to 16384"),
         (["--cell", "0"], "--cell must be greater than 0"),
         (["--cell", "nan"], "--cell is 'nan'"),
         (["--cell", "1", "--resolution", "5"], "--resolution excludes --cell"),
@@ -145,10 +145,13 @@ def test_same_bytes_for_any_number_of_threads(call, inputs):
         (["--interpolation", "cubic"], "none, linear, screw"),
         (["--motion-unit", "mile"], "mm, cm, m, in"),
         (["--frobnicate"], "unknown option '--frobnicate'"),
+        (["--frobnicate", "3"], "unknown option '--frobnicate'"),
+        (["--format", "stl"], "leave out --format, or change the extension"),
         (["--offset", "1", "--offset", "2"], "--offset is given twice"),
         (["--solid-tolerance", "1", "--conservative"], "leave out one of them"),
         (["--tolerance"], "needs a value"),
         (["second.ply"], "too many files: 'second.ply'"),
+        (["second.ply", "third.ply"], "too many files: 'second.ply'"),
     ],
 )
 def test_wrong_usage_is_status_2_and_one_line(call, inputs, words, says):

@@ -99,6 +99,9 @@ def test_limit_of_file_sizes_is_a_named_failure(program, inputs):  # noqa: F811
         ["bash", "-c", f"ulimit -f 20; exec {program} {words}"], capture_output=True, text=True
     )
     assert done.returncode == 1 and "ExportFailed/WriteFailed" in done.stderr, done.stderr
+    line = f"ulimit -f 1; {program} {words} -o - | cat".replace(f"--output {inputs}/o.ply", "")
+    done = subprocess.run(["bash", "-c", line], capture_output=True, text=True)
+    assert "WriteFailed: temporary file for standard output: " in done.stderr, done.stderr
     assert sorted(os.listdir(inputs)) == ["box.ply", "slide.csv"], "left-overs"
 
 

@@ -41,7 +41,7 @@ def test_meshes_and_arrays_say_the_same_everywhere(box, slide, mesh, motion):
     assert outcome(sv.compute(mesh, slide, **OPTIONS)) == expected
     matrices = np.tile(np.eye(4), (2, 1, 1))
     matrices[1, 0, 3] = 50
-    for way in (matrices, ([0, 1], matrices), sv.Motion.from_matrices(matrices)):
+    for way in (matrices, ([0, 1], matrices), list(matrices), sv.Motion.from_matrices(matrices)):
         assert outcome(sv.compute(mesh, way, **OPTIONS)) == expected
     assert sv.check_mesh(mesh) == sv.check_mesh(box)
     assert sv.estimate(mesh, motion)["grid"] == sv.estimate(box, slide)["grid"]

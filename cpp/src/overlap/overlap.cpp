@@ -24,7 +24,8 @@ void checkInput(const std::vector<OverlapPart>& parts, const ClearanceOptions& o
   checkSettings(options);
   if (parts.size() < 2)
     throw Error(Status::InvalidInput, "NoParts",
-                std::to_string(parts.size()) + " parts given; give at least two to be compared");
+                std::string(parts.empty() ? "no part is given" : "only one part is given") +
+                    "; give at least two to be compared");
   std::set<std::string> names;
   for (const OverlapPart& part : parts) {
     requireLength("part '" + part.name + "': chord error", part.chordError, true);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "crossings/hermite.h"
+#include "geometry/mesh_parts.h"
 #include "pipeline/probe_trial.h"
 #include "signs/count_crossings.h"
 #include "signs/signs.h"
@@ -51,6 +52,19 @@ Motion thinned(const Motion& motion, std::size_t wanted) {
   return part;
 }
 
+/// Returns how many cells the body travels, in the mean over the corners of its bounding box. Each
+/// side patch is about as long.
+double travelInCells(const SamplerInput& whole, const Motion& motion) {
+  const Eigen::AlignedBox3d box = boxOf(whole.body);
+  double sum = 0;
+  for (int n = 0; n < 8; ++n) {
+    const Eigen::Vector3d corner = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(n));
+    for (std::size_t k = 0; k + 1 < motion.placements.size(); ++k)
+      sum += (motion.placements[k + 1].apply(corner) - motion.placements[k].apply(corner)).norm();
+  }
+  return sum / 8 / whole.grid.cell;
+}
+
 /// Returns the factor by which the cells must be larger to stay within `room`. Estimates the number
 /// of crossings from a few placements on the coarsest grid.
 std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion, const RoughRoom& room,
@@ -72,17 +86,21 @@ std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion, cons
     crossings +=
         cost.crossings * most * most * static_cast<double>(count) / static_cast<double>(looks);
   }
-  return std::clamp(static_cast<std::int32_t>(std::ceil(std::sqrt(crossings / room.crossings))), 1,
-                    most);
+  const double stripes = motion.continuous ? static_cast<double>(whole.body.triangles.size()) *
+                                                 travelInCells(whole, motion)
+                                           : 0;
+  const double wanted = std::max(std::sqrt(crossings / room.crossings), stripes / room.stripes);
+  return static_cast<std::int32_t>(std::clamp(std::ceil(wanted), 1.0, static_cast<double>(most)));
 }
 
 }  // namespace
 
 RoughRoom roomBeside(const SamplingCost& sampling, double copies) {
   constexpr double kPart = 0.05;
-  const RoughRoom least, most{6e6, 2e7};
+  const RoughRoom least, most{6e6, 2e7, 6e7};
   return {std::clamp(kPart * copies, least.faces, most.faces),
-          std::clamp(kPart * sampling.crossings, least.crossings, most.crossings)};
+          std::clamp(kPart * sampling.crossings, least.crossings, most.crossings),
+          std::clamp(kPart * copies, least.stripes, most.stripes)};
 }
 
 RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,

@@ -20,6 +20,7 @@ namespace swept {
 struct RoughRoom {
   double faces = 1.5e6;    ///< faces of the body times placements
   double crossings = 1e7;  ///< raw crossings, of which later only the first on each edge remain
+  double stripes = 1.5e7;  ///< faces of the body times cells that it travels
 };
 /// Returns limits that are a small fraction of the run's own figures, but no less than the
 /// defaults.

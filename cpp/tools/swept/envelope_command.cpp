@@ -45,7 +45,7 @@ struct EnvelopeJob {
 void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
   Options& options = job.options;
   addInteger(
-      app, "--resolution", job.resolution, 1, 1 << 20,
+      app, "--resolution", job.resolution, 4, 16384,
       "number of grid cells along the longest side of the swept volume, 4 to 16384 (default 128)");
   CLI::Option* cell = addNumber(app, "--cell", "MM", options.cellSize,
                                 "edge length of a grid cell, in place of --resolution");
@@ -153,6 +153,7 @@ void checkOptions(const CLI::App& app, EnvelopeJob& job) {
   job.solid.exact = job.solid.exact || job.options.conservative ||
                     (job.common.strict && job.solid.tolerance <= 0);
 #endif
+  if (app.count("--format") > 0) checkStreamFormat("--format", job.outputFormat, job.outputPath);
   job.options.resolution = static_cast<int>(job.resolution);
   job.options.sources = !job.sourcesPath.empty();
   if (job.options.sources && isSolidSuffix(suffixOfOutput(job)))
@@ -164,8 +165,9 @@ void checkFormat(const EnvelopeJob& job) {
   const bool mesh = isMeshSuffix(suffix);
   if (!mesh && !isSolidSuffix(suffix)) {
     throw Error(Status::ExportFailed, "BadFormat",
-                "'" + job.outputPath + "': unknown format '" + suffix +
-                    "'; use ply, stl, obj, off, 3mf, step, stp, brep or brp");
+                "'" + job.outputPath +
+                    "' does not end in .ply, .stl, .obj, .off, .3mf, .step, .stp, .brep or .brp, "
+                    "so the format is unknown");
   }
 #ifndef HAVE_SWEPT_SOLID
   if (!mesh) {
@@ -208,25 +210,24 @@ bool wantsBodyFaces(const EnvelopeJob& job, const Body& body) {
 SolidResult writeOutput(const Result& result, const Body& body, const Trajectory& motion,
                         const EnvelopeJob& job, RunContext& run) {
   run.checkpoint(Phase::Export);
-  const Output output(job.outputPath, job.outputFormat);
   SolidResult solid;
+  writeOutputFile(job.outputPath, job.outputFormat, [&](const std::string& path) {
 #ifdef HAVE_SWEPT_SOLID
-  if (isSolidSuffix(suffixOfOutput(job))) {
-    StepOptions options = job.solid;
-    if (wantsBodyFaces(job, body)) {
-      options.origin = std::make_shared<const SolidOrigin>(
-          SolidOrigin{result.sources, motion, body.shape, body.chordError});
+    if (isSolidSuffix(suffixOfOutput(job))) {
+      StepOptions options = job.solid;
+      if (wantsBodyFaces(job, body)) {
+        options.origin = std::make_shared<const SolidOrigin>(
+            SolidOrigin{result.sources, motion, body.shape, body.chordError});
+      }
+      solid = writeSolid(result.mesh, path, options, run);
+      return;
     }
-    solid = writeSolid(result.mesh, output.path(), options, run);
-  } else {
-    writeMesh(result.mesh, output.path());
-  }
 #else
-  static_cast<void>(body);
-  static_cast<void>(motion);
-  writeMesh(result.mesh, output.path());
+    static_cast<void>(body);
+    static_cast<void>(motion);
 #endif
-  output.deliver();
+    writeMesh(result.mesh, path);
+  });
   return solid;
 }
 

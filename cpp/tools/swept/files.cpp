@@ -226,24 +226,39 @@ bool isMeshSuffix(const std::string& suffix) {
          suffix == "3mf";
 }
 
-Output::Output(const std::string& path, const std::string& format) : path_(path) {
-  if (path != "-") return;
+void writeOutputFile(const std::string& path, const std::string& format,
+                     const std::function<void(const std::string& file)>& write) {
+  if (path != "-") return write(path);
+  TemporaryName temporary;
   try {
-    temporary_.path = os::newTemporaryFile("." + format);  // the suffix selects the format
+    temporary.path = os::newTemporaryFile("." + format);  // the suffix selects the format
   } catch (const std::system_error& error) {
     throw Error(Status::ExportFailed, "ReadOnly",
                 std::string("cannot create a temporary file: ") + error.what());
   }
-  path_ = utf8FromPath(temporary_.path);
-}
-
-void Output::deliver() const {
-  if (temporary_.path.empty()) return;
-  std::ifstream file(temporary_.path, std::ios::binary);
+  try {
+    write(utf8FromPath(temporary.path));
+  } catch (const Error& error) {
+    throw Error(error.status(), error.code(),
+                std::string("temporary file for standard output: ") + error.what());
+  }
+  std::ifstream file(temporary.path, std::ios::binary);
   std::array<char, 1 << 16> block{};
   while (file.read(block.data(), block.size()) || file.gcount() > 0)
     put(block.data(), static_cast<std::size_t>(file.gcount()));
   flushStandardOutput();
+}
+
+void checkStreamFormat(const std::string& option, const std::string& format,
+                       const std::string& path) {
+  const auto inFull = [](const std::string& suffix) {
+    return suffix == "stp" ? "step" : suffix == "brp" ? "brep" : suffix;
+  };
+  if (path == "-" || path.empty() || inFull(suffixOf(path)) == format) return;
+  throw Error(Status::InvalidInput, "BadOption",
+              option + " " + format + " is for standard output, but '" + path +
+                  "' is a file, whose format follows from its extension; leave out " + option +
+                  ", or change the extension");
 }
 
 void writeText(const std::string& text, const std::string& path) {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -88,19 +89,14 @@ Trajectory readInputMotion(const std::string& path, double unit, Interpolation i
 bool isSolidSuffix(const std::string& suffix);  ///< step, stp, brep, brp
 bool isMeshSuffix(const std::string& suffix);   ///< formats in which meshes can be written
 
-/// The file to which an output is written: its own path, or for "-" a temporary file, which
-/// deliver() copies to standard output.
-class Output {
- public:
-  /// `format`: the suffix of the temporary file, used only for "-".
-  Output(const std::string& path, const std::string& format);
-  const std::string& path() const { return path_; }
-  void deliver() const;
-
- private:
-  std::string path_;
-  TemporaryName temporary_;
-};
+/// Calls write() with the file to which an output is written: its own path, or for "-" a temporary
+/// file, which is then copied to standard output. `format`: the suffix of that temporary file.
+void writeOutputFile(const std::string& path, const std::string& format,
+                     const std::function<void(const std::string& file)>& write);
+/// Throws Error(InvalidInput, "BadOption") if the file has a name that asks for another format.
+/// `option`: the option that gives the format of standard output.
+void checkStreamFormat(const std::string& option, const std::string& format,
+                       const std::string& path);
 
 /// Writes to a file, or to standard output for "-". Throws Error(ExportFailed).
 void writeText(const std::string& text, const std::string& path);

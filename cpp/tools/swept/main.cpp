@@ -78,10 +78,16 @@ std::string refusal(const CLI::ParseError& error, const CLI::App& program,
     return text.substr(0, text.find(':')) + (missing ? " needs a value" : " is given twice");
   }
   if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return text;
-  const std::string word = text.substr(text.rfind(": ") + 2);
   if (commandOf(program).empty()) return "unknown command '" + words[0] + "'";
-  if (word.size() > 1 && word[0] == '-') return "unknown option '" + word + "'";
-  return "too many files: '" + word + "'";
+  // The text ends with all words that no option takes, from the last one to the first one.
+  const std::string unexpected = text.substr(text.rfind(": ") + 1) + " ";
+  std::vector<std::string> files;
+  for (const std::string& word : words) {
+    if (unexpected.find(" " + word + " ") == std::string::npos) continue;
+    if (word.size() > 1 && word[0] == '-') return "unknown option '" + word + "'";
+    files.push_back(word);
+  }
+  return "too many files: '" + (files.empty() ? unexpected : files.front()) + "'";
 }
 
 /// Keeps the lines of the text below the options, which are commands to copy. CLI11 from 2.5 on

@@ -112,9 +112,7 @@ void writeShared(const OverlapReport& report, const std::string& path) {
     throw Error(Status::ExportFailed, "NothingShared",
                 "'" + path + "' is not written, because no two of the parts share a volume (" +
                     report.summary + ")");
-  const Output output(path, "ply");
-  writeMesh(all, output.path());
-  output.deliver();
+  writeOutputFile(path, "ply", [&](const std::string& file) { writeMesh(all, file); });
 }
 
 OverlapReport compute(const OverlapJob& job, RunContext& run) {

@@ -89,9 +89,9 @@ int runSolid(const SolidJob& job) {
   StepReport solid;
   const Report report =
       runOnMesh(job, {{"--output", job.outputPath}}, [&](const TriMesh& mesh, RunContext& run) {
-        const Output output(job.outputPath, job.outputFormat);
-        solid = writeSolid(mesh, output.path(), job.options, run);
-        output.deliver();
+        writeOutputFile(job.outputPath, job.outputFormat, [&](const std::string& path) {
+          solid = writeSolid(mesh, path, job.options, run);
+        });
         return solid.warnings;
       });
   const bool made = solid.fileBytes > 0;
@@ -134,9 +134,11 @@ Run addSolidCommand(CLI::App& program) {
       "Examples:\n  swept solid envelope.ply -o envelope.step\n"
       "  swept solid envelope.ply -o envelope.step --solid-tolerance 0.1 --author \"A. Maker\"\n"
       "  swept solid envelope.ply --solid-tolerance 0.1 --estimate");
-  app.callback([job] {
+  app.callback([job, &app] {
     if (!job->estimate && job->outputPath.empty())
       throw CLI::RequiredError("--output (or --estimate)");
+    if (app.count("--output-format") > 0)
+      checkStreamFormat("--output-format", job->outputFormat, job->outputPath);
   });
   return [job] {
     job->options.strict = job->common.strict;

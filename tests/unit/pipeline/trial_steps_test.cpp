@@ -230,15 +230,18 @@ TEST(TrialSteps, ProbesOfContouringAreCountedInCellsOfTheWholeMotion) {
 TEST(TrialSteps, LargerCellsTellTheSurfaceToo) {
   Planned planned(makeTorus(20, 8, 120, 60), bow(60, 80, 1.5, 0), 120);
   const Counted run = counted(planned);
-  const auto guessed = [&](double room) {
-    return roughSurface(planned.input(), {1e9, room}, std::nullopt, Options().components,
-                        planned.run)
+  const auto guessed = [&](const RoughRoom& room) {
+    return roughSurface(planned.input(), room, std::nullopt, Options().components, planned.run)
         .crossings;
   };
-  EXPECT_NEAR(guessed(1e9), run.crossings, 0.01 * run.crossings);
-  const double few = guessed(run.sorted / 30);
-  EXPECT_NE(few, guessed(1e9));
-  EXPECT_NEAR(few, run.crossings, 0.2 * run.crossings);
+  const double all = guessed({1e9, 1e9, 1e9});
+  EXPECT_NEAR(all, run.crossings, 0.01 * run.crossings);
+  const double faces = static_cast<double>(planned.p.body.mesh.triangles.size());
+  for (const RoughRoom& room :
+       {RoughRoom{1e9, run.sorted / 30, 1e9}, RoughRoom{1e9, 1e9, 20 * faces}}) {
+    EXPECT_NE(guessed(room), all);
+    EXPECT_NEAR(guessed(room), run.crossings, 0.2 * run.crossings);
+  }
 }
 
 }  // namespace
