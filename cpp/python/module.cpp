@@ -14,6 +14,7 @@
 #include "path_bindings.h"
 #include "priority.h"
 #include "source_bindings.h"
+#include "swept/accuracy.h"
 #include "swept/check_text.h"
 #include "swept/compute.h"
 #include "swept/inaccuracy.h"
@@ -78,6 +79,8 @@ void takeOption(const std::string& name, const py::handle& value, Options& optio
     options.resolution = castOption<int>(name, value);
   else if (name == "cell")
     options.cellSize = castOption<double>(name, value);
+  else if (name == "accuracy")
+    setAccuracy(options, castOption<double>(name, value));
   else if (name == "components")
     options.components = parseComponentMethod(castOption<std::string>(name, value));
   else if (name == "backend")

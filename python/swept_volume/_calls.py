@@ -135,8 +135,14 @@ class Result:
 
 
 def _given(**options: Any) -> Dict[str, Any]:
-    """Returns the options that the caller has set. resolution and cell exclude one another."""
+    """Returns the options that the caller has set. resolution and cell exclude one another, and accuracy
+    excludes both, tolerance and chord, as in the program."""
     refuse_both(options.get("resolution"), options.get("cell"))
+    if options.get("accuracy") is not None:
+        for name in ("resolution", "cell", "tolerance", "chord"):
+            if options.get(name):
+                raise bad_option(f"accuracy and {name} exclude one another; give one of them")
+        options.pop("tolerance", None)
     if options.get("cell") is not None and not options["cell"] > 0:
         raise bad_option("cell must be greater than 0 mm")
     return {name: value for name, value in options.items() if value is not None}
@@ -152,6 +158,7 @@ def compute(
     motion: MotionLike,
     *,
     interpolation: Optional[str] = None,
+    accuracy: Optional[float] = None,
     resolution: Optional[int] = None,
     cell: Optional[float] = None,
     tolerance: float = 0.0,
@@ -172,6 +179,8 @@ def compute(
     """Computes the envelope of a body that moves along a motion.
 
     interpolation   between two poses: none, linear or screw; default: that of the motion
+    accuracy        mm: how far the surface may lie from the true one (accuracy_bound in the report).
+                    It chooses cell, tolerance and chord, and takes the place of them and of resolution
     resolution      cells along the longest side of the swept volume (128), or
     cell            size of a cell, mm
     tolerance       mm, how far simplification may move the surface
@@ -193,6 +202,7 @@ def compute(
     """
     body, way = mesh_of(mesh), motion_of(motion, interpolation)
     options = _given(
+        accuracy=accuracy,
         resolution=resolution,
         cell=cell,
         tolerance=tolerance,

@@ -129,6 +129,7 @@ _OPTIONS: Dict[str, Dict[str, Check]] = {
     },
     "envelope": {
         "format": _one_of("ply", "stl", "obj", "off", "3mf"),
+        "accuracy": _ABOVE,
         "resolution": _COUNT,
         "cell": _ABOVE,
         "tolerance": _NUMBER,
@@ -224,15 +225,26 @@ def _checked(table: Table, where: str, problems: _Problems) -> Dict[str, Any]:
     return good
 
 
+#: Options of an envelope that exclude each other.
+_EXCLUDES = {
+    "accuracy": {"cell", "chord", "resolution", "tolerance"},
+    "cell": {"accuracy", "resolution"},
+    "chord": {"accuracy"},
+    "resolution": {"accuracy", "cell"},
+    "tolerance": {"accuracy"},
+}
+
+
 def _merged(defaults: Table, table: Table) -> Dict[str, Any]:
     merged = {**defaults, **table}
     for stage in STAGES:
         merged[stage] = {**defaults.get(stage, {}), **table.get(stage, {})}
         given = table.get(stage, {})
-        if "cell" in given and "resolution" not in given:  # of a run, instead of the common one
-            merged[stage].pop("resolution", None)
-        elif "resolution" in given and "cell" not in given:
-            merged[stage].pop("cell", None)
+        # What a run gives takes the place of what is common to all and excludes it.
+        for key in _EXCLUDES:
+            if key in given and stage == "envelope":
+                for other in _EXCLUDES[key] - set(given):
+                    merged[stage].pop(other, None)
     return merged
 
 
@@ -258,8 +270,10 @@ def _combinations(
     stages = tuple(stage for stage in STAGES if stage in table["compute"])
     if "clearance" in stages and not table.get("neighbours"):
         problems.append(f"{where}: compute contains 'clearance', but there are no neighbours")
-    if {"cell", "resolution"} <= set(table["envelope"]):
-        problems.append(f"{where}, envelope: cell and resolution exclude one another")
+    for key, others in _EXCLUDES.items():
+        for other in sorted(others & set(table["envelope"])):
+            if key in table["envelope"] and key < other:
+                problems.append(f"{where}, envelope: {key} and {other} exclude one another")
     if "solid" in stages and not _core.HAS_SOLIDS:
         problems.append(f"{where}: this build has no OpenCASCADE and cannot make solids")
     neighbours = tuple(_joined(folder, name) for name in table.get("neighbours", ()))

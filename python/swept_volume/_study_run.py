@@ -100,7 +100,8 @@ class _Stages:
     def _computed(self) -> Result:
         if self._result is None:
             options = self._options("envelope")
-            size = {key: options[key] for key in ("cell", "resolution") if key in options}
+            sizes = ("accuracy", "cell", "resolution")
+            size = {key: options[key] for key in sizes if key in options}
             self._result = compute(self._body(**size), self.motion, run=self.context, **options)
         return self._result
 

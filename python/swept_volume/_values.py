@@ -340,14 +340,17 @@ def read_body(
     tolerance: Optional[float] = None,
     cell: Optional[float] = None,
     resolution: Optional[int] = None,
+    accuracy: Optional[float] = None,
     angle: float = 0.2,
 ) -> Mesh:
     """Reads a moving part: a mesh file as read_mesh(), or all solids of a STEP or BREP file as one
-    body, tessellated within tolerance (mm); else within 0.02 of cell (mm), the cell of the run to
-    come; else within 0.02 of the smallest cell that resolution (128) can give. angle: rad between
-    neighbouring triangles of a solid, at most."""
+    body, tessellated within tolerance (mm); else within 0.01 of accuracy (mm) or 0.02 of cell (mm),
+    those of the run to come; else within 0.02 of the smallest cell that resolution (128) can give.
+    angle: rad between neighbouring triangles of a solid, at most."""
     refuse_both(resolution, cell)
     require_file(path)
+    if tolerance is None and accuracy is not None:
+        tolerance = 0.01 * accuracy
     cells = 128 if resolution is None else resolution
     return Mesh._of_core(_core.read_body(path, unit, tolerance, cell, cells, angle=angle))
 

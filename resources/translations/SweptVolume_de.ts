@@ -124,6 +124,10 @@
    <translation>Bewegung des Bezugsteils</translation>
   </message>
   <message>
+   <source>How far the surface may lie from the true one. Determines cell size and tolerance. 0: Resolution or CellSize, and Tolerance are used</source>
+   <translation>Wie weit die Fläche neben der wahren liegen darf. Bestimmt Zellgröße und Toleranz. 0: Resolution oder CellSize und Tolerance gelten</translation>
+  </message>
+  <message>
    <source>Number of cells along the longest side of the swept volume. Used if CellSize is 0</source>
    <translation>Anzahl der Zellen entlang der längsten Seite des überstrichenen Volumens. Gilt, wenn CellSize 0 ist</translation>
   </message>
@@ -194,6 +198,10 @@
   <message>
    <source>Edge length of the grid cells used for this result</source>
    <translation>Kantenlänge der Gitterzellen, die für dieses Ergebnis verwendet wurden</translation>
+  </message>
+  <message>
+   <source>No point of the surface lies farther than this from the true one. 0: not known</source>
+   <translation>Kein Punkt der Fläche liegt weiter als dies neben der wahren. 0: nicht bekannt</translation>
   </message>
   <message>
    <source>Duration of the run (s)</source>
@@ -1802,6 +1810,10 @@ Versucht:
    <translation>Die Zellgröße muss über 0 mm liegen.</translation>
   </message>
   <message>
+   <source>The accuracy must be above 0 mm.</source>
+   <translation>Die Genauigkeit muss größer als 0 mm sein.</translation>
+  </message>
+  <message>
    <source>Motion from file</source>
    <translation>Bewegung aus Datei</translation>
   </message>
@@ -2515,6 +2527,10 @@ Versucht:
    <translation>{0} x {1} x {2} Zellen zu {3}</translation>
   </message>
   <message>
+   <source>How far the surface may lie from the true one. Determines cell size and tolerance</source>
+   <translation>Wie weit die Fläche neben der wahren liegen darf. Bestimmt Zellgröße und Toleranz</translation>
+  </message>
+  <message>
    <source>Coarse and fast on the left, fine and slow on the right</source>
    <translation>Links grob und schnell, rechts fein und langsam</translation>
   </message>
@@ -3217,6 +3233,10 @@ Versucht:
   <message>
    <source>Time: {0} on {1}</source>
    <translation>Zeit: {0} auf {1}</translation>
+  </message>
+  <message>
+   <source>Distance from the true surface: at most {0}</source>
+   <translation>Abstand von der wahren Fläche: höchstens {0}</translation>
   </message>
   <message>
    <source>Last run: {0}</source>

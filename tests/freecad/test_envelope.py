@@ -41,6 +41,31 @@ class Envelope(Computed):
         self.assertEqual(obj.Triangles, obj.Mesh.CountFacets)
         self.assertGreater(obj.Seconds, 0)
 
+    def test_accuracy_takes_the_place_of_cells_and_tolerance(self):
+        plain = self.computed(CellSize=0.5)
+        obj = self.envelope([self.part], self.path, Accuracy=1, Resolution=999, Tolerance=5)
+        plan = envelope_plan.Plan.of(obj)
+        estimated = plan.estimate()["cell"]
+        envelope.compute(obj)
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+        self.assertEqual((obj.UsedCellSize.Value, estimated), (0.5, 0.5))
+        self.assertLessEqual(obj.AccuracyBound.Value, 1)
+        self.assertGreater(obj.AccuracyBound.Value, 0.5)
+        self.assertLess(obj.Triangles, plain.Triangles)
+        report = sv.compute(*self.arrays(plan), accuracy=1).report
+        stored = json.loads(obj.Report)
+        for name in ("cell", "triangles", "volume", "refined_placements", "accuracy_bound"):
+            self.assertEqual(report[name], stored[name], name)
+        obj.Accuracy = 0
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.STALE)
+
+    @staticmethod
+    def arrays(plan):
+        """The body and the motion of a plan with one motion, as arrays for the Python module."""
+        vertices, triangles, motion, _ = core.arguments(plan.requests()[0])
+        return (vertices, triangles), motion
+
     def test_recompute_never_computes(self):
         self.part = self.box()
         obj = self.envelope([self.part], self.line())

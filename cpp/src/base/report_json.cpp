@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/report_json.h"
 
+#include "swept/accuracy.h"
 #include "swept/check_text.h"
 
 namespace swept {
@@ -89,6 +90,7 @@ Json reportJson(const Report& report, const char* command) {
   };
   ifAny("position_filter_distance", report.positionFilterDistance);
   if (report.crossings > 0) json["simplification_deviation"] = report.simplificationDeviation;
+  ifAny("accuracy_bound", accuracyBound(report));
   ifAny("conservative_bound", report.conservativeBound);
   if (report.threads > 0) {
     json["backend"] = report.backend;

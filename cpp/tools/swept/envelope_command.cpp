@@ -14,6 +14,7 @@
 #include "options.h"
 #include "runner.h"
 #include "sources_file.h"
+#include "swept/accuracy.h"
 #include "swept/body.h"
 #include "swept/compute.h"
 #include "swept/io.h"
@@ -35,6 +36,7 @@ struct EnvelopeJob {
   Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
   Options options;
   std::int64_t resolution = 128;
+  double accuracy = 0;  // mm; used if --accuracy is given
   std::int64_t memoryLimitMegabytes = 0;
   CommonOptions common;
 #ifdef HAVE_SWEPT_SOLID
@@ -44,6 +46,10 @@ struct EnvelopeJob {
 
 void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
   Options& options = job.options;
+  CLI::Option* accuracy = addNumber(
+      app, "--accuracy", "MM", job.accuracy,
+      "how far the surface may lie from the true one; chooses cell size, tolerance and chord, in "
+      "place of --resolution, --cell, --tolerance and --chord");
   addInteger(
       app, "--resolution", job.resolution, 4, 16384,
       "number of grid cells along the longest side of the swept volume, 4 to 16384 (default 128)");
@@ -70,6 +76,9 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
   addNumber(app, "--position-filter", "MM", options.positionFilter,
             "skip a pose if no point of the part has moved farther than this since the last pose "
             "used (default 0: use all poses)");
+  for (const char* other : {"--resolution", "--cell", "--tolerance", "--chord"}) {
+    accuracy->excludes(app.get_option(other));
+  }
   app.add_flag_callback(
       "--no-cull", [&options] { options.cull = false; },
       "also sample faces that are provably enclosed; slower, for tests");
@@ -143,6 +152,7 @@ void checkOptions(const CLI::App& app, EnvelopeJob& job) {
   // In Options, 0 means that no cell size is given. On the command line, 0 is an error.
   if (app.count("--cell") > 0 && !(job.options.cellSize > 0))
     badOption("--cell must be greater than 0 mm");
+  if (app.count("--accuracy") > 0) setAccuracy(job.options, job.accuracy);
 #ifdef HAVE_SWEPT_SOLID
   if (job.options.conservative && job.solid.tolerance > 0) {
     badOption(

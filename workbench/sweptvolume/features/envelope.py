@@ -203,6 +203,7 @@ def apply(obj, outcome, hash_at_start):
     obj.Shells = int(report["shells"])
     obj.SelfIntersections = int(report.get("self_intersections", -1))
     obj.UsedCellSize = report["cell"]
+    obj.AccuracyBound = report.get("accuracy_bound", 0.0)
     obj.Seconds = report["seconds"]["total"]
     obj.Report = json.dumps(report)
     obj.InputHash, obj.TriedHash = hash_at_start, ""

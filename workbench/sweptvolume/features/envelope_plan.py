@@ -22,6 +22,11 @@ STRAIGHT = 0.02
 LOOK_DEFLECTION = 2e-3
 
 
+#: What an accuracy of 1 mm stands for, as in the core (swept/accuracy.h): mm, mm, cells.
+OF_ACCURACY = {"cell": 0.5, "tolerance": 0.1}
+CHORD_OF_ACCURACY = 0.04
+
+
 class Plan:
     """The inputs of an envelope: moving parts, motions, reference part, values of the settings by
     property name.
@@ -105,7 +110,7 @@ class Plan:
     def options(self):
         """Returns the settings in the form of the core."""
         v = self.values
-        return {
+        found = {
             "resolution": int(v["Resolution"]),
             "cell": float(v["CellSize"]),
             "tolerance": float(v["Tolerance"]),
@@ -117,6 +122,10 @@ class Plan:
             "backend": BACKENDS[v["Backend"]],
             "sources": self.records(),
         }
+        if v["Accuracy"] > 0:
+            found.update({name: v["Accuracy"] * part for name, part in OF_ACCURACY.items()})
+            found["chord"] = CHORD_OF_ACCURACY
+        return found
 
     def records(self):
         """Returns whether the run records what made each triangle. Grown envelopes cannot."""
@@ -159,8 +168,9 @@ class Plan:
     def cell(self, groups):
         """Returns the cell size (mm): the given one, or the one from the resolution and the
         bounding boxes of the parts."""
-        if self.values["CellSize"] > 0:
-            return float(self.values["CellSize"])
+        given = self.options()["cell"]
+        if given > 0:
+            return given
         low, high = np.full(3, np.inf), np.full(3, -np.inf)
         for group in groups:
             box = swept_box(group.corners(), group.trajectory(np.inf)[0])
@@ -193,6 +203,7 @@ class Plan:
         """As requests(), for a quick preview: `cells` along the longest side, not simplified."""
         values = dict(
             self.values,
+            Accuracy=0.0,
             Resolution=cells,
             CellSize=0.0,
             Tolerance=0.0,

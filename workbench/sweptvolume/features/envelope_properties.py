@@ -65,6 +65,18 @@ INPUT = [
 ]
 ACCURACY = [
     (
+        "App::PropertyLength",
+        "Accuracy",
+        "Accuracy",
+        mark(
+            "Properties",
+            "How far the surface may lie from the true one. Determines cell size and tolerance. 0: "
+            "Resolution or CellSize, and Tolerance are used",
+        ),
+        None,
+        0,
+    ),
+    (
         "App::PropertyInteger",
         "Resolution",
         "Accuracy",
@@ -214,6 +226,14 @@ RESULT = [
         "App::PropertyLength",
         "UsedCellSize",
         mark("Properties", "Edge length of the grid cells used for this result"),
+    ),
+    (
+        "App::PropertyLength",
+        "AccuracyBound",
+        mark(
+            "Properties",
+            "No point of the surface lies farther than this from the true one. 0: not known",
+        ),
     ),
     ("App::PropertyFloat", "Seconds", mark("Properties", "Duration of the run (s)")),
 ]

@@ -24,7 +24,7 @@ INPUTS = "inputs"
 PAGE = "study.html"
 _MOST_LETTERS = 50
 #: Options of an envelope that have the same names in studies. Values 0 and False are left out.
-_OPTIONS = ("tolerance", "offset", "conservative", "keep_cavities", "position_filter")
+_OPTIONS = ("tolerance", "offset", "conservative", "keep_cavities", "position_filter", "chord")
 
 
 def file_name(label):
@@ -97,7 +97,7 @@ def run_of(name, source, plan):
             'Studies cannot use the setting Components of "{0}": set it to Consistent.',
         )
         raise InputProblem(text.format(source.Label))
-    own = {key: given[key] for key in _OPTIONS if given[key]}
+    own = {key: given[key] for key in _OPTIONS if given.get(key)}
     size = {"cell": given["cell"]} if given["cell"] > 0 else {"resolution": given["resolution"]}
     part = ", ".join(label_of(*pair) for pair in plan.pairs)
     label = plan.groups()[0].motion.Label

@@ -19,6 +19,7 @@ _CLEARANCE = {
     "deflection": "MeshDeflection",
 }
 _ENVELOPE = {
+    "accuracy": "Accuracy",
     "resolution": "Resolution",
     "cell": "CellSize",
     "tolerance": "Tolerance",

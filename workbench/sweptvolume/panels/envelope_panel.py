@@ -30,6 +30,7 @@ MOST_TYPED = 999999999
 QUALITIES = [32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024]
 
 DEFAULTS = {
+    "Accuracy": 0.0,
     "Resolution": 128,
     "CellSize": 0.0,
     "MeshDeflection": 0.1,
@@ -94,10 +95,24 @@ class EnvelopePanel(StartPanel):
 
     def _build_accuracy(self, values):
         rows = widgets.group(translate("Panels", "Accuracy"), self.layout)
+        given = [name for name in ("Accuracy", "CellSize") if values[name] > 0]
         self.by = widgets.choice(
-            ["Resolution", "CellSize"],
-            "CellSize" if values["CellSize"] > 0 else "Resolution",
-            [translate("Panels", "Resolution"), translate("Panels", "Cell size")],
+            ["Accuracy", "Resolution", "CellSize"],
+            (given + ["Resolution"])[0],
+            [
+                translate("Panels", "Accuracy"),
+                translate("Panels", "Resolution"),
+                translate("Panels", "Cell size"),
+            ],
+        )
+        self.accuracy = widgets.length(values["Accuracy"] or 1.0)
+        self.accuracy.setObjectName("SweptVolumeAccuracy")
+        widgets.hint(
+            self.accuracy,
+            translate(
+                "Panels",
+                "How far the surface may lie from the true one. Determines cell size and tolerance",
+            ),
         )
         self.resolution = QtWidgets.QSpinBox()
         self.resolution.setRange(0, MOST_TYPED)
@@ -128,6 +143,7 @@ class EnvelopePanel(StartPanel):
         widgets.hint(
             self.offset, translate("Panels", "Grows the envelope by this distance on all sides")
         )
+        rows.addRow(translate("Panels", "Accuracy"), self.accuracy)
         rows.addRow(translate("Panels", "Set cell size by"), self.by)
         rows.addRow(translate("Panels", "Resolution"), self.resolution)
         rows.addRow(translate("Panels", "Quality"), self.quality)
@@ -199,6 +215,7 @@ class EnvelopePanel(StartPanel):
         for signal in (
             self.resolution.valueChanged,
             self.backend.currentIndexChanged,
+            self.accuracy.valueChanged,
             self.cell.valueChanged,
             self.offset.valueChanged,
         ):
@@ -217,10 +234,10 @@ class EnvelopePanel(StartPanel):
     # --- values
 
     def values(self):
-        by_cell = self.by.currentData() == "CellSize"
         return {
+            "Accuracy": self._given("Accuracy", self.accuracy),
             "Resolution": self.resolution.value(),
-            "CellSize": float(self.cell.property("rawValue")) if by_cell else 0.0,
+            "CellSize": self._given("CellSize", self.cell),
             "MeshDeflection": self.deflection,
             "Tolerance": float(self.tolerance.property("rawValue")),
             "Offset": float(self.offset.property("rawValue")),
@@ -232,9 +249,16 @@ class EnvelopePanel(StartPanel):
             "MadeBy": self.made_by.currentData(),
         }
 
+    def _given(self, name, field):
+        """Returns the length in a field (mm) if the cell size is set by it, else 0."""
+        return float(field.property("rawValue")) if self.by.currentData() == name else 0.0
+
     def plan(self):
-        if self.by.currentData() == "CellSize" and not float(self.cell.property("rawValue")) > 0:
+        by = self.by.currentData()
+        if by == "CellSize" and not self._given(by, self.cell) > 0:
             raise InputProblem(translate("Messages", "The cell size must be above 0 mm."))
+        if by == "Accuracy" and not self._given(by, self.accuracy) > 0:
+            raise InputProblem(translate("Messages", "The accuracy must be above 0 mm."))
         parts = self.parts
         return Plan(
             parts.pairs, parts.motion(), self.values(), parts.own_motions(), *parts.seen_from()
@@ -244,10 +268,12 @@ class EnvelopePanel(StartPanel):
         return self.plan().words()
 
     def _accuracy_changed(self, *ignored):
-        by_cell = self.by.currentData() == "CellSize"
-        self.cell.setEnabled(by_cell)
-        self.resolution.setEnabled(not by_cell)
-        self.quality.setEnabled(not by_cell)
+        by = self.by.currentData()
+        self.accuracy.setEnabled(by == "Accuracy")
+        self.tolerance.setEnabled(by != "Accuracy")
+        self.cell.setEnabled(by == "CellSize")
+        self.resolution.setEnabled(by == "Resolution")
+        self.quality.setEnabled(by == "Resolution")
         self._changed()
 
     def _changed(self, *ignored):
@@ -279,8 +305,8 @@ class EnvelopePanel(StartPanel):
     def finest(self):
         """Returns the number of cells of the fine preview: the requested one, but limited for
         speed."""
-        by_cell = self.by.currentData() == "CellSize"
-        return MOST_CELLS if by_cell else min(self.resolution.value(), MOST_CELLS)
+        by_cells = self.by.currentData() == "Resolution"
+        return min(self.resolution.value(), MOST_CELLS) if by_cells else MOST_CELLS
 
     def show_preview(self, surface):
         if self.coarse is None:

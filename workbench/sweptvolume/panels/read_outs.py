@@ -59,10 +59,15 @@ def lines_of(obj, report):
         translate("Panels", "Cell: {0}, simplified by: {1}").format(
             quantities.quantity(report["cell"]), quantities.quantity(deviation)
         ),
+    ]
+    if report.get("accuracy_bound"):
+        bound = quantities.quantity(report["accuracy_bound"])
+        lines.append(translate("Panels", "Distance from the true surface: at most {0}").format(bound))
+    lines.append(
         translate("Panels", "Time: {0} on {1}").format(
             quantities.seconds(obj.Seconds), report["backend"].upper()
-        ),
-    ]
+        )
+    )
     if obj.Message and obj.Status in (CANCELLED, FAILED):
         lines.append(translate("Panels", "Last run: {0}").format(obj.Message))
     warnings = "\n".join(w["text"] for w in warnings_of(report))

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "swept/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/number_text.h"
+
+namespace swept {
+namespace {
+
+/// Every triangle of the surface lies in the four cells around a grid edge that crosses the true
+/// surface. No point of these cells is farther from this edge's crossing than the diagonal of a
+/// cell.
+constexpr double kDiagonal = std::numbers::sqrt3;
+/// Shares of the accuracy. The cell takes 0.87 of it, the tolerance 0.1, and the chords 0.02.
+constexpr double kCell = 0.5, kTolerance = 0.1, kChordCells = 0.04;
+static_assert(kDiagonal * kCell + kTolerance + kChordCells * kCell < 1);
+
+}  // namespace
+
+void setAccuracy(Options& options, double accuracy) {
+  if (!(accuracy > 0) || !std::isfinite(accuracy)) {
+    throw Error(Status::InvalidInput, "BadOption",
+                "the accuracy is " + numberText(accuracy, 6) + " mm; it must be above 0 mm");
+  }
+  options.cellSize = kCell * accuracy;
+  options.tolerance = kTolerance * accuracy;
+  options.chordTolerance = kChordCells;
+}
+
+double accuracyBound(const Report& report) {
+  const bool grown = std::any_of(
+      report.warnings.begin(), report.warnings.end(),
+      [](const Finding& f) { return f.code == "Offset" || f.code == "Conservative"; });
+  if (grown || report.crossings <= 0) return 0;
+  return kDiagonal * report.cellSize + report.chordError + report.positionFilterDistance +
+         report.simplificationDeviation;
+}
+
+}  // namespace swept

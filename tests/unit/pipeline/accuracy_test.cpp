@@ -1,0 +1,59 @@
+// An accuracy in mm chooses cell size, tolerance and chord, and the report bounds what was lost.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "swept/accuracy.h"
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+#include "swept/compute.h"
+
+namespace swept::test {
+namespace {
+
+/// A box that moves along a diagonal and turns.
+Result boxWithin(double accuracy, double offset = 0) {
+  Trajectory motion;
+  motion.poses = {{},
+                  {1, Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ())),
+                   {12, 5, 3}}};
+  Options options;
+  options.offset = offset;
+  setAccuracy(options, accuracy);
+  RunContext run;
+  return compute(makeBox({-4, -2, -1}, {4, 2, 1}), motion, options, run);
+}
+
+TEST(Accuracy, ReportBoundsWhatWasLost) {
+  for (const double accuracy : {1.0, 0.3}) {
+    const Report report = boxWithin(accuracy).report;
+    ASSERT_EQ(report.status, Status::Ok) << report.message;
+    const double bound = accuracyBound(report);
+    EXPECT_LE(bound, accuracy);
+    EXPECT_GE(bound, report.cellSize + report.chordError + report.simplificationDeviation);
+    EXPECT_GT(report.simplificationDeviation, 0);
+    EXPECT_NE(toJson(report).find("\"accuracy_bound\""), std::string::npos);
+  }
+}
+
+TEST(Accuracy, NoBoundForGrownEnvelopes) {
+  const Report report = boxWithin(1, 2).report;
+  ASSERT_EQ(report.status, Status::Ok) << report.message;
+  EXPECT_EQ(accuracyBound(report), 0);
+  EXPECT_EQ(toJson(report).find("\"accuracy_bound\""), std::string::npos);
+}
+
+TEST(Accuracy, RefusesWhatIsNotAbove0) {
+  for (const double accuracy : {0.0, -1.0, HUGE_VAL, std::nan("")}) {
+    Options options;
+    try {
+      setAccuracy(options, accuracy);
+      FAIL() << accuracy;
+    } catch (const Error& error) {
+      EXPECT_STREQ(error.code().c_str(), "BadOption");
+    }
+    EXPECT_EQ(options.cellSize, 0);
+  }
+}
+
+}  // namespace
+}  // namespace swept::test
