@@ -117,7 +117,8 @@ std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, 
   return found;
 }
 
-std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep) {
+std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep,
+                                     const std::vector<char>& wanted) {
   std::vector<std::vector<std::int32_t>> faces(model.edges.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     if (model.faces[f].surface.isPlanar()) continue;
@@ -127,7 +128,8 @@ std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep) {
   }
   std::vector<EdgeCut> unheld;
   for (std::size_t e = 0; e < faces.size(); ++e) {
-    if (faces[e].empty() || brep.edges[e].IsNull()) continue;
+    if (faces[e].empty() || brep.edges[e].IsNull() || (e < wanted.size() && wanted[e] == 0))
+      continue;
     const TopoDS_Edge& edge = brep.edges[e];
     double seen = 0, largest = 0, at = 0;
     ShapeAnalysis_Edge().CheckSameParameter(edge, seen);
