@@ -24,7 +24,8 @@ void checkInput(const std::vector<OverlapPart>& parts, const ClearanceOptions& o
   checkSettings(options);
   if (parts.size() < 2)
     throw Error(Status::InvalidInput, "NoParts",
-                std::to_string(parts.size()) + " parts given; give at least two to be compared");
+                counted(std::ssize(parts), "part was", "parts were") +
+                    " given; give at least two parts to compare");
   std::set<std::string> names;
   for (const OverlapPart& part : parts) {
     requireLength("part '" + part.name + "': chord error", part.chordError, true);
@@ -178,9 +179,8 @@ class OverlapCheck {
       rows.push_back(&pair.clearance);
       volume += pair.volume.value_or(0);
     }
-    const Summary summary = summaryOf(
-        rows, std::to_string(rows.size()) + (rows.size() == 1 ? " pair" : " pairs") + " checked", 0,
-        Timed::No);
+    const Summary summary =
+        summaryOf(rows, counted(std::ssize(rows), "pair") + " checked", 0, Timed::No);
     report_.smallest = summary.smallest;
     report_.summary = summary.text;
     if (volume > 0) report_.summary += ", " + numberText(volume, 6) + " mm^3 shared";
