@@ -72,8 +72,7 @@ void refuseBadVertices(const TriMesh& body) {
   if (found.nonFinite > 0) {
     throw Error(Status::InvalidInput, "NonFiniteVertex",
                 counted(found.nonFinite, "vertex has", "vertices have") +
-                    " a coordinate that is not a finite number (" +
-                    (found.nonFinite == 1 ? "vertex " : "the first are vertices ") +
+                    " a coordinate that is not a finite number (first: " +
                     list(found.firstNonFinite) + "); repair the mesh, or export it again");
   }
   if (found.largest > kLargestLength) {
