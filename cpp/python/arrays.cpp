@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "base/number_text.h"
 #include "swept/io.h"
 
 namespace swept::python {
@@ -77,7 +78,8 @@ void takeTriangles(const Index* indices, TriMesh& mesh) {
       if (index < 0 || index >= vertices || index > std::numeric_limits<std::int32_t>::max()) {
         throw Error(Status::InvalidInput, "BadIndex",
                     "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(index) +
-                        "; there are " + std::to_string(vertices) + " (counted from 0)");
+                        ", but the mesh has " + counted(vertices, "vertex", "vertices") +
+                        ", numbered from 0; correct the triangles of the mesh");
       }
       mesh.triangles[t][k] = static_cast<std::int32_t>(index);
     }

@@ -23,10 +23,10 @@ SOLIDS = pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCAS
 @pytest.mark.parametrize(
     "output, report, says",
     [
-        ("box.ply", None, "is the generator"),
-        ("./box.ply", None, "is the generator"),
-        ("link.ply", None, "is the generator"),
-        ("hard.ply", None, "is the generator"),
+        ("box.ply", None, "is the moving part"),
+        ("./box.ply", None, "is the moving part"),
+        ("link.ply", None, "is the moving part"),
+        ("hard.ply", None, "is the moving part"),
         ("o.ply", "slide.csv", "is the motion"),
         ("o.ply", "../{here}/slide.csv", "is the motion"),
         ("o.ply", "o.ply", "is also the file of --output"),
@@ -54,8 +54,8 @@ def test_standard_output_that_is_an_input_or_another_output(program, inputs):  #
     whole = (inputs / "box.ply").read_bytes()
     rest = "--motion slide.csv --resolution 16 --quiet"
     for line, says in (
-        (f"{program} envelope box.ply {rest} -o - >> box.ply", "is the generator"),
-        (f"{program} envelope - {rest} -o - < box.ply >> box.ply", "is the generator"),
+        (f"{program} envelope box.ply {rest} -o - >> box.ply", "is the moving part"),
+        (f"{program} envelope - {rest} -o - < box.ply >> box.ply", "is the moving part"),
         (f"{program} check box.ply --report - >> box.ply", "is the file to check"),
         (f"{program} envelope box.ply {rest} -o o.ply --report - > o.ply", "the file of --output"),
         (f"{program} envelope box.ply {rest} -o - --report - > /dev/null", "the file of --output"),

@@ -92,7 +92,7 @@ def test_values_results_and_errors_can_be_pickled(mesh, motion):
     assert np.array_equal(copy.contact_time, result.contact_time)
     assert np.array_equal(copy.feature_edges, result.feature_edges)
     assert len(result.recut(2.0).triangles) <= len(result.triangles)
-    with pytest.raises(sv.InvalidInput, match="compute it here"):
+    with pytest.raises(sv.InvalidInput, match="compute the result again"):
         copy.recut(2.0)
     with pytest.raises(sv.InvalidInput) as caught:
         sv.compute(sv.Mesh(np.empty((0, 3)), np.empty((0, 3), int)), motion)

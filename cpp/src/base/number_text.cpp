@@ -19,4 +19,11 @@ std::string fixedText(double value, int decimals) {
   return {text, end};
 }
 
+std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
+  std::string text = std::to_string(count) + " ";
+  text += count == 1 || many.empty() ? one : many;
+  if (count != 1 && many.empty()) text += 's';
+  return text;
+}
+
 }  // namespace swept

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 namespace swept {
@@ -14,6 +16,10 @@ constexpr int kTellingDigits = 12;
 std::string numberText(double value, int digits = 6);
 /// Formats a number with `decimals` digits after the point, as %.nf does in the locale "C".
 std::string fixedText(double value, int decimals);
+
+/// Returns a count with its noun: "1 edge", "2 edges". `one` and `many` may go on after the noun;
+/// without `many`, the plural is `one` and an s.
+std::string counted(std::int64_t count, std::string_view one, std::string_view many = {});
 
 /// Joins texts and numbers. Floating-point numbers are formatted by numberText(number, digits).
 template <class... Parts>

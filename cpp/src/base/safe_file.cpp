@@ -166,8 +166,8 @@ std::uint64_t SafeFile::commit() {
   if (wanted != fs::perms::none) fs::permissions(temporary_.path, wanted, code);
   fs::rename(temporary_.path, target_, code);
   if (code) {
-    refuse("WriteFailed",
-           "the file was written, but cannot be renamed to '" + name_ + "': " + code.message());
+    refuse("WriteFailed", "'" + name_ + "' could not be replaced: " + code.message() +
+                              "; close programs that use it, or choose another name");
   }
   temporary_.path.clear();
   return bytes;

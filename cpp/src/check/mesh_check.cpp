@@ -27,9 +27,7 @@ void requireValidIndices(const TriMesh& mesh) {
   const std::optional<BadIndex> bad = findBadIndex(mesh);
   if (!bad) return;
   throw Error(Status::InvalidInput, "BadIndex",
-              "triangle " + std::to_string(bad->triangle) + " refers to vertex " +
-                  std::to_string(bad->vertex) + "; the mesh has " +
-                  std::to_string(mesh.vertices.size()) + " vertices");
+              badIndexText(*bad, mesh) + "; correct the triangles of the mesh");
 }
 
 struct Sums {

@@ -78,8 +78,7 @@ void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
       worst = &row;
   }
   if (worst == nullptr) return;
-  finding.text = std::to_string(finding.count) +
-                 (finding.count == 1 ? " allowed contact" : " allowed contacts") +
+  finding.text = counted(finding.count, "allowed contact") +
                  ": no point deeper than allowed was found, but deeper points may exist; for '" +
                  worst->name + "' it is only proven that the depth is at most " +
                  numberText(worst->penetration.depthBound, 3) + " mm";

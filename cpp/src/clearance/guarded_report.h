@@ -34,8 +34,8 @@ void fillGuarded(Report& report, RunContext& run, const std::string& what,
     fail(e.status(), e.code(), e.what());
   } catch (const std::bad_alloc&) {
     fail(Status::OutOfMemory, "OutOfMemory",
-         "not enough memory for the " + what +
-             "; use neighbours with fewer triangles, or fewer neighbours at a time");
+         "there is not enough memory for the " + what +
+             "; use parts with fewer triangles, or fewer parts at a time");
   } catch (const std::exception& e) {
     fail(Status::InternalError, "InternalError",
          std::string(e.what()) + ". This is a fault of the program; please report it with " +

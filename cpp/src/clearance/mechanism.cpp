@@ -181,7 +181,7 @@ void addFindings(MechanismReport& report, std::vector<PreparedPart>& prepared) {
 void summarise(MechanismReport& report, std::int64_t asked) {
   std::vector<const NeighbourClearance*> rows;
   for (const PairClearance& pair : report.pairs) rows.push_back(&pair.clearance);
-  std::string head = std::to_string(asked) + (asked == 1 ? " pair" : " pairs") + " checked";
+  std::string head = counted(asked, "pair") + " checked";
   if (rows.empty()) head += ", none closer than " + numberText(report.range, 4) + " mm";
   const Summary summary = summaryOf(rows, head);
   report.smallest = summary.smallest;

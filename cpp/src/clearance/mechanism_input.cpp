@@ -22,8 +22,7 @@ std::string quoted(const MechanismPart& part) { return "part '" + part.name + "'
 
 void requireNames(const std::vector<MechanismPart>& parts) {
   if (parts.size() < 2)
-    refuse("NoParts", std::to_string(parts.size()) +
-                          (parts.size() == 1 ? " part was" : " parts were") +
+    refuse("NoParts", counted(std::ssize(parts), "part was", "parts were") +
                           " given; give at least two parts");
   std::set<std::string> names;
   for (const MechanismPart& part : parts)
@@ -119,10 +118,8 @@ TimeInterval commonTime(const std::vector<MechanismPart>& parts,
     names += (names.empty() ? "" : ", ") + parts[i].name;
   }
   if (cut.count > 0) {
-    cut.text = std::to_string(cut.count) +
-               (cut.count == 1 ? " motion lasts longer than the others"
-                               : " motions last longer than the others") +
-               " (" + names + (cut.count > 8 ? ", ..." : "") +
+    cut.text = counted(cut.count, "motion lasts", "motions last") + " longer than the others (" +
+               names + (cut.count > 8 ? ", ..." : "") +
                "); only the common time of all motions was checked, from " +
                numberText(common.from) + " to " + numberText(common.to) + " s";
     findings.push_back(cut);

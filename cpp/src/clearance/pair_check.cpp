@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "clearance/pair_check.h"
 
+#include "base/number_text.h"
 #include "base/timer.h"
 #include "clearance/penetration.h"
 #include "input/body_check.h"
@@ -156,8 +157,8 @@ std::vector<Finding> openFindings(const std::vector<std::string>& names,
   }
   if (open.count > 0) {
     if (static_cast<std::size_t>(open.count) > open.first.size()) list += ", ...";
-    open.text = std::to_string(open.count) + " " + (open.count == 1 ? one + " is" : many + " are") +
-                " open or badly oriented (" + list +
+    open.text = counted(open.count, one + " is", many + " are") + " open or badly oriented (" +
+                list +
                 "): a part that lies completely inside such a surface is not noticed, and the "
                 "depth of an overlap is measured only on the other part; repair the mesh";
     findings.push_back(open);

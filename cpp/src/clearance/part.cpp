@@ -29,9 +29,7 @@ void requireUsable(const TriMesh& mesh, const std::string& who) {
                     " lies more than 1e9 mm from the origin; check the unit of length of the part");
   if (const std::optional<BadIndex> bad = findBadIndex(mesh))
     throw Error(Status::InvalidInput, "BadIndex",
-                who + ": triangle " + std::to_string(bad->triangle) + " names vertex " +
-                    std::to_string(bad->vertex) + " of " + std::to_string(mesh.vertices.size()) +
-                    "; export the part again");
+                who + ": " + badIndexText(*bad, mesh) + "; export the part again");
 }
 
 std::pair<int, double> longestEdge(const Triangle3d& c) {

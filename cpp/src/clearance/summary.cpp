@@ -45,14 +45,14 @@ Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std:
   }
   if (rows.empty()) return summary;
   const NeighbourClearance& row = *rows[summary.smallest];
-  const auto add = [&](int count, const char* what) {
-    if (count > 0) summary.text += ", " + std::to_string(count) + " " + what;
+  const auto add = [&](int count, const char* one, const char* many) {
+    if (count > 0) summary.text += ", " + counted(count, one, many);
   };
-  add(clashes, clashes == 1 ? "clash" : "clashes");
-  add(contacts, contacts == 1 ? "contact" : "contacts");
-  add(below, "below required");
-  add(allowed, allowed == 1 ? "allowed contact" : "allowed contacts");
-  add(static_cast<int>(ignored), "ignored");
+  add(clashes, "clash", "clashes");
+  add(contacts, "contact", "contacts");
+  add(below, "below required", "below required");
+  add(allowed, "allowed contact", "allowed contacts");
+  add(static_cast<int>(ignored), "ignored", "ignored");
   const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
   const std::string length = lengthText(deep ? row.penetration.depth : row.distance);
   summary.text += (deep ? ", deepest clash " : ", smallest distance ") + length + " mm";

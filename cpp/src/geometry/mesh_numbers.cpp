@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/number_text.h"
 #include "base/parallel.h"
 
 namespace swept {
@@ -29,6 +30,12 @@ std::optional<BadIndex> findBadIndex(const TriMesh& mesh) {
     if (part) return part;
   }
   return std::nullopt;
+}
+
+std::string badIndexText(const BadIndex& bad, const TriMesh& mesh) {
+  return "triangle " + std::to_string(bad.triangle) + " refers to vertex " +
+         std::to_string(bad.vertex) + ", but the mesh has " +
+         counted(std::ssize(mesh.vertices), "vertex", "vertices") + ", numbered from 0";
 }
 
 Coordinates measureCoordinates(const TriMesh& mesh) {

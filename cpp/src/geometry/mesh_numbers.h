@@ -1,12 +1,13 @@
 // Checks the numbers of a mesh: vertex indices and coordinates.
 //
-// Out: the faults and their places; the caller makes the messages.
+// Out: the faults and their places.
 // Units: mm. Cost: O(n) on all cores.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "swept/types.h"
@@ -20,6 +21,9 @@ struct BadIndex {
 
 /// Returns the first triangle corner with a bad index, if any.
 std::optional<BadIndex> findBadIndex(const TriMesh& mesh);
+
+/// Returns the text of a message: "triangle 7 refers to vertex 12, but …".
+std::string badIndexText(const BadIndex& bad, const TriMesh& mesh);
 
 struct Coordinates {
   std::int64_t nonFinite = 0;                ///< vertices with a coordinate that is not finite

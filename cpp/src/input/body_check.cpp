@@ -57,15 +57,13 @@ void refuseUnusable(const TriMesh& body) {
   }
   const auto count = static_cast<std::int64_t>(body.vertices.size());
   if (count > 2147483647) {
-    throw Error(
-        Status::ResourceLimit, "TooManyVertices",
-        std::to_string(count) + " vertices, but the limit is 2147483647; use a coarser mesh");
+    throw Error(Status::ResourceLimit, "TooManyVertices",
+                "the body has " + std::to_string(count) +
+                    " vertices, but the limit is 2147483647; use a coarser mesh");
   }
   if (const auto bad = findBadIndex(body)) {
     throw Error(Status::InvalidInput, "BadIndex",
-                "triangle " + std::to_string(bad->triangle) + " refers to vertex " +
-                    std::to_string(bad->vertex) + "; the body has vertices 0 to " +
-                    std::to_string(count - 1) + "; the mesh is damaged: export it again");
+                badIndexText(*bad, body) + "; the mesh is damaged: export it again");
   }
 }
 
@@ -73,9 +71,8 @@ void refuseBadVertices(const TriMesh& body) {
   const Coordinates found = measureCoordinates(body);
   if (found.nonFinite > 0) {
     throw Error(Status::InvalidInput, "NonFiniteVertex",
-                std::to_string(found.nonFinite) +
-                    " vertices have a coordinate that is not a finite number "
-                    "(first: " +
+                counted(found.nonFinite, "vertex has", "vertices have") +
+                    " a coordinate that is not a finite number (first: " +
                     list(found.firstNonFinite) + "); repair the mesh, or export it again");
   }
   if (found.largest > kLargestLength) {
@@ -114,10 +111,10 @@ void weldOpenEdges(CheckedBody& result, EdgeTable& table, EdgeCounts& edges, Cle
   EdgeCounts after = countEdges(weldedTable);
   if (after.open >= edges.open) return;
   add(result, "WeldedWithinTolerance", moved,
-      std::to_string(moved) +
-          " vertices on open edges were joined with another vertex at a distance of at most " +
-          numberText(tolerance) + " mm (number of open edges before: " +
-          std::to_string(edges.open) + ", after: " + std::to_string(after.open) + ")");
+      counted(moved, "vertex on an open edge was", "vertices on open edges were") +
+          " joined with another vertex at a distance of at most " + numberText(tolerance) +
+          " mm (number of open edges before: " + std::to_string(edges.open) +
+          ", after: " + std::to_string(after.open) + ")");
   result.mesh = std::move(welded);
   table = std::move(weldedTable);
   edges = std::move(after);
@@ -126,11 +123,12 @@ void weldOpenEdges(CheckedBody& result, EdgeTable& table, EdgeCounts& edges, Cle
 
 void reportCleaning(CheckedBody& result, const CleanCounts& cleaned) {
   add(result, "DegenerateTriangles", cleaned.degenerate,
-      std::to_string(cleaned.degenerate) + " triangles without area were removed",
+      counted(cleaned.degenerate, "triangle without area was", "triangles without area were") +
+          " removed",
       cleaned.firstDegenerate);
   add(result, "DuplicateTriangles", cleaned.repeated,
-      std::to_string(cleaned.repeated) +
-          " triangles with the same corners as another triangle were removed",
+      counted(cleaned.repeated, "triangle was", "triangles were") +
+          " removed, which had the same corners as another triangle",
       cleaned.firstDuplicate);
   add(result, "OppositeTriangles", cleaned.opposite,
       std::to_string(cleaned.opposite) +
@@ -141,19 +139,22 @@ void reportCleaning(CheckedBody& result, const CleanCounts& cleaned) {
 
 void reportOrientation(CheckedBody& result, const OrientationResult& oriented) {
   add(result, "MixedOrientation", oriented.mixed,
-      std::to_string(oriented.mixed) +
-          " triangles faced the opposite way to their adjacent triangles and were reversed");
+      counted(oriented.mixed,
+              "triangle faced the opposite way to its adjacent triangles and was reversed",
+              "triangles faced the opposite way to their adjacent triangles and were reversed"));
   add(result, "Flipped", oriented.inverted,
-      std::to_string(oriented.inverted) + " of " + std::to_string(oriented.shells) +
-          " shells faced inwards and were reversed");
+      std::to_string(oriented.inverted) + " of " + counted(oriented.shells, "shell") +
+          " faced inwards and " + (oriented.inverted == 1 ? "was" : "were") + " reversed");
   add(result, "Cavities", oriented.cavities,
-      std::to_string(oriented.cavities) + " shells are cavities inside the body");
+      counted(oriented.cavities, "shell is a cavity", "shells are cavities") + " inside the body");
   add(result, "NestedShells", oriented.nested,
-      std::to_string(oriented.nested) +
-          " shells lie completely inside another shell and face outwards; they count as material");
+      counted(oriented.nested,
+              "shell lies completely inside another shell and faces outwards; it counts",
+              "shells lie completely inside another shell and face outwards; they count") +
+          " as material");
   add(result, "NotOrientable", oriented.inconsistent,
-      std::to_string(oriented.inconsistent) +
-          " shells cannot be oriented consistently (like a Möbius strip), so every face is "
+      counted(oriented.inconsistent, "shell") +
+          " cannot be oriented consistently (like a Möbius strip), so every face is "
           "sampled, which takes longer; repair the mesh");
   add(result, "InsideOut", oriented.insideOut ? 1 : 0,
       "the surface intersects itself, and some regions are inside out, so every face is sampled, "
@@ -188,10 +189,9 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
   run.checkpoint(Phase::Input);
   EdgeCounts edges = countEdges(table);
   add(result, "Welded", joined,
-      std::to_string(joined) +
-          " vertices had the same coordinates as another vertex and were joined (number of "
-          "vertices before: " +
-          before + ", after: " + std::to_string(result.mesh.vertices.size()) + ")");
+      counted(joined, "vertex", "vertices") + " had the same coordinates as another vertex and " +
+          (joined == 1 ? "was" : "were") + " joined with it (number of vertices before: " + before +
+          ", after: " + std::to_string(result.mesh.vertices.size()) + ")");
   weldOpenEdges(result, table, edges, cleaned, options.weldTolerance * boxDiagonal(result.mesh),
                 keepSheets);
   reportCleaning(result, cleaned);
@@ -199,13 +199,13 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
 
   result.closed = edges.open == 0;
   add(result, "OpenEdges", edges.open,
-      std::to_string(edges.open) +
-          " edges belong to only one triangle: the surface is open there, and the envelope is "
-          "closed only where the motion closes it",
+      counted(edges.open, "edge belongs", "edges belong") +
+          " to only one triangle: the surface is open there, and the envelope is closed only "
+          "where the motion closes it",
       edges.firstOpen);
   add(result, "NonManifoldEdges", edges.nonManifold,
-      std::to_string(edges.nonManifold) +
-          " edges of the part are shared by more than two triangles",
+      counted(edges.nonManifold, "edge of the part is", "edges of the part are") +
+          " shared by more than two triangles",
       edges.firstNonManifold);
   const OrientationResult oriented = orientShells(result.mesh, table, result.closed, run);
   result.orientable = oriented.orientable;

@@ -64,9 +64,9 @@ void checkTurn(const Pose& before, const Pose& after, std::size_t index) {
     throw Error(Status::InvalidInput, "AmbiguousTurn",
                 "between " + poseName(index - 1) + " and " + poseName(index) +
                     " the body turns by " + numberText(degrees) +
-                    " degrees, so the direction of the turn is ambiguous (this holds for more than "
-                    "179 degrees); "
-                    "insert a pose between them, or choose interpolation none");
+                    " degrees (limit: " + numberText(180 - kAmbiguousDegrees) +
+                    "), so the direction of the turn is ambiguous; insert a pose between them, or "
+                    "choose interpolation none");
   }
 }
 
@@ -140,23 +140,20 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
     result.given.push_back(static_cast<std::int32_t>(i));
   }
   if (mended.count > 0) {
-    mended.text = std::to_string(mended.count) +
-                  " poses had a rotation that was slightly off (its quaternion by up to " +
-                  numberText(largest) + "); the nearest exact rotation was used";
+    mended.text = counted(mended.count, "pose had a quaternion", "poses had quaternions") +
+                  " whose length deviated from 1 by up to " + numberText(largest, 3) +
+                  "; the length was corrected to 1";
     result.findings.push_back(mended);
   }
   if (repeated.count > 0) {
-    repeated.text = std::to_string(repeated.count) +
-                    (repeated.count == 1
-                         ? " pose has the same placement as the pose before and was left out"
-                         : " poses have the same placement as the pose before and were left out");
+    repeated.text = counted(repeated.count, "pose has", "poses have") +
+                    " the same placement as the pose before and " +
+                    (repeated.count == 1 ? "was" : "were") + " left out";
     result.findings.push_back(repeated);
   }
   if (equal.count > 0) {
-    equal.text = std::to_string(equal.count) +
-                 (equal.count == 1 ? " pose has the same time as the pose before"
-                                   : " poses have the same time as the pose before") +
-                 "; the order of the file was kept";
+    equal.text = counted(equal.count, "pose has", "poses have") +
+                 " the same time as the pose before; the given order was kept";
     result.findings.push_back(equal);
   }
   return result;

@@ -12,7 +12,9 @@
 #include <sstream>
 
 #include "base/limits.h"
+#include "base/number_text.h"
 #include "base/safe_file.h"
+#include "geometry/mesh_numbers.h"
 #include "io/input_file.h"
 #include "io/mesh_writers.h"
 #include "io/openmesh_bridge.h"
@@ -107,8 +109,9 @@ TriMesh toTriangles(PolygonList found, const std::string& path) {
     for (const std::int32_t corner : corners) {
       if (corner >= 0 && corner < vertexCount) continue;
       badFile("'" + path + "': face " + std::to_string(f) + " refers to vertex " +
-              std::to_string(corner) + ", but there are " + std::to_string(vertexCount) +
-              " vertices (counted from 0); the file is damaged");
+              std::to_string(corner) + ", but the file has " +
+              counted(vertexCount, "vertex", "vertices") +
+              ", numbered from 0; the file is damaged: export it again");
     }
     if (corners.size() > kMaxPolygonCorners) {
       badFile("'" + path + "': face " + std::to_string(f) + " has " +
@@ -146,7 +149,7 @@ PolygonList readStl(InputFile& file, const std::string& path) {
   file.stream->clear();
   file.stream->seekg(0);
   const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // an element has a byte or more
-  ListImporter found(limit, 4 * limit);
+  ListImporter found(path, file.bytes, limit, 4 * limit);
   OpenMeshCall call;
   if (!OpenMesh::IO::IOManager().read(*file.stream, "stl", found, options)) {
     badFile("'" + path + "' cannot be read: " + call.said());
@@ -192,14 +195,9 @@ void writeMesh(const TriMesh& mesh, const std::string& path) {
                     " vertices or triangles, but the mesh has " +
                     std::to_string(mesh.triangles.size()) + " triangles");
   }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const std::int32_t index : mesh.triangles[t]) {
-      if (index >= 0 && static_cast<std::size_t>(index) < mesh.vertices.size()) continue;
-      throw Error(Status::InvalidInput, "BadIndex",
-                  "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(index) +
-                      " of " + std::to_string(mesh.vertices.size()));
-    }
-  }
+  if (const auto bad = findBadIndex(mesh))
+    throw Error(Status::InvalidInput, "BadIndex",
+                badIndexText(*bad, mesh) + "; correct the triangles of the mesh");
   SafeFile file(path);
   if (suffix == "3mf") {
     file.close();

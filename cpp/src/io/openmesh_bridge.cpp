@@ -10,16 +10,16 @@ namespace {
 using OpenMesh::FaceHandle;
 using OpenMesh::VertexHandle;
 
-[[noreturn]] void tooMany(const char* what, std::uint64_t limit) {
-  throw Error(Status::InvalidInput, "BadFile",
-              std::string("the file declares more ") + what + " than its size allows (" +
-                  std::to_string(limit) + "); it is damaged or truncated");
-}
-
 }  // namespace
 
+void ListImporter::refuseMore(const char* what) const {
+  throw Error(Status::InvalidInput, "BadFile",
+              "'" + path_ + "' contains more " + what + " than its " + std::to_string(bytes_) +
+                  " bytes can hold; it is damaged or truncated");
+}
+
 VertexHandle ListImporter::add_vertex(const OpenMesh::Vec3d& point) {
-  if (list.vertices.size() >= maxVertices_) tooMany("vertices", maxVertices_);
+  if (list.vertices.size() >= maxVertices_) refuseMore("vertices");
   list.vertices.emplace_back(point[0], point[1], point[2]);
   return VertexHandle(static_cast<int>(list.vertices.size() - 1));
 }
@@ -31,7 +31,7 @@ VertexHandle ListImporter::add_vertex(const OpenMesh::Vec3f& point) {
 VertexHandle ListImporter::add_vertex() { return add_vertex(OpenMesh::Vec3d(0.0)); }
 
 FaceHandle ListImporter::add_face(const VHandles& handles) {
-  if (list.corners.size() + handles.size() > maxCorners_) tooMany("face corners", maxCorners_);
+  if (list.corners.size() + handles.size() > maxCorners_) refuseMore("face corners");
   for (const VertexHandle& handle : handles) list.corners.push_back(handle.idx());
   list.faceStart.push_back(list.corners.size());
   return FaceHandle(static_cast<int>(list.faceStart.size() - 2));

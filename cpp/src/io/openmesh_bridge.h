@@ -7,6 +7,8 @@
 
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "io/polygon_list.h"
@@ -17,10 +19,11 @@ namespace swept {
 /// Collects the vertices and faces that a reader finds. Ignores normals, colours and texture.
 class ListImporter final : public OpenMesh::IO::BaseImporter {
  public:
-  /// A file with more elements than these counts must be damaged. The importer then throws
-  /// Error(InvalidInput, "BadFile").
-  ListImporter(std::uint64_t maxVertices, std::uint64_t maxCorners)
-      : maxVertices_(maxVertices), maxCorners_(maxCorners) {}
+  /// A file of this size with more elements than these counts must be damaged. The importer then
+  /// throws Error(InvalidInput, "BadFile"), which names `path`.
+  ListImporter(std::string path, std::uint64_t bytes, std::uint64_t maxVertices,
+               std::uint64_t maxCorners)
+      : path_(std::move(path)), bytes_(bytes), maxVertices_(maxVertices), maxCorners_(maxCorners) {}
 
   PolygonList list;
 
@@ -76,6 +79,10 @@ class ListImporter final : public OpenMesh::IO::BaseImporter {
   void add_texture_information(int, std::string) override {}
 
  private:
+  [[noreturn]] void refuseMore(const char* what) const;
+
+  std::string path_;
+  std::uint64_t bytes_;
   std::uint64_t maxVertices_;
   std::uint64_t maxCorners_;
 };

@@ -12,28 +12,32 @@ namespace {
 
 constexpr double kRigidLimit = 1e-4;
 
-[[noreturn]] void notRigid(std::int64_t index, const std::string& what) {
-  throw Error(Status::InvalidInput, "NotRigid",
-              textOf(6, "pose ", index + 1, ": ", what, " (limit ", kRigidLimit,
-                     "); export poses that only rotate and translate"));
+[[noreturn]] void refuse(std::int64_t index, const std::string& text) {
+  throw Error(Status::InvalidInput, "NotRigid", textOf(6, "pose ", index + 1, ": ", text));
 }
 
-// Says why a matrix is not a rotation (scale, shear or mirror) and by how much.
-std::string describe(const Eigen::Matrix3d& m, double deviation) {
+[[noreturn]] void notRigid(std::int64_t index, const std::string& what) {
+  refuse(index, what + "; export poses that only rotate and translate");
+}
+
+// Says why a matrix is not a rotation and by how much: its columns are not perpendicular, or do not
+// have length 1.
+std::string describe(const Eigen::Matrix3d& m) {
   const Eigen::Vector3d lengths = m.colwise().norm();
   const double spread = lengths.maxCoeff() - lengths.minCoeff();
   const Eigen::Matrix3d unit = m * lengths.cwiseInverse().asDiagonal();
   const double skew = (unit.transpose() * unit - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (!(lengths.minCoeff() > 0)) return "a column of the rotation part is zero";
+  if (!(lengths.minCoeff() > 0)) return "a column of the rotation in the matrix is zero";
   if (skew > kRigidLimit) {
-    return "shear: the axes deviate from perpendicular by " + numberText(skew, 4);
+    return textOf(4, "the matrix shears the part: its axes are not perpendicular (error ", skew,
+                  ", allowed ", kRigidLimit, ")");
   }
   if (spread > kRigidLimit) {
-    return "scale: the axes are stretched by " + numberText(lengths[0], 4) + ", " +
-           numberText(lengths[1], 4) + ", " + numberText(lengths[2], 4);
+    return textOf(4, "the matrix scales the part: its axes are stretched by ", lengths[0], ", ",
+                  lengths[1], " and ", lengths[2], " (allowed difference: ", kRigidLimit, ")");
   }
-  return "scale: all axes are stretched by " + numberText(lengths.mean(), 4) +
-         ", so the rotation part deviates from a rotation by " + numberText(deviation, 4);
+  return textOf(6, "the matrix scales the part: all its axes are stretched by ", lengths.mean(),
+                " (allowed error: ", kRigidLimit, ")");
 }
 
 }  // namespace
@@ -50,21 +54,19 @@ Pose poseFromMatrix(const double matrix[16], double timeSeconds, std::int64_t in
   }
   const Eigen::RowVector4d last = full.row(3);
   if ((last - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-9) {
+    const std::string what = textOf(4, "the last row of the matrix is ", last[0], " ", last[1], " ",
+                                    last[2], " ", last[3], " instead of 0 0 0 1");
     const bool transposed = full.col(3).head<3>().isZero() && last[3] == 1.0;
-    notRigid(index, "the last row is " + numberText(last[0], 4) + " " + numberText(last[1], 4) +
-                        " " + numberText(last[2], 4) + " " + numberText(last[3], 4) +
-                        " instead of 0 0 0 1" +
-                        (transposed ? "; the matrix seems to be stored by columns" : ""));
+    if (!transposed) notRigid(index, what);
+    refuse(index, what + "; the matrix seems to be stored by columns: transpose it");
   }
   const Eigen::Matrix3d rotation = full.topLeftCorner<3, 3>();
   const double off =
       (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (deviation != nullptr) *deviation = off;
-  if (off > kRigidLimit) notRigid(index, describe(rotation, off));
-  if (rotation.determinant() < 0) {
-    notRigid(index, "mirror: the determinant of the rotation part is " +
-                        numberText(rotation.determinant(), 4));
-  }
+  if (off > kRigidLimit) notRigid(index, describe(rotation));
+  if (rotation.determinant() < 0)
+    notRigid(index, "the matrix mirrors the part (its determinant is -1)");
   // Nearest rotation in the least-squares sense: the orthogonal factor of the polar decomposition.
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(rotation, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Pose pose;

@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "base/limits.h"
+#include "base/number_text.h"
 #include "io/text_scanner.h"
 
 namespace swept {
@@ -25,8 +26,7 @@ Eigen::Vector3d threeNumbers(TextScanner& scan) {
 
 void checkCount(std::size_t count, const char* what, const TextScanner& scan) {
   if (count < kMaxElements) return;
-  scan.bad("more " + std::string(what) + " than mesh files count (" + std::to_string(kMaxElements) +
-           ")");
+  scan.bad("too many " + std::string(what) + "; the limit is " + std::to_string(kMaxElements));
 }
 
 // Completes a face, which consists of all corners that were added since the last face.
@@ -121,7 +121,8 @@ PolygonList readObj(std::istream& stream, const std::string& path) {
     throw Error(Status::InvalidInput, "BadFile",
                 "'" + path + "', line " + std::to_string(highestLine) + ": refers to vertex " +
                     std::to_string(highest) + ", but the file has " +
-                    std::to_string(list.vertices.size()));
+                    counted(std::ssize(list.vertices), "vertex", "vertices") +
+                    ", numbered from 1; the file is damaged: export it again");
   }
   return list;
 }

@@ -61,7 +61,7 @@ class Package {
   }
 
  private:
-  // As minizip's own function, which takes names that are not UTF-8 on every system.
+  // Replaces minizip's own open function, which does not treat names as UTF-8 on every system.
   static void* openForWriting(void* /*opaque*/, const void* name, int /*mode*/) {
     return os::openFile(pathFromUtf8(static_cast<const char*>(name)), "wb");
   }
@@ -69,7 +69,8 @@ class Package {
     if (done) return;
     throw Error(Status::ExportFailed, "WriteFailed",
                 "writing the 3MF file failed: " +
-                    (errno != 0 ? std::system_category().message(errno) : "unknown cause"));
+                    (errno != 0 ? std::system_category().message(errno) : "unknown cause") +
+                    "; an old file of this name is unchanged");
   }
   void pack() {
     errno = 0;

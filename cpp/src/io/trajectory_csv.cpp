@@ -213,7 +213,7 @@ class CsvReader {
   // 0,5 in two, so the row has too many columns.
   std::string hint() const {
     const bool doubled = separator_ == ',' && fields_.size() > 8;
-    return doubled ? "; if the numbers have decimal commas, write them with points" : "";
+    return doubled ? "; use decimal points instead of decimal commas" : "";
   }
 
   [[noreturn]] void notANumber(std::size_t column) const {

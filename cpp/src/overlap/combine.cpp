@@ -42,9 +42,8 @@ void requireOnce(const Windings& windings, const std::string& name) {
   throw Error(Status::InvalidInput, "OverlappingShells",
               name + " overlaps itself (" +
                   numberText(100 * windings.more / (windings.once + windings.more), 3) +
-                  " % of its inner edges are covered more than once), so the volume that it shares "
-                  "with another part is ambiguous; give each solid separately, or fuse them "
-                  "first");
+                  " % of the other part's edges inside it lie in more than one of its solids), so "
+                  "the shared volume is ambiguous; give each solid separately, or fuse them first");
 }
 
 class Builder {
@@ -100,8 +99,8 @@ class Builder {
     if (count > kMaxElements)
       throw Error(Status::ResourceLimit, "ResourceLimit",
                   "the shared volume of " + names_[0] + " and " + names_[1] + " would have " +
-                      std::to_string(count) + " points (at most " + std::to_string(kMaxElements) +
-                      "); use coarser meshes");
+                      std::to_string(count) + " points, but the limit is " +
+                      std::to_string(kMaxElements) + "; use coarser meshes");
     for (const Side side : {Side::Shrunk, Side::Fixed}) {
       firstVertex_[int(side)] = static_cast<std::int32_t>(out_.vertices.size());
       const std::vector<Eigen::Vector3d>& own = of(side).mesh->vertices;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/number_text.h"
 #include "base/parallel.h"
 #include "geometry/half_edges.h"
 
@@ -90,9 +91,9 @@ ClosedMesh closedMesh(const TriMesh& mesh, const std::string& name) {
   });
   if (faults > 0)
     throw Error(Status::InvalidInput, "OpenMesh",
-                name + " is not closed (" + std::to_string(faults) +
-                    " edges have a triangle on one side only): close its holes, or give the "
-                    "whole solid");
+                name + " is not closed (" + counted(faults, "edge does", "edges do") +
+                    " not lie between two triangles that face the same way); close its holes, or "
+                    "give the whole solid");
   return closed;
 }
 

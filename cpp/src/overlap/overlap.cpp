@@ -179,9 +179,8 @@ class OverlapCheck {
       rows.push_back(&pair.clearance);
       volume += pair.volume.value_or(0);
     }
-    const Summary summary = summaryOf(
-        rows, std::to_string(rows.size()) + (rows.size() == 1 ? " pair" : " pairs") + " checked", 0,
-        Timed::No);
+    const Summary summary =
+        summaryOf(rows, counted(std::ssize(rows), "pair") + " checked", 0, Timed::No);
     report_.smallest = summary.smallest;
     report_.summary = summary.text;
     if (volume > 0) report_.summary += ", " + numberText(volume, 6) + " mm^3 shared";

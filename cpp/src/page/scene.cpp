@@ -58,22 +58,25 @@ void checkPart(const PagePart& part) {
     throw Error(Status::InvalidInput, code, "part '" + part.name + "' of the 3D view: " + text);
   };
   if (const auto bad = findBadIndex(part.mesh))
-    refuse("BadIndex", "triangle " + std::to_string(bad->triangle) + " uses vertex " +
-                           std::to_string(bad->vertex) + ", which does not exist");
+    refuse("BadIndex", badIndexText(*bad, part.mesh) + "; export the part again");
   const Coordinates found = measureCoordinates(part.mesh);
   if (found.nonFinite > 0)
-    refuse("NonFiniteVertex", "vertex " + std::to_string(found.firstNonFinite[0]) +
-                                  " has a coordinate that is not finite (" +
-                                  std::to_string(found.nonFinite) + " such vertices in all)");
+    refuse("NonFiniteVertex", counted(found.nonFinite, "vertex has", "vertices have") +
+                                  " a coordinate that is not a finite number (first: vertex " +
+                                  std::to_string(found.firstNonFinite[0]) +
+                                  "); export the part again");
   if (found.largest > kLargestLength)
-    refuse("OutOfRange", "vertex " + std::to_string(found.farthest) + " lies " +
-                             numberText(found.largest) + " mm from the origin");
+    refuse(
+        "OutOfRange",
+        "vertex " + std::to_string(found.farthest) + " lies " + numberText(found.largest) +
+            " mm from the origin, but the limit is 1e9 mm; check the unit of length of the part");
   for (std::size_t i = 0; i < part.motion.poses.size(); ++i) {
     const Pose& pose = part.motion.poses[i];
     if (!std::isfinite(pose.timeSeconds) || !pose.translation.allFinite() ||
         !pose.rotation.coeffs().allFinite() || !(pose.rotation.norm() > 0))
       refuse("BadPose", "pose " + std::to_string(i + 1) +
-                            " has numbers that are not finite, or a zero quaternion");
+                            " has a number that is not finite, or a quaternion of length 0; "
+                            "correct or remove this pose");
   }
 }
 

@@ -182,16 +182,15 @@ void Assembled::refuseWorst(const std::vector<NearPair>& pairs, const PathOption
   const ClearanceNeighbour &a = placed_[worst.parts.first], &b = placed_[worst.parts.second];
   std::string text = "in their installed positions, " + pairText(worst, a, b);
   const std::size_t others = pairs.size() - 1;
-  if (others > 0)
-    text += " (and " + std::to_string(others) + (others == 1 ? " more pair)" : " more pairs)");
+  if (others > 0) text += " (and " + counted(static_cast<std::int64_t>(others), "more pair") + ")";
   if (worst.intersect)
-    refuse(
-        "PartsIntersect",
-        text +
-            (o.release > 0 ? "; the release distance allows " +
-                                 numberText(mostDepth(worst.row, o.tolerance, o.release), 4) + " mm"
-                           : "") +
-            "; move one of the parts, or ignore the pair");
+    refuse("PartsIntersect",
+           text +
+               (o.release > 0 ? ", but at most " +
+                                    numberText(mostDepth(worst.row, o.tolerance, o.release), 4) +
+                                    " mm is allowed within the release distance"
+                              : "") +
+               "; move one of the parts, or ignore the pair");
   refuse("PartsTooNear", text + ", but " +
                              numberText(rules_.of(worst.parts).required.value_or(0), 6) +
                              " mm are required; reduce the required distance, or set a release "

@@ -106,19 +106,20 @@ class PathFinder {
   }
 
   void requireAllowedTurns() const {
-    for (const End& end : ends_)
-      for (const auto& keys : end.exits) {
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+      for (const auto& keys : ends_[i].exits) {
         const double turn = keys.front().pose.rotation.angularDistance(space_.upright);
         if (turn <= std::max(space_.largestTurn, 1e-6)) continue;
-        throw Error(
-            Status::InvalidInput, "BadOption",
-            "the start or a via placement is turned by " +
-                numberText(turn * 180 / std::numbers::pi, 6) + " degrees from the goal, and " +
-                (o_.translationOnly
-                     ? "no turning is"
-                     : "at most " + numberText(space_.largestTurn * 180 / std::numbers::pi, 6) +
-                           " are") +
-                " allowed");
+        const std::string where = i == 0 ? "the start" : textOf(0, "via placement ", i);
+        const std::string limit =
+            o_.translationOnly
+                ? "no turns are allowed"
+                : textOf(6, "at most ", space_.largestTurn * kDegrees, " degrees are allowed");
+        throw Error(Status::InvalidInput, "BadOption",
+                    textOf(6, where, " is turned by ", turn * kDegrees,
+                           " degrees relative to the goal, but ", limit,
+                           "; change the placement, or allow larger turns"));
       }
   }
 
@@ -241,7 +242,7 @@ class PathFinder {
     for (std::size_t i = 0; i < scene_.count(); ++i)
       if (ends_.front().allowedDepth[i] >= 0 || ends_.back().allowedDepth[i] >= 0)
         report_.contacts.push_back(demand_.names[i]);
-    report_.summary = figuresText(report_) + " (" + report_.method + ")";
+    report_.summary = figuresText(report_);
   }
 
   // Restores the pose exactly as the caller gave it, without rounding.

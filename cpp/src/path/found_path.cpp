@@ -59,10 +59,9 @@ void takeLength(const std::vector<State>& keys, PathReport& report) {
 }
 
 std::string figuresText(const PathReport& report) {
-  return "path of " + std::to_string(report.path.poses.size()) + " keys, " +
-         numberText(report.length, 4) + " mm and " +
-         numberText(report.turn * 180 / std::numbers::pi, 4) + " degrees, clearance at least " +
-         numberText(report.clearance, 4) + " mm";
+  return textOf(4, "path of ", report.path.poses.size(), " keys, length ", report.length,
+                " mm, total turn ", report.turn * 180 / std::numbers::pi,
+                " degrees, clearance at least ", report.clearance, " mm");
 }
 
 }  // namespace swept::path

@@ -174,7 +174,8 @@ PathReport checkGivenMotion(const TriMesh& part, const Trajectory& motion,
   PathOptions o = options;
   o.interpolation = motion.interpolation;
   return guardedPath(part, neighbours, o, run, [&](PathReport& report, const auto& counted) {
-    // The pivot moves straight, so all work is done in coordinates with the pivot as origin.
+    // The pivot moves along straight lines, so all work is done in coordinates whose origin is the
+    // pivot.
     const Eigen::Vector3d pivot = pivotOf(motion);
     GivenMotion given(seenFromPivot(part, pivot), carriedByPivot(motion, pivot), counted, o, run,
                       report);
@@ -182,7 +183,7 @@ PathReport checkGivenMotion(const TriMesh& part, const Trajectory& motion,
     report.escape.pose = backFromPivot(report.escape.pose, pivot);
     if (report.verdict == PathVerdict::Found) {
       report.path = motion;
-      report.summary = figuresText(report) + " (" + report.method + ")";
+      report.summary = figuresText(report);
     }
     return given.seconds();
   });

@@ -225,8 +225,7 @@ class Sequencer {
         motion.poses.back().timeSeconds = time;
       }
     }
-    report_.summary = std::to_string(parts_.size()) +
-                      (parts_.size() == 1 ? " part" : " parts, one after the other") + ": ";
+    report_.summary = counted(std::ssize(parts_), "part", "parts, one after the other") + ": ";
     for (const SequenceStep& step : report_.steps)
       report_.summary += (&step == &report_.steps.front() ? "" : ", ") + parts_[step.part].name;
     report_.summary += "; " + numberText(length, 4) + " mm";

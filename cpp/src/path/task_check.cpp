@@ -70,10 +70,13 @@ void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour
 
 Pose checkedPose(const Pose& pose, const std::string& what) {
   const double norm = pose.rotation.norm();
-  if (!pose.translation.allFinite() || !std::isfinite(norm) || std::abs(norm - 1) > 1e-4)
+  if (!pose.translation.allFinite() || !std::isfinite(norm))
     throw Error(Status::InvalidInput, "BadPose",
-                "the " + what + " is not a rigid placement: its quaternion has length " +
-                    numberText(norm, 6) + ", but must have length 1");
+                "the " + what + " contains a number that is not finite; give finite numbers only");
+  if (std::abs(norm - 1) > 1e-4)
+    throw Error(Status::InvalidInput, "BadPose",
+                "the " + what + " has a quaternion of length " + numberText(norm, 6) +
+                    " instead of 1 (allowed error: 0.0001); give a unit quaternion");
   if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength)
     throw Error(Status::InvalidInput, "OutOfRange",
                 "the " + what + " lies more than 1e9 mm from the origin; check the unit of length");

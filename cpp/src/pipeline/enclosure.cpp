@@ -30,7 +30,8 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
   const std::int64_t opened =
       openCavities(found, component, marks, input.grid, input.body, input.motion, isSolid, run);
   note("CavitiesKept", opened,
-       std::to_string(opened) + " enclosed cavities are kept as inner shells");
+       counted(opened, "enclosed cavity was kept as an inner shell",
+               "enclosed cavities were kept as inner shells"));
   return found;
 }
 
@@ -72,9 +73,8 @@ void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Repor
   const double share =
       2.0 * static_cast<double>(hermite.sheetEdges) / static_cast<double>(crossings);
   const bool still = !prepared.motion.continuous;
-  const std::string text =
-      textOf(3, "the body is open, and ", 100 * share,
-             " % of its surface are thin sheets with the outside on both sides");
+  const std::string text = textOf(3, "the body is open, and ", 100 * share,
+                                  " % of its surface is thin sheet that encloses no volume");
   if (still && share > 0.01) {
     throw Error(Status::InvalidInput, "OpenMesh",
                 text + "; close the holes of the body, or choose a motion that closes them");
@@ -82,7 +82,7 @@ void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Repor
   report.warnings.push_back({"OpenSheets",
                              hermite.sheetEdges,
                              {},
-                             text + "; these sheets get a thickness of 0.002 times the cell size"});
+                             text + "; it gets a thickness of 0.002 times the cell size"});
 }
 
 }  // namespace swept

@@ -23,14 +23,15 @@ void dropSpecks(Surface& surface, SelfIntersections& pairs, const Finishing& wit
   const double most = with.prepared.motion.continuous ? kSpeckVolume : kFlatVolume;
   const Specks specks = swept::dropSpecks(surface, cell, most, pairs, with.run);
   if (specks.count == 0) return;
-  report.warnings.push_back({"SpecksDropped",
-                             specks.count,
-                             {},
-                             textOf(3, specks.count,
-                                    " small separate pieces beside the envelope, finer than the "
-                                    "grid, were removed; the largest is ",
-                                    specks.largestSize * cell, " mm across, ",
-                                    specks.largestVolume * cell * cell * cell, " mm^3")});
+  report.warnings.push_back(
+      {"SpecksDropped",
+       specks.count,
+       {},
+       textOf(3, counted(specks.count, "separate piece that is", "separate pieces that are"),
+              " too small for the cells of the grid ", specks.count == 1 ? "was" : "were",
+              " removed beside the envelope; the largest is ", specks.largestSize * cell,
+              " mm across and has a volume of ", specks.largestVolume * cell * cell * cell,
+              " mm^3")});
 }
 
 bool turnInsideOut(Surface& surface, const MeshTopology& topology, const Finishing& with,
@@ -42,9 +43,9 @@ bool turnInsideOut(Surface& surface, const MeshTopology& topology, const Finishi
   report.warnings.push_back({"ShellsTurned",
                              count,
                              {},
-                             std::to_string(count) +
-                                 " very thin shells of a few cells faced inwards and were "
-                                 "reversed"});
+                             counted(count, "very thin shell", "very thin shells") +
+                                 ", a few cells across, faced inwards and " +
+                                 (count == 1 ? "was" : "were") + " reversed"});
   return true;
 }
 
@@ -56,9 +57,9 @@ void mend(Surface& surface, const HermiteGrid& hermite, SelfIntersections& pairs
   report.warnings.push_back({"Mended",
                              before - pairs.count,
                              {},
-                             std::to_string(before) +
-                                 " pairs of triangles intersected before repair; " +
-                                 std::to_string(pairs.count) + " pairs still intersect"});
+                             counted(before, "pair", "pairs") +
+                                 " of triangles intersected before repair; after it, " +
+                                 counted(pairs.count, "pair intersects", "pairs intersect")});
   with.stage("mend");
 }
 
@@ -111,8 +112,9 @@ MeshTopology checkAndMend(Surface& surface, const HermiteGrid& hermite, const Fi
         {"SelfIntersections",
          report.check.selfIntersections,
          {},
-         std::to_string(report.check.selfIntersections) +
-             " pairs of triangles intersect; a smaller cell usually avoids this"});
+         counted(report.check.selfIntersections, "pair of triangles intersects",
+                 "pairs of triangles intersect") +
+             "; a smaller cell usually avoids this"});
   }
   if (consistent) requirePassed(report.check, "the envelope", report.cellSize);
   return topology;

@@ -23,15 +23,16 @@ HermiteGrid GrownSweep::hermite(double distance, const FindSigns& findSigns,
 }
 
 Finding GrownSweep::offsetFinding(double offset, bool fromMesh) const {
-  std::string text = textOf(4, "the envelope was grown by ", offset,
-                            " mm; the distance is measured from ", cover_.triangles.size());
+  std::string text = textOf(4, "the envelope was grown by ", offset, " mm");
   if (fromMesh) {
-    text +=
-        " triangles of the envelope before it was grown, whose deviation adds to the deviation of "
-        "the result";
+    text += textOf(4, "; the distance is measured from the ", cover_.triangles.size(),
+                   " triangles of the envelope before it was grown, whose deviation adds to the "
+                   "deviation of the result");
   } else {
-    text += textOf(4, " triangles of the moving body, which lie within ",
-                   (cover_.largestSlack + cover_.chord) * grid_.cell, " mm of the swept volume");
+    text += textOf(4, "; the distance is accurate to ",
+                   (cover_.largestSlack + cover_.chord) * grid_.cell, " mm (it is measured from ",
+                   cover_.triangles.size(),
+                   " triangles that stand for the boundary of the swept volume)");
   }
   return {"Offset", static_cast<std::int64_t>(cover_.triangles.size()), {}, std::move(text)};
 }

@@ -26,8 +26,9 @@ namespace {
 // simplification before them may together exceed the tolerance. Then vertices are added to the mesh
 // at the end.
 constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
-// Share of the tolerance for thinning open ground (triangles without a patch). The bunny over 16
-// keys had no patch and 500,000 such triangles, and their collapse took two thirds of the time.
+// Share of the tolerance for thinning open ground (triangles without a patch). The bunny test mesh
+// moved over 16 keys had no patch and 500,000 such triangles, and their collapse took two thirds of
+// the time.
 constexpr double kThinFraction = 0.15;
 
 Built describe(Model model, double deviation) {
@@ -164,12 +165,12 @@ class ShapeMaker {
       forgetPatches(refused_, dense_, first, start);
     }
     throw Error(Status::ExportFailed, "InvalidFaces",
-                "some faces are not accepted by the kernel; the mesh may have needle triangles or "
+                "OpenCASCADE does not accept some faces; the mesh may have needle triangles or "
                 "intersect itself: simplify or repair it, or export a mesh file");
   }
 
-  // Makes the solid from the faces of the sweep. Ground around edges and faces that turn out to be
-  // unsound is opened, and becomes facets in the next round. Returns nothing if some stay unsound.
+  // Makes the solid from the faces of the sweep. The triangles around unsound edges and faces lose
+  // their patches and become facets in the next round. Returns nothing if some stay unsound.
   std::optional<Built> makeLabelled(std::int64_t& faces) {
     constexpr int kRounds = 10;
     // Vertices of the mesh lie off the surface along creases; crossings lie on it.

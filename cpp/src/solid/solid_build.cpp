@@ -37,7 +37,9 @@ void requireName(const char* name, const std::string& text) {
 
 void requireOrigin(const SolidOrigin& origin, const HalfEdgeMesh& mesh) {
   if (origin.shape == nullptr || origin.sources.rows == nullptr)
-    badOption("the origin of the solid lacks the sources or the shape of the body");
+    badOption(
+        "the origin of the solid is incomplete; compute the envelope with sources, from a body "
+        "that was read from a STEP or BREP file");
   if (origin.sources.of.size() != mesh.triangles.size()) {
     badOption("the origin of the solid has " + std::to_string(origin.sources.of.size()) +
               " sources, but the mesh has " + std::to_string(mesh.triangles.size()) +
@@ -58,20 +60,17 @@ bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOpti
 
 [[noreturn]] void refuseTooMany(std::int64_t faces, const HalfEdgeMesh& mesh,
                                 const StepOptions& options, SolidFormat format) {
-  std::string limit = "the limit is " + std::to_string(options.maxFaces) + " faces";
-  if (options.maxMegabytes > 0) limit += " and " + numberText(options.maxMegabytes, 3) + " MB";
-  throw Error(
-      Status::ExportFailed, "TooManyFaces",
-      "the solid would have " + std::to_string(faces) + " faces at a tolerance of " +
-          numberText(options.tolerance, 3) + " mm; " + limit + "; the file would take about " +
-          fixedText(megabytesOf(faces, mesh, options, format), 1) + " MB and " +
-          std::to_string(
-              static_cast<std::int64_t>(std::ceil(kSecondsPerFace * static_cast<double>(faces)))) +
-          " s. " +
-          (options.exact ? "An exact solid must not deviate from the mesh: use larger cells, or "
-                           "raise the limit of faces"
-                         : "Allow a larger tolerance, raise the limit") +
-          ", or export a mesh file: PLY, STL, OBJ, OFF and 3MF files have no such limit");
+  const auto seconds =
+      static_cast<std::int64_t>(std::ceil(kSecondsPerFace * static_cast<double>(faces)));
+  std::string text =
+      textOf(3, "with a tolerance of ", options.tolerance, " mm, the solid would have ", faces,
+             " faces (about ", fixedText(megabytesOf(faces, mesh, options, format), 1), " MB, ",
+             seconds, " s to make), but the limit is ", options.maxFaces, " faces");
+  if (options.maxMegabytes > 0) text += textOf(3, " and ", options.maxMegabytes, " MB");
+  text += options.exact ? "; an exact solid must not deviate from the mesh, so use larger cells"
+                        : "; allow a larger tolerance";
+  throw Error(Status::ExportFailed, "TooManyFaces",
+              text + ", raise the limit, or export a mesh file, which has no such limit");
 }
 
 // Share of the tolerance for thinning a dense mesh before surfaces are recognised.
@@ -135,11 +134,11 @@ void checkOptions(const StepOptions& options) {
   if (options.exact && options.tolerance > 0) {
     badOption("an exact solid cannot have a tolerance; set the tolerance to 0 mm");
   }
-  if (!(options.maxMegabytes >= 0) || options.maxFaces < 4) {
-    badOption(
-        "the limit of faces must be at least 4, and the limit of the file size must not be "
-        "negative");
-  }
+  if (options.maxFaces < 4)
+    badOption("the limit of faces is " + std::to_string(options.maxFaces) + "; allowed: 4 or more");
+  if (!(options.maxMegabytes >= 0))
+    badOption("the limit of the file size is " + numberText(options.maxMegabytes, kTellingDigits) +
+              " MB; allowed: 0 (no limit) or more");
 }
 
 double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
@@ -196,7 +195,9 @@ SolidFormat solidFormatOf(const std::string& path) {
   if (suffix == "brep" || suffix == "brp") return SolidFormat::Brep;
   throw Error(
       Status::ExportFailed, "BadSuffix",
-      "'" + path + "' does not end in .step, .stp, .brep or .brp, so the format is unknown");
+      "'" + path +
+          "' does not end in .step, .stp, .brep or .brp, so the format is unknown; use one of "
+          "these endings");
 }
 
 }  // namespace swept

@@ -24,12 +24,27 @@ namespace {
 
 using namespace step;
 
-void compare(const SolidCheck& check, const HalfEdgeMesh& mesh, const StepOptions& options) {
+[[noreturn]] void refuse(const char* code, const std::string& why, const std::string& what) {
+  throw Error(Status::ExportFailed, code,
+              "the solid was not saved, because its file " + why + ": " + what +
+                  ". An existing file is unchanged. Change the tolerance, or export a mesh file");
+}
+
+// Reads the file back with the judge. Throws an error that says what to do if it cannot be read, or
+// if it is not the solid of the mesh.
+SolidCheck readBack(Judge& judge, const Model& model, const SafeFile& file, const std::string& name,
+                    const HalfEdgeMesh& mesh, const StepOptions& options, RunContext& run) {
+  SolidCheck check;
+  try {
+    check =
+        judge.readBack(model, file.temporary(), name, options, solidFormatOf(file.target()), run);
+  } catch (const Error& error) {
+    if (error.code() != "RereadFailed") throw;
+    refuse("RereadFailed", "cannot be read back", error.what());
+  }
   const std::string what = rereadComplaint(check, mesh, options);
-  if (what.empty()) return;
-  throw Error(Status::ExportFailed, "RereadDiffers",
-              "the file was written, but reading it back gave a different result: " + what +
-                  "; an existing file was kept. Change the tolerance, or export a mesh file");
+  if (!what.empty()) refuse("RereadDiffers", "differs when it is read back", what);
+  return check;
 }
 
 // Adds a note to the report if the solid deviates from the mesh by more than its tolerance.
@@ -65,9 +80,7 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
     writeBuilt(built, *judge, file.stream(), name, options, format, run);
     file.close();
     report.secondsWrite = watch.lap();
-    const SolidCheck check =
-        judge->readBack(built.model, file.temporary(), name, options, format, run);
-    compare(check, mesh, options);
+    const SolidCheck check = readBack(*judge, built.model, file, name, mesh, options, run);
     report.facesByKind.assign(built.facesByKind.begin(), built.facesByKind.end());
     report.deviation = built.deviation;
     report.tolerance = options.tolerance;
@@ -100,7 +113,7 @@ StepReport writeOrFacets(const TriMesh& mesh, const std::string& path, const Ste
   StepReport report = orFacets(
       options, why, [&](StepOptions& used) { return writeChecked(mesh, path, used, open, run); });
   if (!why.empty())
-    report.note = "the solid has no curved surfaces, because with curved surfaces " + why;
+    report.note = "the solid has no curved surfaces, because an attempt with them failed: " + why;
   return report;
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <sstream>
 
+#include "base/number_text.h"
 #include "commands.h"
 #include "neighbours.h"
 #include "page_file.h"
@@ -36,7 +37,7 @@ struct ClearanceJob {
 
 void addFileOptions(CLI::App& app, ClearanceJob& job) {
   addText(app, "GENERATOR", "FILE", job.generatorPath,
-          "the moving body: a file of type ply, stl, obj, off, step, stp, brep or brp, or - for "
+          "the moving part: a file of type ply, stl, obj, off, step, stp, brep or brp, or - for "
           "standard input")
       ->required();
   addNeighbourOptions(app, job.neighbours);
@@ -45,9 +46,9 @@ void addFileOptions(CLI::App& app, ClearanceJob& job) {
           "table of poses, as for \"swept envelope\", or - for standard input")
       ->required();
   addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.generatorFormat,
-          "format of the generator, in place of its file extension");
+          "format of the moving part, in place of its file extension");
   addUnit(app, "--generator-unit", job.generatorUnit,
-          "unit of the numbers in a generator that is a mesh (default mm)");
+          "unit of the numbers in a moving part that is a mesh (default mm)");
   addUnit(app, "--motion-unit", job.motionUnit,
           "unit of the translations in the motion (default mm)");
   addText(app, "--csv", "FILE", job.csvPath,
@@ -63,13 +64,14 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
   addConverted(
       app, "--interpolation", "none|linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
-      "how the body moves between two poses (default linear); none: only the poses themselves are "
+      "how the part moves between two poses (default linear); none: only the poses themselves are "
       "checked");
-  addPoint(app, "--pivot", job.pivot,
-           "point of the generator that moves in a straight line between two poses, used only with "
-           "linear interpolation; coordinates in mm (default 0,0,0: the origin)");
+  addPoint(
+      app, "--pivot", job.pivot,
+      "point of the moving part that moves in a straight line between two poses, used only with "
+      "linear interpolation; coordinates in mm (default 0,0,0: the origin)");
   addNumber(app, "--generator-chord", "MM", job.options.bodyChordError,
-            "how far the triangles of the generator deviate from its exact surface (default 0)");
+            "how far the triangles of the moving part deviate from its exact surface (default 0)");
   addDetailOptions(app, job.options, job.curve,
                    "number of points of the graph of distance over time (default 200; 0: no graph)",
                    job.stamp);
@@ -100,6 +102,12 @@ void compareWithStamps(const ClearanceJob& job, const TriMesh& body, const Traje
   }
 }
 
+double secondsBelow(const NeighbourClearance& row) {
+  double seconds = 0;
+  for (const TimeInterval& span : row.below) seconds += span.to - span.from;
+  return seconds;
+}
+
 void writeCsv(const ClearanceReport& report, const std::string& path) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
@@ -108,15 +116,13 @@ void writeCsv(const ClearanceReport& report, const std::string& path) {
          "body_x,body_y,body_z,neighbour_x,neighbour_y,neighbour_z,seconds_below,rule,meets_rule\n";
   text.precision(12);
   for (const NeighbourClearance& row : report.neighbours) {
-    double below = 0;
-    for (const TimeInterval& span : row.below) below += span.to - span.from;
     text << quoted(row.name) << ',' << clearanceVerdictName(row.verdict) << ',' << row.distance
          << ',' << row.guaranteed << ',' << row.timeSeconds << ',' << row.penetration.depth << ','
          << row.penetration.depthBound;
     for (const Eigen::Vector3d& x : {row.pointOnBody, row.pointOnNeighbour})
       text << ',' << x[0] << ',' << x[1] << ',' << x[2];
-    text << ',' << below << ',' << ruleText(row.rule) << ',' << (row.meetsRule() ? "yes" : "no")
-         << '\n';
+    text << ',' << secondsBelow(row) << ',' << ruleText(row.rule) << ','
+         << (row.meetsRule() ? "yes" : "no") << '\n';
   }
   for (const std::string& name : report.ignored) text << quoted(name) << ",,,,,,,,,,,,,,ignore,\n";
   writeText(text.str(), path);
@@ -138,21 +144,27 @@ std::string offeredRules(const ClearanceReport& report) {
   for (const NeighbourClearance& row : report.neighbours)
     if (row.verdict == ClearanceVerdict::Clash && !row.rule.contact)
       text += "# " + row.name +
-              ": the surfaces cross, but an open mesh has no depth that a rule could allow\n";
+              " overlaps, but no rule can be offered: the mesh is open, so its depth is unknown. "
+              "Repair the mesh.\n";
   return text;
 }
 
-void printTable(const ClearanceReport& report) {
+/// Prints a line for each neighbour. `details`: also the effort of its check.
+void printTable(const ClearanceReport& report, bool details) {
   for (const NeighbourClearance& row : report.neighbours) {
     std::printf("%-28s %-8s %12.6g mm at t = %.6g s", row.name.c_str(),
                 clearanceVerdictName(row.verdict), row.distance, row.timeSeconds);
     if (row.verdict == ClearanceVerdict::Clash && row.penetration.known)
       std::printf(", depth %.4g to %.4g mm", row.penetration.depth, row.penetration.depthBound);
-    if (!row.below.empty()) std::printf(", %zu spans below", row.below.size());
+    if (!row.below.empty())
+      std::printf(", below the required distance in %s (%.4g s)",
+                  counted(std::ssize(row.below), "time span").c_str(), secondsBelow(row));
     if (row.verdict == ClearanceVerdict::Contact && row.meetsRule()) std::printf(", allowed");
-    std::printf("  (%.2f s, %lld queries, %lld proofs)\n", row.seconds,
-                static_cast<long long>(row.distanceQueries),
-                static_cast<long long>(row.certificates));
+    if (details)
+      std::printf("  (checked in %.2f s with %lld distance queries and %lld proofs)", row.seconds,
+                  static_cast<long long>(row.distanceQueries),
+                  static_cast<long long>(row.certificates));
+    std::printf("\n");
   }
   std::printf("%s; %.2f s\n", report.summary.c_str(),
               report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
@@ -211,7 +223,7 @@ ClearanceReport compute(const ClearanceJob& job, std::string& page, RunContext& 
 
 int runClearance(const ClearanceJob& job) {
   const CommonOptions& common = job.common;
-  std::vector<RoledFile> inputs{{"the generator", job.generatorPath},
+  std::vector<RoledFile> inputs{{"the moving part", job.generatorPath},
                                 {"the motion", job.motionPath}};
   for (const std::string& path : job.neighbours.paths) inputs.push_back({"a neighbour", path});
   if (!job.neighbours.rulesPath.empty()) inputs.push_back({"--rules", job.neighbours.rulesPath});
@@ -234,7 +246,7 @@ int runClearance(const ClearanceJob& job) {
     return kExitOk;
   }
   const bool isTaken = common.report == "-" || job.csvPath == "-" || job.page.path == "-";
-  if (!common.quiet && !isTaken) printTable(report);
+  if (!common.quiet && !isTaken) printTable(report, common.verbose);
   return finishReported(report, common,
                         std::all_of(report.neighbours.begin(), report.neighbours.end(),
                                     [](const auto& row) { return row.meetsRule(); }));
@@ -246,7 +258,7 @@ Run addClearanceCommand(CLI::App& program) {
   const auto job = std::make_shared<ClearanceJob>();
   CLI::App& app = *program.add_subcommand(
       "clearance",
-      "Measures the smallest distances between a moving body and parts that stand still, over the "
+      "Measures the smallest distances between a moving part and parts that stand still, over the "
       "whole motion. No approach between two poses is missed.");
   addOptions(app, *job);
   return [job] {

@@ -93,8 +93,8 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
 
 void addOptions(CLI::App& app, EnvelopeJob& job) {
   addText(app, "GENERATOR", "FILE", job.generatorPath,
-          "the moving body: a file of type ply, stl, obj, off, step, stp, brep or brp, or - for "
-          "standard input. All solids of a file move as one body")
+          "the moving part: a file of type ply, stl, obj, off, step, stp, brep or brp, or - for "
+          "standard input. All solids of a file move as one part")
       ->required();
   addText(app, "--motion", "FILE", job.motionPath,
           "table of poses, or - for standard input. Each row holds t,tx,ty,tz,qx,qy,qz,qw (s, mm, "
@@ -112,26 +112,28 @@ void addOptions(CLI::App& app, EnvelopeJob& job) {
   addText(app, "--format", "ply|stl|obj|off|3mf|step|brep", job.outputFormat,
           "format of the output if it is written to standard output (default ply)");
   addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.generatorFormat,
-          "format of the generator, in place of its file extension");
+          "format of the moving part, in place of its file extension");
   addUnit(app, "--generator-unit", job.generatorUnit,
-          "unit of the numbers in a generator that is a mesh (default mm)");
+          "unit of the numbers in a moving part that is a mesh (default mm)");
   addConverted(
       app, "--generator-tolerance", "MM",
       [&job](const std::string& t) {
         job.generatorTolerance = numberOf("--generator-tolerance", t);
       },
-      "how far the triangles of a solid may deviate from its surface (default: 0.02 of the cell "
+      "how far the triangles of a moving part that is a solid may deviate from its surface "
+      "(default: 0.02 of the cell "
       "size; with --resolution, 0.02 of the smallest cell size that this resolution can give)");
   addUnit(app, "--motion-unit", job.motionUnit,
           "unit of the translations in the motion (default mm)");
   addConverted(
       app, "--interpolation", "none|linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
-      "how the body moves between two poses (default linear); none: only the poses themselves "
+      "how the part moves between two poses (default linear); none: only the poses themselves "
       "count");
-  addPoint(app, "--pivot", job.pivot,
-           "point of the generator that moves in a straight line between two poses, used only with "
-           "linear interpolation; coordinates in mm (default 0,0,0: the origin)");
+  addPoint(
+      app, "--pivot", job.pivot,
+      "point of the moving part that moves in a straight line between two poses, used only with "
+      "linear interpolation; coordinates in mm (default 0,0,0: the origin)");
   addSamplingOptions(app, job);
   addCommonOptions(app, job.common);
 #ifdef HAVE_SWEPT_SOLID
@@ -301,7 +303,7 @@ SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
 
 int runEnvelope(const EnvelopeJob& job) {
   const CommonOptions& common = job.common;
-  const std::vector<RoledFile> files{{"the generator", job.generatorPath},
+  const std::vector<RoledFile> files{{"the moving part", job.generatorPath},
                                      {"the motion", job.motionPath}};
   const std::vector<RoledFile> output{{"--output", job.outputPath}, {"--sources", job.sourcesPath}};
   checkIdentity(files, {output[0], output[1], {"--report", common.report}}, common.noClobber);

@@ -166,7 +166,7 @@ std::string completions(const CLI::App& program, const std::string& shell) {
   if (shell == "bash") return bashCompletions(program);
   if (shell == "zsh") return zshCompletions(program);
   if (shell == "fish") return fishCompletions(program);
-  badOption("no completions for '" + shell + "'; known are bash, zsh, fish");
+  badOption("there are no completions for '" + shell + "'; allowed: bash, zsh, fish");
 }
 
 }  // namespace swept::cli

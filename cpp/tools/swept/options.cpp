@@ -105,7 +105,8 @@ void addCommonOptions(CLI::App& app, CommonOptions& options) {
   app.add_flag("--no-clobber", options.noClobber,
                "refuse the run if a file that it would write already exists");
   app.add_flag("-q,--quiet", options.quiet, "print no progress bar and no summary");
-  app.add_flag("-v,--verbose", options.verbose, "print the duration of each stage");
+  app.add_flag("-v,--verbose", options.verbose,
+               "print the duration of each stage, and more details");
 }
 
 }  // namespace swept::cli

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "base/number_text.h"
+
 namespace swept::cli {
 
 void addSolidOptions(CLI::App& app, StepOptions& options) {
@@ -42,10 +44,9 @@ void printSolid(const StepReport& solid, const std::string& path) {
   for (const auto& [kind, count] : solid.facesByKind) {
     kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " " + kind;
   }
-  std::printf("%s: %lld solid(s), %lld faces (%s), %.3g MB, deviation %.3g mm, %.1f s\n",
-              path.c_str(), static_cast<long long>(solid.solids),
-              static_cast<long long>(solid.faces), kinds.c_str(),
-              static_cast<double>(solid.fileBytes) / 1e6, solid.deviation,
+  std::printf("%s: %s, %lld faces (%s), %.3g MB, deviation %.3g mm, %.1f s\n", path.c_str(),
+              counted(solid.solids, "solid").c_str(), static_cast<long long>(solid.faces),
+              kinds.c_str(), static_cast<double>(solid.fileBytes) / 1e6, solid.deviation,
               solid.secondsBuild + solid.secondsWrite + solid.secondsReread);
 }
 

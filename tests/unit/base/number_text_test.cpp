@@ -37,6 +37,14 @@ TEST(NumberText, AsPrintfHasIt) {
   }
 }
 
+TEST(NumberText, OneAndMany) {
+  EXPECT_EQ(counted(0, "edge"), "0 edges");
+  EXPECT_EQ(counted(1, "edge"), "1 edge");
+  EXPECT_EQ(counted(2, "edge"), "2 edges");
+  EXPECT_EQ(counted(1, "vertex has", "vertices have"), "1 vertex has");
+  EXPECT_EQ(counted(12, "vertex has", "vertices have"), "12 vertices have");
+}
+
 TEST(NumberText, PartsOneAfterTheOther) {
   const std::string name = "a part";
   std::ostringstream expected;

@@ -66,7 +66,8 @@ TEST(BodyCheck, bad_input_01_empty_mesh) {
 TEST(BodyCheck, bad_input_02_index_out_of_range) {
   TriMesh mesh = unitBox();
   mesh.triangles[7][2] = 8;
-  expectRefused(mesh, "BadIndex", "triangle 7 refers to vertex 8");
+  expectRefused(mesh, "BadIndex",
+                "triangle 7 refers to vertex 8, but the mesh has 8 vertices, numbered from 0");
   mesh.triangles[7][2] = -1;
   expectRefused(mesh, "BadIndex", "triangle 7 refers to vertex -1");
 }

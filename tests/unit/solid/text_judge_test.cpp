@@ -121,6 +121,7 @@ TEST(TextJudge, ASolidThatTheReaderRefusesIsNotWritten) {
     ADD_FAILURE() << "it was written";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), "RereadDiffers");
+    EXPECT_EQ(std::string(error.what()).find("the solid was not saved"), 0U) << error.what();
     EXPECT_NE(std::string(error.what()).find("I like nothing"), std::string::npos);
   }
   EXPECT_EQ(TemporaryFolder::read(path), "the old file");

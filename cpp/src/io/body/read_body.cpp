@@ -92,8 +92,8 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunC
   body.findings.push_back({"Tessellated",
                            count,
                            {},
-                           std::to_string(count) + (count == 1 ? " solid was" : " solids were") +
-                               " read as " + std::to_string(body.mesh.triangles.size()) +
+                           counted(count, "solid was", "solids were") + " read as " +
+                               std::to_string(body.mesh.triangles.size()) +
                                " triangles, which deviate from the surface by at most " +
                                numberText(body.chordError, 3) + " mm"});
   return body;

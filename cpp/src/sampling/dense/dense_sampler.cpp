@@ -51,8 +51,7 @@ class DenseRun {
     const BodyTests tests(input_.body);
     LeakSearch leaks;
     ClearPoints clear;
-    int round = 0;
-    for (;; ++round) {
+    for (int round = 0;; ++round) {
       const SignRuns signs = findOutside(sampler_.marked(), input_.grid, run_);
       leaks = findLeaks(input_, tests, space_, sampler_.marked(), signs, margin, clear, run_);
       if (leaks.missing.empty() || round == settings_.rounds) break;
@@ -63,7 +62,7 @@ class DenseRun {
       return std::nullopt;
     }
     DenseSurface out;
-    out.notes.push_back(describe(leaks, round, margin));
+    out.notes.push_back(describe(leaks, margin));
     out.marked = sampler_.take();
     return out;
   }
@@ -84,19 +83,17 @@ class DenseRun {
     sampler_.flush();
   }
 
-  Finding describe(const LeakSearch& leaks, int rounds, double margin) const {
+  Finding describe(const LeakSearch& leaks, double margin) const {
     const double all = static_cast<double>(input_.body.triangles.size()) *
                        static_cast<double>(input_.motion.placements.size());
-    std::string text = textOf(3, "the poses lie close together, so only ", sampler_.pairs(), " of ",
-                              all, " copies of faces at poses were sampled (",
-                              100 * static_cast<double>(sampler_.pairs()) / all, " %), with ",
-                              rounds, " rounds of repair; of ", leaks.tested,
-                              " surface points that were tested against all poses, ", leaks.covered,
-                              " still lie inside the swept volume by more than ", margin, " mm");
-    if (leaks.covered > 0) text += textOf(3, ", by at most ", leaks.deepest, " mm");
-    text += textOf(3, "; the linear approximation of the motion is exact to ", space_.remainder(),
-                   " mm. At such points the envelope may be too small by this amount, but it is "
-                   "never too large; switch off culling to sample all copies");
+    std::string text =
+        textOf(3, "to save time, only ", 100 * static_cast<double>(sampler_.pairs()) / all,
+               " % of the sweep was sampled, because the poses lie close together. At ",
+               leaks.covered, " of ", leaks.tested,
+               " tested points, the envelope is too small by more than ", margin, " mm");
+    if (leaks.covered > 0)
+      text += textOf(3, ", but by at most ", leaks.deepest + space_.remainder(), " mm");
+    text += " (it is never too large); to sample everything, use --no-cull or cull=False";
     return {"DensePruned", leaks.covered, {}, std::move(text)};
   }
 

@@ -22,9 +22,11 @@ namespace {
   run.checkpoint(Phase::Export);
   const char* text = failure.GetMessageString();
   throw Error(Status::ExportFailed, "KernelFailure",
-              std::string("the geometry kernel failed: ") + failure.DynamicType()->Name() +
+              std::string("OpenCASCADE could not make the solid (") +
+                  failure.DynamicType()->Name() +
                   (text != nullptr && *text != 0 ? std::string(": ") + text : std::string()) +
-                  (kernel.messages().empty() ? std::string() : " (" + kernel.messages() + ")"));
+                  (kernel.messages().empty() ? std::string() : "; " + kernel.messages()) +
+                  "); change the tolerance, or export a mesh file");
 }
 
 // The kernel reads plane faces without healing them if their vertices and edges lie within this

@@ -40,7 +40,8 @@ namespace {
 
 [[noreturn]] void fail(const char* code, const std::string& what, const KernelSession* kernel) {
   const std::string said = kernel != nullptr ? kernel->messages() : std::string();
-  throw Error(Status::ExportFailed, code, said.empty() ? what : what + " (kernel: " + said + ")");
+  throw Error(Status::ExportFailed, code,
+              said.empty() ? what : what + " (OpenCASCADE: " + said + ")");
 }
 
 std::string systemReason(int error) {
@@ -90,7 +91,7 @@ TopoDS_Shape shapeOf(STEPControl_Reader& reader, const KernelSession& kernel, Ru
   reader.TransferRoots(progress->Start());
   throwIfCancelled(run);
   const TopoDS_Shape shape = reader.OneShape();
-  if (shape.IsNull()) fail("RereadFailed", "the file holds no shape", &kernel);
+  if (shape.IsNull()) fail("RereadFailed", "the file contains no shape", &kernel);
   return shape;
 }
 
@@ -140,7 +141,10 @@ void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
       writer.Transfer(shape, STEPControl_AsIs, Standard_True, progress->Start());
   throwIfCancelled(run);
   if (transferred != IFSelect_RetDone) {
-    fail("KernelFailure", "the kernel could not translate the solid to STEP", &kernel);
+    fail("KernelFailure",
+         "OpenCASCADE could not translate the solid to STEP; change the tolerance, or export a "
+         "mesh file",
+         &kernel);
   }
   fillHeader(writer, targetName, options);
   errno = 0;
@@ -156,7 +160,7 @@ TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunCon
   kernel.set("xstep.cascade.unit", "MM");
   STEPControl_Reader reader;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) {
-    fail("RereadFailed", "the kernel cannot read the file", &kernel);
+    fail("RereadFailed", "OpenCASCADE does not accept the file", &kernel);
   }
   TopoDS_Shape shape = shapeOf(reader, kernel, run);
   if (names != nullptr) *names = productNames(reader);
@@ -167,7 +171,10 @@ TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext&
   kernel.set("xstep.cascade.unit", "MM");
   STEPControl_Reader reader;
   if (reader.ReadStream("text", text) != IFSelect_RetDone) {
-    fail("RereadFailed", "the text of the faces cannot be read back", &kernel);
+    fail("RereadFailed",
+         "OpenCASCADE cannot read the faces of the solid back; change the tolerance, or export a "
+         "mesh file",
+         &kernel);
   }
   return shapeOf(reader, kernel, run);
 }
@@ -220,7 +227,7 @@ TopoDS_Shape readBrepFile(const std::string& path, RunContext& run) {
     BRepTools::Read(shape, stream, builder);
   }
   throwIfCancelled(run);
-  if (shape.IsNull()) fail("RereadFailed", "the kernel cannot read the file", nullptr);
+  if (shape.IsNull()) fail("RereadFailed", "OpenCASCADE does not accept the file", nullptr);
   return shape;
 }
 

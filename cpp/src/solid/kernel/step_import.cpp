@@ -117,7 +117,9 @@ auto withShape(const std::string& path, RunContext& run, Read read) {
                     "; check that it is a STEP or BREP file");
   } catch (const Standard_Failure& failure) {
     throw Error(Status::InvalidInput, "BadFile",
-                "'" + path + "' cannot be read: " + failure.GetMessageString());
+                "'" + path + "' cannot be read: OpenCASCADE fails with '" +
+                    failure.GetMessageString() +
+                    "'; export the file again from the program that made it");
   }
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/limits.h"
+#include "base/number_text.h"
 #include "geometry/half_edges.h"
 #include "geometry/mesh_numbers.h"
 #include "geometry/ray_columns.h"
@@ -15,50 +16,53 @@
 namespace swept::step {
 namespace {
 
-[[noreturn]] void refuse(const char* code, const std::string& what) {
-  throw Error(Status::ExportFailed, code,
-              what +
-                  "; a solid needs a closed, oriented mesh with two triangles at each edge: repair "
-                  "the mesh, or export it as a mesh file");
+[[noreturn]] void refuse(const char* code, const std::string& text) {
+  throw Error(Status::ExportFailed, code, text);
+}
+
+[[noreturn]] void refuseUnclosed(const char* code, const std::string& what) {
+  refuse(code, what +
+                   "; a solid needs a closed, oriented mesh with two triangles at each edge: "
+                   "repair the mesh, or export it as a mesh file");
 }
 
 void checkNumbers(const TriMesh& mesh) {
-  if (mesh.triangles.empty()) refuse("EmptyMesh", "the mesh has no triangles");
-  if (const auto bad = findBadIndex(mesh)) {
-    refuse("BadIndex", "triangle " + std::to_string(bad->triangle) + " uses vertex " +
-                           std::to_string(bad->vertex) + " of " +
-                           std::to_string(mesh.vertices.size()));
-  }
+  if (mesh.triangles.empty())
+    refuse("EmptyMesh", "the mesh has no triangles; choose a mesh with a closed surface");
+  if (const auto bad = findBadIndex(mesh))
+    refuse("BadIndex", badIndexText(*bad, mesh) + "; export the mesh again");
   const Coordinates found = measureCoordinates(mesh);
   if (found.nonFinite > 0) {
     refuse("NonFiniteVertex",
-           "vertex " + std::to_string(found.firstNonFinite[0]) + " is not finite");
+           "vertex " + std::to_string(found.firstNonFinite[0]) +
+               " has a coordinate that is not a finite number; export the mesh again");
   }
   if (found.largest > kLargestLength) {
-    throw Error(Status::ExportFailed, "OutOfRange",
-                "vertex " + std::to_string(found.farthest) +
-                    " lies more than 1e9 mm from the origin; check the unit of length, or move the "
-                    "mesh closer to the origin");
+    refuse("OutOfRange", "vertex " + std::to_string(found.farthest) +
+                             " lies more than 1e9 mm from the origin; check the unit of length, "
+                             "or move the mesh closer to the origin");
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     if (a == b || b == c || c == a) {
-      refuse("DegenerateTriangle", "triangle " + std::to_string(t) + " repeats a vertex");
+      refuseUnclosed("DegenerateTriangle",
+                     "triangle " + std::to_string(t) + " has the same vertex at two corners");
     }
   }
 }
 
 void refuseFaults(const EdgeFaults& faults) {
   if (faults.open > 0) {
-    refuse("OpenMesh", std::to_string(faults.open) + " edges belong to only one triangle");
+    refuseUnclosed("OpenMesh",
+                   counted(faults.open, "edge belongs", "edges belong") + " to only one triangle");
   }
   if (faults.nonManifold > 0) {
-    refuse("NonManifold",
-           std::to_string(faults.nonManifold) + " edges belong to more than two triangles");
+    refuseUnclosed("NonManifold", counted(faults.nonManifold, "edge belongs", "edges belong") +
+                                      " to more than two triangles");
   }
   if (faults.misoriented > 0) {
-    refuse("MixedOrientation", std::to_string(faults.misoriented) +
-                                   " edges lie between triangles that face opposite ways");
+    refuseUnclosed("MixedOrientation", counted(faults.misoriented, "edge lies", "edges lie") +
+                                           " between triangles that face opposite ways");
   }
 }
 
@@ -107,7 +111,8 @@ void findOwners(const TriMesh& mesh, const Shells& shells, const std::vector<She
       refuse("InvertedShell",
              "shell " + std::to_string(s) + " with " +
                  std::to_string(std::count(of.begin(), of.end(), s)) +
-                 " triangles faces inwards, but does not lie inside another shell");
+                 " triangles faces inwards, but does not lie inside another shell; reverse its "
+                 "triangles, or export a mesh file");
     }
     result.shellOwner[s] = best;
   }

@@ -114,7 +114,8 @@ class Reader {
 
   [[noreturn]] static void fail(const std::string& what) {
     throw Error(Status::ExportFailed, "RereadFailed",
-                "the tessellated solid just written cannot be read back: " + what);
+                "the tessellated solid was not saved, because its file cannot be read back: " +
+                    what + ". An existing file is unchanged. Export a mesh file instead");
   }
 
   // Moves to just after `#n=` of the next entity. Returns false at the end of the file.
@@ -125,7 +126,7 @@ class Reader {
       if (c != '#' || !atStart_) continue;
       atStart_ = false;
       id_ = integer();
-      if (in_.sbumpc() != '=') fail("an entity without =");
+      if (in_.sbumpc() != '=') fail("an entity has no '='");
       return true;
     }
     return false;
@@ -141,7 +142,7 @@ class Reader {
   }
   void expect(const char* marks) {
     for (; *marks != 0; ++marks) {
-      if (in_.sbumpc() != *marks) fail(std::string("a missing ") + *marks);
+      if (in_.sbumpc() != *marks) fail(std::string("'") + *marks + "' is missing");
     }
   }
   std::int64_t integer() {
@@ -198,7 +199,7 @@ class Reader {
   void readFace() {
     expect("('',#");
     const auto found = lists_.find(integer());
-    if (found == lists_.end()) fail("a face without its points");
+    if (found == lists_.end()) fail("a face refers to points that do not exist");
     const List list = found->second;
     expect(",");
     integer();
@@ -247,8 +248,8 @@ void compare(const HalfEdgeMesh& read, const HalfEdgeMesh& written) {
   }
   if (what.empty()) return;
   throw Error(Status::ExportFailed, "RereadDiffers",
-              "the file was written, but reading it back gave a different result: " + what +
-                  "; an existing file was kept. Export a mesh file");
+              "the solid was not saved, because its file differs when it is read back: it has " +
+                  what + ". An existing file is unchanged. Export a mesh file instead");
 }
 
 void checkOptions(const HalfEdgeMesh& mesh, const StepOptions& options) {
