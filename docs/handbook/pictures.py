@@ -76,7 +76,7 @@ def show_parts():
 
 def demo():
     from sweptvolume import runner
-    from sweptvolume.panels import file_dialogs, file_panel
+    from sweptvolume.panels import envelope_panel, file_dialogs, file_panel
 
     Gui.runCommand("SweptVolume_Demo")
     yield 1.0
@@ -134,7 +134,7 @@ def demo():
 
     select(starter, motion)
     Gui.runCommand("SweptVolume_Envelope")
-    yield 3.0  # for the estimate
+    yield lambda: envelope_panel.opened[-1].estimate_label.text()
     Gui.Selection.clearSelection()
     yield from picture("create_envelope")
     click(panel_button(Ok))
