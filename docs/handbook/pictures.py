@@ -52,7 +52,7 @@ def picture(name):
         tasks.setVisible(bool(Gui.Control.activeDialog()))
         window.resizeDocks([tasks], [410], QtCore.Qt.Horizontal)
     yield 0.3
-    if name not in ZOOMED:
+    if name not in ZOOMED and Gui.activeDocument():
         Gui.SendMsgToActiveView("ViewFit")
     yield 0.6
     shot(name)
@@ -142,7 +142,6 @@ def demo():
     yield 0.8
     made = doc.getObject("Envelope")
     Gui.Selection.clearSelection()
-    yield from picture("envelope")
     keys = motion.Placements, motion.Times
     motion.Placements, motion.Times = (values[1:] for values in keys)
     doc.recompute()
@@ -195,14 +194,19 @@ def in_dialog(name, action):
 
     seen = []
 
-    def close():
+    def look():
         window = QtWidgets.QApplication.activeModalWidget()
-        if window is not None:
-            seen.append(window)
-            shot(name)
-            QtCore.QTimer.singleShot(900, window.reject)
+        if window is None:
+            QtCore.QTimer.singleShot(1500, look)  # it opens slowly on a busy machine
+            return
+        seen.append(window)
+        QtCore.QTimer.singleShot(1000, take)
 
-    QtCore.QTimer.singleShot(1500, close)
+    def take():
+        shot(name)
+        QtCore.QTimer.singleShot(900, seen[0].reject)
+
+    QtCore.QTimer.singleShot(1500, look)
     action()
     yield 1.0
     assert seen, "no dialog for " + name
@@ -447,6 +451,7 @@ def preferences():
 def scenario():
     open_workbench()
     Gui.getMainWindow().showNormal()
+    Gui.getMainWindow().setGeometry(0, 0, 1280, 1010)
     yield
     for part in (bay, assembly, demo, joint, slider, selected, made_by, preferences):
         yield from part()

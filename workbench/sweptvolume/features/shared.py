@@ -6,7 +6,6 @@ consists of parts, envelopes or their solids; a motion may move it to its place 
 As with the envelope, `execute` only updates the state. A run consists of Plan.request(), work() and
 apply().
 """
-
 from .. import contents, convert, core, core_overlap
 from ..convert import InputProblem
 from ..quantities import TABLE_DIGITS, quantity
