@@ -30,6 +30,14 @@ def row_of(table, *names):
     return row
 
 
+def bring_up(widget):
+    """Scrolls the panel until a widget is seen in full."""
+    area = widget.parentWidget()
+    while not isinstance(area, QtWidgets.QScrollArea):
+        area = area.parentWidget()
+    area.ensureWidgetVisible(widget)
+
+
 def check_with_rules(doc, look):
     """Steps 1 and 2."""
     select(doc.getObject("Starter"), doc.getObject("Motion"))
@@ -44,6 +52,7 @@ def check_with_rules(doc, look):
     yield lambda: list(doc.getObject("Clearance").RuleKinds) == ["Contact"]
     yield 0.5
     Gui.Selection.clearSelection()
+    bring_up(find(QtWidgets.QTableWidget, "SweptVolumeRules"))
     yield from look("assembly_rules")
     click(panel_button(Close))
     yield no_panel

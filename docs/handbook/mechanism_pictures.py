@@ -4,6 +4,7 @@ import os
 import sys
 
 from driver import (
+    App,
     Close,
     Gui,
     QtWidgets,
@@ -57,3 +58,4 @@ def crank(picture):
     yield from picture("mechanism")
     click(panel_button(Close))
     yield no_panel
+    App.closeDocument(doc.Name)

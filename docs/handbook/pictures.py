@@ -36,6 +36,8 @@ import path_pictures  # noqa: E402
 import sequence_pictures  # noqa: E402
 import spaces_pictures  # noqa: E402
 
+#: Pictures that show one place, not all parts.
+ZOOMED = {"assembly_mechanism", "assembly_worst", "clearance_row"}
 CSV = "# a lift and a quarter turn\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,0,0,5,0,0,0,1\n"
 CSV += "2,0,20,5,0,0,0.7071068,0.7071068\n"
 
@@ -49,6 +51,9 @@ def picture(name):
     if tasks is not None:
         tasks.setVisible(bool(Gui.Control.activeDialog()))
         window.resizeDocks([tasks], [410], QtCore.Qt.Horizontal)
+    yield 0.3
+    if name not in ZOOMED and Gui.activeDocument():
+        Gui.SendMsgToActiveView("ViewFit")
     yield 0.6
     shot(name)
     yield 0.8
@@ -71,7 +76,7 @@ def show_parts():
 
 def demo():
     from sweptvolume import runner
-    from sweptvolume.panels import file_dialogs, file_panel
+    from sweptvolume.panels import envelope_panel, file_dialogs, file_panel
 
     Gui.runCommand("SweptVolume_Demo")
     yield 1.0
@@ -82,7 +87,7 @@ def demo():
     yield from picture("demo_opened")
 
     folder = place("engine bay")
-    os.chdir(folder)  # where the file dialog begins
+    App.ParamGet(file_dialogs.LAST).SetString("FileOpenSavePath", folder)  # of the file dialog
     path = os.path.join(folder, "lift.csv")
     with open(path, "w") as out:
         out.write(CSV)
@@ -115,8 +120,9 @@ def demo():
     wire = doc.addObject("Part::Feature", "Wire")
     import Part
 
-    arc = Part.Arc(App.Vector(-300, 250, 0), App.Vector(-100, 300, 80), App.Vector(100, 250, 0))
-    wire.Shape = arc.toShape()
+    ends = App.Vector(-300, 250, -250), App.Vector(100, 250, -250)
+    wire.Shape = Part.Arc(ends[0], App.Vector(-100, 300, -170), ends[1]).toShape()
+    wire.ViewObject.LineWidth = 4
     doc.recompute()
     select(wire)
     Gui.runCommand("SweptVolume_MotionFromSource")
@@ -128,7 +134,7 @@ def demo():
 
     select(starter, motion)
     Gui.runCommand("SweptVolume_Envelope")
-    yield 0.8
+    yield lambda: envelope_panel.opened[-1].estimate_label.text()
     Gui.Selection.clearSelection()
     yield from picture("create_envelope")
     click(panel_button(Ok))
@@ -136,12 +142,12 @@ def demo():
     yield 0.8
     made = doc.getObject("Envelope")
     Gui.Selection.clearSelection()
-    yield from picture("envelope")
-    starter.Placement.Base.x -= 0.5
-    motion.Placements = motion.Placements[1:]
-    motion.Times = motion.Times[1:]
+    keys = motion.Placements, motion.Times
+    motion.Placements, motion.Times = (values[1:] for values in keys)
     doc.recompute()
     yield from picture("stale")
+    motion.Placements, motion.Times = keys
+    doc.recompute()
     yield from clearance(made)
     made.Resolution = 900
     doc.recompute()
@@ -162,7 +168,7 @@ def demo():
     yield no_panel
     select(made)
     Gui.runCommand("SweptVolume_Solid")
-    yield 0.8
+    yield 5.0  # for the estimate
     Gui.Selection.clearSelection()
     yield from picture("make_solid")
     click(panel_button(Ok))
@@ -188,14 +194,19 @@ def in_dialog(name, action):
 
     seen = []
 
-    def close():
+    def look():
         window = QtWidgets.QApplication.activeModalWidget()
-        if window is not None:
-            seen.append(window)
-            shot(name)
-            QtCore.QTimer.singleShot(900, window.reject)
+        if window is None:
+            QtCore.QTimer.singleShot(1500, look)  # it opens slowly on a busy machine
+            return
+        seen.append(window)
+        QtCore.QTimer.singleShot(1000, take)
 
-    QtCore.QTimer.singleShot(1500, close)
+    def take():
+        shot(name)
+        QtCore.QTimer.singleShot(900, seen[0].reject)
+
+    QtCore.QTimer.singleShot(1500, look)
     action()
     yield 1.0
     assert seen, "no dialog for " + name
@@ -216,7 +227,7 @@ def clearance(made):
     yield 0.5
     yield from picture("clearance_row")
     table.clearSelection()
-    Gui.SendMsgToActiveView("ViewFit")
+    find(QtWidgets.QCheckBox, "SweptVolumePaint").setChecked(False)
     find(QtWidgets.QCheckBox, "SweptVolumeColours").setChecked(True)
     for name, border in (("SweptVolumeContactBand", 5), ("SweptVolumeRequiredBand", 40)):
         find(QtWidgets.QWidget, name).setProperty("rawValue", float(border))
@@ -440,6 +451,7 @@ def preferences():
 def scenario():
     open_workbench()
     Gui.getMainWindow().showNormal()
+    Gui.getMainWindow().setGeometry(0, 0, 1280, 1010)
     yield
     for part in (bay, assembly, demo, joint, slider, selected, made_by, preferences):
         yield from part()

@@ -39,6 +39,7 @@ def parts(picture):
     Gui.runCommand("SweptVolume_Sequence")
     yield 0.6
     panel = sequence_panel.opened[-1]
+    find(QtWidgets.QDoubleSpinBox, "SweptVolumeBudget").setValue(600)  # on a busy machine as well
     click(find(QtWidgets.QPushButton, "SweptVolumeFindOrder"))
     yield lambda: panel.run is None
     report = sequence.report_of(panel.obj)

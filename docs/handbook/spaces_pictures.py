@@ -4,6 +4,7 @@ import os
 import sys
 
 from driver import (
+    App,
     Close,
     Gui,
     QtWidgets,
@@ -52,3 +53,4 @@ def envelopes(picture):
     yield from picture("reserved_spaces")
     click(panel_button(Close))
     yield no_panel
+    App.closeDocument(doc.Name)

@@ -101,8 +101,8 @@ class Table(Case):
         return [round(n, 4) + 0.0 for n in numbers] + told
 
     def record(self, obj):
-        """What the record of an envelope, if it has one, tells of some of its triangles."""
-        record = made_by.find(obj)
+        """What the record of an envelope, if it is to have one, tells of some of its triangles."""
+        record = made_by.find(obj) if obj.MadeBy != "Off" else None
         answers = map(record.answer, range(0, len(record.kind), 40)) if record else []
         return [made_by.text_of(answer) for answer in answers if answer is not None]
 

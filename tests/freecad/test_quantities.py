@@ -53,3 +53,21 @@ class Quantities(unittest.TestCase):
         self.assertEqual(quantities.seconds(0.001), "0.1 s")
         self.assertEqual(quantities.seconds(87.3), "87 s")
         self.assertEqual(quantities.seconds(600), "10 min")
+
+
+class Background(unittest.TestCase):
+    """Letters in the 3D view are seen on the background of every theme."""
+
+    def test_light_and_dark(self):
+        from sweptvolume.views.live_distance import on_light
+
+        view = App.ParamGet("User parameter:BaseApp/Preferences/View")
+        try:
+            self.assertFalse(on_light())  # FreeCAD's own gradient of blue
+            for colour, light in ((0xF7F7F7FF, True), (0x212529FF, False), (0x000000FF, False)):
+                view.SetBool("Simple", True)
+                view.SetUnsigned("BackgroundColor", colour)
+                self.assertEqual(on_light(), light, hex(colour))
+        finally:
+            view.RemBool("Simple")
+            view.RemUnsigned("BackgroundColor")

@@ -62,7 +62,7 @@ class Renamed(Case):
         for name in ("Envelope", "EnvelopeSolid", "Clearance", "Mechanism", "SharedVolume"):
             self.assertEqual((name, self.doc.getObject(name).Status), (name, UP_TO_DATE))
         self.assertEqual(self.doc.Sequence.Status, NOT_COMPUTED)
-        self.doc.recompute()
+        self.doc.recompute(None, True)  # all objects, as some versions do after opening
         self.look()
         for name in ("Envelope", "EnvelopeSolid", "Clearance", "Mechanism", "SharedVolume"):
             self.assertEqual((name, self.doc.getObject(name).Status), (name, UP_TO_DATE))

@@ -6,13 +6,11 @@ consists of parts, envelopes or their solids; a motion may move it to its place 
 As with the envelope, `execute` only updates the state. A run consists of Plan.request(), work() and
 apply().
 """
-import json
-
 from .. import contents, convert, core, core_overlap
 from ..convert import InputProblem
 from ..quantities import TABLE_DIGITS, quantity
 from ..texts import translate
-from . import containers, missing, status
+from . import containers, missing, renamed, status
 from .base import (  # noqa: F401 (the states are read from here as well)
     NOT_COMPUTED,
     STALE,
@@ -134,7 +132,7 @@ class Plan:
                 words += Moving(side, motion).words() if moves else contents.words(side)
                 words.append("|")
             settings = {"Time": self.time, "MeshDeflection": self.deflection}
-            words.append(json.dumps(contents.steady(settings), sort_keys=True))
+            words.append(renamed.hashed(contents.steady(settings)))
             self._words = words
         return self._words
 

@@ -1,15 +1,32 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The shortest line from a part to its nearest neighbour, with the distance beside the dragger."""
+import FreeCAD as App
 import numpy as np
 
 from .ghost import Overlay
 from .surface import fill
 
-#: Colours of line and text: for parts that are apart, and for a clash.
-APART, CLASH = ((0.85, 0.0, 0.6), (1.0, 0.95, 0.45)), ((0.95, 0.05, 0.1), (1.0, 1.0, 1.0))
+#: Colours of the line, of the text on a dark background, and on a light one: for parts that are
+#: apart, and for a clash.
+APART = (0.85, 0.0, 0.6), (1.0, 0.95, 0.45), (0.4, 0.0, 0.28)
+CLASH = (0.95, 0.05, 0.1), (1.0, 1.0, 1.0), (0.6, 0.0, 0.0)
+#: Preferences of FreeCAD, and their values in a fresh profile (red, green, blue, alpha in 32 bits).
+_PLAIN, _GRADIENT = {"BackgroundColor": 3940932863}, {
+    "BackgroundColor2": 859006463,
+    "BackgroundColor3": 2543364607,
+}
 #: In pixels: size of the text and width of the line. The blanks keep the text away from the
 #: dragger.
 TEXT, LINE, BESIDE = 17, 3.0, "     "
+
+
+def on_light():
+    """Returns whether the 3D view has a light background."""
+    view = App.ParamGet("User parameter:BaseApp/Preferences/View")
+    names = _PLAIN if view.GetBool("Simple", False) else _GRADIENT
+    colours = [view.GetUnsigned(name, known) for name, known in names.items()]
+    parts = [c >> shift & 255 for c in colours for shift in (24, 16, 8)]
+    return sum(parts) > 128 * len(parts)
 
 
 class LiveDistance(Overlay):
@@ -40,8 +57,8 @@ class LiveDistance(Overlay):
 
     def show(self, at, text, points, clash):
         """Shows text (lines) at a point, and a line between two points (None: no line)."""
-        line, letters = CLASH if clash else APART
-        self.line_colour.rgb, self.text_colour.rgb = line, letters
+        line, *letters = CLASH if clash else APART
+        self.line_colour.rgb, self.text_colour.rgb = line, letters[on_light()]
         self.place.translation = tuple(at)
         self.text.string.setValues(0, len(text), [BESIDE + part for part in text])
         drawn = points[0] is not None
