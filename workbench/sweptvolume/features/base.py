@@ -77,6 +77,21 @@ class Feature:
         return None
 
 
+class Result(Feature):
+    """Base of the proxies of objects with a result."""
+
+    def __init__(self, obj):
+        super().__init__(obj)
+        obj.Status = NOT_COMPUTED
+
+
+def inputs_and_results(inputs, results):
+    """Returns the list of Feature.properties() for inputs (type, name, help, default) and results
+    (type, name, help, editor mode)."""
+    given = [(kind, name, "Input", text, default, 0) for kind, name, text, default in inputs]
+    return given + [(kind, name, "Result", text, None, mode) for kind, name, text, mode in results]
+
+
 def fits(value, shape):
     """Returns whether a value from JSON has a given shape. A shape is: float (any number) or
     another type; a set of allowed values; a dict of required keys; [shape of all items]; (shape
@@ -136,6 +151,18 @@ def quietly(obj):
     yield
     if not touched:
         obj.purgeTouched()
+
+
+def add_object(document, kind, name, proxy, label, settings, view):
+    """Adds an object to the document: its proxy (class), label, settings (dict of property values)
+    and view provider ("module:Class")."""
+    obj = document.addObject(kind, name)
+    proxy(obj)
+    obj.Label = label
+    for key, value in settings.items():
+        setattr(obj, key, value)
+    attach_view(obj, view)
+    return obj
 
 
 def attach_view(obj, maker):

@@ -8,11 +8,11 @@ from .. import convert, core
 from ..convert import InputProblem
 from ..core_texts import said
 from . import containers, missing, status
-from .base import Feature
+from .base import Result
 from .neighbour_rules import PARTS_PROPERTY
 
 
-class Check(Feature):
+class Check(Result):
     """Base of the proxies of checks. Subclasses define PLAN, RULES (the module of their rules) and
     report_of()."""
 

@@ -21,7 +21,8 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     READ_ONLY,
     STALE,
     UP_TO_DATE,
-    attach_view,
+    add_object,
+    inputs_and_results,
     kind_of,
     quietly,
     stored,
@@ -69,12 +70,7 @@ class Clearance(Check):
     RULES = neighbour_rules
 
     def properties(self):
-        given = [(k, n, "Input", text, default, 0) for k, n, text, default in INPUT]
-        return given + [(k, n, "Result", text, None, mode) for k, n, text, mode in RESULT]
-
-    def __init__(self, obj):
-        super().__init__(obj)
-        obj.Status = NOT_COMPUTED
+        return inputs_and_results(INPUT, RESULT)
 
     def report_of(self, obj):
         return report_of(obj)
@@ -169,10 +165,6 @@ def report_of(obj):
 
 def make_clearance(document, label=None, **settings):
     """Creates a clearance check, not yet computed. `settings`: property names with values."""
-    obj = document.addObject(TYPE, "Clearance")
-    Clearance(obj)
-    obj.Label = label or translate("Messages", "Clearance")
-    for name, value in settings.items():
-        setattr(obj, name, value)
-    attach_view(obj, "sweptvolume.views.clearance_view:ClearanceView")
-    return obj
+    label = label or translate("Messages", "Clearance")
+    view = "sweptvolume.views.clearance_view:ClearanceView"
+    return add_object(document, TYPE, "Clearance", Clearance, label, settings, view)

@@ -20,7 +20,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     READ_ONLY,
     STALE,
     UP_TO_DATE,
-    Feature,
+    Result,
     attach_view,
     kind_of,
     quietly,
@@ -55,7 +55,7 @@ containers.watch()
 missing.watch()
 
 
-class Envelope(Feature):
+class Envelope(Result):
     """Proxy of the envelope."""
 
     KIND = "SweptVolume::Envelope"
@@ -79,10 +79,6 @@ class Envelope(Feature):
         ]
         hidden.append(PLACED)
         return INPUT + ACCURACY + result + hidden
-
-    def __init__(self, obj):
-        super().__init__(obj)
-        obj.Status = NOT_COMPUTED
 
     def execute(self, obj):
         """Marks the result as stale or current, and keeps the mesh."""

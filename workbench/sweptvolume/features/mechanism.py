@@ -13,7 +13,8 @@ from . import check, mechanism_table, neighbour_rules, pair_rules
 from .base import (  # noqa: F401 (the states are read from here as well)
     NOT_COMPUTED,
     UP_TO_DATE,
-    attach_view,
+    add_object,
+    inputs_and_results,
     kind_of,
     stored,
 )
@@ -48,12 +49,7 @@ class Mechanism(Check):
     RULES = pair_rules
 
     def properties(self):
-        given = [(k, n, "Input", text, default, 0) for k, n, text, default in INPUT]
-        return given + [(k, n, "Result", text, None, mode) for k, n, text, mode in RESULT]
-
-    def __init__(self, obj):
-        super().__init__(obj)
-        obj.Status = NOT_COMPUTED
+        return inputs_and_results(INPUT, RESULT)
 
     def report_of(self, obj):
         return report_of(obj)
@@ -142,10 +138,6 @@ def report_of(obj):
 
 def make_mechanism(document, label=None, **settings):
     """Creates a mechanism check, not yet computed. `settings`: property names with values."""
-    obj = document.addObject(TYPE, "Mechanism")
-    Mechanism(obj)
-    obj.Label = label or translate("Messages", "Mechanism")
-    for name, value in settings.items():
-        setattr(obj, name, value)
-    attach_view(obj, "sweptvolume.views.mechanism_view:MechanismView")
-    return obj
+    label = label or translate("Messages", "Mechanism")
+    view = "sweptvolume.views.mechanism_view:MechanismView"
+    return add_object(document, TYPE, "Mechanism", Mechanism, label, settings, view)

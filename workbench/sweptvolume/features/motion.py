@@ -9,7 +9,7 @@ from ..texts import translate
 from ..trajectory import sources
 from ..trajectory.poses import Poses, even_times
 from . import containers, missing, motion_source, moved_parts, status, stored_poses
-from .base import STALE, Feature, attach_view, kind_of, quietly, set_changed
+from .base import STALE, Feature, add_object, kind_of, quietly, set_changed
 from .motion_frame import container_of, from_world, seen_from_document
 from .motion_properties import PROPERTIES, SETTINGS, UNITS
 from .motion_source import make_stored, settings_of
@@ -199,11 +199,9 @@ def take(obj, poses):
 
 def make_motion(document, label=None):
     """Creates an empty motion object."""
-    obj = document.addObject(TYPE, "Motion")
-    Motion(obj)
-    obj.Label = label or translate("Messages", "Motion")
-    attach_view(obj, "sweptvolume.views.motion_view:MotionView")
-    return obj
+    label = label or translate("Messages", "Motion")
+    view = "sweptvolume.views.motion_view:MotionView"
+    return add_object(document, TYPE, "Motion", Motion, label, {}, view)
 
 
 def motion_from_poses(document, times, placements, interpolation="Linear", frame="Absolute"):

@@ -13,7 +13,7 @@ from .. import core, core_paths, quantities
 from ..core_texts import said
 from ..texts import translate
 from . import check, pair_rules, path_plan
-from .base import NOT_COMPUTED, attach_view, kind_of, stored
+from .base import add_object, inputs_and_results, kind_of, stored
 from .check import Check, fail  # noqa: F401 (fail is read from here as well)
 from .sequence_plan import Plan
 from .sequence_properties import INPUT, RESULT
@@ -39,12 +39,7 @@ class Sequence(Check):
     RULES = pair_rules
 
     def properties(self):
-        given = [(k, n, "Input", text, default, 0) for k, n, text, default in INPUT]
-        return given + [(k, n, "Result", text, None, mode) for k, n, text, mode in RESULT]
-
-    def __init__(self, obj):
-        super().__init__(obj)
-        obj.Status = NOT_COMPUTED
+        return inputs_and_results(INPUT, RESULT)
 
     def report_of(self, obj):
         return report_of(obj)
@@ -211,10 +206,6 @@ def report_of(obj):
 
 def make_sequence(document, label=None, **settings):
     """Creates a sequence, not yet computed. `settings`: property names with values."""
-    obj = document.addObject(TYPE, "Sequence")
-    Sequence(obj)
-    obj.Label = label or translate("Messages", "Sequence")
-    for name, value in settings.items():
-        setattr(obj, name, value)
-    attach_view(obj, "sweptvolume.views.sequence_view:SequenceView")
-    return obj
+    label = label or translate("Messages", "Sequence")
+    view = "sweptvolume.views.sequence_view:SequenceView"
+    return add_object(document, TYPE, "Sequence", Sequence, label, settings, view)

@@ -17,7 +17,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     NOT_COMPUTED,
     STALE,
     UP_TO_DATE,
-    Feature,
+    Result,
     attach_view,
     kind_of,
     quietly,
@@ -35,17 +35,13 @@ containers.watch()
 missing.watch()
 
 
-class Shared(Feature):
+class Shared(Result):
     """Proxy of the shared volume."""
 
     KIND = "SweptVolume::Shared"
 
     def properties(self):
         return PROPERTIES
-
-    def __init__(self, obj):
-        super().__init__(obj)
-        obj.Status = NOT_COMPUTED
 
     def execute(self, obj):
         """Marks the result as stale or current, and keeps the mesh."""

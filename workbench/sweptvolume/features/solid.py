@@ -21,7 +21,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     STALE,
     UP_TO_DATE,
     Feature,
-    attach_view,
+    add_object,
     kind_of,
     quietly,
     set_changed,
@@ -333,11 +333,7 @@ def compute(obj, control=None):
 
 def make_solid(document, source, label=None, **settings):
     """Creates a solid object, not yet computed."""
-    obj = document.addObject(TYPE, "EnvelopeSolid")
-    Solid(obj)
-    obj.Label = label or translate("Messages", "{0} solid").format(source.Label)
-    obj.Source = source
-    for name, value in settings.items():
-        setattr(obj, name, value)
-    attach_view(obj, "sweptvolume.views.solid_view:SolidView")
-    return obj
+    label = label or translate("Messages", "{0} solid").format(source.Label)
+    view = "sweptvolume.views.solid_view:SolidView"
+    settings = {"Source": source, **settings}
+    return add_object(document, TYPE, "EnvelopeSolid", Solid, label, settings, view)

@@ -18,8 +18,9 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     NOT_COMPUTED,
     STALE,
     UP_TO_DATE,
-    Feature,
-    attach_view,
+    Result,
+    add_object,
+    inputs_and_results,
     kind_of,
     stored,
 )
@@ -30,19 +31,14 @@ TYPE = "App::FeaturePython"
 missing.watch()
 
 
-class Study(Feature):
+class Study(Result):
     """Proxy of the study."""
 
     KIND = "SweptVolume::Study"
     NAMES_PARTS = True
 
     def properties(self):
-        given = [(k, n, "Input", text, default, 0) for k, n, text, default in INPUT]
-        return given + [(k, n, "Result", text, None, mode) for k, n, text, mode in RESULT]
-
-    def __init__(self, obj):
-        super().__init__(obj)
-        obj.Status = NOT_COMPUTED
+        return inputs_and_results(INPUT, RESULT)
 
     def execute(self, obj):
         """Marks the result as stale or current, and keeps it."""
@@ -182,10 +178,6 @@ def compute(obj, control=None):
 
 def make_study(document, label=None, **settings):
     """Creates a study, not yet computed. `settings`: property names with values."""
-    obj = document.addObject(TYPE, "Study")
-    Study(obj)
-    obj.Label = label or translate("Messages", "Study")
-    for name, value in settings.items():
-        setattr(obj, name, value)
-    attach_view(obj, "sweptvolume.views.study_view:StudyView")
-    return obj
+    label = label or translate("Messages", "Study")
+    view = "sweptvolume.views.study_view:StudyView"
+    return add_object(document, TYPE, "Study", Study, label, settings, view)
