@@ -11,7 +11,7 @@ import Part
 from case import Case, V, shift, turn
 from sweptvolume import core, export
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import envelope, kept, motion, solid, step_reader
+from sweptvolume.features import envelope, envelope_plan, kept, motion, solid, step_reader
 
 
 class Computed(Case):
@@ -52,19 +52,14 @@ class Envelope(Computed):
         self.assertLessEqual(obj.AccuracyBound.Value, 1)
         self.assertGreater(obj.AccuracyBound.Value, 0.5)
         self.assertLess(obj.Triangles, plain.Triangles)
-        report = sv.compute(*self.arrays(plan), accuracy=1).report
+        arguments = core.arguments(plan.requests()[0])
+        report = core.module().compute(*arguments, accuracy=1).report
         stored = json.loads(obj.Report)
         for name in ("cell", "triangles", "volume", "refined_placements", "accuracy_bound"):
             self.assertEqual(report[name], stored[name], name)
         obj.Accuracy = 0
         self.doc.recompute()
         self.assertEqual(obj.Status, envelope.STALE)
-
-    @staticmethod
-    def arrays(plan):
-        """The body and the motion of a plan with one motion, as arrays for the Python module."""
-        vertices, triangles, motion, _ = core.arguments(plan.requests()[0])
-        return (vertices, triangles), motion
 
     def test_recompute_never_computes(self):
         self.part = self.box()

@@ -13,9 +13,10 @@ namespace swept {
 void setAccuracy(Options& options, double accuracy);
 
 /// Returns how far (mm) any point of the surface of an envelope lies from the true surface of the
-/// sweep, at most. 0: not known, as for an envelope with an offset, or a conservative one, which has
-/// a bound of its own. The bound does not tell what is missing: parts of the sweep so thin that no
-/// grid line meets them. Nor does it contain what the findings DensePruned and SinglePrecision name.
+/// sweep, at most. 0: not known, as for an envelope with an offset, or a conservative one, which
+/// has a bound of its own. The bound does not tell what is missing: parts of the sweep so thin that
+/// no grid line meets them. Nor does it contain what the findings DensePruned and SinglePrecision
+/// name.
 double accuracyBound(const Report& report);
 
 }  // namespace swept

@@ -31,9 +31,9 @@ void setAccuracy(Options& options, double accuracy) {
 }
 
 double accuracyBound(const Report& report) {
-  const bool grown = std::any_of(
-      report.warnings.begin(), report.warnings.end(),
-      [](const Finding& f) { return f.code == "Offset" || f.code == "Conservative"; });
+  const bool grown =
+      std::any_of(report.warnings.begin(), report.warnings.end(),
+                  [](const Finding& f) { return f.code == "Offset" || f.code == "Conservative"; });
   if (grown || report.crossings <= 0) return 0;
   return kDiagonal * report.cellSize + report.chordError + report.positionFilterDistance +
          report.simplificationDeviation;

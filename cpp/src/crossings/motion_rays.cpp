@@ -158,8 +158,9 @@ class RaySearch {
       return;
     }
     if (!byPlacements) {
-      forChildren(node, [&](const Box& b) { return enter(segment, b, reachOf(g, b)); },
-                  [&](BoxTree::Node child, const Box& b) { go(number, segment, child, b); });
+      forChildren(
+          node, [&](const Box& b) { return enter(segment, b, reachOf(g, b)); },
+          [&](BoxTree::Node child, const Box& b) { go(number, segment, child, b); });
       return;
     }
     const std::size_t first = static_cast<std::size_t>(g.child);
@@ -243,8 +244,8 @@ class RaySearch {
   double best_;  // the search goes on only before this share of the segment
 };
 
-void MotionRays::search(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                        double best, const Try& tryPair) const {
+void MotionRays::search(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double best,
+                        const Try& tryPair) const {
   const BoxTree::Bounds& bounds = triangles_.bounds();
   const Box whole{(bounds.low + bounds.high) / 2, (bounds.high - bounds.low) / 2};
   RaySearch(*this, from, to, best, tryPair).group(0, triangles_.root(), whole);

@@ -184,7 +184,7 @@ def scenario():
 
     def by_cell():
         panel = envelope_panel.show(doc, obj=hull)
-        panel.by.setCurrentIndex(1)
+        panel.by.setCurrentIndex(panel.by.findData("CellSize"))
         return panel
 
     def keys():

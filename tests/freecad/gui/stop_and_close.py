@@ -74,7 +74,7 @@ def heavy(doc, body, path):
     from sweptvolume.panels import envelope_panel
 
     panel = envelope_panel.show(doc, [(body, "")], path)
-    panel.by.setCurrentIndex(1)
+    panel.by.setCurrentIndex(panel.by.findData("CellSize"))
     panel.cell.setProperty("rawValue", 0.12)
     panel.tolerance.setProperty("rawValue", 0.02)
     yield 0.3
@@ -97,7 +97,7 @@ def stopped_while_meshing(doc, path):
     plate = doc.addObject("Part::Feature", "Plate")
     plate.Shape = Part.makeBox(side, side, 4).cut(Part.makeCompound(holes))
     panel = envelope_panel.show(doc, [(plate, "")], path)
-    panel.by.setCurrentIndex(1)
+    panel.by.setCurrentIndex(panel.by.findData("CellSize"))
     panel.cell.setProperty("rawValue", 0.2)
     yield 0.3
     click(panel_button(Ok))

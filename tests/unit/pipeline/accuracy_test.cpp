@@ -13,9 +13,8 @@ namespace {
 /// A box that moves along a diagonal and turns.
 Result boxWithin(double accuracy, double offset = 0) {
   Trajectory motion;
-  motion.poses = {{},
-                  {1, Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ())),
-                   {12, 5, 3}}};
+  motion.poses = {
+      {}, {1, Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ())), {12, 5, 3}}};
   Options options;
   options.offset = offset;
   setAccuracy(options, accuracy);
