@@ -15,8 +15,7 @@ _TEXTS = {
     "NoVolume": mark("Core", "The part encloses no volume: choose a solid or a closed mesh."),
     "OpenMesh": mark(
         "Core",
-        "The part has holes that its motion does not close, so it has no clear "
-        "inside and outside: close the holes.",
+        "A mesh has gaps (open edges), so it has no clear inside and outside: close the gaps.",
     ),
     "PrecisionTooCoarse": mark(
         "Core",
@@ -56,7 +55,7 @@ _TEXTS = {
     "PartsIntersect": mark(
         "Core",
         "Two parts overlap in their installed positions: move one of them, or set the rule of "
-        "the pair to Ignore.",
+        "the pair to Ignored.",
     ),
     "PartsTooNear": mark(
         "Core",
@@ -138,7 +137,12 @@ _TEXTS = {
         "or move one part slightly.",
     ),
     "OpenEdges": mark(
-        "Core", "The part has holes, but its motion closes them, so the result is valid."
+        "Core", "The part has gaps (open edges). Its envelope is closed all the same."
+    ),
+    "OpenSheets": mark(
+        "Core",
+        "The part has gaps that its motion does not close. There, its walls became thin sheets "
+        "of the envelope: close the gaps to get the space between the walls.",
     ),
     "DegenerateTriangles": mark("Core", "Triangles with zero area were removed."),
     "DuplicateTriangles": mark("Core", "Duplicate triangles were removed."),
@@ -150,9 +154,7 @@ _TEXTS = {
         "The depth of an allowed contact was measured, but the parts may overlap more deeply at "
         "another point.",
     ),
-    "EqualTimes": mark(
-        "Core", "Some poses have the same time as the pose before. Their order was kept."
-    ),
+    "EqualTimes": mark("Core", "Some poses have the same time."),
     "Flipped": mark(
         "Core",
         "The triangles of the part, or of one of its bodies, faced inwards. They were " "reversed.",
@@ -184,7 +186,9 @@ _TEXTS = {
         "Core", "The rotations of some poses had small rounding errors, which were corrected."
     ),
     "CavitiesFilled": mark(
-        "Core", "Cavities inside the envelope were filled. Set Keep cavities to keep them."
+        "Core",
+        "Cavities inside the envelope were filled. To keep them, set Keep cavities, and close the "
+        "gaps of the part if it is open.",
     ),
     "SelfIntersections": mark(
         "Core",
