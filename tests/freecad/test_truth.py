@@ -143,6 +143,23 @@ class Edges(Case):
         body.EdgeTolerance = 1.25  # as one was seen
         self.doc.recompute()
         self.assertIn("1.25 mm", body.Message)
+        self.assertNotIn("deviates", body.Message)
+        body.Deviation = 0.5
+        self.doc.recompute()
+        self.assertIn("deviates from the envelope by 0.5 mm; its Tolerance is 0.3 mm", body.Message)
+
+    def test_a_solid_that_was_simplified_by_itself_says_so(self):
+        if not core.has_solids():
+            self.skipTest("the core was built without OpenCASCADE")
+        ball = self.doc.addObject("Part::Sphere", "Ball")
+        path = motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(10)])
+        obj = self.envelope([ball], path, Resolution=24)
+        envelope.compute(obj)
+        body = solid.make_solid(self.doc, obj, MaxFaces=200)
+        self.doc.recompute()
+        solid.compute(body)
+        self.assertGreater(body.Deviation.Value, solid.LEAST_GAP)
+        self.assertIn("To stay within Max faces, the solid was simplified", body.Message)
 
 
 class Neighbours(Scene):

@@ -158,15 +158,29 @@ def update_status(obj):
 
 def notes_of(obj):
     """Returns the notes to show for the stored result."""
-    asked = max(obj.Tolerance.Value, obj.Deviation.Value, LEAST_GAP)
-    if obj.EdgeTolerance.Value <= asked:
-        return ""
-    return translate(
-        "Messages",
-        "At one edge, the gap between two faces of the solid is {0}, which is more than the "
-        "tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and "
-        "smaller gaps.",
-    ).format(quantity(obj.EdgeTolerance.Value), quantity(asked))
+    notes, wanted, off = [], obj.Tolerance.Value, obj.Deviation.Value
+    if off > max(wanted, LEAST_GAP):
+        if wanted > 0:
+            text = translate(
+                "Messages", "The solid deviates from the envelope by {0}; its Tolerance is {1}."
+            )
+        else:
+            text = translate(
+                "Messages",
+                "To stay within Max faces, the solid was simplified: it deviates from the envelope by "
+                "up to {0}. Allow more faces, or set a Tolerance.",
+            )
+        notes.append(text.format(quantity(off), quantity(wanted)))
+    asked = max(wanted, off, LEAST_GAP)
+    if obj.EdgeTolerance.Value > asked:
+        text = translate(
+            "Messages",
+            "At one edge, the gap between two faces of the solid is {0}, which is more than the "
+            "tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and "
+            "smaller gaps.",
+        )
+        notes.append(text.format(quantity(obj.EdgeTolerance.Value), quantity(asked)))
+    return "\n".join(notes)
 
 
 class Request:
