@@ -75,7 +75,7 @@ class StartPanel:
 class StayingPanel(StartPanel):
     """A panel whose only dialog button is Close. Buttons of the form start its runs. The panel also
     has `watch`, the observer of its document (watched()). A panel that shows the result of an
-    object has that object in `obj` and defines show_result(), which ends with note_state()."""
+    object has that object in `obj` and defines show_result(), which calls note_state()."""
 
     obj = None
 
