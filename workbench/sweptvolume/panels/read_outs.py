@@ -50,7 +50,9 @@ def lines_of(obj, report):
     ]
     if report.get("accuracy_bound"):
         bound = quantities.quantity(report["accuracy_bound"])
-        lines.append(translate("Panels", "Distance from the true surface: at most {0}").format(bound))
+        lines.append(
+            translate("Panels", "Distance from the true surface: at most {0}").format(bound)
+        )
     lines.append(
         translate("Panels", "Time: {0} on {1}").format(
             quantities.seconds(obj.Seconds), report["backend"].upper()
