@@ -45,7 +45,9 @@ def test_a_finer_accuracy_is_nearer(box):
     assert fine["cell"] < coarse["cell"]
 
 
-@pytest.mark.parametrize("other", [{"resolution": 64}, {"cell": 1}, {"tolerance": 1}, {"chord": 0.1}])
+@pytest.mark.parametrize(
+    "other", [{"resolution": 64}, {"cell": 1}, {"tolerance": 1}, {"chord": 0.1}]
+)
 def test_python_refuses_what_the_accuracy_chooses(box, other):
     with pytest.raises(sv.InvalidInput, match="exclude one another"):
         sv.compute(box, slide_motion(), accuracy=1, **other)

@@ -11,9 +11,9 @@
 namespace swept {
 namespace {
 
-/// After looking at this many elements of a cell, the search gives up, and every line is cast at
-/// the whole motion (motion_rays.h).
-constexpr std::size_t kMostLooks = 6000;
+/// In a cell with more pieces (see the header) than this, the probe finds no hits: the cell holds
+/// more than a single wall, and the search would take too long.
+constexpr std::size_t kMaxPieces = 20000;
 /// After this many pieces in a cell, the search leaves out pieces that isPassed() shows to be
 /// covered. Measured on a gripper along 16 keys with cells of 30 mm, and with limits of 100, 300,
 /// 1,000 and none: the mean deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cells. Contouring takes
@@ -133,7 +133,6 @@ namespace {
 /// A hash set of elements, sized for a few dozen.
 class SeenElements {
  public:
-  std::size_t count() const { return count_; }
   /// Adds the element. Returns false if the set has it already.
   bool insert(const SweptElement& element) {
     if (2 * count_ >= slots_.size()) grow();
@@ -280,9 +279,8 @@ bool ElementProbe::isPassed(const SweptElement& element, Directions& directions)
   return left == (edge.opposed ? -right : right);
 }
 
-std::vector<ElementProbe::Piece> ElementProbe::gather(const Eigen::AlignedBox3d& region,
-                                                      const std::vector<std::uint32_t>& crossings,
-                                                      bool& complete) const {
+std::vector<ElementProbe::Piece> ElementProbe::gather(
+    const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings) const {
   const Eigen::Vector3d centre = region.center();
   const Eigen::Vector3d half = region.sizes().array() / 2 + kSearchMargin;
   std::vector<std::pair<SweptElement, std::size_t>> waiting;  // each with the index of its piece
@@ -305,13 +303,13 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(const Eigen::AlignedBox3d&
   const auto inside = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
     return intersectsBox(p - centre, q - centre, half);
   };
-  while (!waiting.empty() && seen.count() <= kMostLooks) {
+  while (!waiting.empty() && pieces.size() <= kMaxPieces) {
     const auto [element, at] = waiting.back();
     waiting.pop_back();
     const Piece piece = pieces[at];
     forNeighbours(element, piece, inside, visit);
   }
-  complete = waiting.empty();
+  if (pieces.size() > kMaxPieces) pieces.clear();
   return pieces;
 }
 
@@ -334,29 +332,11 @@ void ElementProbe::castOne(const Piece& piece, ProbeLine& line, double& first) {
   if (piece.isSidePatch && intersects(line, a, c, d, at)) take(at, at.u, at.u + at.v);
 }
 
-/// Casts the line at everything that the motion sweeps. `first` is the best hit known so far.
-void ElementProbe::searchAll(ProbeLine& line, double& first) const {
-  std::call_once(raysBuilt_, [&] { rays_.emplace(input_); });
-  const std::size_t steps = input_.motion.steps();
-  rays_->search(line.from, line.to, first, [&](std::uint32_t triangle, std::uint32_t placement) {
-    castOne(pieceOf({triangle, placement}), line, first);
-    for (const std::int32_t e : faceEdges_[triangle]) {
-      const bool isOwn =
-          e >= 0 && input_.topology.edges[e].left == static_cast<std::int32_t>(triangle);
-      if (!isOwn || placement >= steps) continue;
-      const auto code = static_cast<std::uint32_t>(e) | SweptElement::kSidePatchBit;
-      castOne(pieceOf({code, placement}), line, first);
-    }
-    return first;
-  });
-}
-
 void ElementProbe::cast(const Eigen::AlignedBox3d& region,
                         const std::vector<std::uint32_t>& crossings,
                         std::vector<ProbeLine>& lines) const {
   std::vector<double> first(lines.size(), 2);  // fraction along each line; 2: no hit
-  bool complete;
-  for (const Piece& piece : gather(region, crossings, complete)) {
+  for (const Piece& piece : gather(region, crossings)) {
     const auto& [a, b, c, d] = piece.corner;
     const Eigen::Vector3d n = (b - a).cross(c - a);
     // A line wholly above or below the piece cannot hit it. Heights are measured from the plane of
@@ -370,7 +350,6 @@ void ElementProbe::cast(const Eigen::AlignedBox3d& region,
       castOne(piece, lines[l], first[l]);
     }
   }
-  for (std::size_t l = 0; !complete && l < lines.size(); ++l) searchAll(lines[l], first[l]);
   for (std::size_t l = 0; l < lines.size(); ++l) {
     ProbeLine& line = lines[l];
     if (!line.hit) continue;

@@ -8,20 +8,15 @@
 // neighbours: across shared edges and paths of vertices, and to the steps before and after. It
 // crosses an edge or a path only if this edge or path passes through the cell. In a cell with many
 // pieces, the search leaves out further pieces that the steps before and after cover. Nearly all
-// pieces of such a cell are covered, and the others are connected without them. It does not matter
-// which sampler found the crossings.
-// In a cell where hundreds of copies lie one behind the other, only the outermost can be hit. There
-// the search ends early, and the lines are cast at the whole motion (motion_rays.h).
+// pieces of such a cell are covered, and the others are connected without them. The search looks
+// nowhere else, so it does not matter which sampler found the crossings.
 // Source: own method; docs/contouring.md, "Rims".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <array>
-#include <mutex>
-#include <optional>
 #include <vector>
 
-#include "crossings/motion_rays.h"
 #include "grid/hermite_grid.h"
 #include "grid/marked_edges.h"
 #include "grid/surface_probe.h"
@@ -50,10 +45,8 @@ class ElementProbe : public SurfaceProbe {
   bool mayPass() const { return input_.cull && input_.motion.continuous; }
   bool isPassed(const SweptElement& element, Directions& directions) const;
   Piece pieceOf(const SweptElement& element) const;
-  /// `complete` tells whether these are all pieces that the search would find.
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
-                            const std::vector<std::uint32_t>& crossings, bool& complete) const;
-  void searchAll(ProbeLine& line, double& first) const;
+                            const std::vector<std::uint32_t>& crossings) const;
   /// Calls use(other) for the neighbours of an element. These are the elements that share an edge
   /// or the path of a vertex with it, if inside(p, q) is true for the shared segment; and the
   /// copies of a face at the placements before and after.
@@ -68,8 +61,6 @@ class ElementProbe : public SurfaceProbe {
   std::vector<Placement> placements_;  // from body coordinates (mm) to grid coordinates (cells)
   // Edges of each face; -1 for an edge with more than two faces whose BodyEdge names another face.
   std::vector<std::array<std::int32_t, 3>> faceEdges_;
-  mutable std::once_flag raysBuilt_;
-  mutable std::optional<MotionRays> rays_;  // built when first needed
 };
 
 }  // namespace swept
