@@ -10,9 +10,10 @@ class SweptVolumeWorkbench(FreeCADGui.Workbench):
         import sweptvolume
         from sweptvolume.texts import translate
 
-        self.__class__.MenuText = translate("Workbench", "Swept Volume")
+        self.__class__.MenuText = translate("SweptVolume", "Swept Volume")
         self.__class__.ToolTip = translate(
-            "Workbench", "The space that moving parts need: motions, swept envelopes, solids, STEP"
+            "SweptVolume",
+            "The space that moving parts need: motions, swept envelopes, solids, STEP",
         )
         self.__class__.Icon = sweptvolume.icon("SweptVolumeWorkbench")
 

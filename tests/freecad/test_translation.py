@@ -2,7 +2,9 @@
 """Every text of the workbench stands in the .ts files, translated, with the same placeholders."""
 import os
 import re
+import shutil
 import sys
+import tempfile
 import unittest
 from unittest import mock
 
@@ -16,19 +18,42 @@ sys.path.insert(0, FOLDER)
 import update  # noqa: E402
 
 
+def files():
+    return [
+        (name, os.path.join(FOLDER, "SweptVolume_{}.ts".format(name))) for name in update.LANGUAGES
+    ]
+
+
 class Translation(unittest.TestCase):
     def test_texts_are_collected_and_translated(self):
-        found = update.texts()
-        for language in update.LANGUAGES:
-            path = os.path.join(FOLDER, "SweptVolume_{}.ts".format(language))
-            known = update.known(path)
-            missing = [(c, t) for c in found for t in found[c] if not known.get((c, t))]
-            self.assertEqual(missing, [], "run resources/translations/update.py")
+        for language, path in files():
+            with tempfile.TemporaryDirectory() as folder:
+                copy = shutil.copy(path, folder)
+                update.collect(copy, language)
+                now = update.translations(copy)
+            self.assertGreater(len(now), 500)
+            self.assertEqual(
+                [key for key in now if not now[key]], [], "run resources/translations/update.py"
+            )
+            gone = set(update.translations(path)) - set(now)
+            self.assertEqual(gone, set(), "run resources/translations/update.py")
+
+    def test_a_new_text_is_found_and_has_no_translation(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = os.path.join(folder, "new.py")
+            with open(source, "w", encoding="utf-8") as file:
+                file.write(
+                    'translate("SweptVolume", "one text "\n    "in two pieces: {0} \N{DEGREE SIGN}")\n'
+                )
+            copy = shutil.copy(files()[0][1], folder)
+            with mock.patch.object(update, "sources", lambda: [source]):
+                update.collect(copy, "de")
+            text = "one text in two pieces: {0} \N{DEGREE SIGN}"
+            self.assertEqual(update.translations(copy), {("SweptVolume", text): ""})
 
     def test_placeholders_survive(self):
-        for language in update.LANGUAGES:
-            path = os.path.join(FOLDER, "SweptVolume_{}.ts".format(language))
-            for (_, text), translation in update.known(path).items():
+        for _, path in files():
+            for (_, text), translation in update.translations(path).items():
                 fields = sorted(re.findall(r"{[^}]*}", text))
                 self.assertEqual(fields, sorted(re.findall(r"{[^}]*}", translation)), text)
 
@@ -39,10 +64,9 @@ class Translation(unittest.TestCase):
                 obj = motion.motion_from_poses(doc, [0, 1], [App.Placement(), App.Placement()])
             name = "PoseType"
             text = obj.getDocumentationOfProperty(name)
-            self.assertIn(text, update.texts()["App::Property"])
-            self.assertNotEqual(text, "auf deutsch")
-            known = update.known(os.path.join(FOLDER, "SweptVolume_de.ts"))
+            known = update.translations(os.path.join(FOLDER, "SweptVolume_de.ts"))
             self.assertTrue(known["App::Property", text])
+            self.assertNotEqual(text, "auf deutsch")
             obj.setDocumentationOfProperty(name, "auf deutsch")  # as earlier versions did
             obj.Proxy.onDocumentRestored(obj)
             self.assertEqual(obj.getDocumentationOfProperty(name), text)
@@ -50,6 +74,5 @@ class Translation(unittest.TestCase):
             App.closeDocument(doc.Name)
 
     def test_packed_files_are_there(self):
-        for language in update.LANGUAGES:
-            path = os.path.join(FOLDER, "SweptVolume_{}.qm".format(language))
-            self.assertGreater(os.path.getsize(path), 1000)
+        for _, path in files():
+            self.assertGreater(os.path.getsize(path[:-3] + ".qm"), 1000)

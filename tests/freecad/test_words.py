@@ -65,7 +65,8 @@ class Words(unittest.TestCase):
             import update
         finally:
             sys.path.remove(folder)
-        self.texts = {text.replace("&", "") for text in update.texts()["SweptVolume_Panels"]}
+        known = update.translations(os.path.join(folder, "SweptVolume_de.ts"))
+        self.texts = {text.replace("&", "") for context, text in known if context == "SweptVolume"}
 
     def test_labels_are_the_words_of_their_properties(self):
         wrong = [n for n in inputs() if words(n) not in self.texts and n not in NO_LABEL]

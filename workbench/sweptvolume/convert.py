@@ -100,7 +100,7 @@ def _shape_reader(part, deflection):
     if not shape.Solids and not any(s.isClosed() for s in shape.Shells):
         raise InputProblem(
             translate(
-                "Messages",
+                "SweptVolume",
                 "The shape has {0} faces but no solid: make it a solid with Part > "
                 "Convert to solid or Part > Shape builder, or choose a closed mesh.",
             ).format(len(shape.Faces))
@@ -125,7 +125,7 @@ def _shape_reader(part, deflection):
         if mesh.CountFacets == 0:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "The shape could not be turned into triangles: check it with Part > "
                     "Check geometry.",
                 )
@@ -273,7 +273,7 @@ def leaves(root, sub=""):
     if target is None:
         raise InputProblem(
             translate(
-                "Messages", 'The path "{0}" no longer leads to an object: choose the part again.'
+                "SweptVolume", 'The path "{0}" no longer leads to an object: choose the part again.'
             ).format(root.Label + "." + sub)
         )
     linked = target.getLinkedObject(True)
@@ -321,20 +321,21 @@ def holds_nothing(root, sub):
     target = root.getSubObject(sub, retType=1)
     if target.isDerivedFrom("App::Link") and target.LinkedObject is None:
         text = translate(
-            "Messages",
+            "SweptVolume",
             'The link "{0}" is empty: its target was deleted, or the document of the '
             "target is not open. Open that document, or choose another target.",
         )
     else:
         text = translate(
-            "Messages", '"{0}" contains neither a solid nor a mesh: choose another object.'
+            "SweptVolume", '"{0}" contains neither a solid nor a mesh: choose another object.'
         )
     return InputProblem(text.format(label_of(root, sub)))
 
 
 def no_part_text():
     return translate(
-        "Messages", "No moving part is chosen: select a solid or a mesh, then press Add selected."
+        "SweptVolume",
+        "No moving part is chosen: select a solid or a mesh, then press Add selected.",
     )
 
 
@@ -375,7 +376,7 @@ def box_corners(pairs):
     if not corners:
         raise InputProblem(
             translate(
-                "Messages", "The moving part has no faces: choose a part with a shape or a mesh."
+                "SweptVolume", "The moving part has no faces: choose a part with a shape or a mesh."
             )
         )
     return np.vstack(corners)

@@ -61,7 +61,7 @@ def _python():
     path = shutil.which("python3") or shutil.which("python")
     if path is None:
         raise Failed(
-            translate("Messages", "No Python interpreter was found to run pip: install Python.")
+            translate("SweptVolume", "No Python interpreter was found to run pip: install Python.")
         )
     return path
 
@@ -117,21 +117,21 @@ def _reason(python, output):
     version = interpreter.VERSION
     if "No module named pip" in output:
         text = translate(
-            "Messages",
+            "SweptVolume",
             "The interpreter {0} has no pip. Install pip (on Debian and Ubuntu: the package "
             "python3-pip), or choose another interpreter in the preferences of the Addon Manager.",
         )
         return text.format(python)
     if "connection broken" in output or "Could not fetch URL" in output:
-        text = translate("Messages", "The package index could not be reached. pip says:\n{0}")
+        text = translate("SweptVolume", "The package index could not be reached. pip says:\n{0}")
         return text.format("\n".join(lines[-3:]))
     if "No matching distribution" in output or "not a supported wheel" in output:
         text = translate(
-            "Messages",
+            "SweptVolume",
             "There is no core of version {0} for Python {1} on this system. pip says:\n{2}",
         )
         return text.format(__version__, version, last)
-    return translate("Messages", "pip could not install the core:\n{0}").format(last)
+    return translate("SweptVolume", "pip could not install the core:\n{0}").format(last)
 
 
 def version_in(path):
@@ -141,14 +141,14 @@ def version_in(path):
             names = [re.match(r"swept_volume-([^/]+)\.dist-info/", n) for n in wheel.namelist()]
     except (OSError, zipfile.BadZipFile) as problem:
         text = translate(
-            "Messages",
+            "SweptVolume",
             'The file "{0}" cannot be read as a Python package ({1}): choose another file.',
         )
         raise Failed(text.format(path, problem)) from None
     versions = {found[1] for found in names if found}
     if len(versions) != 1:
         text = translate(
-            "Messages",
+            "SweptVolume",
             'The file "{0}" is not the core of Swept Volume: choose a file whose name begins with '
             "swept_volume.",
         )
@@ -159,7 +159,7 @@ def version_in(path):
 def _check_version(version, place):
     if version != __version__:
         text = translate(
-            "Messages", 'The core in "{0}" has version {1}, but the workbench has version {2}.'
+            "SweptVolume", 'The core in "{0}" has version {1}, but the workbench has version {2}.'
         )
         raise Failed(text.format(place, version, __version__))
 
@@ -208,10 +208,10 @@ class Installation(threading.Thread):
         except Failed as problem:
             self.problem = str(problem)
         except OSError as problem:
-            text = translate("Messages", "The core was not installed: {0}")
+            text = translate("SweptVolume", "The core was not installed: {0}")
             self.problem = text.format(problem)
         if self.cancelled:
-            self.problem = translate("Messages", "Cancelled. Nothing was changed.")
+            self.problem = translate("SweptVolume", "Cancelled. Nothing was changed.")
 
     def _install(self):
         folder = target()
@@ -220,7 +220,7 @@ class Installation(threading.Thread):
             _check_version(version_in(self.wheel), self.wheel)
         elif not PUBLISHED and DEFAULT_INDEX in [source.rstrip("/") for source in sources()]:
             text = translate(
-                "Messages",
+                "SweptVolume",
                 "The core is not published on {0} yet: choose a file, or build the core.",
             )
             raise Failed(text.format(DEFAULT_INDEX))
@@ -265,7 +265,7 @@ class Installation(threading.Thread):
         if len(infos) != 1 or not core_search.holds_core(staged):
             raise Failed(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "pip ended without an error, but installed no usable core: choose another "
                     "file, or build the core.",
                 )

@@ -68,7 +68,7 @@ def find():
 def missing_text(tried):
     python = "{}.{}".format(*sys.version_info[:2])
     return translate(
-        "Messages",
+        "SweptVolume",
         "The compiled core of Swept Volume (_swept, for Python {0}) cannot be "
         "loaded.\n"
         "Choose Swept Volume > Install the core, or build it in the folder {1}:\n"
@@ -82,7 +82,7 @@ def missing_text(tried):
 
 def other_version_text(found):
     return translate(
-        "Messages",
+        "SweptVolume",
         "The compiled core of Swept Volume in {0} has version {1}, but the workbench "
         "has version {2}. Choose Swept Volume > Install the core, or build the core again "
         "in the folder {3}:\n"

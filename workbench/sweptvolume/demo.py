@@ -33,13 +33,13 @@ def build():
     """Creates a new document with the parts and the installation path."""
     document = App.newDocument(DOCUMENT)
     document.UndoMode = 1
-    document.openTransaction(translate("Messages", "Demo"))
+    document.openTransaction(translate("SweptVolume", "Demo"))
     neighbours = document.addObject("App::Part", "Neighbours")
-    neighbours.Label = translate("Messages", "Neighbours")
+    neighbours.Label = translate("SweptVolume", "Neighbours")
     starter = None
     for name, label, model, colour in demo_parts.PARTS:
         obj = document.addObject("Part::Feature", name)
-        obj.Label = translate("Messages", label)
+        obj.Label = translate("SweptVolume", label)
         obj.Shape = model()
         if obj.ViewObject is not None:
             obj.ViewObject.ShapeColor = colour
@@ -49,7 +49,7 @@ def build():
             neighbours.addObject(obj)
     times, placements = demo_parts.path()
     path = motion.motion_from_poses(document, times, placements)
-    path.Label = translate("Messages", "Installation path")
+    path.Label = translate("SweptVolume", "Installation path")
     motion.set_parts(path, [(starter, "")])
     starter.Placement = placements[-1]
     document.recompute()

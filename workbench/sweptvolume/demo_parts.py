@@ -9,7 +9,7 @@ import math
 import FreeCAD as App
 import Part
 
-from .texts import mark
+from .texts import QT_TRANSLATE_NOOP
 
 V = App.Vector
 X, Y, Z = V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)
@@ -236,10 +236,20 @@ def path():
 
 #: Name, label, function, colour of each part. The first part moves.
 PARTS = [
-    ("Starter", mark("Messages", "Starter motor"), starter, (0.80, 0.80, 0.83)),
-    ("BellHousing", mark("Messages", "Bell housing"), bell_housing, (0.62, 0.66, 0.70)),
-    ("Flywheel", mark("Messages", "Flywheel"), flywheel, (0.45, 0.45, 0.48)),
-    ("Engine", mark("Messages", "Engine block and pan"), engine, (0.55, 0.60, 0.66)),
-    ("Exhaust", mark("Messages", "Exhaust pipe"), exhaust, (0.72, 0.52, 0.38)),
-    ("FrameRail", mark("Messages", "Frame rail"), frame_rail, (0.28, 0.30, 0.33)),
+    ("Starter", QT_TRANSLATE_NOOP("SweptVolume", "Starter motor"), starter, (0.80, 0.80, 0.83)),
+    (
+        "BellHousing",
+        QT_TRANSLATE_NOOP("SweptVolume", "Bell housing"),
+        bell_housing,
+        (0.62, 0.66, 0.70),
+    ),
+    ("Flywheel", QT_TRANSLATE_NOOP("SweptVolume", "Flywheel"), flywheel, (0.45, 0.45, 0.48)),
+    (
+        "Engine",
+        QT_TRANSLATE_NOOP("SweptVolume", "Engine block and pan"),
+        engine,
+        (0.55, 0.60, 0.66),
+    ),
+    ("Exhaust", QT_TRANSLATE_NOOP("SweptVolume", "Exhaust pipe"), exhaust, (0.72, 0.52, 0.38)),
+    ("FrameRail", QT_TRANSLATE_NOOP("SweptVolume", "Frame rail"), frame_rail, (0.28, 0.30, 0.33)),
 ]

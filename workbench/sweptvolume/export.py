@@ -36,7 +36,7 @@ def write(req, path, control=None, no_clobber=False):
     the window, the file dialog asks whether to replace it."""
     check_target(path)
     if no_clobber and os.path.lexists(path):
-        text = translate("Messages", '"{0}" exists already: choose another name.')
+        text = translate("SweptVolume", '"{0}" exists already: choose another name.')
         raise InputProblem(text.format(path))
     if is_solid_file(path):
         return req.write(path, control or core.Control())

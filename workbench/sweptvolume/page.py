@@ -38,7 +38,7 @@ def date():
         now = time.gmtime(int(given)) if given else time.gmtime()
     except (ValueError, OverflowError):
         text = translate(
-            "Messages",
+            "SweptVolume",
             'The environment variable SOURCE_DATE_EPOCH is "{0}", but must be a number '
             "of seconds since 1970.",
         )
@@ -57,14 +57,14 @@ def template(pdf=False):
             found = file.read()
     except (OSError, UnicodeDecodeError) as error:
         text = translate(
-            "Messages",
+            "SweptVolume",
             'The report template "{0}" cannot be read ({1}): choose another template '
             "in the preferences.",
         )
         raise InputProblem(text.format(path, error)) from None
     if not found.strip():
         text = translate(
-            "Messages",
+            "SweptVolume",
             'The report template "{0}" is empty: choose another template in the ' "preferences.",
         )
         raise InputProblem(text.format(path))
@@ -143,7 +143,7 @@ def _file_of(document, is_changed):
     there is no file."""
     if not document.FileName or not os.path.isfile(document.FileName):
         return None
-    how = translate("Messages", "changed since it was saved") if is_changed else ""
+    how = translate("SweptVolume", "changed since it was saved") if is_changed else ""
     return os.path.basename(document.FileName), how, document.FileName
 
 
@@ -154,7 +154,7 @@ def request(obj, is_changed=False, pdf=False):
     check.update_status(obj)
     if obj.Proxy.report_of(obj) is None or obj.Status != clearance.UP_TO_DATE:
         text = translate(
-            "Messages",
+            "SweptVolume",
             'The result of "{0}" is not up to date: recompute its envelope (if it '
             "has one), then run the check again.",
         )
@@ -172,7 +172,7 @@ def _hash(*arrays):
 
 def _triangles(role, name, vertices, triangles):
     shape = np.asarray(vertices, "<f8"), np.asarray(triangles, "<i4")
-    detail = translate("Messages", "{0} triangles").format(len(triangles))
+    detail = translate("SweptVolume", "{0} triangles").format(len(triangles))
     return role, name, detail, _hash(*shape)
 
 
@@ -181,7 +181,7 @@ def _motion(run):
 
 
 def _poses(label, run):
-    detail = translate("Messages", "{0} poses").format(len(run.times))
+    detail = translate("SweptVolume", "{0} poses").format(len(run.times))
     arrays = (run.times, run.translations, run.rotations)
     return "motion", label, detail, _hash(*(np.asarray(a, "<f8") for a in arrays))
 
@@ -196,7 +196,7 @@ def _inputs(req):
         with open(path, "rb") as file:
             for block in iter(lambda: file.read(1 << 20), b""):
                 content.update(block)
-        found.append((translate("Messages", "document"), name, how, content.hexdigest()))
+        found.append((translate("SweptVolume", "document"), name, how, content.hexdigest()))
     return found
 
 
@@ -229,7 +229,7 @@ def write(obj, path, control=None):
     if is_pdf(path):
         raise InputProblem(
             translate(
-                "Messages",
+                "SweptVolume",
                 "PDF can be written only with the FreeCAD window open: in scripts, write " "HTML.",
             )
         )

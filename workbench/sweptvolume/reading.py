@@ -20,7 +20,7 @@ class _ReadTask(runner.Task):
     writes = False
 
     def __init__(self, document, parts):
-        self.title, self.document = translate("Messages", "Read parts"), document
+        self.title, self.document = translate("SweptVolume", "Read parts"), document
         self.parts = parts
 
     def work(self, control):

@@ -227,7 +227,7 @@ class Run(QtCore.QObject):
         if self._gone:
             self.state = "cancelled"
             self.message = translate(
-                "Messages", "Cancelled: the document was closed, or an object was deleted."
+                "SweptVolume", "Cancelled: the document was closed, or an object was deleted."
             )
         else:
             try:

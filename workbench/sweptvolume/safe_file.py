@@ -43,7 +43,7 @@ def passing(suffix):
 
 def no_room_text():
     return translate(
-        "Messages",
+        "SweptVolume",
         "The temporary folder {0} is full: delete files there, or set the "
         "environment variable TMPDIR to another folder.",
     ).format(tempfile.gettempdir())

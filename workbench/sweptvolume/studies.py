@@ -28,7 +28,7 @@ def _folder():
     if os.path.isfile(os.path.join(folder, "swept_volume", "__main__.py")):
         return folder
     text = translate(
-        "Messages",
+        "SweptVolume",
         "Studies need the Python package swept_volume, which is missing in {0}: "
         'install the workbench again, or build it with "cmake --build build".',
     )
@@ -41,7 +41,7 @@ def _package(name):
     try:
         return importlib.import_module("swept_volume." + name)
     except ImportError as problem:  # before Python 3.11, tomli may be missing
-        text = translate("Messages", "A Python module is missing ({0}): install it.")
+        text = translate("SweptVolume", "A Python module is missing ({0}): install it.")
         raise InputProblem(text.format(problem)) from None
     finally:
         sys.path.remove(folder)
@@ -56,7 +56,7 @@ def read(path, output=None):
         with core.errors():
             return package.read_study(path, output or None)
     except OSError as problem:
-        text = translate("Messages", 'The study file "{0}" cannot be read: {1}')
+        text = translate("SweptVolume", 'The study file "{0}" cannot be read: {1}')
         raise InputProblem(text.format(path, problem.strerror or problem)) from None
 
 
@@ -96,7 +96,7 @@ def _start(words):
     python = interpreter.find()
     if python is None:
         text = translate(
-            "Messages", "Studies need the program {0}, but it was not found: install it."
+            "SweptVolume", "Studies need the program {0}, but it was not found: install it."
         )
         raise InputProblem(text.format("python" + interpreter.VERSION))
     return subprocess.Popen(
@@ -191,7 +191,7 @@ def run(path, output, jobs, told, cancelled):
             with open(report, encoding="utf-8") as file:
                 return json.load(file)
     text = translate(
-        "Messages",
+        "SweptVolume",
         "The study program ended with exit status {0} and wrote no result: run the "
         'study again, or run "swept study FILE" in a terminal to see its output.',
     )

@@ -12,22 +12,25 @@ def check_target(path, suffixes):
     """Checks whether a file of one of these types can be written. Raises InputProblem."""
     folder, suffix = os.path.dirname(os.path.abspath(path)), os.path.splitext(path)[1].lower()
     if suffix not in suffixes:
-        text = translate("Messages", 'The file type "{0}" is not supported: use one of these: {1}.')
+        text = translate(
+            "SweptVolume", 'The file type "{0}" is not supported: use one of these: {1}.'
+        )
         raise InputProblem(text.format(suffix, " ".join(suffixes)))
     if not os.path.isdir(folder):
         raise InputProblem(
             translate(
-                "Messages", 'The folder "{0}" does not exist: create it, or choose another folder.'
+                "SweptVolume",
+                'The folder "{0}" does not exist: create it, or choose another folder.',
             ).format(folder)
         )
     if os.path.isdir(path):
         raise InputProblem(
-            translate("Messages", '"{0}" is a folder: enter the name of a file.').format(path)
+            translate("SweptVolume", '"{0}" is a folder: enter the name of a file.').format(path)
         )
     if not os.access(folder, os.W_OK) or (os.path.exists(path) and not os.access(path, os.W_OK)):
         raise InputProblem(
             translate(
-                "Messages",
+                "SweptVolume",
                 '"{0}" is write-protected: choose another name, or change its permissions.',
             ).format(path)
         )
@@ -41,7 +44,7 @@ def check_not_read(path):
     for document in App.listDocuments().values():
         if _is_same(document.FileName, path):
             text = translate(
-                "Messages",
+                "SweptVolume",
                 '"{0}" is the file of the document "{1}" and would be overwritten: '
                 "choose another file.",
             )
@@ -52,7 +55,7 @@ def check_not_read(path):
                     continue
                 if _is_same(getattr(obj, name), path):
                     text = translate(
-                        "Messages",
+                        "SweptVolume",
                         '"{0}" is an input of "{1}" and would be overwritten: choose another '
                         "file.",
                     )

@@ -2,7 +2,7 @@
 """The commands, one file each, registered here in the order of menu and toolbar."""
 import FreeCADGui as Gui
 
-from ..texts import menu
+from ..texts import QT_TRANSLATE_NOOP
 
 #: Names of the modules in commands/. "" is a separator.
 _MODULES = [
@@ -73,8 +73,8 @@ def load():
 
 def fill_workbench(workbench):
     shown = [name for name in _names if name not in _MENU_ONLY]
-    workbench.appendToolbar(menu("Swept Volume"), shown)
-    workbench.appendMenu(menu("&Swept Volume"), list(_names))
+    workbench.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Swept Volume"), shown)
+    workbench.appendMenu(QT_TRANSLATE_NOOP("Workbench", "&Swept Volume"), list(_names))
 
 
 def fill_context_menu(workbench, recipient):

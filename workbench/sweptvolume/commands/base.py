@@ -23,8 +23,8 @@ class BaseCommand:
     def GetResources(self):
         resources = {
             "Pixmap": icon(self.ICON or self.NAME),
-            "MenuText": translate("Commands", self.TEXT),
-            "ToolTip": translate("Commands", self.TIP),
+            "MenuText": translate("SweptVolume", self.TEXT),
+            "ToolTip": translate("SweptVolume", self.TIP),
         }
         if self.ACCEL:
             resources["Accel"] = self.ACCEL
@@ -43,7 +43,7 @@ class BaseCommand:
         reason = ""
         if self.NEEDS_DOCUMENT:
             document = App.ActiveDocument
-            reason = translate("Messages", "Open a document first.")
+            reason = translate("SweptVolume", "Open a document first.")
             if document is not None:
                 reason = self.missing(document)
         self._explain(reason)
@@ -71,7 +71,7 @@ class BaseCommand:
         except core.CoreMissing:
             core_dialog.offer()
         except (InputProblem, core.CoreError) as problem:
-            warn(translate("Commands", self.TEXT), str(problem))
+            warn(translate("SweptVolume", self.TEXT), str(problem))
 
     def run(self, document):
         raise NotImplementedError

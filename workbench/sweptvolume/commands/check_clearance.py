@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Check clearance: smallest distances of the moving parts to their neighbours."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_Clearance"
-    TEXT = mark("Commands", "Check clearance")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Check clearance")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Measures the smallest distance between the moving parts and each neighbour "
         "over the whole motion. Select an envelope, or parts and a motion, or an "
         "existing check",

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Check mechanism: smallest distances between parts that move at the same time."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_Mechanism"
-    TEXT = mark("Commands", "Check mechanism")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Check mechanism")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Measures the smallest distance of every pair of parts that move at the same time, over "
         "the whole motion. Select their motions, or an existing check. Without a selection, all "
         "motions that have parts assigned are checked",

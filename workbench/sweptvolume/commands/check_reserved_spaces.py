@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Check reserved spaces: compares parts and envelopes that stand still."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_Overlap"
-    TEXT = mark("Commands", "Check reserved spaces")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Check reserved spaces")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Measures the distances between envelopes, solids of envelopes, and parts that do not "
         "move. If two of them overlap, also measures the volume they share. Select two or more "
         "objects, or a shared volume to recompute it",

@@ -2,15 +2,15 @@
 """Create envelope: opens the panel with the selected parts and motion."""
 from ..features import motion as motion_feature
 from ..features.base import objects_of_kind
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_Envelope"
-    TEXT = mark("Commands", "Create envelope...")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Create envelope...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Computes the space that the selected parts occupy during a motion. Select "
         "solids or meshes (also inside groups and links) and a motion",
     )

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Demo: opens the example."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_Demo"
-    TEXT = mark("Commands", "Open the demo")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Open the demo")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Opens an example, in which a starter motor is installed past the parts around it",
     )
     NEEDS_DOCUMENT = False

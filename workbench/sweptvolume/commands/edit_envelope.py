@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Edit envelope: opens the panel of an existing envelope."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_EditEnvelope"
-    TEXT = mark("Commands", "Edit envelope...")
-    TIP = mark("Commands", "Changes the parts, motion or settings of the selected envelope")
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Edit envelope...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume", "Changes the parts, motion or settings of the selected envelope"
+    )
     ICON = "SweptVolume_Envelope"
 
     def missing(self, document):

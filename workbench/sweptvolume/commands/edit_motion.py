@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Edit motion: opens the motion editor for an existing motion."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_EditMotion"
-    TEXT = mark("Commands", "Edit motion...")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Edit motion...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Edits the keys of the selected motion in a table and in the 3D view, and plays the "
         "motion",
     )

@@ -4,15 +4,15 @@ array, file or other source."""
 from ..convert import InputProblem
 from ..features.motion import Motion
 from ..features.motion_source import has_settings
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_EditSource"
-    TEXT = mark("Commands", "Settings of the source...")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Settings of the source...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Changes the settings with which the source of the selected motion is read "
         "(such as accuracy, duration or unit), and reads the source again",
     )
@@ -25,7 +25,7 @@ class Command(BaseCommand):
         if found is None or has_settings(found):
             return selection.wanting_motion(document)
         return translate(
-            "Messages",
+            "SweptVolume",
             "This motion was not read from a source, so there are no settings to change.",
         )
 

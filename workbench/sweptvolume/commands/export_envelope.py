@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Export envelope: STEP, BREP or a mesh file."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_Export"
-    TEXT = mark("Commands", "Export envelope...")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Export envelope...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and "
         "checks the file. If a solid is selected, its tolerance and limits are used",
     )

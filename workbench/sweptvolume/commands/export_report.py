@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Export report: writes the results of a check or a study as an HTML page or a PDF."""
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_ExportReport"
-    TEXT = mark("Commands", "Export report...")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Export report...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Writes the results of the selected check or study as one HTML file or as "
         "PDF. The HTML file of a check has a 3D view",
     )
@@ -29,9 +29,11 @@ class Command(BaseCommand):
         if found is not None:
             return ""
         if count:
-            return translate("Messages", "Select one of the {0} checks and studies.").format(count)
+            return translate("SweptVolume", "Select one of the {0} checks and studies.").format(
+                count
+            )
         return translate(
-            "Messages",
+            "SweptVolume",
             "There is no check in the document: make one with Check clearance or Check mechanism.",
         )
 

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find path: searches for a path on which a part reaches its place between others."""
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_FindPath"
-    TEXT = mark("Commands", "Find path...")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Find path...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Finds a path on which the selected part reaches its place and keeps its "
         "distance from its neighbours. Select the part first, then its neighbours. A "
         "selected motion sets the start and the goal",
@@ -19,7 +19,7 @@ class Command(BaseCommand):
 
         if selection.motion() is not None or selection.moving_parts(document):
             return ""
-        return translate("Messages", "Select the part for which to find a path.")
+        return translate("SweptVolume", "Select the part for which to find a path.")
 
     def run(self, document):
         from ..panels import find_path_panel, selection

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Improve path: makes a motion shorter, with fewer keys, or with more clearance."""
 from ..convert import InputProblem
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_ImprovePath"
-    TEXT = mark("Commands", "Improve path...")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Improve path...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Removes clashes from the selected motion, makes it shorter with fewer keys, or "
         "increases its clearance. The result is a new motion; the selected one is kept",
     )
@@ -26,13 +26,13 @@ class Command(BaseCommand):
         if len(obj.Placements) < 2:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     '"{0}" has fewer than two keys, so there is no path to improve: add a key.',
                 ).format(obj.Label)
             )
         part = selection.moved_part(obj)
         if part is None:
             raise InputProblem(
-                translate("Messages", "Select the part that moves together with the motion.")
+                translate("SweptVolume", "Select the part that moves together with the motion.")
             )
         improve_panel.show(document, motion=obj, pairs=[part])

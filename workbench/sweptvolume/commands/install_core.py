@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Install the core: the compiled package that computes."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_InstallCore"
-    TEXT = mark("Commands", "Install the core")
-    TIP = mark("Commands", "Installs the compiled package with which the workbench computes")
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Install the core")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume", "Installs the compiled package with which the workbench computes"
+    )
     NEEDS_DOCUMENT = False
 
     def IsActive(self):

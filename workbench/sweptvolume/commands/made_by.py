@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What made this?: shows which face of which part made a place of an envelope, and when."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_MadeBy"
-    TEXT = mark("Commands", "What made this?")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "What made this?")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Colours the selected envelope by the faces that made it. Click on the "
         "envelope to see which part passed there, with which face or edge, and when",
     )

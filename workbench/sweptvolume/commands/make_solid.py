@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Make solid: converts the selected envelope to a B-rep solid."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_Solid"
-    TEXT = mark("Commands", "Make solid")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Make solid")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Converts the selected envelope to a solid for Boolean operations, measuring and STEP. "
         "A selected solid is converted again",
     )

@@ -2,15 +2,15 @@
 """Motion from driven value: changes a property, cell or constraint over a range and records how
 parts move."""
 from ..convert import InputProblem
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_MotionDriven"
-    TEXT = mark("Commands", "Motion from driven value...")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Motion from driven value...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Changes a value (a spreadsheet cell, a sketch dimension or a variable of an assembly) "
         "and records how a part moves with it. Select the object with the value, then the part. "
         "If no part is selected, every part that moves gets a motion",
@@ -22,7 +22,8 @@ class Command(BaseCommand):
         if len(selection.plain()) in (1, 2):
             return ""
         return translate(
-            "Messages", "Select the object with the value, then the part that moves with the value."
+            "SweptVolume",
+            "Select the object with the value, then the part that moves with the value.",
         )
 
     def run(self, document):
@@ -34,7 +35,7 @@ class Command(BaseCommand):
         if len(objects) not in (1, 2) or not driven.is_driver(objects[0]):
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "Select the object with the value to change (a spreadsheet, a sketch "
                     "or variables), then the part that moves with the value.",
                 )

@@ -3,15 +3,15 @@
 from .. import runner
 from ..convert import InputProblem
 from ..features import motion
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_MotionFromSelection"
-    TEXT = mark("Commands", "Motion from selected placements")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Motion from selected placements")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Makes a motion from the placements of the selected objects, in the order of "
         "selection. The motion stays linked to the objects: if you move an object, "
         "its pose changes too",
@@ -23,7 +23,7 @@ class Command(BaseCommand):
         if len(selection.placed()) >= 2:
             return ""
         return translate(
-            "Messages", "Select at least two objects: their placements become the poses."
+            "SweptVolume", "Select at least two objects: their placements become the poses."
         )
 
     def run(self, document):
@@ -33,12 +33,12 @@ class Command(BaseCommand):
         if len(objects) < 2:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "Select at least two objects in the order of the motion: their "
                     "placements become the poses. Use copies or links of the part, or "
                     "local coordinate systems.",
                 )
             )
-        with runner.transaction(document, translate("Commands", self.TEXT)):
+        with runner.transaction(document, translate("SweptVolume", self.TEXT)):
             obj = motion.motion_from_objects(document, objects)
             document.recompute([obj])

@@ -2,15 +2,15 @@
 """Motion from object: reads a wire, sketch, robot trajectory, array, CAM operation or assembly
 simulation."""
 from ..convert import InputProblem
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_MotionFromSource"
-    TEXT = mark("Commands", "Motion from object...")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Motion from object...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Makes a motion from the selected wire, sketch, robot trajectory, link "
         "array, Draft array, CAM operation or assembly simulation. If you select a "
         "second curve, it sets the orientation. The motion stays linked to its source",
@@ -23,7 +23,7 @@ class Command(BaseCommand):
         if sources.kind_for(sources.in_order(selection.plain())):
             return ""
         return translate(
-            "Messages",
+            "SweptVolume",
             "Select a wire, sketch, array, CAM operation or robot trajectory; or an "
             "assembly simulation and a part.",
         )
@@ -37,7 +37,7 @@ class Command(BaseCommand):
         if not kind:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "Select one wire, sketch, robot trajectory, link array, Draft array or CAM operation; "
                     "or two curves; or an assembly simulation and the part to follow.",
                 )

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """New motion: opens the motion editor with an empty motion."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_NewMotion"
-    TEXT = mark("Commands", "New motion...")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "New motion...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Opens the motion editor: move the selected part step by step and capture its placements",
     )
 

@@ -3,15 +3,15 @@
 from ..convert import InputProblem
 from ..features.base import objects_of_kind
 from ..features.envelope import UP_TO_DATE, Envelope
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_Recompute"
-    TEXT = mark("Commands", "Recompute envelope")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Recompute envelope")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Recomputes the selected envelope from its current parts and motion. Without "
         "a selection, recomputes the first stale envelope",
     )
@@ -32,7 +32,7 @@ class Command(BaseCommand):
             return ""
         if not objects_of_kind(document, Envelope.KIND):
             return selection.wanting_envelope(document)
-        return translate("Messages", "No envelope is stale. Select one to compute it again.")
+        return translate("SweptVolume", "No envelope is stale. Select one to compute it again.")
 
     def run(self, document):
         from ..panels import envelope_panel

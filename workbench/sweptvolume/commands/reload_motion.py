@@ -2,15 +2,15 @@
 """Reload motion: reads the file or the source of a motion again."""
 from .. import runner
 from ..features import joint_motions, motion
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_ReloadMotion"
-    TEXT = mark("Commands", "Reload motion")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Reload motion")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Reads the file or source of the selected motion again. All motions of the "
         "same driven value or simulation are read together",
     )
@@ -24,7 +24,7 @@ class Command(BaseCommand):
         from ..panels import selection
 
         obj = selection.the_motion(document)
-        with runner.transaction(document, translate("Commands", self.TEXT)):
+        with runner.transaction(document, translate("SweptVolume", self.TEXT)):
             # One run reads the motions of all parts of the mechanism.
             if len(joint_motions.alike(obj)) > 1:
                 joint_motions.reload(obj)

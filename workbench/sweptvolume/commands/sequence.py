@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Sequence: finds paths for parts that are installed one after the other."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_Sequence"
-    TEXT = mark("Commands", "Sequence...")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Sequence...")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Finds installation paths for the selected parts, one after the other. Each "
         "part keeps its distance from the parts already in place. You give the "
         "order, or the search finds one. If a sequence is selected, it is opened",

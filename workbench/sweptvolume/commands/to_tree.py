@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Keyboard to the tree or panel: lets the user select parts without a mouse."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 
 
 class Command(BaseCommand):
     NAME = "SweptVolume_ToTree"
-    TEXT = mark("Commands", "Keyboard to the tree or panel")
-    TIP = mark(
-        "Commands",
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Keyboard to the tree or panel")
+    TIP = QT_TRANSLATE_NOOP(
+        "SweptVolume",
         "Moves the keyboard focus to the tree. There the arrow keys select; Ctrl "
         "with the arrow keys and Space selects more objects. If the focus is in the "
         "tree, moves it to the open panel",

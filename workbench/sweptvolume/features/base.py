@@ -6,18 +6,18 @@ import json
 
 import FreeCAD as App
 
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from . import renamed
 
 READ_ONLY = 1
 HIDDEN = 2
 
 #: States of a result. Documents store these texts; views translate them.
-NOT_COMPUTED = mark("Messages", "Not computed")
-UP_TO_DATE = mark("Messages", "Up to date")
-STALE = mark("Messages", "Stale")
-CANCELLED = mark("Messages", "Cancelled")
-FAILED = mark("Messages", "Failed")
+NOT_COMPUTED = QT_TRANSLATE_NOOP("SweptVolume", "Not computed")
+UP_TO_DATE = QT_TRANSLATE_NOOP("SweptVolume", "Up to date")
+STALE = QT_TRANSLATE_NOOP("SweptVolume", "Stale")
+CANCELLED = QT_TRANSLATE_NOOP("SweptVolume", "Cancelled")
+FAILED = QT_TRANSLATE_NOOP("SweptVolume", "Failed")
 
 
 class Feature:

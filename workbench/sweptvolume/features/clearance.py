@@ -11,7 +11,7 @@ import sys
 import numpy as np
 
 from .. import core
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from . import check, containers, missing, neighbour_rules, status
 from .base import (  # noqa: F401 (the states are read from here as well)
     CANCELLED,
@@ -37,10 +37,10 @@ FAR = 1e9  # mm, distance if there is no neighbour
 
 #: Verdict of the core -> text for people.
 VERDICTS = {
-    "clear": mark("Messages", "Clear"),
-    "below": mark("Messages", "Below required"),
-    "contact": mark("Messages", "Contact"),
-    "clash": mark("Messages", "Clash"),
+    "clear": QT_TRANSLATE_NOOP("SweptVolume", "Clear"),
+    "below": QT_TRANSLATE_NOOP("SweptVolume", "Below required"),
+    "contact": QT_TRANSLATE_NOOP("SweptVolume", "Contact"),
+    "clash": QT_TRANSLATE_NOOP("SweptVolume", "Clash"),
 }
 _POINT = (float, float, float)
 POSE = {"translation": _POINT, "quaternion_xyzw": (float,) * 4}
@@ -154,7 +154,7 @@ def contacts_from(request, texts):
 def compute(obj, control=None):
     """Runs the check in this thread (for scripts without a GUI) as one undo step. Raises
     core.CoreError."""
-    title = translate("Messages", "Check clearance")
+    title = translate("SweptVolume", "Check clearance")
     return check.compute(obj, sys.modules[__name__], title, control).report
 
 
@@ -165,6 +165,6 @@ def report_of(obj):
 
 def make_clearance(document, label=None, **settings):
     """Creates a clearance check, not yet computed. `settings`: property names with values."""
-    label = label or translate("Messages", "Clearance")
+    label = label or translate("SweptVolume", "Clearance")
     view = "sweptvolume.views.clearance_view:ClearanceView"
     return add_object(document, TYPE, "Clearance", Clearance, label, settings, view)

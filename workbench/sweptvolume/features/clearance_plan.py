@@ -47,7 +47,7 @@ class Request:
 def _all_ignored():
     return InputProblem(
         translate(
-            "Messages",
+            "SweptVolume",
             "The rules ignore every neighbour, so there is nothing to check: change at "
             "least one rule.",
         )
@@ -118,7 +118,7 @@ class Plan(StillParts):
             return Moving(self.pairs, self.motion)
         if not envelope_feature.is_envelope(self.envelope):
             raise InputProblem(
-                translate("Messages", '"{0}" is not an envelope: choose an envelope.').format(
+                translate("SweptVolume", '"{0}" is not an envelope: choose an envelope.').format(
                     self.envelope.Label
                 )
             )
@@ -126,7 +126,7 @@ class Plan(StillParts):
         if len(groups) > 1:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     'Each part of "{0}" has its own motion: use Check mechanism, or check '
                     "each part with its motion.",
                 ).format(self.envelope.Label)
@@ -147,7 +147,7 @@ class Plan(StillParts):
         if not names:
             return []
         text = translate(
-            "Messages",
+            "SweptVolume",
             "These parts also moved when this motion was read, but stand still in "
             "this check: {0}. If they move at the same time, use Check mechanism.",
         )

@@ -89,7 +89,7 @@ def line_of(row):
     if "point" in deep and "surface" in deep:
         ends = [deep["point"], deep["surface"]]
     text = quantity(deep.get("depth", length), TABLE_DIGITS)
-    return ends, translate("Panels", "{0} deep").format(text) if deep else text, bool(deep)
+    return ends, translate("SweptVolume", "{0} deep").format(text) if deep else text, bool(deep)
 
 
 def rule_of(row, report):
@@ -106,8 +106,8 @@ def rule_text(row, report):
     if kind == REQUIRED:
         return quantity(length, TABLE_DIGITS)
     if not length:
-        return translate("Messages", "contact")
-    return translate("Messages", "contact, {0} deep").format(quantity(length, TABLE_DIGITS))
+        return translate("SweptVolume", "contact")
+    return translate("SweptVolume", "contact, {0} deep").format(quantity(length, TABLE_DIGITS))
 
 
 def summary(report, head=""):
@@ -116,11 +116,11 @@ def summary(report, head=""):
     rows, nearest = report["neighbours"], report.get("smallest")
     if not isinstance(nearest, int) or not 0 <= nearest < len(rows):  # the report is damaged
         return report["summary"]
-    words = [head or translate("Messages", "{0} checked").format(len(rows))]
+    words = [head or translate("SweptVolume", "{0} checked").format(len(rows))]
     for verdict, text in (
-        ("clash", translate("Messages", "{0} clash")),
-        ("contact", translate("Messages", "{0} in contact")),
-        ("below", translate("Messages", "{0} below required")),
+        ("clash", translate("SweptVolume", "{0} clash")),
+        ("contact", translate("SweptVolume", "{0} in contact")),
+        ("below", translate("SweptVolume", "{0} below required")),
     ):
         count = sum(row["verdict"] == verdict and not meets_rule(row) for row in rows)
         if count:
@@ -128,9 +128,9 @@ def summary(report, head=""):
     for count, text in (
         (
             sum(row["verdict"] == "contact" and meets_rule(row) for row in rows),
-            translate("Messages", "{0} in allowed contact"),
+            translate("SweptVolume", "{0} in allowed contact"),
         ),
-        (len(report.get("ignored", [])), translate("Messages", "{0} ignored")),
+        (len(report.get("ignored", [])), translate("SweptVolume", "{0} ignored")),
     ):
         if count:
             words.append(text.format(count))
@@ -138,13 +138,15 @@ def summary(report, head=""):
     deep = row.get("penetration", {}).get("depth") if row["verdict"] == "clash" else None
     where = number(row["time_seconds"], TABLE_DIGITS), row["name"]
     if isinstance(deep, (int, float)):
-        text, lengths = translate("Messages", "deepest clash {0} at t = {1} s ({2})"), [deep]
+        text, lengths = translate("SweptVolume", "deepest clash {0} at t = {1} s ({2})"), [deep]
     else:
-        text = translate("Messages", "smallest distance {0} at t = {1} s ({2})")
+        text = translate("SweptVolume", "smallest distance {0} at t = {1} s ({2})")
         lengths = [row["distance"], row.get("guaranteed", row["distance"])]
     lengths = [quantity(length, TABLE_DIGITS) for length in lengths]
     if len(set(lengths)) > 1:  # the two differ by the tolerance and the deviation of the triangles
-        text = translate("Messages", "smallest distance {0} (guaranteed: {1}) at t = {2} s ({3})")
+        text = translate(
+            "SweptVolume", "smallest distance {0} (guaranteed: {1}) at t = {2} s ({3})"
+        )
     else:
         del lengths[1:]
     return ", ".join(words + [text.format(*lengths, *where)])
@@ -165,7 +167,7 @@ def table(report):
         row = dict(row, rule=rule_text(row, report), meets_rule=meets_rule(row))
         cells = [(unit, find(row, deep)) for _, unit, find in _COLUMNS]
         rows.append([value / one if unit == "mm" else value for unit, value in cells])
-    ignored = translate("Messages", "ignored")
+    ignored = translate("SweptVolume", "ignored")
     for name in report.get("ignored", []):
         rows.append([name] + [""] * (len(_COLUMNS) - 3) + [ignored, ""])
     return rows
@@ -193,7 +195,7 @@ def make_spreadsheet(obj, report):
 def spreadsheet_of(obj, rows):
     """Adds rows of a table as a spreadsheet beside an object."""
     sheet = obj.Document.addObject("Spreadsheet::Sheet", "ClearanceTable")
-    sheet.Label = translate("Messages", "{0} table").format(obj.Label)
+    sheet.Label = translate("SweptVolume", "{0} table").format(obj.Label)
     for r, row in enumerate(rows):
         for c, value in enumerate(row):
             cell = "{}{}".format(chr(ord("A") + c), r + 1)

@@ -10,7 +10,7 @@ import json
 from .. import contents, convert, core, joined
 from ..convert import InputProblem
 from ..core_texts import said
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from . import containers, kept, made_by, missing, status
 from .base import (  # noqa: F401 (the states are read from here as well)
     CANCELLED,
@@ -65,14 +65,21 @@ class Envelope(Result):
         hidden = [
             ("App::PropertyString", name, "Result", text, None, HIDDEN)
             for name, text in (
-                ("Report", mark("Properties", "Report of the run (JSON)")),
-                ("InputHash", mark("Properties", "Inputs of the stored result")),
-                ("TriedHash", mark("Properties", "Inputs of the last run that failed")),
-                (missing.PROPERTY, mark("Properties", "Inputs that were deleted (JSON)")),
+                ("Report", QT_TRANSLATE_NOOP("App::Property", "Report of the run (JSON)")),
+                ("InputHash", QT_TRANSLATE_NOOP("App::Property", "Inputs of the stored result")),
+                (
+                    "TriedHash",
+                    QT_TRANSLATE_NOOP("App::Property", "Inputs of the last run that failed"),
+                ),
+                (
+                    missing.PROPERTY,
+                    QT_TRANSLATE_NOOP("App::Property", "Inputs that were deleted (JSON)"),
+                ),
                 (
                     made_by.PROPERTY,
-                    mark(
-                        "Properties", "Record of which face or edge made each triangle (compressed)"
+                    QT_TRANSLATE_NOOP(
+                        "App::Property",
+                        "Record of which face or edge made each triangle (compressed)",
                     ),
                 ),
             )
@@ -230,7 +237,7 @@ def compute(obj, control=None):
     except (core.CoreError, InputProblem) as error:
         fail(obj, str(error), hash_at_start, getattr(error, "status", "") == "Cancelled")
         raise
-    document.openTransaction(translate("Messages", "Compute envelope"))
+    document.openTransaction(translate("SweptVolume", "Compute envelope"))
     apply(obj, outcome, hash_at_start)
     obj.purgeTouched()
     document.commitTransaction()
@@ -252,7 +259,7 @@ def make_envelope(document, generators, motion, label=None, **settings):
     """Creates an envelope, not yet computed. `settings`: property names with values."""
     obj = document.addObject(TYPE, "Envelope")
     Envelope(obj)
-    obj.Label = label or translate("Messages", "Envelope")
+    obj.Label = label or translate("SweptVolume", "Envelope")
     containers.set_pairs(obj, "MovingParts", pairs_of_items(generators))
     obj.Motion = motion
     for name, value in settings.items():

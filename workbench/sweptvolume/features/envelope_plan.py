@@ -97,7 +97,7 @@ class Plan:
         if self.motions and len(self.motions) != len(self.pairs):
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "There are {0} moving parts but {1} individual motions: give one "
                     "motion for each part, or none.",
                 ).format(len(self.pairs), len(self.motions))
@@ -191,7 +191,7 @@ class Plan:
             if options["keep_cavities"]:
                 raise InputProblem(
                     translate(
-                        "Messages",
+                        "SweptVolume",
                         "Cavities cannot be kept if parts have individual motions: clear Keep "
                         "cavities, or create one envelope for each motion.",
                     )

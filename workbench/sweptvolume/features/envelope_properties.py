@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of an envelope for Feature.properties(). Inputs: type, name, group, help, default,
 mode. Results: type, name, help."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from .base import HIDDEN
 
 #: Name in the property -> name in the core.
@@ -19,8 +19,8 @@ INPUT = [
         "App::PropertyLinkSubListGlobal",
         "MovingParts",
         "Input",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Solids and meshes that move together. A group or link stands for all the parts in it",
         ),
         None,
@@ -30,7 +30,7 @@ INPUT = [
         "App::PropertyLinkGlobal",
         "Motion",
         "Input",
-        mark("Properties", "Motion of the parts"),
+        QT_TRANSLATE_NOOP("App::Property", "Motion of the parts"),
         None,
         0,
     ),
@@ -38,8 +38,8 @@ INPUT = [
         "App::PropertyLinkListGlobal",
         "Motions",
         "Input",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "One motion for each entry of MovingParts, if the parts move "
             "independently. Empty: all parts follow Motion",
         ),
@@ -50,7 +50,9 @@ INPUT = [
         "App::PropertyLinkSubGlobal",
         "Reference",
         "Input",
-        mark("Properties", "Moving part relative to which the envelope is computed"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Moving part relative to which the envelope is computed"
+        ),
         None,
         0,
     ),
@@ -58,7 +60,7 @@ INPUT = [
         "App::PropertyLinkGlobal",
         "ReferenceMotion",
         "Input",
-        mark("Properties", "Motion of the reference part"),
+        QT_TRANSLATE_NOOP("App::Property", "Motion of the reference part"),
         None,
         0,
     ),
@@ -68,8 +70,8 @@ ACCURACY = [
         "App::PropertyLength",
         "Accuracy",
         "Accuracy",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "How far the surface may lie from the true one. Determines cell size and tolerance. 0: "
             "Resolution or CellSize, and Tolerance are used",
         ),
@@ -80,8 +82,8 @@ ACCURACY = [
         "App::PropertyInteger",
         "Resolution",
         "Accuracy",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Number of cells along the longest side of the swept volume. Used if CellSize is 0",
         ),
         128,
@@ -91,8 +93,9 @@ ACCURACY = [
         "App::PropertyLength",
         "CellSize",
         "Accuracy",
-        mark(
-            "Properties", "Edge length of a cell of the sampling grid. 0: computed from Resolution"
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Edge length of a cell of the sampling grid. 0: computed from Resolution",
         ),
         None,
         0,
@@ -101,8 +104,8 @@ ACCURACY = [
         "App::PropertyFloat",
         "MeshDeflection",
         "Accuracy",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "How far the triangle mesh of a solid may deviate from the solid, as a fraction of "
             "the cell size",
         ),
@@ -113,7 +116,9 @@ ACCURACY = [
         "App::PropertyLength",
         "Tolerance",
         "Accuracy",
-        mark("Properties", "How far simplification may move the surface. 0: no simplification"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "How far simplification may move the surface. 0: no simplification"
+        ),
         None,
         0,
     ),
@@ -121,7 +126,7 @@ ACCURACY = [
         "App::PropertyLength",
         "Offset",
         "Accuracy",
-        mark("Properties", "Distance by which the envelope is grown on all sides"),
+        QT_TRANSLATE_NOOP("App::Property", "Distance by which the envelope is grown on all sides"),
         None,
         0,
     ),
@@ -129,7 +134,7 @@ ACCURACY = [
         "App::PropertyBool",
         "Conservative",
         "Accuracy",
-        mark("Properties", "True: the envelope provably contains the swept volume"),
+        QT_TRANSLATE_NOOP("App::Property", "True: the envelope provably contains the swept volume"),
         None,
         0,
     ),
@@ -137,8 +142,9 @@ ACCURACY = [
         "App::PropertyBool",
         "KeepCavities",
         "Accuracy",
-        mark(
-            "Properties", "True: enclosed cavities are kept as inner shells. False: they are filled"
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "True: enclosed cavities are kept as inner shells. False: they are filled",
         ),
         None,
         0,
@@ -147,8 +153,8 @@ ACCURACY = [
         "App::PropertyLength",
         "PositionFilter",
         "Method",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Skips a pose if no point of the part has moved farther than this since "
             "the last pose used. 0: uses every pose",
         ),
@@ -159,7 +165,9 @@ ACCURACY = [
         "App::PropertyEnumeration",
         "Components",
         "Method",
-        mark("Properties", "How separate pieces of surface inside one cell are recognised"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "How separate pieces of surface inside one cell are recognised"
+        ),
         list(COMPONENTS),
         0,
     ),
@@ -167,8 +175,8 @@ ACCURACY = [
         "App::PropertyEnumeration",
         "Backend",
         "Method",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Processor that samples the envelope: CPU, graphics processor, or chosen "
             "automatically",
         ),
@@ -179,8 +187,8 @@ ACCURACY = [
         "App::PropertyEnumeration",
         "MadeBy",
         "Result",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Whether to record which face or edge made each triangle. Off: no "
             "record. Session: kept until the document is closed. Document: stored in "
             "the document, which makes the file larger",
@@ -194,8 +202,8 @@ PLACED = (
     "App::PropertyPlacement",
     "Placed",
     "Result",
-    mark(
-        "Properties",
+    QT_TRANSLATE_NOOP(
+        "App::Property",
         "Placement of the result when the result was stored. If the present placement differs, "
         "the result was moved",
     ),
@@ -203,37 +211,51 @@ PLACED = (
     HIDDEN,
 )
 RESULT = [
-    ("App::PropertyString", "Status", mark("Properties", "State of the result")),
-    ("App::PropertyString", "Message", mark("Properties", "Why the last run failed, and warnings")),
-    ("App::PropertyVolume", "Volume", mark("Properties", "Volume of the envelope")),
-    ("App::PropertyArea", "Area", mark("Properties", "Surface area of the envelope")),
+    ("App::PropertyString", "Status", QT_TRANSLATE_NOOP("App::Property", "State of the result")),
+    (
+        "App::PropertyString",
+        "Message",
+        QT_TRANSLATE_NOOP("App::Property", "Why the last run failed, and warnings"),
+    ),
+    ("App::PropertyVolume", "Volume", QT_TRANSLATE_NOOP("App::Property", "Volume of the envelope")),
+    (
+        "App::PropertyArea",
+        "Area",
+        QT_TRANSLATE_NOOP("App::Property", "Surface area of the envelope"),
+    ),
     (
         "App::PropertyInteger",
         "Triangles",
-        mark("Properties", "Number of triangles of the envelope"),
+        QT_TRANSLATE_NOOP("App::Property", "Number of triangles of the envelope"),
     ),
     (
         "App::PropertyInteger",
         "Shells",
-        mark("Properties", "Number of separate closed surfaces of the envelope"),
+        QT_TRANSLATE_NOOP("App::Property", "Number of separate closed surfaces of the envelope"),
     ),
     (
         "App::PropertyInteger",
         "SelfIntersections",
-        mark("Properties", "Number of pairs of triangles that intersect. -1: not counted"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Number of pairs of triangles that intersect. -1: not counted"
+        ),
     ),
     (
         "App::PropertyLength",
         "UsedCellSize",
-        mark("Properties", "Edge length of the grid cells used for this result"),
+        QT_TRANSLATE_NOOP("App::Property", "Edge length of the grid cells used for this result"),
     ),
     (
         "App::PropertyLength",
         "AccuracyBound",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "No point of the surface lies farther than this from the true one. 0: not known",
         ),
     ),
-    ("App::PropertyFloat", "Seconds", mark("Properties", "Duration of the run (s)")),
+    (
+        "App::PropertyFloat",
+        "Seconds",
+        QT_TRANSLATE_NOOP("App::Property", "Duration of the run (s)"),
+    ),
 ]

@@ -33,14 +33,14 @@ class ImprovePlan:
         if self.motion.Interpolation == "None":
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     '"{0}" has the interpolation None: choose another interpolation first.',
                 ).format(self.motion.Label)
             )
         if not self.neighbours:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "There is no neighbour: choose parts as neighbours, or make other "
                     "parts visible.",
                 )
@@ -94,7 +94,7 @@ def work(request, control):
 def make(plan, outcome):
     """Creates the improved motion beside the given one."""
     names = {core_name: name for name, core_name in INTERPOLATIONS.items() if name != "Spline"}
-    label = translate("Messages", "{0}, improved").format(plan.motion.Label)
+    label = translate("SweptVolume", "{0}, improved").format(plan.motion.Label)
     kind = names[outcome.report["interpolation"]]
     return path_plan.make(plan.document, plan.pairs, outcome.poses, label, kind)
 
@@ -105,7 +105,7 @@ def improve(plan, control=None):
     outcome = work(plan.request(), control or core.Control())
     if outcome.poses is None:
         return outcome.report, None
-    plan.document.openTransaction(translate("Commands", "Improve path"))
+    plan.document.openTransaction(translate("SweptVolume", "Improve path"))
     obj = make(plan, outcome)
     plan.document.commitTransaction()
     return outcome.report, obj

@@ -36,7 +36,7 @@ def take(document, settings, run):
     objects = [root.getSubObject(sub, retType=1) for root, sub in moved]
     notes = [
         translate(
-            "Messages",
+            "SweptVolume",
             '"{0}" is left out, because it is visible only through a link: add its '
             "parts to the assembly itself.",
         ).format(convert.label_of(*place))
@@ -46,7 +46,7 @@ def take(document, settings, run):
     named = [(p, o) for p, o in zip(moved, objects) if convert.root_path(o) == p]
     if not named:
         text = translate(
-            "Messages", '"{0}" moves no visible part: show the parts, or choose another source.'
+            "SweptVolume", '"{0}" moves no visible part: show the parts, or choose another source.'
         )
         raise InputProblem(text.format(settings.objects[0].Label))
     known = {

@@ -20,7 +20,7 @@ import numpy as np
 
 from .. import convert
 from ..convert import InputProblem
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from . import row_names
 from .base import UP_TO_DATE, fits
 from .envelope_plan import Plan
@@ -30,9 +30,9 @@ CAP, EDGE, GRAZE = range(3)
 #: Number of results of one envelope whose records are kept, for Undo.
 MOST_KEPT = 3
 KINDS = (
-    mark("Panels", "Made by the face itself, in its place at one pose"),
-    mark("Panels", "Swept by an edge that passed here"),
-    mark("Panels", "Swept by a face that passed here"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Made by the face itself, in its place at one pose"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Swept by an edge that passed here"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Swept by a face that passed here"),
 )
 _PART = {
     "first": int,
@@ -191,8 +191,8 @@ def changed(obj, name):
 def name_of(part, number):
     """Returns the text for a face: "Face3 of Bracket"."""
     if part["facets"]:
-        return translate("Panels", "triangle {0} of {1}").format(number, part["label"])
-    return translate("Panels", "Face{0} of {1}").format(number, part["label"])
+        return translate("SweptVolume", "triangle {0} of {1}").format(number, part["label"])
+    return translate("SweptVolume", "Face{0} of {1}").format(number, part["label"])
 
 
 def text_of(answer):
@@ -200,9 +200,9 @@ def text_of(answer):
     names = [name_of(*face) for face in answer.faces]
     what = names[0]
     if len(names) == 2:
-        what = translate("Panels", "the edge between {0} and {1}").format(*names)
-    when = translate("Panels", "{0}, at {1:.3f} s")
-    return when.format(what, answer.time) + "\n" + translate("Panels", KINDS[answer.kind])
+        what = translate("SweptVolume", "the edge between {0} and {1}").format(*names)
+    when = translate("SweptVolume", "{0}, at {1:.3f} s")
+    return when.format(what, answer.time) + "\n" + translate("SweptVolume", KINDS[answer.kind])
 
 
 class _Observer:

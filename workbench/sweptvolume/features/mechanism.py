@@ -127,7 +127,7 @@ def _boxes_meet(a, b, slack):
 def compute(obj, control=None):
     """Runs the check in this thread (for scripts without a GUI) as one undo step. Raises
     core.CoreError."""
-    title = translate("Messages", "Check mechanism")
+    title = translate("SweptVolume", "Check mechanism")
     return check.compute(obj, sys.modules[__name__], title, control).report
 
 
@@ -138,6 +138,6 @@ def report_of(obj):
 
 def make_mechanism(document, label=None, **settings):
     """Creates a mechanism check, not yet computed. `settings`: property names with values."""
-    label = label or translate("Messages", "Mechanism")
+    label = label or translate("SweptVolume", "Mechanism")
     view = "sweptvolume.views.mechanism_view:MechanismView"
     return add_object(document, TYPE, "Mechanism", Mechanism, label, settings, view)

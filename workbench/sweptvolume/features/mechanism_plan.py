@@ -156,14 +156,14 @@ class Plan(StillParts):
             raise InputProblem(convert.no_part_text())
         if len(self.motions) != len(self.pairs):
             text = translate(
-                "Messages",
+                "SweptVolume",
                 "There are {0} moving parts but {1} motions: give one motion for " "each part.",
             )
             raise InputProblem(text.format(len(self.pairs), len(self.motions)))
         self._check_parts()
         for pair, motion in zip(self.pairs, self.motions):
             if not motion_feature.is_motion(motion):
-                text = translate("Messages", '"{0}" has no motion: choose one in the table.')
+                text = translate("SweptVolume", '"{0}" has no motion: choose one in the table.')
                 raise InputProblem(text.format(convert.label_of(*pair)))
         groups = grouped(self.pairs, self.motions)
         for group in groups:
@@ -179,10 +179,10 @@ class Plan(StillParts):
                 continue
             names = convert.label_of(one, a), convert.label_of(other, b)
             if a == b:
-                text = translate("Messages", '"{0}" is in the list twice: remove one entry.')
+                text = translate("SweptVolume", '"{0}" is in the list twice: remove one entry.')
             else:
                 text = translate(
-                    "Messages",
+                    "SweptVolume",
                     '"{0}" and "{1}": one of them contains the other, so the inner part '
                     "would move twice. Remove one of them from the list.",
                 )
@@ -192,7 +192,7 @@ class Plan(StillParts):
         for motion in motions:
             if motion.Interpolation == "None":
                 text = translate(
-                    "Messages",
+                    "SweptVolume",
                     '"{0}" has the interpolation None, so its part does not move between '
                     "its poses: choose another interpolation for parts that move at the "
                     "same time.",
@@ -202,7 +202,7 @@ class Plan(StillParts):
         early = min(motions, key=lambda m: m.Times[-1] if m.Times else 0.0)
         if late.Times and early.Times and late.Times[0] >= early.Times[-1] and late is not early:
             text = translate(
-                "Messages",
+                "SweptVolume",
                 'The motions do not overlap in time: "{0}" ends at {1} s, and "{2}" '
                 "begins at {3} s. Change their times so that they overlap.",
             )
@@ -234,7 +234,8 @@ class Plan(StillParts):
         """Raises InputProblem if the document has changed since the first call of words()."""
         if self.words() != self._words_now():
             text = translate(
-                "Messages", "The document changed while its parts were read: start the run again."
+                "SweptVolume",
+                "The document changed while its parts were read: start the run again.",
             )
             raise InputProblem(text)
 
@@ -313,7 +314,7 @@ class Plan(StillParts):
         if len(parts) < 2:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "Only one part is given: add a second part, either a moving part or a "
                     "neighbour.",
                 )

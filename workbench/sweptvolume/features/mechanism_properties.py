@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of a mechanism check: type, name, help, default. The result properties are those
 of the clearance check."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from . import clearance_properties
 from .neighbour_rules import PARTS_PROPERTY
 
@@ -15,14 +15,14 @@ INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
         "MovingParts",
-        mark("Properties", "Parts that move, in the order of Motions"),
+        QT_TRANSLATE_NOOP("App::Property", "Parts that move, in the order of Motions"),
         None,
     ),
     (
         "App::PropertyLinkListGlobal",
         "Motions",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "One motion for each entry of MovingParts. All motions use the same time axis",
         ),
         None,
@@ -30,8 +30,8 @@ INPUT = [
     (
         "App::PropertyBool",
         "AllVisible",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "True: all other visible parts are neighbours that stand still, and the "
             "list Neighbours is not used",
         ),
@@ -40,8 +40,8 @@ INPUT = [
     (
         "App::PropertyLength",
         "Range",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Lists the pairs of parts that come closer than this. 0: a tenth of the "
             "size of the parts",
         ),
@@ -50,8 +50,8 @@ INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
         PARTS_PROPERTY,
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Parts or groups of each pair that has its own rule, two entries for "
             "each pair: first, second, first, second ...",
         ),
@@ -60,8 +60,8 @@ INPUT = [
     (
         "App::PropertyFloatList",
         "RuleLengths",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "A length (mm) for each pair of RuleParts. Rule Required: the required "
             "distance. Rule Contact: the largest depth to which the parts may overlap",
         ),
@@ -74,8 +74,8 @@ RESULT = [
     (
         "App::PropertyInteger",
         "Checked",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Number of pairs checked, including pairs that stay farther apart than Range",
         ),
         1,

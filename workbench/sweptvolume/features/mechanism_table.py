@@ -23,9 +23,9 @@ def count(report):
 
 def summary(report):
     """Returns the result in one line, in the user's language and unit."""
-    head = translate("Messages", "{0} pairs checked").format(quantities.count(count(report)))
+    head = translate("SweptVolume", "{0} pairs checked").format(quantities.count(count(report)))
     if not report["pairs"]:
-        text = translate("Messages", "{0}, none nearer than {1}")
+        text = translate("SweptVolume", "{0}, none nearer than {1}")
         return text.format(head, quantities.quantity(report["range"], quantities.TABLE_DIGITS))
     return clearance_table.summary(as_rows(report), head)
 

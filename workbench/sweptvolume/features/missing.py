@@ -66,7 +66,7 @@ def text(holder):
     if not found:
         return ""
     return translate(
-        "Messages",
+        "SweptVolume",
         "{0} was deleted, and {1} needs it: choose a replacement ({2}), or undo the deletion.",
     ).format(
         ", ".join('"{}"'.format(entry["label"]) for entry in found),

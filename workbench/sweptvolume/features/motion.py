@@ -68,7 +68,7 @@ class Motion(Feature):
 
 def look(obj):
     """Compares the source with its state when it was read, and updates Status."""
-    text = "" if len(obj.Placements) else translate("Messages", "no poses yet")
+    text = "" if len(obj.Placements) else translate("SweptVolume", "no poses yet")
     if obj.SourceHash and obj.SourceHash != motion_source.signature(obj):
         text = STALE
     set_changed(obj, "Status", text)
@@ -199,7 +199,7 @@ def take(obj, poses):
 
 def make_motion(document, label=None):
     """Creates an empty motion object."""
-    label = label or translate("Messages", "Motion")
+    label = label or translate("SweptVolume", "Motion")
     view = "sweptvolume.views.motion_view:MotionView"
     return add_object(document, TYPE, "Motion", Motion, label, {}, view)
 
@@ -252,7 +252,7 @@ def label_for(pairs):
     """Returns a label for a new motion of these parts, or None for the default label."""
     if not pairs:
         return None
-    return translate("Messages", "Motion of {0}").format(convert.label_of(*pairs[0]))
+    return translate("SweptVolume", "Motion of {0}").format(convert.label_of(*pairs[0]))
 
 
 def motion_from_objects(document, objects, interpolation="Linear", step=1.0):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of a motion for Feature.properties(): type, name, group, help, default, mode."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from ..trajectory import sources
 from ..trajectory.cam import CONVENTIONS
 from ..trajectory.curve import ACCURACY, ORIENTATIONS
@@ -15,7 +15,7 @@ PROPERTIES = [
         "App::PropertyFloatList",
         "Times",
         "Motion",
-        mark("Properties", "Time of each pose (s), in ascending order"),
+        QT_TRANSLATE_NOOP("App::Property", "Time of each pose (s), in ascending order"),
         None,
         0,
     ),
@@ -23,8 +23,8 @@ PROPERTIES = [
         "App::PropertyPlacementList",
         "Placements",
         "Motion",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Placement of each pose. PoseType says whether it replaces the placement of the part "
             "or is a displacement from it",
         ),
@@ -35,8 +35,8 @@ PROPERTIES = [
         "App::PropertyEnumeration",
         "Interpolation",
         "Motion",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "How the part moves between two poses. Linear: along a straight line, turning at a "
             "constant rate. Screw: one screw movement. Spline: along a smooth curve through all "
             "poses. None: only the poses themselves count, there is no motion between them",
@@ -49,8 +49,8 @@ PROPERTIES = [
         "App::PropertyVectorDistance",
         "Pivot",
         "Motion",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Point of the part that follows the straight line (Linear) or the curve "
             "(Spline) between two poses, and about which the part turns. In "
             "coordinates of the part if PoseType is Absolute, otherwise of the "
@@ -63,8 +63,8 @@ PROPERTIES = [
         "App::PropertyLinkSubListHidden",
         "Parts",
         "Motion",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Parts that this motion moves. The motion editor shows the first part",
         ),
         None,
@@ -74,7 +74,9 @@ PROPERTIES = [
         "App::PropertyLinkListHidden",
         "MovedToo",
         "Motion",
-        mark("Properties", "Other parts that the source moved when this motion was read"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Other parts that the source moved when this motion was read"
+        ),
         None,
         READ_ONLY,
     ),
@@ -82,8 +84,8 @@ PROPERTIES = [
         "App::PropertyStringList",
         "Tangents",
         "Motion",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Tangent of the spline at each pose. Auto: from the poses before and "
             "after. Stop: the part comes to rest. Corner: the direction may change "
             "abruptly. Given: the velocity in Velocities. Missing entries count as "
@@ -96,8 +98,8 @@ PROPERTIES = [
         "App::PropertyVectorList",
         "Velocities",
         "Motion",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Velocity of the spline (mm/s), one entry for each pose. Used only if the "
             "tangent at the pose is Given",
         ),
@@ -108,7 +110,7 @@ PROPERTIES = [
         "App::PropertyEnumeration",
         "SourceType",
         "Source",
-        mark("Properties", "Where the poses come from"),
+        QT_TRANSLATE_NOOP("App::Property", "Where the poses come from"),
         list(sources.KINDS),
         READ_ONLY,
     ),
@@ -116,7 +118,9 @@ PROPERTIES = [
         "App::PropertyFile",
         "SourceFile",
         "Source",
-        mark("Properties", "File from which the poses were read. Reload motion reads it again"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "File from which the poses were read. Reload motion reads it again"
+        ),
         None,
         0,
     ),
@@ -124,7 +128,7 @@ PROPERTIES = [
         "App::PropertyEnumeration",
         "SourceUnit",
         "Source",
-        mark("Properties", "Unit of the lengths in the file"),
+        QT_TRANSLATE_NOOP("App::Property", "Unit of the lengths in the file"),
         list(UNITS),
         0,
     ),
@@ -132,7 +136,9 @@ PROPERTIES = [
         "App::PropertyLinkListGlobal",
         "SourceObjects",
         "Source",
-        mark("Properties", "Objects from whose placements or shapes the poses are read"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Objects from whose placements or shapes the poses are read"
+        ),
         None,
         0,
     ),
@@ -140,7 +146,7 @@ PROPERTIES = [
         "App::PropertyString",
         "SourceSettings",
         "Source",
-        mark("Properties", "Settings of the source"),
+        QT_TRANSLATE_NOOP("App::Property", "Settings of the source"),
         None,
         HIDDEN,
     ),
@@ -148,7 +154,7 @@ PROPERTIES = [
         "App::PropertyInteger",
         "Count",
         "Result",
-        mark("Properties", "Number of poses"),
+        QT_TRANSLATE_NOOP("App::Property", "Number of poses"),
         None,
         READ_ONLY,
     ),
@@ -156,7 +162,7 @@ PROPERTIES = [
         "App::PropertyFloat",
         "Duration",
         "Result",
-        mark("Properties", "Last time minus first time (s)"),
+        QT_TRANSLATE_NOOP("App::Property", "Last time minus first time (s)"),
         None,
         READ_ONLY,
     ),
@@ -164,7 +170,9 @@ PROPERTIES = [
         "App::PropertyString",
         "Status",
         "Result",
-        mark("Properties", "What is wrong with the motion. Empty: the motion can be used"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "What is wrong with the motion. Empty: the motion can be used"
+        ),
         None,
         READ_ONLY,
     ),
@@ -172,7 +180,7 @@ PROPERTIES = [
         "App::PropertyString",
         "Message",
         "Result",
-        mark("Properties", "Notes from reading the poses"),
+        QT_TRANSLATE_NOOP("App::Property", "Notes from reading the poses"),
         None,
         READ_ONLY,
     ),
@@ -180,8 +188,8 @@ PROPERTIES = [
         "App::PropertyString",
         "SourceHash",
         "Source",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Checksum of the source when it was read. If it changes, the motion is stale",
         ),
         None,
@@ -191,7 +199,7 @@ PROPERTIES = [
         "App::PropertyString",
         missing.PROPERTY,
         "Source",
-        mark("Properties", "Inputs that were deleted (JSON)"),
+        QT_TRANSLATE_NOOP("App::Property", "Inputs that were deleted (JSON)"),
         None,
         HIDDEN,
     ),
@@ -202,8 +210,8 @@ _SETTINGS = {
     "count": (
         "App::PropertyInteger",
         "SourceCount",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Number of poses to read. 0 (only for curves): as many poses as SourceAccuracy "
             "requires",
         ),
@@ -212,16 +220,17 @@ _SETTINGS = {
     "accuracy": (
         "App::PropertyLength",
         "SourceAccuracy",
-        mark(
-            "Properties", "How far the straight line between two poses may deviate from the curve"
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "How far the straight line between two poses may deviate from the curve",
         ),
         ACCURACY,
     ),
     "orientation": (
         "App::PropertyEnumeration",
         "SourceOrientation",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Orientation of the part. Fixed: it never turns. Tangent: its x axis "
             "follows the tangent. SecondCurve: as Tangent, and its z axis points to "
             "the second curve",
@@ -231,38 +240,40 @@ _SETTINGS = {
     "duration": (
         "App::PropertyFloat",
         "SourceDuration",
-        mark("Properties", "Time from the first to the last pose (s)"),
+        QT_TRANSLATE_NOOP("App::Property", "Time from the first to the last pose (s)"),
         10.0,
     ),
     "step": (
         "App::PropertyFloat",
         "SourceStep",
-        mark("Properties", "Time from one pose to the next (s)"),
+        QT_TRANSLATE_NOOP("App::Property", "Time from one pose to the next (s)"),
         1.0,
     ),
     "rapid": (
         "App::PropertySpeed",
         "SourceRapid",
-        mark("Properties", "Speed of rapid moves (G0)"),
+        QT_TRANSLATE_NOOP("App::Property", "Speed of rapid moves (G0)"),
         100.0,
     ),
     "convention": (
         "App::PropertyEnumeration",
         "SourceRotaryAxes",
-        mark("Properties", "What the G-code words A, B and C rotate: the tool head or the table"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "What the G-code words A, B and C rotate: the tool head or the table"
+        ),
         CONVENTIONS,
     ),
     "property": (
         "App::PropertyString",
         "SourceValue",
-        mark("Properties", "Name of the value that is changed to move the part"),
+        QT_TRANSLATE_NOOP("App::Property", "Name of the value that is changed to move the part"),
         None,
     ),
     "start": (
         "App::PropertyFloat",
         "SourceStart",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "What SourceValue is set to at the first pose, in its own unit (such as mm or "
             "degrees)",
         ),
@@ -271,8 +282,8 @@ _SETTINGS = {
     "end": (
         "App::PropertyFloat",
         "SourceEnd",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "What SourceValue is set to at the last pose, in its own unit (such as mm or "
             "degrees)",
         ),

@@ -123,7 +123,7 @@ class Way:
         reach = SINGLE_STEP * np.linalg.norm(moved, axis=2).max(axis=1)
         most, where = float(reach.max()), poses.times[1 + int(reach.argmax())]
         text = translate(
-            "Messages",
+            "SweptVolume",
             'The steps of "{0}" are large: near t = {1} s the part may be about {2} '
             "away from its true position. Read the motion with smaller steps.",
         ).format(self.label, number(where), quantity(most))
@@ -189,7 +189,7 @@ class Moving:
         if self.motion is None or not motion_feature.is_motion(self.motion):
             raise InputProblem(
                 translate(
-                    "Messages", "No motion is chosen: choose one, or make one with New motion."
+                    "SweptVolume", "No motion is chosen: choose one, or make one with New motion."
                 )
             )
         motion_feature.check_usable(self.motion)
@@ -198,12 +198,14 @@ class Moving:
         given = self.reference_motion
         if given is not None and not motion_feature.is_motion(given):
             raise InputProblem(
-                translate("Messages", '"{0}" is not a motion: choose a motion.').format(given.Label)
+                translate("SweptVolume", '"{0}" is not a motion: choose a motion.').format(
+                    given.Label
+                )
             )
         if given is None and self.reference is not None:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "The reference part has no motion: choose its motion, or clear the "
                     "reference part.",
                 )
@@ -213,7 +215,7 @@ class Moving:
         if given is not None and self.reference is None:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "A reference motion is chosen, but no reference part: choose the "
                     "reference part too, or clear the reference motion.",
                 )

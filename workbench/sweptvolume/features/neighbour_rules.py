@@ -52,13 +52,13 @@ def check(rule, label):
     if rule.kind not in KINDS:
         raise InputProblem(
             translate(
-                "Messages", '"{0}" has the unknown rule "{1}": use Required, Contact or Ignore.'
+                "SweptVolume", '"{0}" has the unknown rule "{1}": use Required, Contact or Ignore.'
             ).format(label, rule.kind)
         )
     if rule.length is not None and not (math.isfinite(rule.length) and rule.length >= 0):
         raise InputProblem(
             translate(
-                "Messages", 'The distance in the rule of "{0}" is {1} mm: enter 0 or more.'
+                "SweptVolume", 'The distance in the rule of "{0}" is {1} mm: enter 0 or more.'
             ).format(label, "{:g}".format(rule.length))
         )
 
@@ -70,7 +70,7 @@ def read(obj):
     if not len(pairs) == len(obj.RuleKinds) == len(obj.RuleLengths):
         raise InputProblem(
             translate(
-                "Messages",
+                "SweptVolume",
                 'The rules of "{0}" are inconsistent: there are {1} parts, {2} kinds '
                 "and {3} lengths, but these numbers must be equal. Enter the rules "
                 "again.",
@@ -90,7 +90,7 @@ def checked(obj, parts):
             rule.length = None
         if part in rules and rules[part] != rule:
             text = translate(
-                "Messages", 'Two rules for "{0}" contradict each other: remove one of them.'
+                "SweptVolume", 'Two rules for "{0}" contradict each other: remove one of them.'
             )
             raise InputProblem(text.format(label))
         rules[part] = rule

@@ -41,13 +41,13 @@ class Plan:
         if len(self.pairs) < 2:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "There is nothing to compare: choose two or more parts, envelopes or solids.",
                 )
             )
         for (root, sub), (other, path) in itertools.combinations(self.pairs, 2):
             if root is other and (sub.startswith(path) or path.startswith(sub)):
-                text = translate("Messages", '"{0}" contains "{1}": remove one of them.')
+                text = translate("SweptVolume", '"{0}" contains "{1}": remove one of them.')
                 outer, inner = sorted((sub, path), key=len)
                 raise InputProblem(
                     text.format(convert.label_of(root, outer), convert.label_of(root, inner))

@@ -27,7 +27,7 @@ def read(obj):
     if not len(parts) == 2 * len(obj.RuleKinds) == 2 * len(obj.RuleLengths):
         raise InputProblem(
             translate(
-                "Messages",
+                "SweptVolume",
                 'The rules of "{0}" are inconsistent: there are {1} parts, {2} kinds '
                 "and {3} lengths, but each rule needs two parts, one kind and one "
                 "length. Enter the rules again.",
@@ -78,7 +78,7 @@ def _narrower(one, other):
 
 def _contradiction(parts, first, second):
     text = translate(
-        "Messages",
+        "SweptVolume",
         'The rules for "{0}" and for "{1}" contradict each other for "{2}", and '
         "neither is more specific: add a rule for this pair.",
     )

@@ -68,7 +68,7 @@ class PathPlan:
         if not self.neighbours:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "There is no neighbour: choose parts as neighbours, or make other "
                     "parts visible.",
                 )
@@ -76,7 +76,8 @@ class PathPlan:
         if self.start is None and self.extract is None:
             raise InputProblem(
                 translate(
-                    "Messages", "No start is given: enter a placement, a distance or a direction."
+                    "SweptVolume",
+                    "No start is given: enter a placement, a distance or a direction.",
                 )
             )
 
@@ -179,7 +180,7 @@ def make(document, pairs, poses, label=None, interpolation=INTERPOLATION):
 
 
 def label_for(pairs):
-    return translate("Messages", "Path of {0}").format(convert.label_of(*pairs[0]))
+    return translate("SweptVolume", "Path of {0}").format(convert.label_of(*pairs[0]))
 
 
 def find(plan, control=None):
@@ -189,7 +190,7 @@ def find(plan, control=None):
     outcome = work(request, plan.pivot, control or core.Control())
     if outcome.poses is None:
         return outcome.report, None
-    plan.document.openTransaction(translate("Commands", "Find path"))
+    plan.document.openTransaction(translate("SweptVolume", "Find path"))
     obj = make(plan.document, plan.pairs, outcome.poses)
     plan.document.commitTransaction()
     return outcome.report, obj

@@ -115,12 +115,12 @@ def summary(report):
     """Returns the result in one line."""
     found = sum(step["verdict"] == "found" for step in report["steps"])
     if report["verdict"] != "found":
-        text = translate("Messages", "{0} of {1} parts have a path")
+        text = translate("SweptVolume", "{0} of {1} parts have a path")
         return text.format(found, len(report["steps"]))
     names = ", ".join(step["part"] for step in report["steps"])
-    text = translate("Messages", "{0} parts, in this order: {1}").format(found, names)
+    text = translate("SweptVolume", "{0} parts, in this order: {1}").format(found, names)
     if "clearance" in report:
-        more = translate("Messages", "clearance at least {0}")
+        more = translate("SweptVolume", "clearance at least {0}")
         text += "; " + more.format(quantities.quantity(report["clearance"]))
     return text
 
@@ -130,17 +130,17 @@ def step_text(step):
     if step["verdict"] == "found":
         length = quantities.quantity(step["length"])
         if step.get("clearance") is None:
-            return translate("Messages", "path of {0}, no obstacles").format(length)
-        return translate("Messages", "path of {0}, clearance {1}").format(
+            return translate("SweptVolume", "path of {0}, no obstacles").format(length)
+        return translate("SweptVolume", "path of {0}, clearance {1}").format(
             length, quantities.quantity(step["clearance"])
         )
     blockers = step["escape"]["blockers"]
     if step["verdict"] == "no_translation":
-        return translate("Messages", "it is proven that no path exists without turning the part")
+        return translate("SweptVolume", "it is proven that no path exists without turning the part")
     if not blockers:
         return step["summary"]
     names = ", ".join('"{}"'.format(name) for name in blockers[:MOST_NAMES])
-    return translate("Messages", "no path found; blocked by {1} after {0} of travel").format(
+    return translate("SweptVolume", "no path found; blocked by {1} after {0} of travel").format(
         quantities.quantity(step["escape"]["distance"]), names
     )
 
@@ -151,7 +151,7 @@ def told(report):
     if report["verdict"] == "no_order":
         lines.append(
             translate(
-                "Messages",
+                "SweptVolume",
                 "It is proven that the parts cannot be installed one after the other "
                 "in any order.",
             )
@@ -168,7 +168,7 @@ def compute(obj, control=None):
     core.CoreError."""
     import sys
 
-    title = translate("Messages", "Check sequence")
+    title = translate("SweptVolume", "Check sequence")
     return check.compute(obj, sys.modules[__name__], title, control).report
 
 
@@ -178,7 +178,7 @@ def find(plan, control=None):
     outcome = work(plan.request(), control or core.Control())
     if not outcome.is_found():
         return outcome.report, None
-    plan.document.openTransaction(translate("Commands", "Sequence"))
+    plan.document.openTransaction(translate("SweptVolume", "Sequence"))
     obj = keep(plan, outcome)
     plan.document.commitTransaction()
     return outcome.report, obj
@@ -206,6 +206,6 @@ def report_of(obj):
 
 def make_sequence(document, label=None, **settings):
     """Creates a sequence, not yet computed. `settings`: property names with values."""
-    label = label or translate("Messages", "Sequence")
+    label = label or translate("SweptVolume", "Sequence")
     view = "sweptvolume.views.sequence_view:SequenceView"
     return add_object(document, TYPE, "Sequence", Sequence, label, settings, view)

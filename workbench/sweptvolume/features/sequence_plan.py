@@ -98,13 +98,13 @@ class Plan(mechanism_plan.Plan):
         if not self.pairs:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "The list of parts is empty: select the parts, then press Add selected.",
                 )
             )
         if len(self.motions) != len(self.pairs):
             text = translate(
-                "Messages",
+                "SweptVolume",
                 "There are {0} parts but {1} motions: give one motion for each part.",
             )
             raise InputProblem(text.format(len(self.pairs), len(self.motions)))
@@ -117,7 +117,7 @@ class Plan(mechanism_plan.Plan):
             groups[-1].check()
             if motion.Interpolation == "None":
                 text = translate(
-                    "Messages",
+                    "SweptVolume",
                     '"{0}" has the interpolation None: choose another interpolation, or let a path be '
                     "found.",
                 )

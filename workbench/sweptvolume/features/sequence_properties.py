@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of a sequence: type, name, help, default. Those that it shares with the mechanism
 check are the same."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from . import mechanism_properties, path_plan
 
 _SAME = ("Neighbours", "AllVisible", "Accuracy", "MeshDeflection")
@@ -12,26 +12,30 @@ INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
         "MovingParts",
-        mark("Properties", "Parts, in the order in which they are installed"),
+        QT_TRANSLATE_NOOP("App::Property", "Parts, in the order in which they are installed"),
         None,
     ),
     (
         "App::PropertyLinkListGlobal",
         "Motions",
-        mark("Properties", "One motion for each part. It ends where the part is installed"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "One motion for each part. It ends where the part is installed"
+        ),
         None,
     ),
     (
         "App::PropertyLength",
         "RequiredDistance",
-        mark("Properties", "Distance that each part must keep from the parts already in place"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Distance that each part must keep from the parts already in place"
+        ),
         path_plan.DEFAULTS["RequiredDistance"],
     ),
     (
         "App::PropertyLength",
         "ReleaseDistance",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "If a part touches another part at its start or end, it may keep touching that part "
             "while no point of it is farther than this from that start or end",
         ),
@@ -39,5 +43,10 @@ INPUT = [
     ),
 ] + [_GIVEN[name] for name in _SAME]
 RESULT = [row for row in mechanism_properties.RESULT if row[1] != "Checked"] + [
-    ("App::PropertyInteger", "Checked", mark("Properties", "Number of parts that have a path"), 1),
+    (
+        "App::PropertyInteger",
+        "Checked",
+        QT_TRANSLATE_NOOP("App::Property", "Number of parts that have a path"),
+        1,
+    ),
 ]

@@ -146,13 +146,13 @@ class Plan:
         if not all(self.sides):
             raise InputProblem(
                 translate(
-                    "Messages", "A shared volume needs two sides: choose two parts or envelopes."
+                    "SweptVolume", "A shared volume needs two sides: choose two parts or envelopes."
                 )
             )
         for pair in self.sides[0]:
             if pair in self.sides[1]:
                 text = translate(
-                    "Messages", '"{0}" is on both sides: choose another object for one of them.'
+                    "SweptVolume", '"{0}" is on both sides: choose another object for one of them.'
                 )
                 raise InputProblem(text.format(convert.label_of(*pair)))
 
@@ -208,7 +208,9 @@ def notes_of(obj):
     """Returns the notes to show for the stored result."""
     if not obj.InputHash or obj.Mesh.CountFacets:
         return ""
-    text = translate("Messages", "The two sides share no volume. Their smallest distance is {0}.")
+    text = translate(
+        "SweptVolume", "The two sides share no volume. Their smallest distance is {0}."
+    )
     return text.format(quantity(obj.Distance.Value, TABLE_DIGITS))
 
 
@@ -241,7 +243,7 @@ def compute(obj, control=None):
     except (core.CoreError, InputProblem) as error:
         fail(obj, str(error), hash_at_start, getattr(error, "status", "") == "Cancelled")
         raise
-    obj.Document.openTransaction(translate("Messages", "Shared volume"))
+    obj.Document.openTransaction(translate("SweptVolume", "Shared volume"))
     apply(obj, outcome, hash_at_start)
     obj.purgeTouched()
     obj.Document.commitTransaction()
@@ -253,7 +255,7 @@ def make_shared(document, first=(), second=(), label=None, **settings):
     property names with values."""
     obj = document.addObject(TYPE, "SharedVolume")
     Shared(obj)
-    obj.Label = label or translate("Messages", "Shared volume")
+    obj.Label = label or translate("SweptVolume", "Shared volume")
     containers.set_pairs(obj, "MovingParts", list(first))
     containers.set_pairs(obj, "Neighbours", list(second))
     for name, value in settings.items():

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of a shared volume for Feature.properties(): type, name, group, help, default,
 mode."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from . import missing
 from .base import HIDDEN, READ_ONLY
 from .envelope_properties import PLACED
@@ -11,8 +11,8 @@ INPUT = [
         "App::PropertyLinkSubListGlobal",
         "MovingParts",
         "Input",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "First of the two sides that are compared: parts, envelopes or other reserved spaces",
         ),
         None,
@@ -22,8 +22,8 @@ INPUT = [
         "App::PropertyLinkSubListGlobal",
         "Neighbours",
         "Input",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Second of the two sides that are compared: parts, envelopes or other reserved spaces",
         ),
         None,
@@ -33,7 +33,9 @@ INPUT = [
         "App::PropertyLinkGlobal",
         "Motion",
         "Input",
-        mark("Properties", "Motion of the first side. None: the first side stands still"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Motion of the first side. None: the first side stands still"
+        ),
         None,
         0,
     ),
@@ -41,7 +43,9 @@ INPUT = [
         "App::PropertyLinkGlobal",
         "NeighbourMotion",
         "Input",
-        mark("Properties", "Motion of the second side. None: the second side stands still"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Motion of the second side. None: the second side stands still"
+        ),
         None,
         0,
     ),
@@ -49,7 +53,7 @@ INPUT = [
         "App::PropertyFloat",
         "Time",
         "Input",
-        mark("Properties", "Time at which both sides are compared (s)"),
+        QT_TRANSLATE_NOOP("App::Property", "Time at which both sides are compared (s)"),
         0.0,
         0,
     ),
@@ -57,7 +61,9 @@ INPUT = [
         "App::PropertyLength",
         "MeshDeflection",
         "Input",
-        mark("Properties", "How far the triangle mesh of a solid may deviate from the solid"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "How far the triangle mesh of a solid may deviate from the solid"
+        ),
         0.05,
         0,
     ),
@@ -65,26 +71,42 @@ INPUT = [
 RESULT = [
     (kind, name, "Result", text, None, READ_ONLY)
     for kind, name, text in (
-        ("App::PropertyString", "Status", mark("Properties", "Whether the result is current")),
-        ("App::PropertyString", "Message", mark("Properties", "Remarks about the result")),
-        ("App::PropertyVolume", "Volume", mark("Properties", "Volume that both sides share")),
+        (
+            "App::PropertyString",
+            "Status",
+            QT_TRANSLATE_NOOP("App::Property", "Whether the result is current"),
+        ),
+        (
+            "App::PropertyString",
+            "Message",
+            QT_TRANSLATE_NOOP("App::Property", "Remarks about the result"),
+        ),
+        (
+            "App::PropertyVolume",
+            "Volume",
+            QT_TRANSLATE_NOOP("App::Property", "Volume that both sides share"),
+        ),
         (
             "App::PropertyLength",
             "Distance",
-            mark("Properties", "Smallest distance between the sides, if they share no volume"),
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Smallest distance between the sides, if they share no volume"
+            ),
         ),
         (
             "App::PropertyLength",
             "Depth",
-            mark("Properties", "How deep one of the two sides penetrates the other"),
+            QT_TRANSLATE_NOOP(
+                "App::Property", "How deep one of the two sides penetrates the other"
+            ),
         ),
     )
 ] + [
     ("App::PropertyString", name, "Result", text, None, HIDDEN)
     for name, text in (
-        ("InputHash", mark("Properties", "Inputs of the stored result")),
-        ("TriedHash", mark("Properties", "Inputs of the last run that failed")),
-        (missing.PROPERTY, mark("Properties", "Inputs that were deleted (JSON)")),
+        ("InputHash", QT_TRANSLATE_NOOP("App::Property", "Inputs of the stored result")),
+        ("TriedHash", QT_TRANSLATE_NOOP("App::Property", "Inputs of the last run that failed")),
+        (missing.PROPERTY, QT_TRANSLATE_NOOP("App::Property", "Inputs that were deleted (JSON)")),
     )
 ]
 PROPERTIES = INPUT + RESULT + [PLACED]

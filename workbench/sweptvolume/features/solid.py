@@ -137,7 +137,9 @@ def _words(source, wanted):
 
 def _check_source(source):
     if source is None or not can_be_source(source):
-        raise InputProblem(translate("Messages", "The envelope has no mesh yet: compute it first."))
+        raise InputProblem(
+            translate("SweptVolume", "The envelope has no mesh yet: compute it first.")
+        )
 
 
 def update_status(obj):
@@ -162,11 +164,11 @@ def notes_of(obj):
     if off > max(wanted, LEAST_GAP):
         if wanted > 0:
             text = translate(
-                "Messages", "The solid deviates from the envelope by {0}; its Tolerance is {1}."
+                "SweptVolume", "The solid deviates from the envelope by {0}; its Tolerance is {1}."
             )
         else:
             text = translate(
-                "Messages",
+                "SweptVolume",
                 "To stay within Max faces, the solid was simplified: it deviates from the envelope by "
                 "up to {0}. Allow more faces, or set a Tolerance.",
             )
@@ -174,7 +176,7 @@ def notes_of(obj):
     asked = max(wanted, off, LEAST_GAP)
     if obj.EdgeTolerance.Value > asked:
         text = translate(
-            "Messages",
+            "SweptVolume",
             "At one edge, the gap between two faces of the solid is {0}, which is more than the "
             "tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and "
             "smaller gaps.",
@@ -199,7 +201,7 @@ class Request:
         if self.exact and wanted["tolerance"] > 0 and not wanted["tessellated"]:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "The envelope is conservative, but a solid with a tolerance could cut into the "
                     "swept volume: set the Tolerance of the solid to 0.",
                 )
@@ -338,7 +340,7 @@ def compute(obj, control=None):
     except (core.CoreError, InputProblem) as error:
         fail(obj, str(error), hash_at_start, getattr(error, "status", "") == "Cancelled")
         raise
-    obj.Document.openTransaction(translate("Messages", "Make solid"))
+    obj.Document.openTransaction(translate("SweptVolume", "Make solid"))
     apply(obj, value, hash_at_start)
     obj.purgeTouched()
     obj.Document.commitTransaction()
@@ -347,7 +349,7 @@ def compute(obj, control=None):
 
 def make_solid(document, source, label=None, **settings):
     """Creates a solid object, not yet computed."""
-    label = label or translate("Messages", "{0} solid").format(source.Label)
+    label = label or translate("SweptVolume", "{0} solid").format(source.Label)
     view = "sweptvolume.views.solid_view:SolidView"
     settings = {"Source": source, **settings}
     return add_object(document, TYPE, "EnvelopeSolid", Solid, label, settings, view)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of a solid for Feature.properties(): type, name, group, help, default, mode."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from . import missing
 from .base import HIDDEN, NOT_COMPUTED, READ_ONLY
 from .envelope_properties import PLACED
@@ -12,7 +12,9 @@ PROPERTIES = [
         "App::PropertyLinkGlobal",
         "Source",
         "Solid",
-        mark("Properties", "Envelope or other closed mesh that is converted to a solid"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Envelope or other closed mesh that is converted to a solid"
+        ),
         None,
         0,
     ),
@@ -20,7 +22,9 @@ PROPERTIES = [
         "App::PropertyBool",
         "MergeCoplanar",
         "Solid",
-        mark("Properties", "Whether adjacent coplanar triangles are merged into one flat face"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Whether adjacent coplanar triangles are merged into one flat face"
+        ),
         True,
         0,
     ),
@@ -28,8 +32,8 @@ PROPERTIES = [
         "App::PropertyInteger",
         "MaxFaces",
         "Solid",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Largest number of faces. If Tolerance is 0, the smallest tolerance that meets this "
             "limit is chosen",
         ),
@@ -40,8 +44,8 @@ PROPERTIES = [
         "App::PropertyLength",
         "Tolerance",
         "Solid",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "How far the solid may deviate from the mesh. Within this tolerance, cylinders, "
             "spheres and other surfaces are recognised, and the rest is simplified. 0: exact, "
             "unless MaxFaces requires a tolerance",
@@ -53,7 +57,9 @@ PROPERTIES = [
         "App::PropertyLength",
         "Deviation",
         "Result",
-        mark("Properties", "Largest distance of the mesh from the solid, as measured"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Largest distance of the mesh from the solid, as measured"
+        ),
         None,
         READ_ONLY,
     ),
@@ -61,8 +67,8 @@ PROPERTIES = [
         "App::PropertyLength",
         "EdgeTolerance",
         "Result",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Largest gap between two faces that share an edge",
         ),
         None,
@@ -72,7 +78,7 @@ PROPERTIES = [
         "App::PropertyString",
         "Status",
         "Result",
-        mark("Properties", "State of the result"),
+        QT_TRANSLATE_NOOP("App::Property", "State of the result"),
         NOT_COMPUTED,
         READ_ONLY,
     ),
@@ -80,7 +86,7 @@ PROPERTIES = [
         "App::PropertyString",
         "Message",
         "Result",
-        mark("Properties", "Why the last run failed"),
+        QT_TRANSLATE_NOOP("App::Property", "Why the last run failed"),
         None,
         READ_ONLY,
     ),
@@ -88,7 +94,7 @@ PROPERTIES = [
         "App::PropertyInteger",
         "Faces",
         "Result",
-        mark("Properties", "Faces of the solid"),
+        QT_TRANSLATE_NOOP("App::Property", "Faces of the solid"),
         None,
         READ_ONLY,
     ),
@@ -96,7 +102,7 @@ PROPERTIES = [
         "App::PropertyVolume",
         "Volume",
         "Result",
-        mark("Properties", "Volume of the solid"),
+        QT_TRANSLATE_NOOP("App::Property", "Volume of the solid"),
         None,
         READ_ONLY,
     ),
@@ -104,7 +110,7 @@ PROPERTIES = [
         "App::PropertyString",
         "InputHash",
         "Result",
-        mark("Properties", "Inputs of the stored result"),
+        QT_TRANSLATE_NOOP("App::Property", "Inputs of the stored result"),
         None,
         HIDDEN,
     ),
@@ -112,7 +118,7 @@ PROPERTIES = [
         "App::PropertyString",
         "TriedHash",
         "Result",
-        mark("Properties", "Inputs of the last run that failed"),
+        QT_TRANSLATE_NOOP("App::Property", "Inputs of the last run that failed"),
         None,
         HIDDEN,
     ),
@@ -120,7 +126,7 @@ PROPERTIES = [
         "App::PropertyString",
         missing.PROPERTY,
         "Result",
-        mark("Properties", "Inputs that were deleted (JSON)"),
+        QT_TRANSLATE_NOOP("App::Property", "Inputs that were deleted (JSON)"),
         None,
         HIDDEN,
     ),

@@ -48,7 +48,7 @@ def inputs_of(obj, words, make):
         return hash_or_problem(make) + (False,)
     if obj.Status == UP_TO_DATE:
         set_changed(obj, "Status", STALE)
-        text = translate("Messages", "Checking whether large parts have changed ...")
+        text = translate("SweptVolume", "Checking whether large parts have changed ...")
         set_changed(obj, "Message", text)
     read_beside(obj, unread)
     return "", "", True

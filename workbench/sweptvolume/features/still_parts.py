@@ -53,13 +53,13 @@ def listed(names):
 
 
 def left_out_text(problem):
-    return translate("Messages", "Left out: {0}").format(problem)
+    return translate("SweptVolume", "Left out: {0}").format(problem)
 
 
 def no_neighbour():
     return InputProblem(
         translate(
-            "Messages",
+            "SweptVolume",
             "There is no neighbour: choose parts as neighbours, or make other parts visible.",
         )
     )
@@ -155,7 +155,7 @@ class StillParts:
             return []
         return [
             translate(
-                "Messages",
+                "SweptVolume",
                 "Left out: {0}. Envelopes and their solids are checked only if you "
                 "choose them as neighbours.",
             ).format(", ".join('"{}"'.format(label) for label in labels))
@@ -171,7 +171,7 @@ class StillParts:
         if any(self._moves(*pair) for pair in _parts(root, sub)):
             return InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     '"{0}" is both a neighbour and a moving part: remove it from one of the lists.',
                 ).format(label)
             )

@@ -118,12 +118,12 @@ def written(obj):
     of_file = bool(obj.File) and not obj.Sources
     if not of_file and obj.Status not in (UP_TO_DATE, CANCELLED):
         text = translate(
-            "Messages", 'The result of "{0}" is not up to date: run the study again first.'
+            "SweptVolume", 'The result of "{0}" is not up to date: run the study again first.'
         ).format(obj.Label)
         raise InputProblem("\n".join(filter(None, (text, obj.Message))))
     if not os.path.isfile(obj.Written) or not os.path.isdir(obj.Results):
         text = translate(
-            "Messages",
+            "SweptVolume",
             "The results of the study cannot be found in their folder: run the study again.",
         )
         raise InputProblem(text)
@@ -137,7 +137,9 @@ def unfinished(names, rows):
 
     found = [rows.get(name, {"run": name, "state": "not run"}) for name in names]
     left = study_table.count(found, "not run")
-    text = translate("Messages", "{0} of {1} runs are not done. Start the study again to continue.")
+    text = translate(
+        "SweptVolume", "{0} of {1} runs are not done. Start the study again to continue."
+    )
     worst = found[studies.worst_first(found)[0]]["run"]
     return {"runs": found, "worst": worst, "message": text.format(left, len(found))}
 
@@ -169,7 +171,7 @@ def compute(obj, control=None):
         else:
             fail(obj, str(error), hash_at_start)
         raise
-    obj.Document.openTransaction(translate("Messages", "Run study"))
+    obj.Document.openTransaction(translate("SweptVolume", "Run study"))
     apply(obj, report, request, hash_at_start)
     obj.purgeTouched()
     obj.Document.commitTransaction()
@@ -178,6 +180,6 @@ def compute(obj, control=None):
 
 def make_study(document, label=None, **settings):
     """Creates a study, not yet computed. `settings`: property names with values."""
-    label = label or translate("Messages", "Study")
+    label = label or translate("SweptVolume", "Study")
     view = "sweptvolume.views.study_view:StudyView"
     return add_object(document, TYPE, "Study", Study, label, settings, view)

@@ -73,7 +73,7 @@ class Run:
 
 def _one_motion(label):
     text = translate(
-        "Messages",
+        "SweptVolume",
         'Each part of "{0}" has its own motion, but a run of a study has only one '
         'motion: leave "{0}" out, or give its parts one common motion.',
     )
@@ -93,7 +93,7 @@ def run_of(name, source, plan):
     given = requests[0].options
     if given["components"] != "consistent":
         text = translate(
-            "Messages",
+            "SweptVolume",
             'Studies cannot use the setting Components of "{0}": set it to Consistent.',
         )
         raise InputProblem(text.format(source.Label))

@@ -46,7 +46,7 @@ class Taken:
     def put(self, document):
         """Creates the check or envelope, and all its inputs in a group. GUI thread."""
         group = document.addObject("App::DocumentObjectGroup", "Run")
-        group.Label = translate("Messages", "Run {0}").format(self.run.name)
+        group.Label = translate("SweptVolume", "Run {0}").format(self.run.name)
         body = self._shown(document, group, pathlib.PurePath(self.run.part).stem, self.mesh)
         times, translations, rotations = self.motion
         files = self.run.options[""]
@@ -100,6 +100,6 @@ class Taken:
 def problem_text(name):
     """Returns the text about a run that the study file does not contain any more."""
     text = translate(
-        "Messages", 'The study file no longer contains the run "{0}": run the study again.'
+        "SweptVolume", 'The study file no longer contains the run "{0}": run the study again.'
     )
     return text.format(name)

@@ -20,7 +20,7 @@ def _plan_of(source):
     if envelope.is_envelope(source):
         return envelope_plan.Plan.of(source)
     text = translate(
-        "Messages",
+        "SweptVolume",
         '"{0}" cannot be a run of a study: choose envelopes, or clearance checks with one motion.',
     )
     raise InputProblem(text.format(source.Label))
@@ -96,7 +96,7 @@ class Plan:
         if not self.sources:
             if not self.file:
                 text = translate(
-                    "Messages",
+                    "SweptVolume",
                     "The study has no runs: choose a study file, or envelopes and "
                     "clearance checks.",
                 )
@@ -107,7 +107,7 @@ class Plan:
             path = self.document.FileName
             if not path:
                 text = translate(
-                    "Messages",
+                    "SweptVolume",
                     "There is no folder for the results: save the document first, or "
                     "choose a folder.",
                 )

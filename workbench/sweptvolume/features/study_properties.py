@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of a study. Inputs: type, name, help, default. Results: type, name, help, mode."""
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from . import clearance_properties
 from .base import HIDDEN, READ_ONLY
 
@@ -8,8 +8,8 @@ INPUT = [
     (
         "App::PropertyFile",
         "File",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Study file (TOML) that lists the runs. Empty: the runs come from Sources",
         ),
         "",
@@ -17,16 +17,17 @@ INPUT = [
     (
         "App::PropertyLinkListGlobal",
         "Sources",
-        mark(
-            "Properties", "Envelopes and clearance checks of this document. Each of them is one run"
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Envelopes and clearance checks of this document. Each of them is one run",
         ),
         None,
     ),
     (
         "App::PropertyString",
         "Folder",
-        mark(
-            "Properties",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
             "Folder for the results. Empty: the folder set in the study file, or the "
             'folder "results" beside that file. Without a study file: a folder '
             "beside the document",
@@ -36,7 +37,9 @@ INPUT = [
     (
         "App::PropertyInteger",
         "Jobs",
-        mark("Properties", "Number of runs at the same time. 0: one for each processor core"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Number of runs at the same time. 0: one for each processor core"
+        ),
         0,
     ),
 ]
@@ -46,19 +49,19 @@ RESULT = [row for row in clearance_properties.RESULT if row[1] in _SAME] + [
     (
         "App::PropertyInteger",
         "Checked",
-        mark("Properties", "Number of runs that have ended"),
+        QT_TRANSLATE_NOOP("App::Property", "Number of runs that have ended"),
         READ_ONLY,
     ),
     (
         "App::PropertyString",
         "Results",
-        mark("Properties", "Folder of the stored result"),
+        QT_TRANSLATE_NOOP("App::Property", "Folder of the stored result"),
         READ_ONLY,
     ),
     (
         "App::PropertyString",
         "Written",
-        mark("Properties", "Study file of the stored result"),
+        QT_TRANSLATE_NOOP("App::Property", "Study file of the stored result"),
         HIDDEN,
     ),
 ]

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The rows of a study for people: their order, their texts, and a summary line."""
 from ..quantities import TABLE_DIGITS, number, quantity
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .clearance import VERDICTS
 
 #: State of a run -> text for people.
 STATES = {
-    "failed": mark("Messages", "Failed"),
-    "not clear": mark("Messages", "Not clear"),
-    "not run": mark("Messages", "Not run"),
-    "done": mark("Messages", "Done"),
+    "failed": QT_TRANSLATE_NOOP("SweptVolume", "Failed"),
+    "not clear": QT_TRANSLATE_NOOP("SweptVolume", "Not clear"),
+    "not run": QT_TRANSLATE_NOOP("SweptVolume", "Not run"),
+    "done": QT_TRANSLATE_NOOP("SweptVolume", "Done"),
 }
 #: The parts of a stored report that are used, with their shapes (base.fits()).
 REPORT = {"runs": [{"run": str, "state": set(STATES)}], "worst": str, "message": str}
@@ -20,21 +20,21 @@ def count(rows, state):
 
 
 def state_text(row):
-    return translate("Messages", STATES[row["state"]])
+    return translate("SweptVolume", STATES[row["state"]])
 
 
 def verdict_text(row):
     """Returns the worst verdict of a run, or "" if it computed no clearance."""
     verdict = row.get("verdict", "")
     if verdict == "contact" and row["state"] == "done":
-        return translate("Messages", "Contact, allowed")
-    return translate("Messages", VERDICTS[verdict]) if verdict in VERDICTS else ""
+        return translate("SweptVolume", "Contact, allowed")
+    return translate("SweptVolume", VERDICTS[verdict]) if verdict in VERDICTS else ""
 
 
 def length_text(row):
     """Returns the smallest distance, or the depth of a clash, or ""."""
     if row.get("verdict") == "clash" and row.get("depth"):
-        return translate("Messages", "{0} deep").format(quantity(row["depth"], TABLE_DIGITS))
+        return translate("SweptVolume", "{0} deep").format(quantity(row["depth"], TABLE_DIGITS))
     return quantity(row["distance"], TABLE_DIGITS) if "distance" in row else ""
 
 
@@ -43,7 +43,7 @@ def told(row):
     words = [row["run"], state_text(row), verdict_text(row), length_text(row)]
     words.append(row.get("neighbour", ""))
     if "time_seconds" in row:
-        words.append(translate("Messages", "t = {0} s").format(number(row["time_seconds"], 4)))
+        words.append(translate("SweptVolume", "t = {0} s").format(number(row["time_seconds"], 4)))
     words.append(row.get("message", ""))
     return ", ".join(filter(None, words))
 
@@ -65,12 +65,12 @@ def verdict(report):
 def summary(report):
     """Returns the result in one line."""
     rows = report["runs"]
-    words = [translate("Messages", "{0} runs").format(len(rows))]
+    words = [translate("SweptVolume", "{0} runs").format(len(rows))]
     for state, text in (
-        ("failed", translate("Messages", "{0} failed")),
-        ("not clear", translate("Messages", "{0} not clear")),
-        ("not run", translate("Messages", "{0} not run")),
-        ("done", translate("Messages", "{0} done")),
+        ("failed", translate("SweptVolume", "{0} failed")),
+        ("not clear", translate("SweptVolume", "{0} not clear")),
+        ("not run", translate("SweptVolume", "{0} not run")),
+        ("done", translate("SweptVolume", "{0} done")),
     ):
         if count(rows, state):
             words.append(text.format(count(rows, state)))

@@ -56,22 +56,22 @@ class ResultPanel(StayingPanel):
     def _build_result(self):
         self.one, self.unit = quantities.length_unit()
         self.worst_first, self.painted = [], VerdictColours()
-        self.result = QtWidgets.QGroupBox(translate("Panels", "Result"))
+        self.result = QtWidgets.QGroupBox(translate("SweptVolume", "Result"))
         rows = QtWidgets.QVBoxLayout(self.result)
         self.summary = QtWidgets.QLabel()
         self.summary.setWordWrap(True)
         self.summary.setObjectName("SweptVolumeClearanceSummary")
         heads = (
-            translate("Panels", self.NAME),
-            translate("Panels", "Verdict"),
+            translate("SweptVolume", self.NAME),
+            translate("SweptVolume", "Verdict"),
             self.unit,
-            "{}\ns".format(translate("Panels", "Time")),
-            "{}\n{}".format(translate("Panels", "Depth"), self.unit),
+            "{}\ns".format(translate("SweptVolume", "Time")),
+            "{}\n{}".format(translate("SweptVolume", "Depth"), self.unit),
         )
         self.table = VerdictTable("SweptVolumeClearanceTable", heads)
         self.table.horizontalHeaderItem(2).setToolTip(
             translate(
-                "Panels",
+                "SweptVolume",
                 "These distances are measured between the meshes. In the line above, "
                 "the possible deviation of the meshes from the parts is subtracted",
             )
@@ -88,21 +88,23 @@ class ResultPanel(StayingPanel):
         rows.addWidget(self.table)
         rows.addLayout(self._build_worst())
         rows.addWidget(self.graph)
-        self.paint = QtWidgets.QCheckBox(translate("Panels", "Colour the &parts by their verdicts"))
+        self.paint = QtWidgets.QCheckBox(
+            translate("SweptVolume", "Colour the &parts by their verdicts")
+        )
         self.paint.setObjectName("SweptVolumePaint")
         self.paint.setChecked(True)
         self.paint.toggled.connect(lambda *ignored: self.paint_parts())
         rows.addWidget(self.paint)
         self.build_more(rows)
         buttons = QtWidgets.QHBoxLayout()
-        self.csv = QtWidgets.QPushButton(translate("Panels", "CSV..."))
-        self.sheet = QtWidgets.QPushButton(translate("Panels", "Spreadsheet"))
+        self.csv = QtWidgets.QPushButton(translate("SweptVolume", "CSV..."))
+        self.sheet = QtWidgets.QPushButton(translate("SweptVolume", "Spreadsheet"))
         self.csv.setObjectName("SweptVolumeCsv")
         self.sheet.setObjectName("SweptVolumeSheet")
         buttons.addWidget(self.csv)
         buttons.addWidget(self.sheet)
         rows.addLayout(buttons)
-        self.page = QtWidgets.QPushButton(translate("Panels", "Report..."))
+        self.page = QtWidgets.QPushButton(translate("SweptVolume", "Report..."))
         self.page.setObjectName("SweptVolumeReport")
         rows.addWidget(self.page)
         self.layout.insertWidget(2, self.result)  # above the inputs, visible without scrolling
@@ -122,13 +124,15 @@ class ResultPanel(StayingPanel):
             widgets.hint(QtWidgets.QPushButton(text), tip)
             for text, tip in (
                 (
-                    translate("Panels", "Pre&vious place"),
-                    translate("Panels", "Goes to the previous place, which is worse than this one"),
+                    translate("SweptVolume", "Pre&vious place"),
+                    translate(
+                        "SweptVolume", "Goes to the previous place, which is worse than this one"
+                    ),
                 ),
                 (
-                    translate("Panels", "&Next worst place"),
+                    translate("SweptVolume", "&Next worst place"),
                     translate(
-                        "Panels",
+                        "SweptVolume",
                         "Goes to the next place. Clashes come first, beginning with the deepest, "
                         "then all other places, beginning with the closest",
                     ),
@@ -156,7 +160,7 @@ class ResultPanel(StayingPanel):
         self.whole, self.report = report, self.rows_of(report)
         text = self.TABLE.summary(report)
         if self.obj.Status != clearance.UP_TO_DATE:
-            text = translate("Panels", "{0} (stale: run the check again)").format(text)
+            text = translate("SweptVolume", "{0} (stale: run the check again)").format(text)
         self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
         if self.obj.Message:
             widgets.show_message(self.message, self.obj.Message)
@@ -190,10 +194,10 @@ class ResultPanel(StayingPanel):
         self.table.setRowCount(len(self.report["neighbours"]))
         for r, row in enumerate(self.report["neighbours"]):
             deep = row.get("penetration", {}).get("depth", 0.0)
-            verdict = translate("Messages", clearance.VERDICTS[row["verdict"]])
+            verdict = translate("SweptVolume", clearance.VERDICTS[row["verdict"]])
             met = clearance_table.meets_rule(row)
             if met and row["verdict"] == "contact":
-                verdict = translate("Messages", "Contact, allowed")
+                verdict = translate("SweptVolume", "Contact, allowed")
             rank = clearance_table.WORST_FIRST.index(clearance_table.judged(row))
             rule = clearance_table.rule_text(row, self.report)
             cells = (
@@ -203,7 +207,7 @@ class ResultPanel(StayingPanel):
                 SortedCell(quantities.number(row["time_seconds"], 4), row["time_seconds"]),
                 SortedCell(self._length(deep) if deep else "", -deep),
             )
-            cells[1].setToolTip(translate("Panels", "Rule: {0}").format(rule))
+            cells[1].setToolTip(translate("SweptVolume", "Rule: {0}").format(rule))
             self.table.put(r, cells, r, row)
         clashes = any(row["verdict"] == "clash" for row in self.report["neighbours"])
         self.table.setColumnHidden(4, not clashes)
@@ -264,7 +268,7 @@ class ResultPanel(StayingPanel):
 
     @guard.told
     def export_sheet(self):
-        self.document.openTransaction(translate("Messages", "Clearance table"))
+        self.document.openTransaction(translate("SweptVolume", "Clearance table"))
         self.TABLE.make_spreadsheet(self.obj, self.whole)
         self.document.commitTransaction()
         self.document.recompute()

@@ -52,7 +52,7 @@ class CheckRun:
         listed = self.asked.pairs + [pair for pair in found if pair not in self.asked.pairs]
         self.asked.show_pairs(listed, {**rules, **found})
         if not found:
-            text = translate("Panels", "No parts are in contact at the first pose.")
+            text = translate("SweptVolume", "No parts are in contact at the first pose.")
         else:
             told = [
                 "{} ({})".format(self.label_of(pair), quantities.quantity(rule.length, 3))
@@ -61,7 +61,8 @@ class CheckRun:
                 for pair, rule in found.items()
             ]
             text = translate(
-                "Panels", "Contact is now allowed for these parts. Check that this is intended: {0}"
+                "SweptVolume",
+                "Contact is now allowed for these parts. Check that this is intended: {0}",
             )
             text = text.format(", ".join(told))
         widgets.show_message(self.message, text)

@@ -130,7 +130,7 @@ class DistanceGraph(QtWidgets.QWidget):
         painter = QtGui.QPainter(self)
         if not self.order:
             painter.setPen(self._ink())
-            text = translate("Panels", "There is no graph yet: run the check first.")
+            text = translate("SweptVolume", "There is no graph yet: run the check first.")
             painter.drawText(self.rect(), QtCore.Qt.AlignCenter, text)
             painter.end()
             return
@@ -200,7 +200,7 @@ class DistanceGraph(QtWidgets.QWidget):
         painter.drawText(
             QtCore.QRectF(box.left(), box.bottom() + 14, box.width(), 16),
             QtCore.Qt.AlignCenter,
-            translate("Panels", "distance ({0}) over time (s)").format(self.unit),
+            translate("SweptVolume", "distance ({0}) over time (s)").format(self.unit),
         )
         painter.setPen(QtGui.QPen(QtGui.QColor("#cc0000"), 1.2, QtCore.Qt.DotLine))
         for distance in self.asked:
@@ -255,7 +255,7 @@ class DistanceGraph(QtWidgets.QWidget):
         part = min(max((x - box.left()) / max(box.width(), 1.0), 0.0), 1.0)
         time = self.start + part * (self.end - self.start)
         distance = float(np.interp(time, times, distances))
-        text = translate("Panels", "{0}: {1} {2} at {3} s")
+        text = translate("SweptVolume", "{0}: {1} {2} at {3} s")
         return text.format(name, number(distance, TABLE_DIGITS), self.unit, number(time, 3))
 
     def mouseMoveEvent(self, event):  # noqa: N802

@@ -37,7 +37,7 @@ class ClearancePanel(CheckRun, ResultPanel):
             neighbours, all_visible, values = plan.neighbours, plan.all_visible, plan.values
             self.rules = plan.rules
         self.pairs, self.motion, self.neighbours = list(pairs), motion_obj, list(neighbours)
-        title = translate("Panels", "Clearance")
+        title = translate("SweptVolume", "Clearance")
         self.form, self.layout = widgets.window(title, "SweptVolume_Clearance")
         self.box = widgets.RunBox()
         self.message = widgets.message_label()
@@ -54,16 +54,16 @@ class ClearancePanel(CheckRun, ResultPanel):
     # --- building
 
     def _build_inputs(self, envelope, all_visible, values):
-        rows = widgets.group(translate("Panels", "Check"), self.layout)
+        rows = widgets.group(translate("SweptVolume", "Check"), self.layout)
         names = [o.Name for o in objects_of_kind(self.document, Envelope.KIND)]
         texts = [self.document.getObject(n).Label for n in names]
-        own = translate("Panels", "(parts and motion below)")
+        own = translate("SweptVolume", "(parts and motion below)")
         now = (
             envelope.Name if envelope is not None else ("" if self.pairs or not names else names[0])
         )
         self.source = widgets.choice([""] + names, now, [own] + texts)
         self.source.setObjectName("SweptVolumeClearanceSource")
-        rows.addRow(translate("Panels", "Envelope"), self.source)
+        rows.addRow(translate("SweptVolume", "Envelope"), self.source)
         motions = objects_of_kind(self.document, motion.Motion.KIND)
         self.path = widgets.choice(
             [o.Name for o in motions],
@@ -73,14 +73,14 @@ class ClearancePanel(CheckRun, ResultPanel):
         if self.obj is not None and self.motion is None and envelope is None:
             self.path.setCurrentIndex(-1)  # a missing motion is not replaced silently
         self.moving = QtWidgets.QLabel(", ".join(label_of(*p) for p in self.pairs) or "-")
-        rows.addRow(translate("Panels", "Moving parts"), self.moving)
-        rows.addRow(translate("Panels", "Motion"), self.path)
-        self.all = QtWidgets.QCheckBox(translate("Panels", "All visible"))
+        rows.addRow(translate("SweptVolume", "Moving parts"), self.moving)
+        rows.addRow(translate("SweptVolume", "Motion"), self.path)
+        self.all = QtWidgets.QCheckBox(translate("SweptVolume", "All visible"))
         self.all.setChecked(bool(all_visible))
-        widgets.hint(self.all, translate("Panels", "All other visible parts are neighbours"))
+        widgets.hint(self.all, translate("SweptVolume", "All other visible parts are neighbours"))
         self.chosen = QtWidgets.QLabel()
         self.chosen.setWordWrap(True)
-        self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke selected as neighbours"))
+        self.take = QtWidgets.QPushButton(translate("SweptVolume", "Ta&ke selected as neighbours"))
         self.take.setObjectName("SweptVolumeTakeNeighbours")
         rows.addRow(self.all)
         rows.addRow(self.chosen)
@@ -89,10 +89,10 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.required = widgets.length(values["RequiredDistance"], 0.0, 0.5)
         self.tolerance = widgets.length(values["Accuracy"], 1e-6, 0.01)
         self.deflection = widgets.length(values["MeshDeflection"], 1e-4, 0.01)
-        rows.addRow(translate("Panels", "Required distance"), self.required)
-        rows.addRow(translate("Panels", "Accuracy"), self.tolerance)
-        rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
-        self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
+        rows.addRow(translate("SweptVolume", "Required distance"), self.required)
+        rows.addRow(translate("SweptVolume", "Accuracy"), self.tolerance)
+        rows.addRow(translate("SweptVolume", "Mesh deflection"), self.deflection)
+        self.check = QtWidgets.QPushButton(translate("SweptVolume", "Check"))
         self.check.setObjectName("SweptVolumeCheck")
         self.check.setDefault(True)  # Enter presses this button
         rows.addRow(self.check)
@@ -102,11 +102,13 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.source.currentIndexChanged.connect(lambda *ignored: self._show_neighbours())
 
     def _build_rules(self, rows):
-        self.asked = RulesTable("SweptVolumeRules", translate("Panels", "Distance"), height=130)
+        self.asked = RulesTable(
+            "SweptVolumeRules", translate("SweptVolume", "Distance"), height=130
+        )
         self.touching = widgets.hint(
-            QtWidgets.QPushButton(translate("Panels", "Allow initial con&tacts")),
+            QtWidgets.QPushButton(translate("SweptVolume", "Allow initial con&tacts")),
             translate(
-                "Panels",
+                "SweptVolume",
                 "Allows contact with the neighbours that the moving parts touch at the first pose",
             ),
         )
@@ -153,7 +155,7 @@ class ClearancePanel(CheckRun, ResultPanel):
         new = [pair for pair in found if pair not in self.asked.pairs]
         self.asked.show_pairs(found, {p: neighbour_rules.of(self.rules, *p) for p in new})
         more = "" if len(names) <= 6 else " ..."
-        text = translate("Panels", "{0} neighbours: {1}")
+        text = translate("SweptVolume", "{0} neighbours: {1}")
         self.chosen.setText(text.format(len(names), ", ".join(names[:6]) + more))
         own = not self.source.currentData()
         self.moving.setText(", ".join(label_of(*p) for p in self.plan().pairs) or "-")

@@ -4,7 +4,7 @@ envelope."""
 from .. import convert
 from ..convert import InputProblem
 from ..features import clearance, clearance_table, shared
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from ..views.clearance_view import BANDS
 from . import guard, played_result, widgets
 from .played_result import RowScene, gone
@@ -14,7 +14,7 @@ from .widgets import QtWidgets
 class ResultPanel(played_result.PlayedPanel):
     """`hidden`: the envelope that is hidden while its coloured copy is shown."""
 
-    NAME = mark("Panels", "Neighbour")
+    NAME = QT_TRANSLATE_NOOP("SweptVolume", "Neighbour")
 
     def stored_report(self):
         return clearance.report_of(self.obj)
@@ -22,9 +22,9 @@ class ResultPanel(played_result.PlayedPanel):
     def build_more(self, rows):
         self.build_played(rows)
         self.cut_away = widgets.hint(
-            QtWidgets.QPushButton(translate("Panels", "Keep volume to cut awa&y")),
+            QtWidgets.QPushButton(translate("SweptVolume", "Keep volume to cut awa&y")),
             translate(
-                "Panels",
+                "SweptVolume",
                 "Creates an object from the volume that the envelope shares with the part of the "
                 "chosen row",
             ),
@@ -88,7 +88,7 @@ class ResultPanel(played_result.PlayedPanel):
         plan, time = clearance.Plan.of(self.obj), self.report["neighbours"][index]["time_seconds"]
         if plan.moving().reference is not None:
             text = translate(
-                "Messages",
+                "SweptVolume",
                 "The envelope was computed relative to a moving part, so its clash "
                 "volume has no fixed position in the document: run the check without "
                 "a reference part.",
@@ -113,7 +113,9 @@ class ResultPanel(played_result.PlayedPanel):
 
     def _bands(self):
         """Builds the legend of the colour map. The user can change the limits."""
-        self.coloured = QtWidgets.QCheckBox(translate("Panels", "Colour the envelope by distance"))
+        self.coloured = QtWidgets.QCheckBox(
+            translate("SweptVolume", "Colour the envelope by distance")
+        )
         self.coloured.setObjectName("SweptVolumeColours")
         self.contact_band = widgets.length(0.1, 0.0, 0.1)
         self.required_band = widgets.length(5.0, 0.0, 0.5)
@@ -122,10 +124,10 @@ class ResultPanel(played_result.PlayedPanel):
         grid = QtWidgets.QGridLayout()
         grid.addWidget(self.coloured, 0, 0, 1, 3)
         texts = (
-            translate("Panels", "clash: inside"),
-            translate("Panels", "contact: up to"),
-            translate("Panels", "below required: up to"),
-            translate("Panels", "clear: beyond"),
+            translate("SweptVolume", "clash: inside"),
+            translate("SweptVolume", "contact: up to"),
+            translate("SweptVolume", "below required: up to"),
+            translate("SweptVolume", "clear: beyond"),
         )
         fields = (None, self.contact_band, self.required_band, None)
         for k, (text, colour, field) in enumerate(zip(texts, BANDS, fields)):
@@ -162,7 +164,7 @@ class ResultPanel(played_result.PlayedPanel):
             envelope.ViewObject.Visibility = False
         else:
             text = translate(
-                "Panels", "The envelope has changed since the check: run the check again."
+                "SweptVolume", "The envelope has changed since the check: run the check again."
             )
             widgets.show_message(self.message, text)
 

@@ -40,7 +40,7 @@ class CoreDialog(QtWidgets.QDialog):
     def __init__(self):
         super().__init__(Gui.getMainWindow())
         self.setObjectName("SweptVolumeCore")
-        self.setWindowTitle(translate("Panels", "Install the core"))
+        self.setWindowTitle(translate("SweptVolume", "Install the core"))
         self.setWindowIcon(Gui.getIcon(icon("SweptVolume_InstallCore")))
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         self.run, self.found, self.lookup = None, None, None
@@ -71,31 +71,33 @@ class CoreDialog(QtWidgets.QDialog):
 
     def _facts(self):
         """Returns the table of what is fetched."""
-        box = QtWidgets.QGroupBox(translate("Panels", "What is fetched"))
+        box = QtWidgets.QGroupBox(translate("SweptVolume", "What is fetched"))
         rows = QtWidgets.QFormLayout(box)
         self.source = self._label("SweptVolumeCoreSource")
-        self.source.setText(translate("Panels", "asking pip..."))
+        self.source.setText(translate("SweptVolume", "asking pip..."))
         folder = self._label("SweptVolumeCoreFolder")
         folder.setText(core_install.target())
         package = self._label("SweptVolumeCorePackage")
-        text = translate("Panels", "{0}, version {1}, for Python {2}")
+        text = translate("SweptVolume", "{0}, version {1}, for Python {2}")
         package.setText(text.format(core_install.PACKAGE, __version__, interpreter.VERSION))
-        size = QtWidgets.QLabel(translate("Panels", "about {0} MB").format(core_install.SIZE))
-        rows.addRow(translate("Panels", "Package"), package)
-        rows.addRow(translate("Panels", "Size"), size)
-        rows.addRow(translate("Panels", "From"), self.source)
-        rows.addRow(translate("Panels", "Into"), folder)
+        size = QtWidgets.QLabel(translate("SweptVolume", "about {0} MB").format(core_install.SIZE))
+        rows.addRow(translate("SweptVolume", "Package"), package)
+        rows.addRow(translate("SweptVolume", "Size"), size)
+        rows.addRow(translate("SweptVolume", "From"), self.source)
+        rows.addRow(translate("SweptVolume", "Into"), folder)
         return box
 
     def _buttons(self):
         row = QtWidgets.QHBoxLayout()
-        self.install = QtWidgets.QPushButton(translate("Panels", "Install"))
-        self.file = QtWidgets.QPushButton(translate("Panels", "From a file..."))
+        self.install = QtWidgets.QPushButton(translate("SweptVolume", "Install"))
+        self.file = QtWidgets.QPushButton(translate("SweptVolume", "From a file..."))
         self.file.setToolTip(
-            translate("Panels", "Installs a package file (.whl) that you have downloaded or built.")
+            translate(
+                "SweptVolume", "Installs a package file (.whl) that you have downloaded or built."
+            )
         )
-        self.stop = QtWidgets.QPushButton(translate("Panels", "Stop"))
-        self.done = QtWidgets.QPushButton(translate("Panels", "Close"))
+        self.stop = QtWidgets.QPushButton(translate("SweptVolume", "Stop"))
+        self.done = QtWidgets.QPushButton(translate("SweptVolume", "Close"))
         names = ("SweptVolumeCoreInstall", "SweptVolumeCoreFile", "SweptVolumeCoreStop")
         row.addStretch(1)
         for button, name in zip((self.install, self.file, self.stop, self.done), names + ("",)):
@@ -112,10 +114,12 @@ class CoreDialog(QtWidgets.QDialog):
         running, works = self.run is not None, core.available()
         blocked = "" if works else core_install.obstacle()
         if works:
-            text = translate("Panels", "The core is installed: {0}").format(core.module().__file__)
+            text = translate("SweptVolume", "The core is installed: {0}").format(
+                core.module().__file__
+            )
         elif blocked:
             text = translate(
-                "Panels",
+                "SweptVolume",
                 "The core in {0} cannot be used, but FreeCAD would load it instead of an installed "
                 "core. Build it again, or delete it.",
             ).format(blocked)
@@ -123,7 +127,7 @@ class CoreDialog(QtWidgets.QDialog):
             text = core.problem().split("\n")[0]
         else:
             text = translate(
-                "Panels",
+                "SweptVolume",
                 "The workbench computes with a compiled Python package, its core. It is not "
                 "installed for the Python {0} of this FreeCAD.",
             ).format(interpreter.VERSION)
@@ -194,9 +198,9 @@ class CoreDialog(QtWidgets.QDialog):
         self.line.hide()
         text = run.problem
         if not text and not run.restart and core.available():
-            text = translate("Panels", "Installed. You can use the workbench now.")
+            text = translate("SweptVolume", "Installed. You can use the workbench now.")
         elif not text:
-            text = translate("Panels", "Installed. Start FreeCAD again to use it.")
+            text = translate("SweptVolume", "Installed. Start FreeCAD again to use it.")
         self._show_state()
         self._say(self.message, text)
         if run.restart and not run.problem:
@@ -221,7 +225,7 @@ def ask_wheel():
     """Asks for the file of the package. Returns "" if cancelled."""
     path, _ = QtWidgets.QFileDialog.getOpenFileName(
         Gui.getMainWindow(),
-        translate("Panels", "Install the core"),
+        translate("SweptVolume", "Install the core"),
         os.path.expanduser("~"),
         "Python (swept_volume-*.whl)",
     )

@@ -68,7 +68,7 @@ class EnvelopePanel(StartPanel):
         )
         plan = Plan(pairs, motion_obj, values) if obj is None else Plan.of(obj)
         values = plan.values
-        title = translate("Panels", "Swept envelope")
+        title = translate("SweptVolume", "Swept envelope")
         self.form, self.layout = widgets.window(title, "SweptVolume_Envelope")
         self.box = widgets.RunBox()
         self.message = widgets.message_label()
@@ -94,15 +94,15 @@ class EnvelopePanel(StartPanel):
     # --- building
 
     def _build_accuracy(self, values):
-        rows = widgets.group(translate("Panels", "Accuracy"), self.layout)
+        rows = widgets.group(translate("SweptVolume", "Accuracy"), self.layout)
         given = [name for name in ("Accuracy", "CellSize") if values[name] > 0]
         self.by = widgets.choice(
             ["Accuracy", "Resolution", "CellSize"],
             (given + ["Resolution"])[0],
             [
-                translate("Panels", "Accuracy"),
-                translate("Panels", "Resolution"),
-                translate("Panels", "Cell size"),
+                translate("SweptVolume", "Accuracy"),
+                translate("SweptVolume", "Resolution"),
+                translate("SweptVolume", "Cell size"),
             ],
         )
         self.accuracy = widgets.length(values["Accuracy"] or 1.0)
@@ -110,7 +110,7 @@ class EnvelopePanel(StartPanel):
         widgets.hint(
             self.accuracy,
             translate(
-                "Panels",
+                "SweptVolume",
                 "How far the surface may lie from the true one. Determines cell size and tolerance",
             ),
         )
@@ -120,7 +120,7 @@ class EnvelopePanel(StartPanel):
         self.resolution.setGroupSeparatorShown(True)
         self.resolution.setValue(values["Resolution"])
         self.resolution.setObjectName("SweptVolumeResolution")
-        tip = translate("Panels", "Number of cells along the longest side of the swept volume")
+        tip = translate("SweptVolume", "Number of cells along the longest side of the swept volume")
         widgets.hint(self.resolution, tip)
         self.quality = QtWidgets.QSlider(QtCore.Qt.Horizontal)
         self.quality.setObjectName("SweptVolumeQuality")
@@ -129,7 +129,7 @@ class EnvelopePanel(StartPanel):
         self.quality.setTickPosition(QtWidgets.QSlider.TicksBelow)
         widgets.hint(
             self.quality,
-            translate("Panels", "Coarse and fast on the left, fine and slow on the right"),
+            translate("SweptVolume", "Coarse and fast on the left, fine and slow on the right"),
         )
         self.cell = widgets.length(values["CellSize"] or 1.0)
         self.tolerance = widgets.length(values["Tolerance"])
@@ -137,39 +137,42 @@ class EnvelopePanel(StartPanel):
         widgets.hint(
             self.tolerance,
             translate(
-                "Panels", "How far simplification may move the surface. 0: no simplification"
+                "SweptVolume", "How far simplification may move the surface. 0: no simplification"
             ),
         )
         widgets.hint(
-            self.offset, translate("Panels", "Grows the envelope by this distance on all sides")
+            self.offset,
+            translate("SweptVolume", "Grows the envelope by this distance on all sides"),
         )
-        rows.addRow(translate("Panels", "Accuracy"), self.accuracy)
-        rows.addRow(translate("Panels", "Set cell size by"), self.by)
-        rows.addRow(translate("Panels", "Resolution"), self.resolution)
-        rows.addRow(translate("Panels", "Quality"), self.quality)
-        rows.addRow(translate("Panels", "Cell size"), self.cell)
+        rows.addRow(translate("SweptVolume", "Accuracy"), self.accuracy)
+        rows.addRow(translate("SweptVolume", "Set cell size by"), self.by)
+        rows.addRow(translate("SweptVolume", "Resolution"), self.resolution)
+        rows.addRow(translate("SweptVolume", "Quality"), self.quality)
+        rows.addRow(translate("SweptVolume", "Cell size"), self.cell)
         self.estimate_label = QtWidgets.QLabel()
         self.estimate_label.setWordWrap(True)
         rows.addRow(self.estimate_label)
-        rows.addRow(translate("Panels", "Tolerance"), self.tolerance)
-        rows.addRow(translate("Panels", "Offset"), self.offset)
-        self.conservative = QtWidgets.QCheckBox(translate("Panels", "Conservative"))
+        rows.addRow(translate("SweptVolume", "Tolerance"), self.tolerance)
+        rows.addRow(translate("SweptVolume", "Offset"), self.offset)
+        self.conservative = QtWidgets.QCheckBox(translate("SweptVolume", "Conservative"))
         self.conservative.setChecked(values["Conservative"])
         widgets.hint(
             self.conservative,
-            translate("Panels", "Grows the envelope until it provably contains the swept volume"),
+            translate(
+                "SweptVolume", "Grows the envelope until it provably contains the swept volume"
+            ),
         )
-        self.cavities = QtWidgets.QCheckBox(translate("Panels", "Keep cavities"))
+        self.cavities = QtWidgets.QCheckBox(translate("SweptVolume", "Keep cavities"))
         self.cavities.setChecked(values["KeepCavities"])
         widgets.hint(
             self.cavities,
             translate(
-                "Panels", "Keeps enclosed cavities as inner shells; otherwise they are filled"
+                "SweptVolume", "Keeps enclosed cavities as inner shells; otherwise they are filled"
             ),
         )
         rows.addRow(self.conservative)
         rows.addRow(self.cavities)
-        self.preview_box = QtWidgets.QCheckBox(translate("Panels", "Show a coarse envelope"))
+        self.preview_box = QtWidgets.QCheckBox(translate("SweptVolume", "Show a coarse envelope"))
         self.preview_box.setObjectName("SweptVolumePreview")
         self.preview_text = widgets.message_label()
         rows.addRow(self.preview_box)
@@ -177,34 +180,34 @@ class EnvelopePanel(StartPanel):
         self.deflection = values["MeshDeflection"]
 
     def _build_method(self, values):
-        rows = widgets.group(translate("Panels", "Method"), self.layout)
+        rows = widgets.group(translate("SweptVolume", "Method"), self.layout)
         self.components = widgets.choice(list(COMPONENTS), values["Components"])
         self.backend = widgets.choice(list(BACKENDS), values["Backend"])
         self.filter = widgets.length(values["PositionFilter"])
         widgets.hint(
             self.filter,
             translate(
-                "Panels",
+                "SweptVolume",
                 "For recordings with very many poses. Skips a pose if no point of "
                 "the part has moved farther than this since the last pose used. 0: "
                 "uses every pose",
             ),
         )
-        rows.addRow(translate("Panels", "Components"), self.components)
-        rows.addRow(translate("Panels", "Backend"), self.backend)
-        rows.addRow(translate("Panels", "Position filter"), self.filter)
+        rows.addRow(translate("SweptVolume", "Components"), self.components)
+        rows.addRow(translate("SweptVolume", "Backend"), self.backend)
+        rows.addRow(translate("SweptVolume", "Position filter"), self.filter)
         self.made_by = widgets.choice(MADE_BY, values["MadeBy"])
         self.made_by.setObjectName("SweptVolumeMadeBy")
         widgets.hint(
             self.made_by,
             translate(
-                "Panels",
+                "SweptVolume",
                 "Records for each triangle which face or edge of which part made it, "
                 'and when. The command "What made this?" shows the record. If it is '
                 "stored in the document, the file becomes larger",
             ),
         )
-        rows.addRow(translate("Panels", "Made by"), self.made_by)
+        rows.addRow(translate("SweptVolume", "Made by"), self.made_by)
 
     def _connect(self):
         self.by.currentIndexChanged.connect(self._accuracy_changed)
@@ -256,9 +259,9 @@ class EnvelopePanel(StartPanel):
     def plan(self):
         by = self.by.currentData()
         if by == "CellSize" and not self._given(by, self.cell) > 0:
-            raise InputProblem(translate("Messages", "The cell size must be above 0 mm."))
+            raise InputProblem(translate("SweptVolume", "The cell size must be above 0 mm."))
         if by == "Accuracy" and not self._given(by, self.accuracy) > 0:
-            raise InputProblem(translate("Messages", "The accuracy must be above 0 mm."))
+            raise InputProblem(translate("SweptVolume", "The accuracy must be above 0 mm."))
         parts = self.parts
         return Plan(
             parts.pairs, parts.motion(), self.values(), parts.own_motions(), *parts.seen_from()
@@ -287,7 +290,7 @@ class EnvelopePanel(StartPanel):
         if reading.first(
             self.document, self._words, id(self.form), lambda: self._read(self._changed)
         ):
-            text = translate("Panels", "Reading the parts ...")
+            text = translate("SweptVolume", "Reading the parts ...")
             widgets.show_message(self.estimate_label, text)
             return
         self.estimate()
@@ -338,12 +341,12 @@ class EnvelopePanel(StartPanel):
             self._show_estimate(text)
 
     def show_estimate(self, found):
-        more = translate("Panels", "; needs about {0} of memory and {1}")
+        more = translate("SweptVolume", "; needs about {0} of memory and {1}")
         took = quantities.megabytes(found["memory_bytes"]), quantities.seconds(found["seconds"])
         text = self._grid_text(found) + more.format(*took)
         if found.get("useful_filter"):
             hint = translate(
-                "Panels",
+                "SweptVolume",
                 "Most poses are nearly equal: a position filter of {0} skips them and makes the "
                 "run much faster.",
             )
@@ -358,7 +361,7 @@ class EnvelopePanel(StartPanel):
 
     @staticmethod
     def _grid_text(found):
-        text = translate("Panels", "{0} x {1} x {2} cells of {3}")
+        text = translate("SweptVolume", "{0} x {1} x {2} cells of {3}")
         cells = map(quantities.count, found["grid"])
         return text.format(*cells, quantities.quantity(found["cell"]))
 
@@ -368,7 +371,7 @@ class EnvelopePanel(StartPanel):
         if motion is None or len(motion.Placements) != 1:
             return ""
         return "\n" + translate(
-            "Panels", "The motion has only one key, so the parts do not move: add another key."
+            "SweptVolume", "The motion has only one key, so the parts do not move: add another key."
         )
 
     # --- run

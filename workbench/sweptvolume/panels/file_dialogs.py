@@ -38,7 +38,7 @@ def ask_export(name):
     filters = ["{} ({})".format(title, patterns) for title, patterns, _ in _KINDS]
     path, chosen = QtWidgets.QFileDialog.getSaveFileName(
         Gui.getMainWindow(),
-        translate("Panels", "Export envelope"),
+        translate("SweptVolume", "Export envelope"),
         _beside_document(name + ".step"),
         ";;".join(filters),
     )
@@ -51,7 +51,7 @@ def ask_report(name):
     """Asks for the HTML or PDF file to write. Returns "" if cancelled."""
     path, chosen = QtWidgets.QFileDialog.getSaveFileName(
         Gui.getMainWindow(),
-        translate("Panels", "Export report"),
+        translate("SweptVolume", "Export report"),
         _beside_document(name + ".html"),
         "HTML (*.html);;PDF (*.pdf)",
     )
@@ -64,7 +64,7 @@ def ask_table(name):
     """Asks for the CSV file to write. Returns "" if cancelled."""
     path, _ = QtWidgets.QFileDialog.getSaveFileName(
         Gui.getMainWindow(),
-        translate("Panels", "Export table"),
+        translate("SweptVolume", "Export table"),
         _beside_document(name + ".csv"),
         "CSV (*.csv)",
     )
@@ -75,7 +75,7 @@ def ask_study():
     """Asks for the study file to read. Returns "" if cancelled."""
     path, _ = QtWidgets.QFileDialog.getOpenFileName(
         Gui.getMainWindow(),
-        translate("Panels", "Study file"),
+        translate("SweptVolume", "Study file"),
         folder_of(App.ActiveDocument),
         "TOML (*.toml)",
     )
@@ -86,6 +86,6 @@ def ask_folder(now):
     """Asks for the folder of the results. Returns "" if cancelled. now: the present folder, or ""."""
     return QtWidgets.QFileDialog.getExistingDirectory(
         Gui.getMainWindow(),
-        translate("Panels", "Folder for results"),
+        translate("SweptVolume", "Folder for results"),
         now or folder_of(App.ActiveDocument),
     )

@@ -24,9 +24,9 @@ class FilePanel:
     def __init__(self, document, path, obj=None):
         self.document, self.obj = document, obj
         self.form, layout = widgets.window(
-            translate("Panels", "Motion from file"), "SweptVolume_MotionFromFile"
+            translate("SweptVolume", "Motion from file"), "SweptVolume_MotionFromFile"
         )
-        rows = widgets.group(translate("Panels", "File"), layout)
+        rows = widgets.group(translate("SweptVolume", "File"), layout)
         self.path = QtWidgets.QLineEdit(path)
         browse = QtWidgets.QPushButton("...")
         browse.clicked.connect(self.browse)
@@ -39,10 +39,10 @@ class FilePanel:
         now = (obj.Interpolation, obj.PoseType) if obj else ("Linear", "Absolute")
         self.interpolation = widgets.choice(list(INTERPOLATIONS), now[0])
         self.frame = widgets.choice(FRAMES, now[1])
-        self.frame.setToolTip(translate("Properties", FRAME_HELP))
-        rows.addRow(translate("Panels", "Unit"), self.unit)
-        rows.addRow(translate("Panels", "Interpolation"), self.interpolation)
-        rows.addRow(translate("Panels", "Pose type"), self.frame)
+        self.frame.setToolTip(translate("App::Property", FRAME_HELP))
+        rows.addRow(translate("SweptVolume", "Unit"), self.unit)
+        rows.addRow(translate("SweptVolume", "Interpolation"), self.interpolation)
+        rows.addRow(translate("SweptVolume", "Pose type"), self.frame)
         self.message = widgets.message_label()
         layout.addWidget(self.message)
         layout.addStretch(1)
@@ -62,7 +62,7 @@ class FilePanel:
         poses = csv_file.read(self.path.text(), self.unit.currentData())
         points = pose_arrays(poses.placements)[0]
         size = points.max(axis=0) - points.min(axis=0)
-        text = translate("Panels", "{0} poses, {1} to {2} s, travel {3} x {4} x {5}")
+        text = translate("SweptVolume", "{0} poses, {1} to {2} s, travel {3} x {4} x {5}")
         widgets.show_message(
             self.message,
             text.format(
@@ -75,7 +75,7 @@ class FilePanel:
 
     @guard.told
     def accept(self):
-        with runner.transaction(self.document, translate("Messages", "Motion from file")):
+        with runner.transaction(self.document, translate("SweptVolume", "Motion from file")):
             given = self.path.text(), self.unit.currentData()
             rules = self.interpolation.currentData(), self.frame.currentData()
             if self.obj is None:
@@ -97,11 +97,11 @@ class FilePanel:
 
 def ask_file():
     """Asks for a file. Returns "" if cancelled."""
-    kinds = translate("Panels", "Motions") + " (*.csv *.txt *.csv.gz *.csv.xz);;"
-    kinds += translate("Panels", "All files") + " (*)"
+    kinds = translate("SweptVolume", "Motions") + " (*.csv *.txt *.csv.gz *.csv.xz);;"
+    kinds += translate("SweptVolume", "All files") + " (*)"
     answer = QtWidgets.QFileDialog.getOpenFileName(
         Gui.getMainWindow(),
-        translate("Panels", "Motion from file"),
+        translate("SweptVolume", "Motion from file"),
         folder_of(App.ActiveDocument),
         kinds,
     )

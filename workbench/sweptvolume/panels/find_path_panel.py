@@ -6,7 +6,7 @@ from PySide import QtCore
 from .. import convert
 from ..convert import InputProblem
 from ..features import motion, path_plan
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from ..views.ghost import MovingPart
 from . import focus, guard, path_texts, selection, widgets
 from .path_tasks import FindPathTask
@@ -21,8 +21,8 @@ LOOK = 100
 class FindPathPanel(SearchPanel):
     """path: a motion whose ends become the start and the goal."""
 
-    TITLE, ICON = mark("Panels", "Find path"), "SweptVolume_FindPath"
-    BUTTON = mark("Panels", "&Find path")
+    TITLE, ICON = QT_TRANSLATE_NOOP("SweptVolume", "Find path"), "SweptVolume_FindPath"
+    BUTTON = QT_TRANSLATE_NOOP("SweptVolume", "&Find path")
 
     def __init__(self, document, pairs=(), neighbours=(), path=None):
         self.ghost = None
@@ -37,13 +37,14 @@ class FindPathPanel(SearchPanel):
     # --- building
 
     def build_way(self):
-        rows = widgets.group(translate("Panels", "Start and goal"), self.layout)
+        rows = widgets.group(translate("SweptVolume", "Start and goal"), self.layout)
         self.part = QtWidgets.QLabel(self.part_text())
         self.part.setWordWrap(True)
-        pick = QtWidgets.QPushButton(translate("Panels", "&Pick"))
+        pick = QtWidgets.QPushButton(translate("SweptVolume", "&Pick"))
         pick.setObjectName("SweptVolumePickPart")
         widgets.hint(
-            pick, translate("Panels", "Takes the part that is selected in the tree or in the view")
+            pick,
+            translate("SweptVolume", "Takes the part that is selected in the tree or in the view"),
         )
         line = QtWidgets.QHBoxLayout()
         line.addWidget(self.part, 1)
@@ -51,27 +52,27 @@ class FindPathPanel(SearchPanel):
         self.goal = PlaceField("SweptVolumeGoal", ["Now", "Place"], self._pair)
         kinds = ["Out", "Along", "Place"]
         self.start_at = PlaceField("SweptVolumeStart", kinds, self._pair, self._size())
-        rows.addRow(translate("Panels", "Part"), line)
-        rows.addRow(translate("Panels", "Goal"), self.goal)
-        rows.addRow(translate("Panels", "Start"), self.start_at)
+        rows.addRow(translate("SweptVolume", "Part"), line)
+        rows.addRow(translate("SweptVolume", "Goal"), self.goal)
+        rows.addRow(translate("SweptVolume", "Start"), self.start_at)
         pick.clicked.connect(lambda *ignored: self._pick())
         for field in (self.goal, self.start_at):
             field.failed.connect(lambda text: widgets.show_message(self.message, text))
 
     def build_rules(self, rows):
-        self.straight = QtWidgets.QCheckBox(translate("Panels", "The part never turns"))
+        self.straight = QtWidgets.QCheckBox(translate("SweptVolume", "The part never turns"))
         self.straight.setObjectName("SweptVolumeTranslationOnly")
         self.turn = widgets.hint(
             widgets.angle(path_plan.DEFAULTS["LargestTurn"], 0.0, 15.0),
             translate(
-                "Panels",
+                "SweptVolume",
                 "Largest angle by which the part may turn away from its orientation "
                 "at the goal. 180: no limit",
             ),
         )
         self.turn.setObjectName("SweptVolumeLargestTurn")
         rows.addRow(self.straight)
-        rows.addRow(translate("Panels", "Largest turn"), self.turn)
+        rows.addRow(translate("SweptVolume", "Largest turn"), self.turn)
         self.straight.toggled.connect(lambda on: self.turn.setEnabled(not on))
 
     # --- inputs
@@ -95,7 +96,7 @@ class FindPathPanel(SearchPanel):
         chosen = selection.parts()
         if not chosen:
             raise InputProblem(
-                translate("Messages", "Select the moving part in the tree or in the 3D view.")
+                translate("SweptVolume", "Select the moving part in the tree or in the 3D view.")
             )
         self.pairs = chosen[:1]
         self.beside.drop_moving()

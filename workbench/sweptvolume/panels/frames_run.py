@@ -18,7 +18,7 @@ def recorded(document, settings):
     most = int(settings.get("count", 0))
     dialog = QtWidgets.QProgressDialog(Gui.getMainWindow())
     dialog.setObjectName("SweptVolumeFrames")
-    text = translate("Panels", 'Running "{0}" ...').format(settings.objects[0].Label)
+    text = translate("SweptVolume", 'Running "{0}" ...').format(settings.objects[0].Label)
     dialog.setLabelText(text)
     dialog.setRange(0, most)
     dialog.setWindowModality(QtCore.Qt.ApplicationModal)

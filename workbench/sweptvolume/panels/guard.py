@@ -29,7 +29,7 @@ def tell(label, problem):
     text = "".join(traceback.format_exception(type(problem), problem, problem.__traceback__))
     App.Console.PrintError(text)
     said = translate(
-        "Messages",
+        "SweptVolume",
         "This is a fault of the workbench ({0}: {1}). The report view has the details; please "
         "report it.",
     )
@@ -62,7 +62,7 @@ def check_fields(form):
             field.setFocus(QtCore.Qt.OtherFocusReason)
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     '{0}: "{1}" is not a valid value (it would count as {2}): correct it.',
                 ).format(name_of(field, form), edit.text(), _counts_as(field))
             )

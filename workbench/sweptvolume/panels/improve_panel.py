@@ -4,7 +4,7 @@ from PySide import QtCore
 
 from ..features.improve_plan import ImprovePlan
 from ..quantities import TABLE_DIGITS, number
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from . import focus, path_texts, widgets
 from .path_tasks import ImproveTask
 from .search_panel import SearchPanel
@@ -14,8 +14,8 @@ from .widgets import QtWidgets
 class ImprovePanel(SearchPanel):
     """motion: the motion to improve."""
 
-    TITLE, ICON = mark("Panels", "Improve path"), "SweptVolume_ImprovePath"
-    BUTTON = mark("Panels", "&Improve path")
+    TITLE, ICON = QT_TRANSLATE_NOOP("SweptVolume", "Improve path"), "SweptVolume_ImprovePath"
+    BUTTON = QT_TRANSLATE_NOOP("SweptVolume", "&Improve path")
 
     def __init__(self, document, motion, pairs, neighbours=()):
         self.motion, self.measured = motion, False
@@ -24,16 +24,16 @@ class ImprovePanel(SearchPanel):
             self.take_neighbours(neighbours)
 
     def build_way(self):
-        rows = widgets.group(translate("Panels", "Motion"), self.layout)
-        rows.addRow(translate("Panels", "Motion"), QtWidgets.QLabel(self.motion.Label))
-        rows.addRow(translate("Panels", "Part"), QtWidgets.QLabel(self.part_text()))
+        rows = widgets.group(translate("SweptVolume", "Motion"), self.layout)
+        rows.addRow(translate("SweptVolume", "Motion"), QtWidgets.QLabel(self.motion.Label))
+        rows.addRow(translate("SweptVolume", "Part"), QtWidgets.QLabel(self.part_text()))
         self.keys = QtWidgets.QListWidget()
         self.keys.setObjectName("SweptVolumeLockedKeys")
         self.keys.setFixedHeight(96)
         widgets.hint(
-            self.keys, translate("Panels", "Tick a key to keep its placement and its time")
+            self.keys, translate("SweptVolume", "Tick a key to keep its placement and its time")
         )
-        text = translate("Panels", "Key {0}, {1} s")
+        text = translate("SweptVolume", "Key {0}, {1} s")
         last = len(self.motion.Times) - 1
         for k, time in enumerate(self.motion.Times):
             item = QtWidgets.QListWidgetItem(text.format(k + 1, number(time, TABLE_DIGITS)))
@@ -42,13 +42,13 @@ class ImprovePanel(SearchPanel):
             item.setFlags(free if end else free | QtCore.Qt.ItemIsUserCheckable)
             item.setCheckState(QtCore.Qt.Checked if end else QtCore.Qt.Unchecked)
             self.keys.addItem(item)
-        rows.addRow(translate("Panels", "Locked"), self.keys)
+        rows.addRow(translate("SweptVolume", "Locked"), self.keys)
 
     def build_rules(self, rows):
         self.more = widgets.hint(
-            QtWidgets.QCheckBox(translate("Panels", "Maximise clearance")),
+            QtWidgets.QCheckBox(translate("SweptVolume", "Maximise clearance")),
             translate(
-                "Panels",
+                "SweptVolume",
                 "Increases the clearance, even if the path becomes longer. Otherwise "
                 "the path becomes as short as the required distance allows",
             ),

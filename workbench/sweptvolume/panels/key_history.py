@@ -92,7 +92,7 @@ class UndoKeys(QtCore.QObject):
         if back not in self.ours:
             ours = Action(action.icon(), action.text(), self)
             ours.setObjectName("SweptVolumeUndo" if back else "SweptVolumeRedo")
-            tip = translate("Panels", "The last change of the keys")
+            tip = translate("SweptVolume", "The last change of the keys")
             ours.setToolTip("{} ({})".format(action.text().replace("&", ""), tip))
             ours.triggered.connect(lambda *ignored: step(back))
             self.ours[back] = ours

@@ -4,13 +4,17 @@ actions."""
 from PySide import QtCore
 
 from ..quantities import length_unit
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from ..trajectory.edit import rows_from
 from . import widgets
 from .widgets import QtWidgets
 
 COLUMNS = ["t", "x", "y", "z"]
-ANGLES = [mark("Panels", "yaw"), mark("Panels", "pitch"), mark("Panels", "roll")]
+ANGLES = [
+    QT_TRANSLATE_NOOP("SweptVolume", "yaw"),
+    QT_TRANSLATE_NOOP("SweptVolume", "pitch"),
+    QT_TRANSLATE_NOOP("SweptVolume", "roll"),
+]
 #: (key, with Ctrl) -> name of an action.
 KEYS = {
     (QtCore.Qt.Key_Insert, False): "Insert",
@@ -30,27 +34,57 @@ _NUMBERS = set("0123456789+-.,")
 def actions():
     """Returns (name, text, tool tip) of each button, in order."""
 
-    def t(text):
-        return translate("Panels", text)
-
     return [
         (
             "Capture",
-            t("&Capture"),
-            t("Adds the current placement of the part as a key (Ctrl+Return)"),
+            translate("SweptVolume", "&Capture"),
+            translate(
+                "SweptVolume", "Adds the current placement of the part as a key (Ctrl+Return)"
+            ),
         ),
         (
             "Update",
-            t("&Update"),
-            t("Replaces the placement of this key by the current placement of the part"),
+            translate("SweptVolume", "&Update"),
+            translate(
+                "SweptVolume",
+                "Replaces the placement of this key by the current placement of the part",
+            ),
         ),
-        ("Insert", t("&Insert"), t("Adds a key halfway to the next one (Insert)")),
-        ("Duplicate", t("&Duplicate"), t("Adds the same placement again (Ctrl+D)")),
-        ("Delete", t("De&lete"), t("Removes the key (Delete)")),
-        ("Reverse", t("&Reverse"), t("Reverses the order of the keys")),
-        ("Up", t("Up"), t("Moves the key one place earlier (Ctrl+Up)")),
-        ("Down", t("Down"), t("Moves the key one place later (Ctrl+Down)")),
-        ("Even", t("Eve&n times"), t("Sets the times one second apart")),
+        (
+            "Insert",
+            translate("SweptVolume", "&Insert"),
+            translate("SweptVolume", "Adds a key halfway to the next one (Insert)"),
+        ),
+        (
+            "Duplicate",
+            translate("SweptVolume", "&Duplicate"),
+            translate("SweptVolume", "Adds the same placement again (Ctrl+D)"),
+        ),
+        (
+            "Delete",
+            translate("SweptVolume", "De&lete"),
+            translate("SweptVolume", "Removes the key (Delete)"),
+        ),
+        (
+            "Reverse",
+            translate("SweptVolume", "&Reverse"),
+            translate("SweptVolume", "Reverses the order of the keys"),
+        ),
+        (
+            "Up",
+            translate("SweptVolume", "Up"),
+            translate("SweptVolume", "Moves the key one place earlier (Ctrl+Up)"),
+        ),
+        (
+            "Down",
+            translate("SweptVolume", "Down"),
+            translate("SweptVolume", "Moves the key one place later (Ctrl+Down)"),
+        ),
+        (
+            "Even",
+            translate("SweptVolume", "Eve&n times"),
+            translate("SweptVolume", "Sets the times one second apart"),
+        ),
     ]
 
 
@@ -81,7 +115,7 @@ class KeyTable(QtCore.QObject):
         self.units = units()
         self.table = QtWidgets.QTableWidget(0, len(self.units))
         self.table.setObjectName("SweptVolumeKeys")
-        angles = [translate("Panels", name) for name in ANGLES]
+        angles = [translate("SweptVolume", name) for name in ANGLES]
         heads = zip(COLUMNS + angles, self.units)
         self.table.setHorizontalHeaderLabels(["{}\n{}".format(n, unit) for n, (unit, _) in heads])
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
@@ -188,18 +222,18 @@ class KeyTable(QtCore.QObject):
 def add_to(layout, part, source=""):
     """Adds the table in a box with a title, below the names of the part and of the source of the
     keys."""
-    rows = widgets.group(translate("Panels", "Key placements"), layout)
-    button = QtWidgets.QPushButton(translate("Panels", "&Pick"))
+    rows = widgets.group(translate("SweptVolume", "Key placements"), layout)
+    button = QtWidgets.QPushButton(translate("SweptVolume", "&Pick"))
     button.setObjectName("SweptVolumeChoosePart")
     button.setToolTip(
-        translate("Panels", "Takes the part that is selected in the tree or in the view")
+        translate("SweptVolume", "Takes the part that is selected in the tree or in the view")
     )
     line = QtWidgets.QHBoxLayout()
     line.addWidget(_name(part), 1)
     line.addWidget(button)
-    rows.addRow(translate("Panels", "Part"), line)
+    rows.addRow(translate("SweptVolume", "Part"), line)
     if source:
-        rows.addRow(translate("Panels", "Source"), _name(source))
+        rows.addRow(translate("SweptVolume", "Source"), _name(source))
     table = KeyTable(rows)
     table.part = button
     # The first field of the panel is the list of keys.

@@ -38,14 +38,14 @@ class LiveBox(QtCore.QObject):
         self._read = None  # contents of the neighbours when they were read
         self._asked = 0.0  # time of the last request
         self.show_box = QtWidgets.QCheckBox(
-            translate("Panels", "Show the clearance while dragging")
+            translate("SweptVolume", "Show the clearance while dragging")
         )
         self.show_box.setObjectName("SweptVolumeLive")
         self.show_box.setChecked(True)
         self.stop_box = widgets.hint(
-            QtWidgets.QCheckBox(translate("Panels", "Stop at contact")),
+            QtWidgets.QCheckBox(translate("SweptVolume", "Stop at contact")),
             translate(
-                "Panels",
+                "SweptVolume",
                 "Stops the dragged key where the part would touch a neighbour. All "
                 "other visible parts are neighbours",
             ),
@@ -112,12 +112,12 @@ class LiveBox(QtCore.QObject):
         return matrix_of(world.multiply(self.middle))
 
     def _answered(self, answer):
-        text = translate("Panels", "{0} to {1}")
+        text = translate("SweptVolume", "{0} to {1}")
         clash = answer.distance <= 0
         if clash:
-            text = translate("Panels", "Clash with {1}")
+            text = translate("SweptVolume", "Clash with {1}")
         elif answer.distance <= self.live.scene.chord:
-            text = translate("Panels", "Contact with {1} ({0})")
+            text = translate("SweptVolume", "Contact with {1} ({0})")
         text = text.format(quantities.quantity(answer.distance), answer.name)
         self.clashes.emit(clash)
         widgets.show_message(self.text, text)

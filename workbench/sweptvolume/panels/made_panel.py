@@ -29,7 +29,7 @@ opened = []
 
 def _of_before():
     return translate(
-        "Panels",
+        "SweptVolume",
         "The envelope is stale: the information shown belongs to its earlier parts and motion. "
         "Recompute the envelope to update the information.",
     )
@@ -61,7 +61,7 @@ class MadePanel(StayingPanel):
     def __init__(self, document, obj):
         self.document, self.obj, self.run = document, obj, None
         self.answer, self.moving, self.motion = None, None, ""
-        title = translate("Panels", "What made this?")
+        title = translate("SweptVolume", "What made this?")
         self.form, layout = widgets.window(title, "SweptVolume_MadeBy")
         self.box, self.message = widgets.RunBox(), widgets.message_label()
         layout.addWidget(self.box)
@@ -84,21 +84,21 @@ class MadePanel(StayingPanel):
         self.by = widgets.choice(CHOICES, self.obj.ViewObject.ColourBy)
         self.by.setObjectName("SweptVolumeColourBy")
         self.by.currentIndexChanged.connect(lambda *ignored: self._colour())
-        self.again = QtWidgets.QPushButton(translate("Panels", "Compute and record"))
+        self.again = QtWidgets.QPushButton(translate("SweptVolume", "Compute and record"))
         self.again.setObjectName("SweptVolumeRemember")
         self.again.clicked.connect(lambda *ignored: self.remember())
-        rows.addRow(translate("Panels", "Colour by"), self.by)
+        rows.addRow(translate("SweptVolume", "Colour by"), self.by)
         rows.addRow(self.again)
 
     def _build_answer(self, layout):
-        box = QtWidgets.QGroupBox(translate("Panels", "Clicked place"))
+        box = QtWidgets.QGroupBox(translate("SweptVolume", "Clicked place"))
         column = QtWidgets.QVBoxLayout(box)
         column.setContentsMargins(*widgets.MARGINS)
         self.text = QtWidgets.QLabel()
         self.text.setObjectName("SweptVolumeMadeText")
         self.text.setWordWrap(True)
         self.text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        self.choose = QtWidgets.QPushButton(translate("Panels", "Select on the part"))
+        self.choose = QtWidgets.QPushButton(translate("SweptVolume", "Select on the part"))
         self.choose.setObjectName("SweptVolumeSelectFace")
         self.choose.clicked.connect(lambda *ignored: self.select())
         column.addWidget(self.text)
@@ -117,10 +117,10 @@ class MadePanel(StayingPanel):
         self._remove_parts()
         self.note_state()
         self.text.setText(
-            translate("Panels", "Click a place of the envelope in the 3D view.")
+            translate("SweptVolume", "Click a place of the envelope in the 3D view.")
             if known
             else translate(
-                "Panels",
+                "SweptVolume",
                 "This envelope has no record of what made it. Either nothing was recorded, or "
                 "the record was lost when the document was closed: press Compute and record.",
             )
@@ -147,7 +147,7 @@ class MadePanel(StayingPanel):
         if self.obj.Offset.Value > 0 or self.obj.Conservative:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "No record can be made for an envelope that has an offset or is conservative: "
                     "set Offset to 0 and switch Conservative off.",
                 )
@@ -184,7 +184,9 @@ class MadePanel(StayingPanel):
             return
         self.choose.setEnabled(False)
         self.text.setText(
-            translate("Panels", "It is not known what made this place: click a point beside it.")
+            translate(
+                "SweptVolume", "It is not known what made this place: click a point beside it."
+            )
         )
 
     def _show_answer(self):

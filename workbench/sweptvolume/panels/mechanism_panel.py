@@ -33,7 +33,7 @@ class MechanismPanel(CheckRun, ResultPanel):
             plan = mechanism.Plan.of(obj)
             pairs, motions, self.neighbours = plan.pairs, plan.motions, plan.neighbours
             self.rules, all_visible, values = plan.pair_rules, plan.all_visible, plan.values
-        title = translate("Panels", "Mechanism")
+        title = translate("SweptVolume", "Mechanism")
         self.form, self.layout = widgets.window(title, "SweptVolume_Mechanism")
         self.box = widgets.RunBox()
         self.message = widgets.message_label()
@@ -52,28 +52,29 @@ class MechanismPanel(CheckRun, ResultPanel):
     # --- building
 
     def _build_inputs(self, all_visible, values):
-        rows = widgets.group(translate("Panels", "Check"), self.layout)
-        self.all = QtWidgets.QCheckBox(translate("Panels", "All visible"))
+        rows = widgets.group(translate("SweptVolume", "Check"), self.layout)
+        self.all = QtWidgets.QCheckBox(translate("SweptVolume", "All visible"))
         self.all.setObjectName("SweptVolumeStanding")
         self.all.setChecked(bool(all_visible))
         widgets.hint(
-            self.all, translate("Panels", "All other visible parts are neighbours that stand still")
+            self.all,
+            translate("SweptVolume", "All other visible parts are neighbours that stand still"),
         )
         self.chosen = QtWidgets.QLabel()
         self.chosen.setWordWrap(True)
-        self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke selected as neighbours"))
+        self.take = QtWidgets.QPushButton(translate("SweptVolume", "Ta&ke selected as neighbours"))
         self.take.setObjectName("SweptVolumeTakeStanding")
         self.asked = RulesTable(
             "SweptVolumePairRules",
-            translate("Panels", "Distance"),
+            translate("SweptVolume", "Distance"),
             height=130,
             label=pair_rules.label_of,
-            title=translate("Panels", "Pair"),
+            title=translate("SweptVolume", "Pair"),
         )
         self.touching = widgets.hint(
-            QtWidgets.QPushButton(translate("Panels", "Allow initial con&tacts")),
+            QtWidgets.QPushButton(translate("SweptVolume", "Allow initial con&tacts")),
             translate(
-                "Panels",
+                "SweptVolume",
                 "Allows contact between parts that touch at the start, for example at their joints",
             ),
         )
@@ -81,10 +82,10 @@ class MechanismPanel(CheckRun, ResultPanel):
         for widget in (self.all, self.chosen, self.take, self.asked, self.touching):
             rows.addRow(widget)
         self.fields = {
-            "RequiredDistance": (translate("Panels", "Required distance"), 0.0, 0.5),
-            "Range": (translate("Panels", "Range"), 0.0, 1.0),
-            "Accuracy": (translate("Panels", "Accuracy"), 1e-6, 0.01),
-            "MeshDeflection": (translate("Panels", "Mesh deflection"), 1e-4, 0.01),
+            "RequiredDistance": (translate("SweptVolume", "Required distance"), 0.0, 0.5),
+            "Range": (translate("SweptVolume", "Range"), 0.0, 1.0),
+            "Accuracy": (translate("SweptVolume", "Accuracy"), 1e-6, 0.01),
+            "MeshDeflection": (translate("SweptVolume", "Mesh deflection"), 1e-4, 0.01),
         }
         for name, (text, least, step) in self.fields.items():
             field = widgets.length(values[name], least, step)
@@ -92,12 +93,12 @@ class MechanismPanel(CheckRun, ResultPanel):
             rows.addRow(text, field)
             self.fields[name] = field
         tip = translate(
-            "Panels",
+            "SweptVolume",
             "Lists the pairs of parts that come closer than this. 0: a tenth of the "
             "size of the parts, or more if a rule needs it",
         )
         widgets.hint(self.fields["Range"], tip)
-        self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
+        self.check = QtWidgets.QPushButton(translate("SweptVolume", "Check"))
         self.check.setObjectName("SweptVolumeCheckMechanism")
         self.check.setDefault(True)  # Enter presses this button
         rows.addRow(self.check)
@@ -133,7 +134,7 @@ class MechanismPanel(CheckRun, ResultPanel):
             return
         names = [label_of(*pair) for pair in standing]
         more = "" if len(names) <= 6 else " ..."
-        text = translate("Panels", "{0} neighbours that stand still: {1}")
+        text = translate("SweptVolume", "{0} neighbours that stand still: {1}")
         self.chosen.setText(text.format(len(names), (", ".join(names[:6]) or "-") + more))
         new = [pair for pair in pairs if pair not in self.asked.pairs]
         self.asked.show_pairs(pairs, {p: pair_rules.of(self.rules, *p) for p in new})

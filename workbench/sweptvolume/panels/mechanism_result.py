@@ -5,7 +5,7 @@ import numpy as np
 
 from .. import convert
 from ..features import clearance_table, mechanism, mechanism_table, shared
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from ..views.clearance_view import zoom_to
 from . import guard, played_result
 from .played_result import RowScene, gone
@@ -14,7 +14,7 @@ from .played_result import RowScene, gone
 class ResultPanel(played_result.PlayedPanel):
     """The panel provides `obj`, `document` and `message`."""
 
-    NAME = mark("Panels", "Pair")
+    NAME = QT_TRANSLATE_NOOP("SweptVolume", "Pair")
     TABLE = mechanism_table
 
     def stored_report(self):

@@ -43,10 +43,12 @@ class MotionPanel(KeysInView):
         self.light, self.undrawn, self.drawn, self.path_seen = None, None, 0.0, True
         self.target = self.pair[0].getSubObject(self.pair[1], retType=1) if self.pair else None
         self.home = App.Placement(self.target.Placement) if self.target is not None else None
-        self.form, layout = widgets.window(translate("Panels", "Motion"), "SweptVolume_EditMotion")
+        self.form, layout = widgets.window(
+            translate("SweptVolume", "Motion"), "SweptVolume_EditMotion"
+        )
         self.message = widgets.message_label()
         layout.addWidget(self.message)
-        none = translate("Panels", "none: select the part, then press Pick")
+        none = translate("SweptVolume", "none: select the part, then press Pick")
         self.keyboard = key_table.add_to(
             layout,
             convert.label_of(*self.pair) if self.pair else none,
@@ -57,7 +59,8 @@ class MotionPanel(KeysInView):
         self.few = widgets.message_label()
         self.few.setText(
             translate(
-                "Panels", "A motion needs at least two keys: move the part, then press Capture."
+                "SweptVolume",
+                "A motion needs at least two keys: move the part, then press Capture.",
             )
         )
         layout.addWidget(self.few)
@@ -78,34 +81,37 @@ class MotionPanel(KeysInView):
     # --- building
 
     def _build_rules(self, layout):
-        rows = widgets.group(translate("Panels", "Motion"), layout)
+        rows = widgets.group(translate("SweptVolume", "Motion"), layout)
         self.interpolation = widgets.choice(
             list(INTERPOLATIONS), self.obj.Interpolation if self.obj else "Linear"
         )
         self.interpolation.setObjectName("SweptVolumeInterpolation")
         self.frame = widgets.choice(FRAMES, self.obj.PoseType if self.obj else "Absolute")
-        self.frame.setToolTip(translate("Properties", FRAME_HELP))
-        rows.addRow(translate("Panels", "Interpolation"), self.interpolation)
-        rows.addRow(translate("Panels", "Pose type"), self.frame)
+        self.frame.setToolTip(translate("App::Property", FRAME_HELP))
+        rows.addRow(translate("SweptVolume", "Interpolation"), self.interpolation)
+        rows.addRow(translate("SweptVolume", "Pose type"), self.frame)
         self.pivot = PivotBox(self.pair)
         self.pivot.show_fixed(self.keys.pivot)
-        rows.addRow(translate("Panels", "Pivot"), self.pivot)
+        rows.addRow(translate("SweptVolume", "Pivot"), self.pivot)
         self.tangent = TangentBox()
         layout.addWidget(self.tangent)
 
     def _build_view(self, layout):
-        rows = widgets.group(translate("Panels", "In the 3D view"), layout)
-        self.drag_box = QtWidgets.QCheckBox(translate("Panels", "Drag the chosen key"))
+        rows = widgets.group(translate("SweptVolume", "In the 3D view"), layout)
+        self.drag_box = QtWidgets.QCheckBox(translate("SweptVolume", "Drag the chosen key"))
         self.drag_box.setObjectName("SweptVolumeDrag")
         self.drag_box.setChecked(True)
         self.snap = widgets.length(1.0, 0.0, 1.0)
         self.snap_angle = widgets.angle(5.0, 0.0, 5.0)
-        tip = translate("Panels", "Step size of the arrows and arcs in the 3D view. 0: no steps")
-        round_button = QtWidgets.QPushButton(translate("Panels", "R&ound"))
+        tip = translate(
+            "SweptVolume", "Step size of the arrows and arcs in the 3D view. 0: no steps"
+        )
+        round_button = QtWidgets.QPushButton(translate("SweptVolume", "R&ound"))
         round_button.setObjectName("SweptVolumeRound")
         round_button.setToolTip(
             translate(
-                "Panels", "Rounds the placement of the chosen key to multiples of the step sizes"
+                "SweptVolume",
+                "Rounds the placement of the chosen key to multiples of the step sizes",
             )
         )
         round_button.clicked.connect(lambda *ignored: self.act("Round"))
@@ -116,11 +122,11 @@ class MotionPanel(KeysInView):
             line.addWidget(field, 1)
             field.valueChanged.connect(lambda *ignored: self._set_snap())
         line.addWidget(round_button)
-        self.preview_box = QtWidgets.QCheckBox(translate("Panels", "Show a coarse envelope"))
+        self.preview_box = QtWidgets.QCheckBox(translate("SweptVolume", "Show a coarse envelope"))
         self.preview_box.setChecked(settings.preview())
         self.preview_text = widgets.message_label()
         rows.addRow(self.drag_box)
-        rows.addRow(translate("Panels", "Snap"), line)
+        rows.addRow(translate("SweptVolume", "Snap"), line)
         self.live, self.let_go = LiveBox(self.document, rows), False
         rows.addRow(self.preview_box)
         rows.addRow(self.preview_text)
@@ -148,7 +154,7 @@ class MotionPanel(KeysInView):
         if self.pair is None or not widgets.alive(self.pair[0]):
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "There is no moving part: close the panel, select the part and open "
                     "the panel again.",
                 )
@@ -161,7 +167,7 @@ class MotionPanel(KeysInView):
         if name in ("Capture", "Update") and self.frame.currentData() != "Absolute":
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "A placement can be captured only as an absolute pose: set Pose type "
                     "to Absolute.",
                 )
@@ -179,7 +185,7 @@ class MotionPanel(KeysInView):
             keys.even(1.0)
             return row
         if not 0 <= row < len(keys):
-            raise InputProblem(translate("Messages", "Choose a key in the table first."))
+            raise InputProblem(translate("SweptVolume", "Choose a key in the table first."))
         if name == "Duplicate":
             return keys.duplicate(row)
         if name in ("Up", "Down"):
@@ -208,7 +214,7 @@ class MotionPanel(KeysInView):
         widgets.show_message(self.message, "")
         found = self.history.step(back)
         if found is None:
-            text = translate("Messages", "There is no change of the keys to undo or redo.")
+            text = translate("SweptVolume", "There is no change of the keys to undo or redo.")
             raise InputProblem(text)
         self.keys, row = found
         self.fill(row)
@@ -220,7 +226,7 @@ class MotionPanel(KeysInView):
         panel = show(self.document, self.obj, self.pair)
         panel.home = self.home
         text = translate(
-            "Messages",
+            "SweptVolume",
             "Transform cannot be used while the motion editor is open: drag the "
             "chosen key, or enter numbers.",
         )
@@ -231,7 +237,7 @@ class MotionPanel(KeysInView):
         """Makes the selected part the moving part."""
         chosen = selection.parts()
         if not chosen:
-            text = translate("Messages", "Select the moving part in the tree or in the 3D view.")
+            text = translate("SweptVolume", "Select the moving part in the tree or in the 3D view.")
             raise InputProblem(text)
         self._put_back()
         self._close()
@@ -364,7 +370,7 @@ class MotionPanel(KeysInView):
     @guard.told
     def accept(self):
         guard.check_fields(self.form)
-        with runner.transaction(self.document, translate("Messages", "Edit motion")):
+        with runner.transaction(self.document, translate("SweptVolume", "Edit motion")):
             if self.obj is None or not widgets.alive(self.obj):  # the object was deleted meanwhile
                 self.obj = motion.make_motion(
                     self.document, motion.label_for([self.pair] if self.pair else [])

@@ -30,7 +30,7 @@ class MotionTable(QtCore.QObject):
         """head: title of the column of motions."""
         self.table = QtWidgets.QTableWidget(0, 2)
         self.table.setObjectName(name)
-        self.table.setHorizontalHeaderLabels([translate("Panels", "Part"), head])
+        self.table.setHorizontalHeaderLabels([translate("SweptVolume", "Part"), head])
         self.table.setFixedHeight(height)
         self.table.verticalHeader().hide()
         self.table.setTabKeyNavigation(False)

@@ -18,24 +18,25 @@ class MovingBox(MotionTable):
     def __init__(self, document, pairs, motions, layout, message):
         super().__init__(document, pairs, motions)
         self.message = message
-        rows = widgets.group(translate("Panels", "Moving parts"), layout)
-        head = translate("Panels", "Motion")
+        rows = widgets.group(translate("SweptVolume", "Moving parts"), layout)
+        head = translate("SweptVolume", "Motion")
         rows.addRow(self.build_table("SweptVolumeMovingParts", head, 150))
         line = QtWidgets.QHBoxLayout()
         self.add = self._button(
             line,
             "SweptVolumeAddMoving",
-            translate("Panels", "&Add selected"),
+            translate("SweptVolume", "&Add selected"),
             translate(
-                "Panels", "Adds the parts selected in the tree, and the parts of selected motions"
+                "SweptVolume",
+                "Adds the parts selected in the tree, and the parts of selected motions",
             ),
             self.add_selected,
         )
         self._button(
             line,
             "SweptVolumeRemoveMoving",
-            translate("Panels", "&Remove"),
-            translate("Panels", "Removes the marked parts from the list"),
+            translate("SweptVolume", "&Remove"),
+            translate("SweptVolume", "Removes the marked parts from the list"),
             self.remove_chosen,
         )
         rows.addRow(line)
@@ -62,9 +63,9 @@ class MovingBox(MotionTable):
         self._button(
             line,
             "SweptVolumeTakeAll",
-            translate("Panels", "Add a&ll its parts"),
+            translate("SweptVolume", "Add a&ll its parts"),
             translate(
-                "Panels",
+                "SweptVolume",
                 "Runs the source once and adds every part that moves. Reads the "
                 "existing motions of these parts again, and creates the missing ones",
             ),
@@ -77,7 +78,7 @@ class MovingBox(MotionTable):
         """Adds all parts of the chosen source, with motions, as one undo step."""
         settings = self.sources[self.source.currentData()]
         widgets.show_message(self.message, "")
-        with runner.transaction(self.document, translate("Messages", "Motions of all parts")):
+        with runner.transaction(self.document, translate("SweptVolume", "Motions of all parts")):
             run = frames_run.recorded(self.document, settings)
             if run is None:
                 return
@@ -93,7 +94,7 @@ class MovingBox(MotionTable):
             pairs = motion.parts_of(path)
             if not pairs:
                 text = translate(
-                    "Messages",
+                    "SweptVolume",
                     'The motion "{0}" does not say which part it moves: add the part to '
                     "the list, then choose the motion for it.",
                 )
@@ -120,7 +121,7 @@ class MovingBox(MotionTable):
 
     def show_parts(self):
         texts = [convert.label_of(*pair) for pair in self.pairs]
-        self.fill(texts, "SweptVolumeMotionOf", translate("Panels", "(choose)"))
+        self.fill(texts, "SweptVolumeMotionOf", translate("SweptVolume", "(choose)"))
 
 
 def _text_of(settings):

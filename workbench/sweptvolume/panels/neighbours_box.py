@@ -15,29 +15,29 @@ class NeighboursBox(QtCore.QObject):
     def __init__(self, document, moving, layout):
         super().__init__()
         self.document, self.moving = document, moving
-        rows = widgets.group(translate("Panels", "Neighbours"), layout)
+        rows = widgets.group(translate("SweptVolume", "Neighbours"), layout)
         self.table = RulesTable(
-            "SweptVolumeNeighbours", translate("Panels", "Distance"), (REQUIRED, IGNORE)
+            "SweptVolumeNeighbours", translate("SweptVolume", "Distance"), (REQUIRED, IGNORE)
         )
         rows.addRow(self.table)
         line = QtWidgets.QHBoxLayout()
         for name, text, tip, act in (
             (
                 "SweptVolumeAddNeighbours",
-                translate("Panels", "&Add selected"),
-                translate("Panels", "Adds the solids and meshes selected in the tree"),
+                translate("SweptVolume", "&Add selected"),
+                translate("SweptVolume", "Adds the solids and meshes selected in the tree"),
                 self.add_selected,
             ),
             (
                 "SweptVolumeRemoveNeighbours",
-                translate("Panels", "&Remove"),
-                translate("Panels", "Removes the marked parts from the list"),
+                translate("SweptVolume", "&Remove"),
+                translate("SweptVolume", "Removes the marked parts from the list"),
                 self.remove_chosen,
             ),
             (
                 "SweptVolumeAllNeighbours",
-                translate("Panels", "All &visible"),
-                translate("Panels", "Adds all other parts that are visible now"),
+                translate("SweptVolume", "All &visible"),
+                translate("SweptVolume", "Adds all other parts that are visible now"),
                 self.take_visible,
             ),
         ):

@@ -30,7 +30,7 @@ class OverlapPanel(StayingPanel):
         self.document, self.run, self.pairs = document, None, list(pairs)
         self.report, self.drawn, self.plan, self.names = None, [], None, []
         self.body, self.line = None, None
-        title = translate("Panels", "Reserved spaces")
+        title = translate("SweptVolume", "Reserved spaces")
         self.form, self.layout = widgets.window(title, "SweptVolume_Overlap")
         self.box, self.message = widgets.RunBox(), widgets.message_label()
         self.layout.addWidget(self.box)
@@ -44,23 +44,23 @@ class OverlapPanel(StayingPanel):
     # --- building
 
     def _build_inputs(self):
-        rows = widgets.group(translate("Panels", "Check"), self.layout)
+        rows = widgets.group(translate("SweptVolume", "Check"), self.layout)
         self.chosen = QtWidgets.QLabel()
         self.chosen.setWordWrap(True)
         self.chosen.setObjectName("SweptVolumeSpaces")
-        self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke selected"))
+        self.take = QtWidgets.QPushButton(translate("SweptVolume", "Ta&ke selected"))
         self.take.setObjectName("SweptVolumeTakeSpaces")
         self.required = widgets.length(DEFAULTS["RequiredDistance"], 0.0, 0.5)
         self.required.setObjectName("SweptVolumeSpacesRequired")
         self.deflection = widgets.length(DEFAULTS["MeshDeflection"], 1e-4, 0.01)
         self.deflection.setObjectName("SweptVolumeSpacesDeflection")
-        self.check = QtWidgets.QPushButton(translate("Panels", "Check"))
+        self.check = QtWidgets.QPushButton(translate("SweptVolume", "Check"))
         self.check.setObjectName("SweptVolumeCheckSpaces")
         self.check.setDefault(True)  # Enter presses this button
         for widget in (self.chosen, self.take):
             rows.addRow(widget)
-        rows.addRow(translate("Panels", "Required distance"), self.required)
-        rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
+        rows.addRow(translate("SweptVolume", "Required distance"), self.required)
+        rows.addRow(translate("SweptVolume", "Mesh deflection"), self.deflection)
         rows.addRow(self.check)
         self.take.clicked.connect(lambda *ignored: self._take())
         for field in (self.required, self.deflection):
@@ -68,23 +68,23 @@ class OverlapPanel(StayingPanel):
         self.check.clicked.connect(lambda *ignored: self.start())
 
     def _build_result(self):
-        self.result = QtWidgets.QGroupBox(translate("Panels", "Result"))
+        self.result = QtWidgets.QGroupBox(translate("SweptVolume", "Result"))
         rows = QtWidgets.QVBoxLayout(self.result)
         self.summary = QtWidgets.QLabel()
         self.summary.setWordWrap(True)
         self.summary.setObjectName("SweptVolumeSpacesSummary")
         self.unit = quantities.length_unit()[1]
         heads = (
-            translate("Panels", "Pair"),
-            translate("Panels", "Verdict"),
+            translate("SweptVolume", "Pair"),
+            translate("SweptVolume", "Verdict"),
             self.unit,
-            "{}\n{}^3".format(translate("Panels", "shared"), self.unit),
+            "{}\n{}^3".format(translate("SweptVolume", "shared"), self.unit),
         )
         self.table = VerdictTable("SweptVolumeSpacesTable", heads)
         self.keep = widgets.hint(
-            QtWidgets.QPushButton(translate("Panels", "Keep s&hared volume")),
+            QtWidgets.QPushButton(translate("SweptVolume", "Keep s&hared volume")),
             translate(
-                "Panels",
+                "SweptVolume",
                 "Adds the shared volume of the two objects to the document. The new object shows "
                 "when it is stale",
             ),
@@ -108,7 +108,7 @@ class OverlapPanel(StayingPanel):
 
     def _show_chosen(self):
         names = [label_of(*pair) for pair in self.pairs]
-        text = translate("Panels", "{0} chosen: {1}")
+        text = translate("SweptVolume", "{0} chosen: {1}")
         self.chosen.setText(text.format(len(names), ", ".join(names) or "-"))
 
     def new_plan(self):
@@ -199,17 +199,19 @@ class OverlapPanel(StayingPanel):
     def _show_summary(self):
         text = self._summary()
         if self._is_of_before():
-            text = translate("Panels", "{0} (stale: run the check again)").format(text)
+            text = translate("SweptVolume", "{0} (stale: run the check again)").format(text)
         self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
 
     def _summary(self):
         count = len(self.report["pairs"])
         total = sum(pair.get("volume", 0.0) for pair in self.report["pairs"])
         if total > 0:
-            text = translate("Panels", "Pairs checked: {0}, shared volume: {1}")
+            text = translate("SweptVolume", "Pairs checked: {0}, shared volume: {1}")
             return text.format(count, quantities.volume(total))
         least = min(pair["clearance"]["distance"] for pair in self.report["pairs"])
-        text = translate("Panels", "Pairs checked: {0}, none shares volume, smallest distance: {1}")
+        text = translate(
+            "SweptVolume", "Pairs checked: {0}, none shares volume, smallest distance: {1}"
+        )
         return text.format(count, quantities.quantity(least, quantities.TABLE_DIGITS))
 
     def _cells(self, pair):
@@ -218,7 +220,7 @@ class OverlapPanel(StayingPanel):
             QtWidgets.QTableWidgetItem(text)
             for text in (
                 "{} - {}".format(pair["first"], pair["second"]),
-                translate("Messages", clearance.VERDICTS[row["verdict"]]),
+                translate("SweptVolume", clearance.VERDICTS[row["verdict"]]),
                 quantities.number(round(row["distance"], 9) / one, quantities.TABLE_DIGITS),
                 self._volume(pair, one),
             )
@@ -226,7 +228,7 @@ class OverlapPanel(StayingPanel):
 
     def _volume(self, pair, one):
         if "volume" not in pair:
-            return translate("Panels", "not known")
+            return translate("SweptVolume", "not known")
         if not pair["volume"]:
             return ""
         return quantities.number(pair["volume"] / one**3, quantities.TABLE_DIGITS)

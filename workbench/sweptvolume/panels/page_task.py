@@ -88,7 +88,7 @@ class WritingTask(Task):
         with written_beside(self.path) as beside, open(beside, "wb") as out:
             out.write(value)
         App.Console.PrintMessage(
-            translate("Messages", "Written: {0} ({1})\n").format(
+            translate("SweptVolume", "Written: {0} ({1})\n").format(
                 self.path, quantities.megabytes(len(value))
             )
         )
@@ -98,7 +98,7 @@ class PageTask(WritingTask):
     """Writes the report of a check."""
 
     def __init__(self, obj, path):
-        self.title = translate("Messages", "Export report")
+        self.title = translate("SweptVolume", "Export report")
         self.document = obj.Document
         self.watched = [obj]
         self.path = path

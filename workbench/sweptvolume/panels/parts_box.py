@@ -24,22 +24,26 @@ class PartsBox(MotionTable):
         self.show_parts()
 
     def _build_parts(self, plan, layout):
-        rows = widgets.group(translate("Panels", "Moving parts"), layout)
-        rows.addRow(self.build_table("SweptVolumeParts", translate("Panels", "Own motion"), 96))
-        self.add = QtWidgets.QPushButton(translate("Panels", "&Add selected"))
-        self.remove = QtWidgets.QPushButton(translate("Panels", "&Remove"))
+        rows = widgets.group(translate("SweptVolume", "Moving parts"), layout)
+        rows.addRow(
+            self.build_table("SweptVolumeParts", translate("SweptVolume", "Own motion"), 96)
+        )
+        self.add = QtWidgets.QPushButton(translate("SweptVolume", "&Add selected"))
+        self.remove = QtWidgets.QPushButton(translate("SweptVolume", "&Remove"))
         self.add.setObjectName("SweptVolumeAddParts")
         self.remove.setObjectName("SweptVolumeRemoveParts")
-        tip = translate("Panels", "Adds the solids and meshes selected in the tree")
+        tip = translate("SweptVolume", "Adds the solids and meshes selected in the tree")
         widgets.hint(self.add, tip)
-        widgets.hint(self.remove, translate("Panels", "Removes the marked parts from the list"))
+        widgets.hint(
+            self.remove, translate("SweptVolume", "Removes the marked parts from the list")
+        )
         buttons = QtWidgets.QHBoxLayout()
         buttons.addWidget(self.add)
         buttons.addWidget(self.remove)
         rows.addRow(buttons)
         self.common = self._motion_box(plan.motion)
         self.common.setObjectName("SweptVolumeMotion")
-        rows.addRow(translate("Panels", "Motion"), self.common)
+        rows.addRow(translate("SweptVolume", "Motion"), self.common)
         self.add.clicked.connect(lambda *ignored: self.add_selected())
         self.remove.clicked.connect(lambda *ignored: self.remove_chosen())
         self.common.currentIndexChanged.connect(lambda *ignored: self.changed.emit())
@@ -54,7 +58,9 @@ class PartsBox(MotionTable):
         return box
 
     def _build_reference(self, plan, layout):
-        self.reference_box = QtWidgets.QGroupBox(translate("Panels", "Relative to a moving part"))
+        self.reference_box = QtWidgets.QGroupBox(
+            translate("SweptVolume", "Relative to a moving part")
+        )
         self.reference_box.setObjectName("SweptVolumeReference")
         self.reference_box.setCheckable(True)
         self.reference_box.setChecked(
@@ -62,7 +68,8 @@ class PartsBox(MotionTable):
         )
         self.reference_box.setToolTip(
             translate(
-                "Panels", "Computes the space that the moving parts occupy as seen from this part"
+                "SweptVolume",
+                "Computes the space that the moving parts occupy as seen from this part",
             )
         )
         grid = QtWidgets.QFormLayout(self.reference_box)
@@ -70,12 +77,17 @@ class PartsBox(MotionTable):
         grid.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
         self.take = QtWidgets.QPushButton()
         self.take.setObjectName("SweptVolumeTakeReference")
-        widgets.hint(self.take, translate("Panels", "Takes the part that is selected in the tree"))
+        widgets.hint(
+            self.take, translate("SweptVolume", "Takes the part that is selected in the tree")
+        )
         self.reference_motions = self._motion_box(plan.reference_motion)
         self.reference_motions.setObjectName("SweptVolumeReferenceMotion")
         self.rows = [
-            (QtWidgets.QLabel(translate("Panels", "Reference")), self.take),
-            (QtWidgets.QLabel(translate("Panels", "Reference motion")), self.reference_motions),
+            (QtWidgets.QLabel(translate("SweptVolume", "Reference")), self.take),
+            (
+                QtWidgets.QLabel(translate("SweptVolume", "Reference motion")),
+                self.reference_motions,
+            ),
         ]
         for row in self.rows:
             grid.addRow(*row)
@@ -90,7 +102,7 @@ class PartsBox(MotionTable):
         for row in self.rows:
             for widget in row:
                 widget.setVisible(on)
-        text = translate("Panels", "Take selected")
+        text = translate("SweptVolume", "Take selected")
         self.take.setText(convert.label_of(*self.reference) if self.reference else text)
         self.changed.emit()
 
@@ -107,7 +119,7 @@ class PartsBox(MotionTable):
             if sub.count(".") >= 1:
                 text += "  ({})".format(root.Label)
             texts.append(text)
-        self.fill(texts, "SweptVolumeOwnMotion", translate("Panels", "as below"))
+        self.fill(texts, "SweptVolumeOwnMotion", translate("SweptVolume", "as below"))
 
     def add_selected(self):
         for pair in selection.parts():

@@ -11,7 +11,7 @@ class FindPathTask(Task):
     `obj`: the motion, or None; seen: what a view may show meanwhile (core_paths.watch())."""
 
     def __init__(self, plan):
-        self.title = translate("Commands", "Find path")
+        self.title = translate("SweptVolume", "Find path")
         self.document, self.plan = plan.document, plan
         self.request = plan.request()
         self.pivot = plan.pivot
@@ -33,7 +33,7 @@ class ImproveTask(Task):
     as in FindPathTask."""
 
     def __init__(self, plan):
-        self.title = translate("Commands", "Improve path")
+        self.title = translate("SweptVolume", "Improve path")
         self.document, self.plan = plan.document, plan
         self.request = plan.request()
         self.watched = [o for o in plan.objects() if o.Document is plan.document]
@@ -54,7 +54,7 @@ class SequenceTask(Task):
     None if a path is missing; then nothing is written."""
 
     def __init__(self, plan, obj=None):
-        self.title = translate("Commands", "Sequence")
+        self.title = translate("SweptVolume", "Sequence")
         self.document, self.plan, self.kept = plan.document, plan, obj
         contents.prepared(plan.words())
         self.request = plan.request()

@@ -23,7 +23,7 @@ def told(report):
 def _found(report):
     lines = [
         translate(
-            "Messages",
+            "SweptVolume",
             "Found a path: {0} keys, length {1}, total turn {2} degrees, clearance "
             "at least {3}.",
         ).format(
@@ -35,7 +35,7 @@ def _found(report):
     ]
     if report["contacts"]:
         text = translate(
-            "Messages",
+            "SweptVolume",
             "Within the release distance of {0}, the part is allowed to come closer " "to: {1}.",
         ).format(quantities.quantity(report["release"]), _names(report["contacts"]))
         lines.append(text)
@@ -46,32 +46,32 @@ def _not_found(report):
     escape = report["escape"]
     if report["verdict"] == "no_translation":
         lines = [
-            translate("Messages", "It is proven that no path exists without turning the part.")
+            translate("SweptVolume", "It is proven that no path exists without turning the part.")
         ]
     elif report["budget_ended"]:
-        lines = [translate("Messages", "No path was found within the time limit.")]
+        lines = [translate("SweptVolume", "No path was found within the time limit.")]
     else:
-        lines = [translate("Messages", "No path was found.")]
+        lines = [translate("SweptVolume", "No path was found.")]
     text = translate(
-        "Messages",
+        "SweptVolume",
         "The search moved the part at most {0} away from its goal before the part was blocked. "
         "The 3D view shows the part at that place.",
     )
     lines.append(text.format(quantities.quantity(escape["distance"])))
     if escape["blockers"]:
-        text = translate("Messages", "Most frequent obstacle: {0}.")
+        text = translate("SweptVolume", "Most frequent obstacle: {0}.")
         lines.append(text.format(_names(escape["blockers"])))
     possible = report.get("possible_clearance", -1)
     if possible > 0:
         text = translate(
-            "Messages",
+            "SweptVolume",
             "A path exists with a clearance of {0}: reduce the required distance to find it.",
         )
         lines.append(text.format(quantities.quantity(possible)))
     elif possible == 0:
         lines.append(
             translate(
-                "Messages",
+                "SweptVolume",
                 "A path exists only with a clearance near 0: reduce the required distance to find it.",
             )
         )
@@ -83,14 +83,14 @@ def improved(report):
     if report["verdict"] != "found":
         lines = [
             translate(
-                "Messages",
+                "SweptVolume",
                 "No section of the motion keeps the required distance: reduce the "
                 "required distance, or use Find path.",
             )
         ]
     else:
         text = translate(
-            "Messages",
+            "SweptVolume",
             "{0} keys instead of {1}, length {2} instead of {3}, clearance {4} " "instead of {5}.",
         )
         before = report["before"]
@@ -107,14 +107,14 @@ def improved(report):
         released = report["kept_moves"] - report["unmended_moves"]
         if report["unmended_moves"]:
             text = translate(
-                "Messages",
+                "SweptVolume",
                 "Sections that stay below the required distance, because no other "
                 "path was found: {0}.",
             )
             lines.append(text.format(report["unmended_moves"]))
         if released:
             text = translate(
-                "Messages",
+                "SweptVolume",
                 "Sections within the release distance of start and goal, which were "
                 "left unchanged: {0}.",
             )

@@ -17,18 +17,18 @@ class PathsTable(QtCore.QObject):
         self.document, self.names = document, []
         one, unit = quantities.length_unit()
         self.one = one
-        self.group = QtWidgets.QGroupBox(translate("Panels", "Paths"))
+        self.group = QtWidgets.QGroupBox(translate("SweptVolume", "Paths"))
         rows = QtWidgets.QVBoxLayout(self.group)
         rows.setContentsMargins(*widgets.MARGINS)
         self.table = QtWidgets.QTableWidget(0, 5)
         self.table.setObjectName("SweptVolumePaths")
         self.table.setHorizontalHeaderLabels(
             [
-                translate("Panels", "Motion"),
-                translate("Panels", "Keys"),
-                "{}\n{}".format(translate("Panels", "Distance"), unit),
-                "{}\ndeg".format(translate("Panels", "Turns")),
-                "{}\n{}".format(translate("Panels", "Clearance"), unit),
+                translate("SweptVolume", "Motion"),
+                translate("SweptVolume", "Keys"),
+                "{}\n{}".format(translate("SweptVolume", "Distance"), unit),
+                "{}\ndeg".format(translate("SweptVolume", "Turns")),
+                "{}\n{}".format(translate("SweptVolume", "Clearance"), unit),
             ]
         )
         self.table.verticalHeader().hide()

@@ -29,17 +29,17 @@ class PivotBox(QtWidgets.QWidget):
         super().__init__()
         self.pair, self.middle, self.point = pair, None, App.Vector()
         texts = {
-            "Middle": translate("Panels", "Middle of the part"),
-            "Origin": translate("Panels", "Origin of the poses"),
-            "Point": translate("Panels", "Selected point"),
+            "Middle": translate("SweptVolume", "Middle of the part"),
+            "Origin": translate("SweptVolume", "Origin of the poses"),
+            "Point": translate("SweptVolume", "Selected point"),
         }
         self.kind = widgets.choice(list(texts), "Origin", list(texts.values()))
         self.kind.setObjectName("SweptVolumePivot")
-        self.take = QtWidgets.QPushButton(translate("Panels", "Ta&ke"))
+        self.take = QtWidgets.QPushButton(translate("SweptVolume", "Ta&ke"))
         self.take.setObjectName("SweptVolumeTakePivot")
         self.take.setToolTip(
             translate(
-                "Panels",
+                "SweptVolume",
                 "Uses the selected vertex, or the centre of the selected edge or "
                 "face, as the pivot",
             )
@@ -88,12 +88,12 @@ class PivotBox(QtWidgets.QWidget):
 
     def _explain(self):
         text = translate(
-            "Panels",
+            "SweptVolume",
             "The pivot moves straight between two keys, and the part turns about it. "
             "The x, y and z of a key are the coordinates of the pivot.",
         )
         if self.in_part() is not None:
-            here = translate("Panels", "In the coordinates of the part: {0}, {1}, {2}")
+            here = translate("SweptVolume", "In the coordinates of the part: {0}, {1}, {2}")
             text += "\n" + here.format(*(quantities.quantity(x, PLACE_DIGITS) for x in self.point))
         self.kind.setToolTip(text)
 
@@ -117,7 +117,7 @@ def selected_point():
                 return App.Vector(_POINTS[shape.ShapeType](shape))
     raise InputProblem(
         translate(
-            "Messages",
+            "SweptVolume",
             "Select a vertex, an edge or a face in the 3D view first: its centre "
             "becomes the pivot.",
         )

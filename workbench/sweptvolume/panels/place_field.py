@@ -15,10 +15,10 @@ from .widgets import QtCore, QtWidgets
 #: What the part does: Now (its present placement), Place (a given placement), Out (out by a
 #: distance in mm), Along (out in a direction).
 TEXTS = {
-    "Now": lambda: translate("Panels", "Current placement"),
-    "Place": lambda: translate("Panels", "Given placement"),
-    "Out": lambda: translate("Panels", "Out by a distance"),
-    "Along": lambda: translate("Panels", "Out in a direction"),
+    "Now": lambda: translate("SweptVolume", "Current placement"),
+    "Place": lambda: translate("SweptVolume", "Given placement"),
+    "Out": lambda: translate("SweptVolume", "Out by a distance"),
+    "Along": lambda: translate("SweptVolume", "Out in a direction"),
 }
 
 
@@ -28,7 +28,7 @@ def numbers_from(text, units):
     parts = [part for part in re.split(r"\s*;\s*|\s+", text.strip()) if part]
     if len(parts) != len(units):
         raise InputProblem(
-            translate("Messages", '"{0}": enter {1} numbers, separated by spaces.').format(
+            translate("SweptVolume", '"{0}": enter {1} numbers, separated by spaces.').format(
                 text, len(units)
             )
         )
@@ -51,7 +51,7 @@ class PlaceField(QtWidgets.QWidget):
         self.kind.setObjectName(name + "Kind")
         self.numbers = QtWidgets.QLineEdit()
         self.numbers.setObjectName(name + "Numbers")
-        self.take = QtWidgets.QPushButton(translate("Panels", "Take"))
+        self.take = QtWidgets.QPushButton(translate("SweptVolume", "Take"))
         self.take.setObjectName(name + "Take")
         self.distance = widgets.length(distance, 0.0, 10.0)
         self.distance.setObjectName(name + "Distance")
@@ -74,14 +74,14 @@ class PlaceField(QtWidgets.QWidget):
         self.take.setVisible(kind in ("Place", "Along"))
         if kind == "Place":
             tip = translate(
-                "Panels",
+                "SweptVolume",
                 "x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the "
                 "document. The button Take enters the placement of the selected "
                 "object, or of the part if nothing is selected",
             ).format(self.units[0][0])
         else:
             tip = translate(
-                "Panels",
+                "SweptVolume",
                 "Direction x, y, z in which the part leaves its place. The button "
                 "Take enters the normal of the selected face, or the direction of "
                 "the selected edge",
@@ -114,7 +114,7 @@ class PlaceField(QtWidgets.QWidget):
             return global_placement(*root_path(chosen[0]))
         if pair is None:
             raise InputProblem(
-                translate("Messages", "Select the moving part in the tree or in the 3D view.")
+                translate("SweptVolume", "Select the moving part in the tree or in the 3D view.")
             )
         return global_placement(*pair)
 
@@ -148,6 +148,6 @@ def selected_direction():
                 return tuple(shape.tangentAt(shape.FirstParameter))
     raise InputProblem(
         translate(
-            "Messages", "Select a face or an edge in the 3D view first, to set the direction."
+            "SweptVolume", "Select a face or an edge in the 3D view first, to set the direction."
         )
     )

@@ -61,9 +61,9 @@ class PlayedPanel(check_result.ResultPanel):
         self.player = Player()
         self.player.moved.connect(self._moved)
         self.section = widgets.hint(
-            QtWidgets.QCheckBox(translate("Panels", "S&ection through the closest place")),
+            QtWidgets.QCheckBox(translate("SweptVolume", "S&ection through the closest place")),
             translate(
-                "Panels",
+                "SweptVolume",
                 "Hides everything in front of the closest place. The section follows "
                 "the chosen row and the player",
             ),
@@ -71,9 +71,9 @@ class PlayedPanel(check_result.ResultPanel):
         self.section.setObjectName("SweptVolumeSection")
         self.section.toggled.connect(lambda *ignored: self._cut_again())
         self.clash = widgets.hint(
-            QtWidgets.QPushButton(translate("Panels", "Keep clas&h volume")),
+            QtWidgets.QPushButton(translate("SweptVolume", "Keep clas&h volume")),
             translate(
-                "Panels",
+                "SweptVolume",
                 "Creates an object from the volume that the two parts of the chosen row share at "
                 "the time of that row",
             ),
@@ -155,7 +155,7 @@ class PlayedPanel(check_result.ResultPanel):
         ends = [base[:3, :3] @ np.asarray(p) + base[:3, 3] for p in answer.points]
         text = quantities.quantity(answer.distance, quantities.TABLE_DIGITS)
         clash = answer.distance <= 0
-        text = translate("Panels", "clash") if clash else text
+        text = translate("SweptVolume", "clash") if clash else text
         self.draw_line(ends, text, clash)
 
     def draw_line(self, ends, text, clash):
@@ -237,5 +237,5 @@ class PlayedPanel(check_result.ResultPanel):
 def gone():
     """Returns the InputProblem for a part in the report that does not exist any more."""
     return InputProblem(
-        translate("Messages", "A part of this row no longer exists: run the check again.")
+        translate("SweptVolume", "A part of this row no longer exists: run the check again.")
     )

@@ -18,22 +18,24 @@ class Player(QtWidgets.QGroupBox):
     moved = QtCore.Signal()
 
     def __init__(self):
-        super().__init__(translate("Panels", "Play"))
+        super().__init__(translate("SweptVolume", "Play"))
         self.times, self.moment, self.moving = [], 0.0, False
         self.clock = QtCore.QElapsedTimer()
         self.slider = QtWidgets.QSlider(QtCore.Qt.Horizontal)
         self.slider.setObjectName("SweptVolumeTime")
         self.slider.setRange(0, SLIDER)
         self.slider.setToolTip(
-            translate("Panels", "Time of the motion. A green ghost shows the part at this time")
+            translate(
+                "SweptVolume", "Time of the motion. A green ghost shows the part at this time"
+            )
         )
-        self.back = self._button("Back", "|<", translate("Panels", "Goes to the previous key"))
-        self.play = self._button("Play", translate("Panels", "Pl&ay"), "")
+        self.back = self._button("Back", "|<", translate("SweptVolume", "Goes to the previous key"))
+        self.play = self._button("Play", translate("SweptVolume", "Pl&ay"), "")
         self.play.setCheckable(True)
         self.play.setToolTip(
-            translate("Panels", "Plays the motion, or pauses it. Speed 1 is real time")
+            translate("SweptVolume", "Plays the motion, or pauses it. Speed 1 is real time")
         )
-        self.forth = self._button("Forth", ">|", translate("Panels", "Goes to the next key"))
+        self.forth = self._button("Forth", ">|", translate("SweptVolume", "Goes to the next key"))
         self.time = QtWidgets.QLabel()
         self.time.setAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
         self.time.setMinimumWidth(self.fontMetrics().boundingRect("000.00 s").width())
@@ -41,11 +43,11 @@ class Player(QtWidgets.QGroupBox):
         self.speed.setObjectName("SweptVolumeSpeed")
         self.speed.setMinimumContentsLength(4)
         self.speed.setToolTip(
-            translate("Panels", "Speed: seconds of motion for each second of playing")
+            translate("SweptVolume", "Speed: seconds of motion for each second of playing")
         )
-        self.loop = QtWidgets.QCheckBox(translate("Panels", "Loop"))
+        self.loop = QtWidgets.QCheckBox(translate("SweptVolume", "Loop"))
         self.loop.setObjectName("SweptVolumeLoop")
-        self.loop.setToolTip(translate("Panels", "Starts again at the end"))
+        self.loop.setToolTip(translate("SweptVolume", "Starts again at the end"))
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(*widgets.MARGINS)
         column.setSpacing(4)
@@ -116,7 +118,9 @@ class Player(QtWidgets.QGroupBox):
         self.moved.emit()
 
     def _toggle(self, on):
-        self.play.setText(translate("Panels", "P&ause") if on else translate("Panels", "Pl&ay"))
+        self.play.setText(
+            translate("SweptVolume", "P&ause") if on else translate("SweptVolume", "Pl&ay")
+        )
         if on and len(self.times) > 1:
             if self.now() >= self.times[-1]:
                 self.go_to(self.times[0])

@@ -13,7 +13,7 @@ class ReadOuts(QtWidgets.QGroupBox):
     """Hidden until there is a result. Follows the document until stop()."""
 
     def __init__(self, document):
-        super().__init__(translate("Panels", "Result"))
+        super().__init__(translate("SweptVolume", "Result"))
         self.obj = None
         self.watch = widgets.DocumentWatch(document, self.hide, self._look_again)
         self.text = QtWidgets.QLabel()
@@ -47,32 +47,32 @@ def lines_of(obj, report):
     box = obj.Mesh.BoundBox
     sides = " x ".join(quantities.quantity(v) for v in (box.XLength, box.YLength, box.ZLength))
     deviation = report["simplification_deviation"]
-    volume = translate("Panels", "Volume: {0}").format(quantities.volume(obj.Volume.Value))
+    volume = translate("SweptVolume", "Volume: {0}").format(quantities.volume(obj.Volume.Value))
     if obj.Status != UP_TO_DATE:
-        volume = translate("Panels", "{0} (stale: run again)").format(volume)
+        volume = translate("SweptVolume", "{0} (stale: run again)").format(volume)
     lines = [
         volume,
-        translate("Panels", "Box: {0}").format(sides),
-        translate("Panels", "Triangles: {0}, shells: {1}").format(
+        translate("SweptVolume", "Box: {0}").format(sides),
+        translate("SweptVolume", "Triangles: {0}, shells: {1}").format(
             quantities.count(obj.Triangles), quantities.count(obj.Shells)
         ),
-        translate("Panels", "Cell: {0}, simplified by: {1}").format(
+        translate("SweptVolume", "Cell: {0}, simplified by: {1}").format(
             quantities.quantity(report["cell"]), quantities.quantity(deviation)
         ),
     ]
     if report.get("accuracy_bound"):
         bound = quantities.quantity(report["accuracy_bound"])
         lines.append(
-            translate("Panels", "Distance from the true surface: at most {0}").format(bound)
+            translate("SweptVolume", "Distance from the true surface: at most {0}").format(bound)
         )
     lines.append(
-        translate("Panels", "Time: {0} on {1}").format(
+        translate("SweptVolume", "Time: {0} on {1}").format(
             quantities.seconds(obj.Seconds), report["backend"].upper()
         )
     )
     if obj.Message and obj.Status in (CANCELLED, FAILED):
-        lines.append(translate("Panels", "Last run: {0}").format(obj.Message))
+        lines.append(translate("SweptVolume", "Last run: {0}").format(obj.Message))
     warnings = "\n".join(w["text"] for w in warnings_of(report))
     if warnings:
-        lines.append(translate("Panels", "Warnings: {0}").format(warnings))
+        lines.append(translate("SweptVolume", "Warnings: {0}").format(warnings))
     return lines

@@ -4,21 +4,21 @@ edits in the cells."""
 from .. import convert, quantities
 from ..convert import InputProblem
 from ..features.neighbour_rules import CONTACT, IGNORE, KINDS, REQUIRED, Rule
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from ..trajectory.edit import number_from
 from . import widgets
 from .widgets import QtCore, QtGui, QtWidgets
 
 NAMES = {
-    REQUIRED: mark("Panels", "Distance"),
-    CONTACT: mark("Panels", "Contact allowed"),
-    IGNORE: mark("Panels", "Ignored"),
+    REQUIRED: QT_TRANSLATE_NOOP("SweptVolume", "Distance"),
+    CONTACT: QT_TRANSLATE_NOOP("SweptVolume", "Contact allowed"),
+    IGNORE: QT_TRANSLATE_NOOP("SweptVolume", "Ignored"),
 }
 NEIGHBOUR, LENGTH, KIND = range(3)
 
 
 def _name(kind):
-    return translate("Panels", NAMES[kind])
+    return translate("SweptVolume", NAMES[kind])
 
 
 def _item(text, data):
@@ -67,26 +67,26 @@ class RulesTable(QtWidgets.QTableWidget):
         self.one, self.unit = quantities.length_unit()
         self.setHorizontalHeaderLabels(
             [
-                title or translate("Panels", "Neighbour"),
+                title or translate("SweptVolume", "Neighbour"),
                 "{} ({})".format(head, self.unit),
-                translate("Panels", "Rule"),
+                translate("SweptVolume", "Rule"),
             ]
         )
         self.horizontalHeaderItem(LENGTH).setToolTip(
             translate(
-                "Panels",
+                "SweptVolume",
                 "Required distance for this row (empty: the common required distance below). If "
                 "contact is allowed: how deep the parts may overlap (empty: no measurable "
                 "overlap)",
             )
             if CONTACT in kinds
             else translate(
-                "Panels",
+                "SweptVolume",
                 "Required distance for this row (empty: the common required distance below)",
             )
         )
         self.horizontalHeaderItem(KIND).setToolTip(
-            translate("Panels", "Double-click a cell, or press F2, to choose another rule")
+            translate("SweptVolume", "Double-click a cell, or press F2, to choose another rule")
         )
         self._delegate = _KindDelegate(kinds, self)
         self.setItemDelegateForColumn(KIND, self._delegate)
@@ -150,7 +150,8 @@ class RulesTable(QtWidgets.QTableWidget):
                     self.setCurrentCell(row, LENGTH)
                     raise InputProblem(
                         translate(
-                            "Messages", 'The distance in the rule of "{0}" is {1}: enter 0 or more.'
+                            "SweptVolume",
+                            'The distance in the rule of "{0}" is {1}: enter 0 or more.',
                         ).format(self.label(pair), text)
                     )
             if rule.asks():

@@ -45,7 +45,7 @@ class StartPanel:
         widgets.show_message(self.message, "")
         guard.check_fields(self.form)
         if reading.first(self.document, words, id(self), lambda: self._read(again)):
-            text = translate("Panels", "Reading the parts ...")
+            text = translate("SweptVolume", "Reading the parts ...")
             widgets.show_message(self.message, text)
             return False
         self.run = runner.start(task())

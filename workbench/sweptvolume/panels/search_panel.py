@@ -16,9 +16,9 @@ class SearchPanel(StayingPanel):
 
     def __init__(self, document, pairs):
         self.document, self.pairs, self.run = document, list(pairs), None
-        self.form, self.layout = widgets.window(translate("Panels", self.TITLE), self.ICON)
+        self.form, self.layout = widgets.window(translate("SweptVolume", self.TITLE), self.ICON)
         self.box, self.message = widgets.RunBox(), widgets.message_label()
-        self.begins = QtWidgets.QPushButton(translate("Panels", self.BUTTON))
+        self.begins = QtWidgets.QPushButton(translate("SweptVolume", self.BUTTON))
         self.begins.setObjectName("SweptVolumeFind")
         self.begins.setDefault(True)  # Enter presses this button
         self.begins.clicked.connect(lambda *ignored: self.start())
@@ -33,22 +33,22 @@ class SearchPanel(StayingPanel):
         self.beside.take_visible()
 
     def _build_rules(self):
-        rows = widgets.group(translate("Panels", "Rules"), self.layout)
+        rows = widgets.group(translate("SweptVolume", "Rules"), self.layout)
         now = path_plan.DEFAULTS
         self.required = widgets.length(now["RequiredDistance"], 0.0, 0.5)
         self.required.setObjectName("SweptVolumePathClearance")
         self.release = widgets.hint(
             widgets.length(now["ReleaseDistance"], 0.0, 5.0),
             translate(
-                "Panels",
+                "SweptVolume",
                 "If the part is closer to a neighbour than the required distance at its start or "
                 "goal, it may stay that close while no point of the part is farther than this "
                 "from its position at that end",
             ),
         )
         self.release.setObjectName("SweptVolumeRelease")
-        rows.addRow(translate("Panels", "Required distance"), self.required)
-        rows.addRow(translate("Panels", "Release distance"), self.release)
+        rows.addRow(translate("SweptVolume", "Required distance"), self.required)
+        rows.addRow(translate("SweptVolume", "Release distance"), self.release)
         self.build_rules(rows)
         self.budget = QtWidgets.QDoubleSpinBox()
         self.budget.setObjectName("SweptVolumeBudget")
@@ -59,15 +59,15 @@ class SearchPanel(StayingPanel):
         self.seed = widgets.hint(
             QtWidgets.QSpinBox(),
             translate(
-                "Panels", "The search uses random numbers; another seed may find another path"
+                "SweptVolume", "The search uses random numbers; another seed may find another path"
             ),
         )
         self.seed.setObjectName("SweptVolumeSeed")
         self.seed.setRange(1, 1000000)
         self.deflection = widgets.length(now["MeshDeflection"], 1e-4, 0.01)
-        rows.addRow(translate("Panels", "Time limit"), self.budget)
-        rows.addRow(translate("Panels", "Seed"), self.seed)
-        rows.addRow(translate("Panels", "Mesh deflection"), self.deflection)
+        rows.addRow(translate("SweptVolume", "Time limit"), self.budget)
+        rows.addRow(translate("SweptVolume", "Seed"), self.seed)
+        rows.addRow(translate("SweptVolume", "Mesh deflection"), self.deflection)
 
     def rules(self):
         """Returns the values of the fields that all searches have."""
@@ -80,7 +80,7 @@ class SearchPanel(StayingPanel):
         }
 
     def part_text(self):
-        none = translate("Panels", "none: select the part, then press Pick")
+        none = translate("SweptVolume", "none: select the part, then press Pick")
         return ", ".join(convert.label_of(*p) for p in self.pairs) or none
 
     @guard.told

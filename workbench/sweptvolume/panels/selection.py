@@ -183,7 +183,7 @@ def the_envelope(document):
     """Returns the envelope for a command that acts on one. Raises InputProblem."""
     found = of_kind(document, Envelope.KIND)[0]
     if found is None:
-        raise InputProblem(translate("Messages", "Select an envelope first."))
+        raise InputProblem(translate("SweptVolume", "Select an envelope first."))
     return found
 
 
@@ -191,7 +191,7 @@ def the_motion(document):
     """Returns the motion for a command that acts on one. Raises InputProblem."""
     found = of_kind(document, Motion.KIND)[0]
     if found is None:
-        raise InputProblem(translate("Messages", "Select a motion first."))
+        raise InputProblem(translate("SweptVolume", "Select a motion first."))
     return found
 
 
@@ -201,9 +201,9 @@ def wanting_envelope(document):
         document,
         Envelope.KIND,
         translate(
-            "Messages", "There is no envelope in the document: make one with Create envelope."
+            "SweptVolume", "There is no envelope in the document: make one with Create envelope."
         ),
-        translate("Messages", "Select one of the {0} envelopes."),
+        translate("SweptVolume", "Select one of the {0} envelopes."),
     )
 
 
@@ -212,8 +212,8 @@ def wanting_motion(document):
     return _wanting(
         document,
         Motion.KIND,
-        translate("Messages", "There is no motion in the document: make one with New motion."),
-        translate("Messages", "Select one of the {0} motions."),
+        translate("SweptVolume", "There is no motion in the document: make one with New motion."),
+        translate("SweptVolume", "Select one of the {0} motions."),
     )
 
 

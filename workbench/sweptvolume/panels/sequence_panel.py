@@ -8,7 +8,7 @@ from PySide import QtCore
 from .. import runner
 from ..features import pair_rules, path_plan, sequence, sequence_plan
 from ..features.base import STALE
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from ..views.ghost import MOVING_TRIANGLES, MovingPart, MovingParts
 from . import focus, guard, widgets
 from .path_tasks import SequenceTask
@@ -27,8 +27,8 @@ opened = []
 class SequencePanel(SearchPanel):
     """Creates a new sequence (obj None), or shows an existing one and searches again."""
 
-    TITLE, ICON = mark("Panels", "Sequence"), "SweptVolume_Sequence"
-    BUTTON = mark("Panels", "&Find paths in this order")
+    TITLE, ICON = QT_TRANSLATE_NOOP("SweptVolume", "Sequence"), "SweptVolume_Sequence"
+    BUTTON = QT_TRANSLATE_NOOP("SweptVolume", "&Find paths in this order")
 
     def __init__(self, document, pairs=(), obj=None):
         self.obj, self.ghost, self.ghosts, self.shapes, self.courses = obj, None, None, None, []
@@ -47,12 +47,13 @@ class SequencePanel(SearchPanel):
     # --- building
 
     def build_way(self):
-        self.finds = QtWidgets.QPushButton(translate("Panels", "Find an &order"))
+        self.finds = QtWidgets.QPushButton(translate("SweptVolume", "Find an &order"))
         self.finds.setObjectName("SweptVolumeFindOrder")
         widgets.hint(
             self.finds,
             translate(
-                "Panels", "Searches for an order in which the parts can be removed, and reverses it"
+                "SweptVolume",
+                "Searches for an order in which the parts can be removed, and reverses it",
             ),
         )
         self.layout.insertWidget(self.layout.indexOf(self.begins) + 1, self.finds)
@@ -64,7 +65,8 @@ class SequencePanel(SearchPanel):
         widgets.hint(
             self.out,
             translate(
-                "Panels", "A part counts as removed when it is this far from its installed position"
+                "SweptVolume",
+                "A part counts as removed when it is this far from its installed position",
             ),
         )
         self.player = Player()
@@ -73,9 +75,9 @@ class SequencePanel(SearchPanel):
         self.layout.addWidget(self.player)
 
     def build_rules(self, rows):
-        self.straight = QtWidgets.QCheckBox(translate("Panels", "The parts never turn"))
+        self.straight = QtWidgets.QCheckBox(translate("SweptVolume", "The parts never turn"))
         self.straight.setObjectName("SweptVolumeTranslationOnly")
-        rows.addRow(translate("Panels", "Removal distance"), self.out)
+        rows.addRow(translate("SweptVolume", "Removal distance"), self.out)
         rows.addRow(self.straight)
 
     @guard.told
@@ -102,7 +104,7 @@ class SequencePanel(SearchPanel):
     def _show_state(self):
         text = self.obj.Message
         if self.obj.Status == STALE:
-            text = translate("Panels", "{0} (stale: check again)").format(self.obj.Summary)
+            text = translate("SweptVolume", "{0} (stale: check again)").format(self.obj.Summary)
         widgets.show_message(self.message, text)
         self.note_state()
 
@@ -190,7 +192,7 @@ class SequencePanel(SearchPanel):
                 self.rows.set_state(self.looked, "")
             self._forget_ghost()
             self.looked = row
-        text = translate("Panels", "searching ({0} of {1} found)")
+        text = translate("SweptVolume", "searching ({0} of {1} found)")
         self.rows.set_state(row, text.format(found, len(self.rows.pairs)))
         searched = self.run.task.request.rows[row]
         if farthest is not None and searched.pivot is not None:

@@ -17,14 +17,16 @@ class SequenceRows(QtCore.QObject):
     def __init__(self, document, layout):
         super().__init__()
         self.document, self.pairs, self.motions, self.states = document, [], [], []
-        rows = widgets.group(translate("Panels", "Moving parts, in order of installation"), layout)
+        rows = widgets.group(
+            translate("SweptVolume", "Moving parts, in order of installation"), layout
+        )
         self.table = QtWidgets.QTableWidget(0, 3)
         self.table.setObjectName("SweptVolumeSequenceParts")
         self.table.setHorizontalHeaderLabels(
             [
-                translate("Panels", "Part"),
-                translate("Panels", "Motion"),
-                translate("Panels", "State"),
+                translate("SweptVolume", "Part"),
+                translate("SweptVolume", "Motion"),
+                translate("SweptVolume", "State"),
             ]
         )
         self.table.verticalHeader().hide()
@@ -39,26 +41,26 @@ class SequenceRows(QtCore.QObject):
         for name, text, tip, act in (
             (
                 "AddParts",
-                translate("Panels", "A&dd selected"),
-                translate("Panels", "Adds the parts selected in the tree or in the view"),
+                translate("SweptVolume", "A&dd selected"),
+                translate("SweptVolume", "Adds the parts selected in the tree or in the view"),
                 self.add_selected,
             ),
             (
                 "RemovePart",
-                translate("Panels", "Re&move"),
-                translate("Panels", "Removes the marked part from the sequence"),
+                translate("SweptVolume", "Re&move"),
+                translate("SweptVolume", "Removes the marked part from the sequence"),
                 self.remove,
             ),
             (
                 "PartUp",
-                translate("Panels", "&Up"),
-                translate("Panels", "Moves the marked part one step earlier"),
+                translate("SweptVolume", "&Up"),
+                translate("SweptVolume", "Moves the marked part one step earlier"),
                 lambda: self.move(-1),
             ),
             (
                 "PartDown",
-                translate("Panels", "D&own"),
-                translate("Panels", "Moves the marked part one step later"),
+                translate("SweptVolume", "D&own"),
+                translate("SweptVolume", "Moves the marked part one step later"),
                 lambda: self.move(1),
             ),
         ):
@@ -96,7 +98,7 @@ class SequenceRows(QtCore.QObject):
             for m in objects_of_kind(self.document, motion_feature.Motion.KIND)
             if pair in motion_feature.parts_of(m) or m is now
         ]
-        labels = [translate("Panels", "find a path")] + [m.Label for m in known]
+        labels = [translate("SweptVolume", "find a path")] + [m.Label for m in known]
         names = [""] + [m.Name for m in known]
         box = widgets.choice(names, now.Name if now is not None else "", labels)
         box.setObjectName("SweptVolumeSequenceMotion{}".format(row))

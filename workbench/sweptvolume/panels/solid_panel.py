@@ -30,9 +30,9 @@ class SolidPanel(StartPanel):
         self.look = Look(self.document, self.show_estimate, self.report_estimate)
         values = solid.settings(obj) if obj is not None else solid.DEFAULTS
         if path:
-            head = translate("Panels", "Export envelope"), "SweptVolume_Export"
+            head = translate("SweptVolume", "Export envelope"), "SweptVolume_Export"
         else:
-            head = translate("Panels", "Make solid"), "SweptVolume_Solid"
+            head = translate("SweptVolume", "Make solid"), "SweptVolume_Solid"
         self.form, self.layout = widgets.window(*head)
         self.box, self.message = widgets.RunBox(), widgets.message_label()
         for widget in (self.box, self.message):
@@ -45,19 +45,20 @@ class SolidPanel(StartPanel):
         self.timer.start(0)
 
     def _build(self, values):
-        rows = widgets.group(translate("Panels", "Solid"), self.layout)
+        rows = widgets.group(translate("SweptVolume", "Solid"), self.layout)
         self.fields = rows.parentWidget()
-        self.merge = QtWidgets.QCheckBox(translate("Panels", "Merge coplanar"))
+        self.merge = QtWidgets.QCheckBox(translate("SweptVolume", "Merge coplanar"))
         self.merge.setChecked(values["merge"])
         widgets.hint(
-            self.merge, translate("Panels", "Merges adjacent coplanar triangles into one flat face")
+            self.merge,
+            translate("SweptVolume", "Merges adjacent coplanar triangles into one flat face"),
         )
         self.tolerance = widgets.length(values["tolerance"])
         self.tolerance.setObjectName("SweptVolumeSolidTolerance")
         widgets.hint(
             self.tolerance,
             translate(
-                "Panels",
+                "SweptVolume",
                 "How far the solid may deviate from the mesh. 0: exact, unless Max faces "
                 "requires a tolerance",
             ),
@@ -71,7 +72,7 @@ class SolidPanel(StartPanel):
         widgets.hint(
             self.faces,
             translate(
-                "Panels",
+                "SweptVolume",
                 "If the tolerance is 0, the smallest tolerance that meets this limit is chosen",
             ),
         )
@@ -79,13 +80,13 @@ class SolidPanel(StartPanel):
         self.megabytes.setObjectName("SweptVolumeMaxMegabytes")
         self.megabytes.setRange(0, 1e9)
         self.megabytes.setSuffix(" MB")
-        self.megabytes.setSpecialValueText(translate("Panels", "no limit"))
-        self.tessellated = QtWidgets.QCheckBox(translate("Panels", "Tessellated (AP242)"))
+        self.megabytes.setSpecialValueText(translate("SweptVolume", "no limit"))
+        self.tessellated = QtWidgets.QCheckBox(translate("SweptVolume", "Tessellated (AP242)"))
         self.tessellated.setObjectName("SweptVolumeTessellated")
         widgets.hint(
             self.tessellated,
             translate(
-                "Panels",
+                "SweptVolume",
                 "Writes the triangles themselves instead of faces. This is exact and fast, and "
                 "there is no limit on the number of triangles. Only programs that read "
                 "tessellated STEP can open the file; FreeCAD 0.20 cannot",
@@ -95,13 +96,13 @@ class SolidPanel(StartPanel):
         if step and core.available() and core.has_solids():
             rows.addRow(self.tessellated)
         rows.addRow(self.merge)
-        rows.addRow(translate("Panels", "Tolerance"), self.tolerance)
-        rows.addRow(translate("Panels", "Max faces"), self.faces)
+        rows.addRow(translate("SweptVolume", "Tolerance"), self.tolerance)
+        rows.addRow(translate("SweptVolume", "Max faces"), self.faces)
         if self.path:
-            rows.addRow(translate("Panels", "Max file size"), self.megabytes)
+            rows.addRow(translate("SweptVolume", "Max file size"), self.megabytes)
             where = QtWidgets.QLabel(os.path.basename(self.path))
             widgets.hint(where, self.path)
-            rows.addRow(translate("Panels", "File"), where)
+            rows.addRow(translate("SweptVolume", "File"), where)
         self.expected = QtWidgets.QLabel()
         self.expected.setObjectName("SweptVolumeSolidEstimate")
         self.expected.setWordWrap(True)
@@ -131,7 +132,7 @@ class SolidPanel(StartPanel):
     def _changed(self, *ignored):
         """Removes an estimate that belongs to other settings."""
         self.look.stop()
-        widgets.show_message(self.expected, translate("Panels", "Estimating the solid ..."))
+        widgets.show_message(self.expected, translate("SweptVolume", "Estimating the solid ..."))
         self.timer.start(ESTIMATE_DELAY)
 
     def estimate(self):
@@ -150,9 +151,11 @@ class SolidPanel(StartPanel):
 
     def show_estimate(self, found):
         if found["tried"]:
-            text = translate("Panels", "{0} triangles: {1} faces,\nabout {2}, {3}")
+            text = translate("SweptVolume", "{0} triangles: {1} faces,\nabout {2}, {3}")
         else:
-            text = translate("Panels", "{0} triangles: at most {1} faces,\nup to about {2}, {3}")
+            text = translate(
+                "SweptVolume", "{0} triangles: at most {1} faces,\nup to about {2}, {3}"
+            )
         text = text.format(
             quantities.count(found["triangles"]),
             quantities.count(found["faces"]),
@@ -160,9 +163,9 @@ class SolidPanel(StartPanel):
             quantities.seconds(found["seconds"]),
         )
         if not found["tried"]:
-            text += "\n" + translate("Panels", "Estimating the solid ...")
+            text += "\n" + translate("SweptVolume", "Estimating the solid ...")
         elif found["tolerance"] > 0 and not self.settings()["tolerance"]:
-            asked = translate("Panels", "A tolerance of {0} is needed to meet the limits")
+            asked = translate("SweptVolume", "A tolerance of {0} is needed to meet the limits")
             text += "\n" + asked.format(quantities.quantity(found["tolerance"]))
         widgets.show_message(self.expected, text)
 

@@ -23,10 +23,10 @@ class SourcePanel:
         self.given = dict(DEFAULTS.get(kind, {}))
         if obj is not None:
             self.given.update(motion.settings_of(obj).values)
-        self.title = translate("Panels", "Motion from object")
+        self.title = translate("SweptVolume", "Motion from object")
         icon_name = "SweptVolume_MotionFromSource"
         if kind == "Driven":
-            self.title = translate("Panels", "Motion from driven value")
+            self.title = translate("SweptVolume", "Motion from driven value")
             icon_name = "SweptVolume_MotionDriven"
         self.form, layout = widgets.window(self.title, icon_name)
         rows = widgets.group(", ".join(o.Label for o in objects), layout)
@@ -38,12 +38,14 @@ class SourcePanel:
         now = (obj.Interpolation, obj.PoseType) if obj else (interpolation_of(kind), frame_of(kind))
         self.interpolation = widgets.choice(list(INTERPOLATIONS), now[0])
         self.frame = widgets.choice(FRAMES, now[1])
-        self.frame.setToolTip(translate("Properties", FRAME_HELP))
-        rows.addRow(translate("Panels", "Interpolation"), self.interpolation)
-        rows.addRow(translate("Panels", "Pose type"), self.frame)
+        self.frame.setToolTip(translate("App::Property", FRAME_HELP))
+        rows.addRow(translate("SweptVolume", "Interpolation"), self.interpolation)
+        rows.addRow(translate("SweptVolume", "Pose type"), self.frame)
         if self._all_parts():  # absolute, because poses of joints are the true places of the parts
             self.frame.setEnabled(False)
-            text = translate("Panels", "No part is selected: every part that moves gets a motion.")
+            text = translate(
+                "SweptVolume", "No part is selected: every part that moves gets a motion."
+            )
             widgets.show_message(self.message, text)
         layout.addWidget(self.message)
         layout.addStretch(1)
@@ -56,12 +58,12 @@ class SourcePanel:
         widgets.hint(
             accuracy,
             translate(
-                "Panels",
+                "SweptVolume",
                 "How far the straight line between two poses may deviate from the "
                 "curve. Each corner of the curve gets a pose",
             ),
         )
-        rows.addRow(translate("Panels", "Accuracy"), accuracy)
+        rows.addRow(translate("SweptVolume", "Accuracy"), accuracy)
         self.values["accuracy"] = lambda: float(accuracy.property("rawValue"))
         names, now = ORIENTATIONS, self.given.get("orientation", "Fixed")
         if len(self.objects) > 1:
@@ -69,67 +71,67 @@ class SourcePanel:
         else:
             names = [n for n in names if n != "SecondCurve"]
         texts = {
-            "Fixed": translate("Panels", "Fixed"),
-            "Tangent": translate("Panels", "Tangent"),
-            "SecondCurve": translate("Panels", "Second curve"),
+            "Fixed": translate("SweptVolume", "Fixed"),
+            "Tangent": translate("SweptVolume", "Tangent"),
+            "SecondCurve": translate("SweptVolume", "Second curve"),
         }
         orientation = widgets.choice(names, now, [texts[n] for n in names])
         orientation.setObjectName("SweptVolumeOrientation")
         widgets.hint(
             orientation,
             translate(
-                "Panels",
+                "SweptVolume",
                 "Fixed: the part never turns. Tangent: the x axis of the part follows the tangent. "
                 "Second curve: the z axis points to the second curve; select both curves, the one to "
                 "follow first",
             ),
         )
-        rows.addRow(translate("Panels", "Orientation"), orientation)
+        rows.addRow(translate("SweptVolume", "Orientation"), orientation)
         self.values["orientation"] = orientation.currentData
-        self._seconds(rows, "duration", translate("Panels", "Duration"), 10.0)
+        self._seconds(rows, "duration", translate("SweptVolume", "Duration"), 10.0)
 
     def _build_robot(self, rows):
         self._count(rows)
 
     def _build_array(self, rows):
-        self._seconds(rows, "step", translate("Panels", "Step"), 1.0)
+        self._seconds(rows, "step", translate("SweptVolume", "Step"), 1.0)
 
     _build_placements = _build_array
 
     def _build_cam(self, rows):
-        texts = [translate("Panels", "Tool head"), translate("Panels", "Table")]
+        texts = [translate("SweptVolume", "Tool head"), translate("SweptVolume", "Table")]
         now = self.given.get("convention", "Head")
         convention = widgets.choice(CONVENTIONS, now, texts)
         convention.setObjectName("SweptVolumeConvention")
         widgets.hint(
             convention,
             translate(
-                "Panels",
+                "SweptVolume",
                 "What the G-code words A, B and C rotate. They are angles in degrees "
                 "about the fixed axes x, then y, then z. Tool head: X, Y and Z are "
                 "coordinates of the workpiece. Table: X, Y and Z are coordinates of "
                 "the machine, and the table turns the workpiece",
             ),
         )
-        rows.addRow(translate("Panels", "Rotary axes"), convention)
+        rows.addRow(translate("SweptVolume", "Rotary axes"), convention)
         self.values["convention"] = convention.currentData
         rapid = QtWidgets.QDoubleSpinBox()
         rapid.setRange(0, 1e12)
         rapid.setSuffix(" mm/s")
         rapid.setValue(self.given.get("rapid", 100.0))
-        rows.addRow(translate("Panels", "Rapid"), rapid)
+        rows.addRow(translate("SweptVolume", "Rapid"), rapid)
         self.values["rapid"] = rapid.value
 
     def _build_driven(self, rows):
         names = driven.names_of(self.objects[0])
         name = widgets.choice(names, self.given.get("property", names[0] if names else ""))
         name.setObjectName("SweptVolumeValue")
-        rows.addRow(translate("Panels", "Value"), name)
+        rows.addRow(translate("SweptVolume", "Value"), name)
         self.values["property"] = name.currentData
         fields = []
         for key, text in (
-            ("start", translate("Panels", "Start")),
-            ("end", translate("Panels", "End")),
+            ("start", translate("SweptVolume", "Start")),
+            ("end", translate("SweptVolume", "End")),
         ):
             field = QtWidgets.QDoubleSpinBox()
             field.setObjectName("SweptVolume" + key.capitalize())
@@ -156,7 +158,7 @@ class SourcePanel:
         if names:
             show_range()
         self._count(rows)
-        self._seconds(rows, "duration", translate("Panels", "Duration"), 10.0)
+        self._seconds(rows, "duration", translate("SweptVolume", "Duration"), 10.0)
 
     def _count(self, rows):
         count = QtWidgets.QSpinBox()
@@ -164,7 +166,7 @@ class SourcePanel:
         count.setRange(0, 999999999)
         count.setGroupSeparatorShown(True)
         count.setValue(self.given["count"])
-        rows.addRow(translate("Panels", "Count"), count)
+        rows.addRow(translate("SweptVolume", "Count"), count)
         self.values["count"] = count.value
 
     def _seconds(self, rows, name, title, value):
@@ -191,7 +193,7 @@ class SourcePanel:
         motion is then not created."""
         if text != self.told:
             self.told = text
-            once_more = translate("Panels", "Press OK again to use the motion as it is.")
+            once_more = translate("SweptVolume", "Press OK again to use the motion as it is.")
             raise InputProblem("{} {}".format(text, once_more))
 
     def _all_parts(self):

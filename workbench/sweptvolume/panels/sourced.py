@@ -33,11 +33,11 @@ def edit(obj):
 def may_cut(obj):
     """Asks the user whether to remove the link of a motion to its source."""
     text = translate(
-        "Panels",
+        "SweptVolume",
         'The poses of "{0}" are linked to {1}. To edit a key, you must remove the '
         "link. The motion then keeps its current poses. Remove the link?",
     ).format(obj.Label, name_of(obj))
     buttons = QtWidgets.QMessageBox.Yes | QtWidgets.QMessageBox.No
-    title = translate("Panels", "Motion")
+    title = translate("SweptVolume", "Motion")
     answer = QtWidgets.QMessageBox.question(Gui.getMainWindow(), title, text, buttons)
     return answer == QtWidgets.QMessageBox.Yes

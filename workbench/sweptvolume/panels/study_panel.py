@@ -24,7 +24,7 @@ class StudyPanel(StayingPanel):
     def __init__(self, document, obj=None, sources=()):
         self.document, self.obj, self.run = document, obj, None
         plan = study.Plan.of(obj) if obj is not None else study.Plan(document, sources=sources)
-        title = translate("Panels", "Study")
+        title = translate("SweptVolume", "Study")
         self.form, self.layout = widgets.window(title, "SweptVolume_Study")
         self.box = widgets.RunBox()
         self.message = widgets.message_label()
@@ -41,14 +41,17 @@ class StudyPanel(StayingPanel):
     # --- building
 
     def _build_inputs(self, plan):
-        rows = widgets.group(translate("Panels", "Runs"), self.layout)
+        rows = widgets.group(translate("SweptVolume", "Runs"), self.layout)
         self.kind = widgets.choice(
             ["document", "file"],
             "file" if plan.file and not plan.sources else "document",
-            [translate("Panels", "of this document"), translate("Panels", "of a study file")],
+            [
+                translate("SweptVolume", "of this document"),
+                translate("SweptVolume", "of a study file"),
+            ],
         )
         self.kind.setObjectName("SweptVolumeStudyKind")
-        rows.addRow(translate("Panels", "Runs"), self.kind)
+        rows.addRow(translate("SweptVolume", "Runs"), self.kind)
         self.list = QtWidgets.QListWidget()
         self.list.setObjectName("SweptVolumeStudySources")
         self.list.setMaximumHeight(150)
@@ -61,20 +64,20 @@ class StudyPanel(StayingPanel):
             item.setCheckState(QtCore.Qt.Checked if source in ticked else QtCore.Qt.Unchecked)
             self.list.addItem(item)
         rows.addRow(self.list)
-        text = translate("Panels", "Study file")
+        text = translate("SweptVolume", "Study file")
         self.file = self._file_row(rows, text, "SweptVolumeStudyFile", plan.file, self._ask_file)
         self.file_label = rows.labelForField(self.file.parentWidget())
-        text = translate("Panels", "Results")
+        text = translate("SweptVolume", "Results")
         self.folder = self._file_row(
             rows, text, "SweptVolumeStudyFolder", plan.folder, self._ask_folder
         )
-        self.folder.setPlaceholderText(translate("Panels", "default folder"))
+        self.folder.setPlaceholderText(translate("SweptVolume", "default folder"))
         self.jobs = QtWidgets.QSpinBox()
         self.jobs.setObjectName("SweptVolumeStudyJobs")
         self.jobs.setRange(0, 256)
-        self.jobs.setSpecialValueText(translate("Panels", "one for each core"))
+        self.jobs.setSpecialValueText(translate("SweptVolume", "one for each core"))
         self.jobs.setValue(plan.jobs)
-        rows.addRow(translate("Panels", "Runs at once"), self.jobs)
+        rows.addRow(translate("SweptVolume", "Runs at once"), self.jobs)
         self.start_button = QtWidgets.QPushButton()
         self.start_button.setObjectName("SweptVolumeRunStudy")
         self.start_button.setDefault(True)  # Enter presses this button
@@ -99,7 +102,7 @@ class StudyPanel(StayingPanel):
         return field
 
     def _build_result(self):
-        self.result = QtWidgets.QGroupBox(translate("Panels", "Result"))
+        self.result = QtWidgets.QGroupBox(translate("SweptVolume", "Result"))
         rows = QtWidgets.QVBoxLayout(self.result)
         self.summary = QtWidgets.QLabel()
         self.summary.setWordWrap(True)
@@ -110,9 +113,9 @@ class StudyPanel(StayingPanel):
         self.open_button, self.page_button, self.report_button = (
             QtWidgets.QPushButton(text)
             for text in (
-                translate("Panels", "&Open worst"),
-                translate("Panels", "Page"),
-                translate("Panels", "Report..."),
+                translate("SweptVolume", "&Open worst"),
+                translate("SweptVolume", "Page"),
+                translate("SweptVolume", "Report..."),
             )
         )
         for button, name in (
@@ -124,7 +127,7 @@ class StudyPanel(StayingPanel):
             buttons.addWidget(button)
         widgets.hint(
             self.page_button,
-            translate("Panels", "Opens the report page of all runs in the web browser"),
+            translate("SweptVolume", "Opens the report page of all runs in the web browser"),
         )
         for widget in (self.summary, self.table, self.about):
             rows.addWidget(widget)
@@ -219,13 +222,15 @@ class StudyPanel(StayingPanel):
         report = study.report_of(self.obj) if self.obj is not None else None
         self.result.setVisible(report is not None)
         left = report is not None and study_table.count(report["runs"], "not run")
-        go_on = translate("Panels", "Continue") if left else translate("Panels", "Run study")
+        go_on = (
+            translate("SweptVolume", "Continue") if left else translate("SweptVolume", "Run study")
+        )
         self.start_button.setText(go_on)
         if report is None:
             return
         text = self.obj.Summary
         if self.obj.Status == study.STALE:
-            text = translate("Panels", "{0} (stale: run again)").format(text)
+            text = translate("SweptVolume", "{0} (stale: run again)").format(text)
         self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
         widgets.show_message(self.message, self.obj.Message)
         self.table.show_report(report)
@@ -237,7 +242,9 @@ class StudyPanel(StayingPanel):
         is chosen."""
         row = self.table.chosen()
         self.open_button.setText(
-            translate("Panels", "&Open worst") if row is None else translate("Panels", "&Open run")
+            translate("SweptVolume", "&Open worst")
+            if row is None
+            else translate("SweptVolume", "&Open run")
         )
         widgets.show_message(self.about, "" if row is None else study_table.told(row))
 
@@ -264,7 +271,7 @@ class StudyPanel(StayingPanel):
         path = self._page()
         if not QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path)):
             text = translate(
-                "Messages",
+                "SweptVolume",
                 "{0} could not be opened: install a web browser, or open the file yourself.",
             )
             raise InputProblem(text.format(path))

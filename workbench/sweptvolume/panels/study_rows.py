@@ -45,10 +45,10 @@ class _Rows(QtCore.QAbstractTableModel):
         super().__init__()
         self.rows, self.places = [], {}
         self.heads = (
-            translate("Panels", "Run"),
-            translate("Panels", "State"),
-            translate("Panels", "Verdict"),
-            translate("Panels", "Distance"),
+            translate("SweptVolume", "Run"),
+            translate("SweptVolume", "State"),
+            translate("SweptVolume", "Verdict"),
+            translate("SweptVolume", "Distance"),
         )
 
     def rowCount(self, parent=None):  # noqa: N802

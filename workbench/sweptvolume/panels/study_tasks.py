@@ -8,7 +8,7 @@ from ..convert import InputProblem
 from ..features import study
 from ..features.study_import import Taken, problem_text
 from ..runner import Task, transaction
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .page_task import WritingTask, pdf_of
 from .tasks import PlanTask
 
@@ -16,7 +16,7 @@ from .tasks import PlanTask
 class StudyTask(PlanTask):
     """Computes the remaining runs of a study. If it is stopped, its rows are kept."""
 
-    TITLE = mark("Messages", "Run study")
+    TITLE = QT_TRANSLATE_NOOP("SweptVolume", "Run study")
     FEATURE = study
 
     names = None  # names of the runs, when they are known
@@ -52,7 +52,7 @@ class StudyPageTask(WritingTask):
     """Writes the page of all runs of a study."""
 
     def __init__(self, obj, path):
-        self.title = translate("Messages", "Export report")
+        self.title = translate("SweptVolume", "Export report")
         self.document, self.watched, self.path = obj.Document, [obj], path
         page.check_target(path)
         targets.check_not_read(path)
@@ -72,7 +72,7 @@ class TakeRunTask(Task):
     and its check or envelope, which is not computed. found: the check or envelope."""
 
     def __init__(self, obj, name):
-        self.title = translate("Messages", "Open run")
+        self.title = translate("SweptVolume", "Open run")
         self.document, self.watched = obj.Document, [obj]
         runs = {run.name: run for run in study.Plan.of(obj).study().runs}
         if name not in runs:

@@ -15,18 +15,18 @@ class TangentBox(QtWidgets.QGroupBox):
     changed = QtCore.Signal(str, object)
 
     def __init__(self):
-        super().__init__(translate("Panels", "Tangent at the key"))
+        super().__init__(translate("SweptVolume", "Tangent at the key"))
         texts = {
-            "Auto": translate("Panels", "Automatic"),
-            "Stop": translate("Panels", "Stop"),
-            "Corner": translate("Panels", "Corner"),
-            "Given": translate("Panels", "Given velocity"),
+            "Auto": translate("SweptVolume", "Automatic"),
+            "Stop": translate("SweptVolume", "Stop"),
+            "Corner": translate("SweptVolume", "Corner"),
+            "Given": translate("SweptVolume", "Given velocity"),
         }
         self.kind = widgets.choice(TANGENTS, "Auto", [texts[k] for k in TANGENTS])
         self.kind.setObjectName("SweptVolumeTangent")
         self.kind.setToolTip(
             translate(
-                "Panels",
+                "SweptVolume",
                 "Automatic: from the keys before and after. Stop: the part comes to "
                 "rest. Corner: the direction may change abruptly. Given velocity: as "
                 "entered below",
@@ -38,7 +38,7 @@ class TangentBox(QtWidgets.QGroupBox):
             field.setRange(-1e6, 1e6)
             field.setDecimals(2)
             field.setObjectName("SweptVolumeSpeed" + axis)
-            field.setToolTip(translate("Panels", "Velocity along {0} (mm/s)").format(axis))
+            field.setToolTip(translate("SweptVolume", "Velocity along {0} (mm/s)").format(axis))
             field.setButtonSymbols(QtWidgets.QAbstractSpinBox.NoButtons)
             field.setMinimumWidth(40)
             line.addWidget(field)

@@ -11,7 +11,7 @@ import FreeCAD as App
 from .. import contents, core, export, quantities, targets
 from ..features import clearance, envelope, mechanism, overlap_plan, shared, solid
 from ..runner import Task
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from ..views import surface
 
 #: Time (s) for which parts may be read without a pause: a third of an acceptable delay of the
@@ -27,7 +27,7 @@ class PlanTask(Task):
     FEATURE = None
 
     def __init__(self, document, plan, obj=None):
-        self.title = translate("Messages", self.TITLE)
+        self.title = translate("SweptVolume", self.TITLE)
         self.document = document
         self.plan = plan
         self.obj = obj
@@ -106,7 +106,7 @@ def read_in_pieces(plan):
 class EnvelopeTask(PlanTask):
     """Computes an envelope."""
 
-    TITLE = mark("Messages", "Compute envelope")
+    TITLE = QT_TRANSLATE_NOOP("SweptVolume", "Compute envelope")
     FEATURE = envelope
 
     def read(self):
@@ -133,7 +133,7 @@ class EnvelopeTask(PlanTask):
 
     def summary(self, value):
         report = value.report
-        return translate("Messages", "{0} triangles, {1}, {2}").format(
+        return translate("SweptVolume", "{0} triangles, {1}, {2}").format(
             quantities.count(report["triangles"]),
             quantities.volume(report["volume"]),
             quantities.seconds(report["seconds"]["total"]),
@@ -143,7 +143,7 @@ class EnvelopeTask(PlanTask):
 class ClearanceTask(PlanTask):
     """Runs a clearance check."""
 
-    TITLE = mark("Messages", "Check clearance")
+    TITLE = QT_TRANSLATE_NOOP("SweptVolume", "Check clearance")
     FEATURE = clearance
 
     def make(self):
@@ -160,7 +160,7 @@ class FirstContactsTask(Task):
     writes = False
 
     def __init__(self, plan):
-        self.title = translate("Messages", "Look for contacts")
+        self.title = translate("SweptVolume", "Look for contacts")
         self.document = plan.document
         plan.rules = {}
         self.request = plan.request()
@@ -177,7 +177,7 @@ class FirstContactsTask(Task):
 class MechanismTask(PlanTask):
     """Runs a mechanism check."""
 
-    TITLE = mark("Messages", "Check mechanism")
+    TITLE = QT_TRANSLATE_NOOP("SweptVolume", "Check mechanism")
     FEATURE = mechanism
 
     def read(self):
@@ -196,7 +196,7 @@ class MechanismTask(PlanTask):
 class SharedTask(PlanTask):
     """Computes a shared volume."""
 
-    TITLE = mark("Messages", "Shared volume")
+    TITLE = QT_TRANSLATE_NOOP("SweptVolume", "Shared volume")
     FEATURE = shared
 
     def make(self):
@@ -213,7 +213,7 @@ class OverlapTask(Task):
     writes = False
 
     def __init__(self, plan):
-        self.title, self.document = translate("Messages", "Check reserved spaces"), plan.document
+        self.title, self.document = translate("SweptVolume", "Check reserved spaces"), plan.document
         self.plan, self.request, self.found = plan, plan.request(), None
         self.watched = [root for root, _ in plan.pairs]
 
@@ -232,7 +232,7 @@ class PairContactsTask(Task):
     writes = False
 
     def __init__(self, plan):
-        self.title = translate("Messages", "Look for contacts")
+        self.title = translate("SweptVolume", "Look for contacts")
         self.document, self.found, self.plan, self.request = plan.document, {}, plan, None
         contents.prepared(plan.words())
         self.watched = [o for o in plan.objects() if o.Document is plan.document]
@@ -254,7 +254,7 @@ class ShapesTask(Task):
     writes = False
 
     def __init__(self, plan, most):
-        self.title, self.document = translate("Messages", "Read parts"), plan.document
+        self.title, self.document = translate("SweptVolume", "Read parts"), plan.document
         self.most, self.found = most, []
         self.parts = plan.seen()
 
@@ -283,7 +283,7 @@ class SolidTask(Task):
     settings: as in features.solid.DEFAULTS; if None, those of the object."""
 
     def __init__(self, document, source=None, obj=None, settings=None):
-        self.title = translate("Messages", "Make solid")
+        self.title = translate("SweptVolume", "Make solid")
         self.document = document
         self.obj = obj
         self.source = source or obj.Source
@@ -321,7 +321,7 @@ class ExportTask(Task):
     beside its place and then moved there, so a stopped run leaves no file."""
 
     def __init__(self, source, path, settings=None):
-        self.title = translate("Messages", "Export envelope")
+        self.title = translate("SweptVolume", "Export envelope")
         self.document = source.Document
         self.watched = [source]
         self.path = path
@@ -348,7 +348,7 @@ class ExportTask(Task):
         self.drop(value)
         warn_of(value, self.path)
         App.Console.PrintMessage(
-            translate("Messages", "Written: {0} ({1})\n").format(
+            translate("SweptVolume", "Written: {0} ({1})\n").format(
                 self.path, quantities.megabytes(os.path.getsize(self.path))
             )
         )

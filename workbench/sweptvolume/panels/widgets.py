@@ -13,7 +13,7 @@ except ImportError:  # in FreeCAD 0.20, the module PySide has the widgets in QtG
     QtWidgets = QtGui
 
 from .. import icon
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 
 #: The module that manages the Python wrappers of PySide: shiboken2 or shiboken6.
 shiboken = importlib.import_module("shiboken" + QtCore.qVersion()[0].replace("5", "2"))
@@ -91,35 +91,35 @@ def _quantity_field():
 
 #: Values of properties and names of the core's stages that panels show, marked for translation.
 _NAMES = [
-    mark("Panels", "None"),
-    mark("Panels", "Linear"),
-    mark("Panels", "Screw"),
-    mark("Panels", "Spline"),
-    mark("Panels", "Absolute"),
-    mark("Panels", "Relative"),
-    mark("Panels", "RelativeToFirst"),
-    mark("Panels", "Consistent"),
-    mark("Panels", "DualContouring"),
-    mark("Panels", "DualMarchingCubes"),
-    mark("Panels", "Equivalence"),
-    mark("Panels", "Greedy"),
-    mark("Panels", "Auto"),
-    mark("Panels", "Off"),
-    mark("Panels", "Session"),
-    mark("Panels", "Document"),
-    mark("Panels", "input"),
-    mark("Panels", "motion"),
-    mark("Panels", "sampling"),
-    mark("Panels", "signs"),
-    mark("Panels", "contour"),
-    mark("Panels", "simplify"),
-    mark("Panels", "check"),
-    mark("Panels", "export"),
-    mark("Panels", "straight moves"),
-    mark("Panels", "moves without turns"),
-    mark("Panels", "moves with turns"),
-    mark("Panels", "polish"),
-    mark("Panels", "done"),
+    QT_TRANSLATE_NOOP("SweptVolume", "None"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Linear"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Screw"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Spline"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Absolute"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Relative"),
+    QT_TRANSLATE_NOOP("SweptVolume", "RelativeToFirst"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Consistent"),
+    QT_TRANSLATE_NOOP("SweptVolume", "DualContouring"),
+    QT_TRANSLATE_NOOP("SweptVolume", "DualMarchingCubes"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Equivalence"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Greedy"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Auto"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Off"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Session"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Document"),
+    QT_TRANSLATE_NOOP("SweptVolume", "input"),
+    QT_TRANSLATE_NOOP("SweptVolume", "motion"),
+    QT_TRANSLATE_NOOP("SweptVolume", "sampling"),
+    QT_TRANSLATE_NOOP("SweptVolume", "signs"),
+    QT_TRANSLATE_NOOP("SweptVolume", "contour"),
+    QT_TRANSLATE_NOOP("SweptVolume", "simplify"),
+    QT_TRANSLATE_NOOP("SweptVolume", "check"),
+    QT_TRANSLATE_NOOP("SweptVolume", "export"),
+    QT_TRANSLATE_NOOP("SweptVolume", "straight moves"),
+    QT_TRANSLATE_NOOP("SweptVolume", "moves without turns"),
+    QT_TRANSLATE_NOOP("SweptVolume", "moves with turns"),
+    QT_TRANSLATE_NOOP("SweptVolume", "polish"),
+    QT_TRANSLATE_NOOP("SweptVolume", "done"),
 ]
 
 
@@ -131,7 +131,7 @@ def choice(names, now, texts=None):
     box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     box.setMinimumContentsLength(8)
     for i, name in enumerate(names):
-        box.addItem(texts[i] if texts else translate("Panels", name), name)
+        box.addItem(texts[i] if texts else translate("SweptVolume", name), name)
     if now in names:
         box.setCurrentIndex(list(names).index(now))
     return box
@@ -237,7 +237,7 @@ def show_message(label, text):
 
 def show_failure(label, run):
     """Shows the text about a run that ended without a result."""
-    cancelled = translate("Messages", "Cancelled. Nothing was changed.")
+    cancelled = translate("SweptVolume", "Cancelled. Nothing was changed.")
     show_message(label, cancelled if run.state == "cancelled" else run.message)
 
 
@@ -253,12 +253,12 @@ class RunBox(QtWidgets.QGroupBox):
     """Progress of a run, with the button that stops it. Hidden while nothing runs."""
 
     def __init__(self):
-        super().__init__(translate("Panels", "Progress"))
+        super().__init__(translate("SweptVolume", "Progress"))
         layout = QtWidgets.QVBoxLayout(self)
         row = QtWidgets.QHBoxLayout()
         self.bar = QtWidgets.QProgressBar()
         self.bar.setRange(0, 10000)
-        self.stop = QtWidgets.QPushButton(translate("Panels", "Stop"))
+        self.stop = QtWidgets.QPushButton(translate("SweptVolume", "Stop"))
         self.stop.setObjectName("SweptVolumeStop")
         self.stage = QtWidgets.QLabel()
         row.addWidget(self.bar, 1)
@@ -296,8 +296,8 @@ class RunBox(QtWidgets.QGroupBox):
         crept = max(0.0, MOST_CREPT - self._shown) * (1.0 - 0.5 ** ((now - self._looked) / half))
         self._shown, self._looked = max(part, self._shown + crept), now
         self.bar.setValue(int(self._shown * self.bar.maximum()))
-        text = translate("Panels", "{0}, {1} s")
-        self.stage.setText(text.format(translate("Panels", phase), int(now - self._began)))
+        text = translate("SweptVolume", "{0}, {1} s")
+        self.stage.setText(text.format(translate("SweptVolume", phase), int(now - self._began)))
 
 
 def warn(title, text):

@@ -12,7 +12,7 @@ def is_array(obj):
 def poses(objects, step):
     """Returns one pose for each element. `step`: time (s) between two poses."""
     if len(objects) != 1 or not is_array(objects[0]):
-        raise InputProblem(translate("Messages", "Select one link array or Draft array."))
+        raise InputProblem(translate("SweptVolume", "Select one link array or Draft array."))
     obj = objects[0]
     outer = global_placement(*root_path(obj))
     # Elements shown in the tree have their own placements; PlacementList is then out of date.

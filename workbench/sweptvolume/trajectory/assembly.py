@@ -35,7 +35,7 @@ def assembly_of(simulation):
                 waiting.append(user)
     raise InputProblem(
         translate(
-            "Messages",
+            "SweptVolume",
             '"{0}" cannot be simulated by this version of FreeCAD: simulations need FreeCAD 1.1.',
         ).format(simulation.Label)
     )
@@ -46,7 +46,7 @@ def pair(objects):
     if len(objects) != 2 or not is_simulation(objects[0]):
         raise InputProblem(
             translate(
-                "Messages",
+                "SweptVolume",
                 "Select an assembly simulation in the tree, then also the part to follow.",
             )
         )
@@ -87,7 +87,7 @@ def shortfall(label, start, end, step, frames):
     if frames >= expected:
         return ""
     return translate(
-        "Messages",
+        "SweptVolume",
         'The simulation "{0}" stopped early, at {3} s of {4} s ({1} of {2} frames): '
         "its solver found no valid position. Check the joints and formulas, or set "
         "an earlier end time.",

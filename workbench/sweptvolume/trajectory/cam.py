@@ -38,13 +38,13 @@ def is_path(obj):
 def poses(objects, rapid=100.0, convention="Head"):
     """Returns all moves of one CAM object."""
     if len(objects) != 1 or not is_path(objects[0]):
-        raise InputProblem(translate("Messages", "Select one CAM (Path) operation."))
+        raise InputProblem(translate("SweptVolume", "Select one CAM (Path) operation."))
     place = {"Head": _by_head, "Table": _by_table}[convention]
     times, found = _Reader(rapid, place).read(objects[0].Path.Commands)
     if len(found) < 2:
         raise InputProblem(
             translate(
-                "Messages", '"{0}" has no moves (G0 to G3): choose another operation.'
+                "SweptVolume", '"{0}" has no moves (G0 to G3): choose another operation.'
             ).format(objects[0].Label)
         )
     return Poses(times, found)

@@ -14,7 +14,7 @@ def read(path, unit):
     if not path or not os.path.isfile(path):
         raise InputProblem(
             translate(
-                "Messages", 'The motion file "{0}" does not exist: choose another file.'
+                "SweptVolume", 'The motion file "{0}" does not exist: choose another file.'
             ).format(path)
         )
     try:

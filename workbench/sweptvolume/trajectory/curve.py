@@ -54,7 +54,7 @@ def poses(objects, count, orientation, duration):
     if count < 2:
         raise InputProblem(
             translate(
-                "Messages",
+                "SweptVolume",
                 "A curve needs at least two poses: set Count to 2 or more, or to 0 (then Accuracy "
                 "decides).",
             )
@@ -75,7 +75,7 @@ def poses_within(objects, accuracy, orientation, duration):
     edges = _path(objects, orientation)
     if not accuracy > 0:
         raise InputProblem(
-            translate("Messages", "The accuracy is {0}: enter a value greater than 0.").format(
+            translate("SweptVolume", "The accuracy is {0}: enter a value greater than 0.").format(
                 quantity(accuracy)
             )
         )
@@ -93,11 +93,11 @@ def _path(objects, orientation):
     if len(objects) < wanted or not all(is_curve(obj) for obj in objects[:wanted]):
         raise InputProblem(
             translate(
-                "Messages",
+                "SweptVolume",
                 "Select two wires: the curve to follow, then the curve that sets the orientation.",
             )
             if wanted == 2
-            else translate("Messages", "Select one wire, edge or sketch to follow.")
+            else translate("SweptVolume", "Select one wire, edge or sketch to follow.")
         )
     return _edges(objects[0])
 
@@ -160,7 +160,7 @@ def _adaptive(track, accuracy, turning):
         if len(samples) >= MAX_POSES:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "An accuracy of {0} needs more than {1} poses on this curve: choose a "
                     "larger accuracy value.",
                 ).format(quantity(accuracy), count(MAX_POSES))
@@ -259,7 +259,7 @@ def _turns_by_second(samples, others, objects):
         else:
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     'The second curve "{0}" lies on the tangent of the curve "{1}" at its '
                     "start, so it does not define the z axis: move the second curve "
                     "sideways.",
@@ -278,7 +278,7 @@ def _edges(obj):
     if len(groups) != 1:
         raise InputProblem(
             translate(
-                "Messages",
+                "SweptVolume",
                 '"{0}" has {1} separate pieces: join them into one curve, or select one piece.',
             ).format(obj.Label, len(groups))
         )

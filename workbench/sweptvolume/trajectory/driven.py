@@ -26,10 +26,12 @@ def _no_such_value(driver, name):
     values = names_of(driver)
     if not values:
         text = translate(
-            "Messages", '"{0}" has no value that can be changed: choose another object.'
+            "SweptVolume", '"{0}" has no value that can be changed: choose another object.'
         )
         return InputProblem(text.format(driver.Label))
-    text = translate("Messages", '"{0}" has no value "{1}" that can be changed: choose one of {2}.')
+    text = translate(
+        "SweptVolume", '"{0}" has no value "{1}" that can be changed: choose one of {2}.'
+    )
     more = ", ..." if len(values) > 12 else ""
     return InputProblem(text.format(driver.Label, name, ", ".join(values[:12]) + more))
 
@@ -45,7 +47,7 @@ class Handle:
             if path.lstrip(".") == name:
                 raise InputProblem(
                     translate(
-                        "Messages",
+                        "SweptVolume",
                         'The value "{0}" of "{1}" is set by the expression {2}: choose a value '
                         "in that expression instead.",
                     ).format(name, driver.Label, expression)
@@ -162,7 +164,7 @@ def frames(driver, name, start, end, count, duration, watched):
             handle.set(value)
             document.recompute()
             text = translate(
-                "Messages",
+                "SweptVolume",
                 'The document could not be recomputed with "{0}" = {1:g}: choose '
                 "another start or end value.",
             )
@@ -178,7 +180,8 @@ def pair(objects):
     if len(objects) != 2:
         raise InputProblem(
             translate(
-                "Messages", "Select the object with the value to change, then the part to follow."
+                "SweptVolume",
+                "Select the object with the value to change, then the part to follow.",
             )
         )
     return objects

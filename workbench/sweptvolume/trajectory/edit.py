@@ -76,7 +76,9 @@ class Keys:
         index = bisect.bisect(self.times, time)
         if not 0 < index < len(self) or time in self.times:
             raise InputProblem(
-                translate("Messages", "There is already a key at this time: choose another time.")
+                translate(
+                    "SweptVolume", "There is already a key at this time: choose another time."
+                )
             )
         return self._put(index, time, at_time(self.poses(), interpolation, time))
 
@@ -134,7 +136,7 @@ class Keys:
         if (before is not None and time <= before) or (after is not None and time >= after):
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "The time of key {0} must lie between the times of the keys before and "
                     "after it.",
                 ).format(index + 1)
@@ -182,7 +184,7 @@ def rows_from(text, units):
         if len(cells) not in (4, 7):
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "Row {0} of the pasted text has {1} columns: use either the four "
                     "columns t, x, y, z, or the seven columns t, x, y, z, yaw, pitch, roll.",
                 ).format(number + 1, len(cells))
@@ -192,7 +194,7 @@ def rows_from(text, units):
     if not rows:
         raise InputProblem(
             translate(
-                "Messages",
+                "SweptVolume",
                 "The clipboard has no rows of numbers: copy cells from a spreadsheet first.",
             )
         )
@@ -221,7 +223,7 @@ def number_from(text, unit):
         return number
     raise InputProblem(
         translate(
-            "Messages",
+            "SweptVolume",
             '"{0}" is too large, or is neither a number nor a quantity that can be converted to '
             "{1}: correct the entry.",
         ).format(text, unit)

@@ -61,7 +61,7 @@ class Recording:
         notes = [self.note] if self.note else []
         if change(np.array([matrix_of(p) for p in self.placements[k]])) <= STILL:
             text = translate(
-                "Messages",
+                "SweptVolume",
                 '"{0}" stands still in all {1} frames: choose a part that is moved, or check the '
                 "joints and formulas.",
             )
@@ -84,6 +84,6 @@ def no_frames(label):
     """Returns the InputProblem for a run without frames."""
     return InputProblem(
         translate(
-            "Messages", 'The simulation "{0}" gave no frames: open it and check that it runs.'
+            "SweptVolume", 'The simulation "{0}" gave no frames: open it and check that it runs.'
         ).format(label)
     )

@@ -12,11 +12,11 @@ def placements(objects, step):
         if not hasattr(obj, "Placement"):
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     '"{0}" has no placement, so it cannot be a pose: choose another object.',
                 ).format(obj.Label)
             )
         found.append(global_placement(*root_path(obj)))
     if not found:
-        raise InputProblem(translate("Messages", "Choose at least one object with a placement."))
+        raise InputProblem(translate("SweptVolume", "Choose at least one object with a placement."))
     return Poses(even_times(len(found), step), found)

@@ -4,7 +4,7 @@ import FreeCAD as App
 import numpy as np
 
 from ..convert import InputProblem, matrices_from, pose_arrays
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from .spline import Spline, rotation_vector
 
 #: Name in the property -> name in the core. The core gets a spline as many straight pieces.
@@ -14,8 +14,8 @@ MOST_HALVINGS = 10
 
 #: Values of the property PoseType: what a pose means for the part.
 FRAMES = ["Absolute", "Relative", "RelativeToFirst"]
-FRAME_HELP = mark(
-    "Properties",
+FRAME_HELP = QT_TRANSLATE_NOOP(
+    "App::Property",
     "What a pose means.\n"
     "Absolute: the pose replaces the present placement of the part. This is the "
     "default; captured placements and recorded motions use it.\n"
@@ -46,7 +46,7 @@ class Poses:
         if len(self.times) != len(self.placements):
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "The motion has {0} times but {1} placements: give one time for each placement.",
                 ).format(len(self.times), len(self.placements))
             )
@@ -56,12 +56,13 @@ class Poses:
         times = np.array(self.times)
         for i in np.flatnonzero(~np.isfinite(times))[:1]:
             text = translate(
-                "Messages", "Pose {0}: the time is {1:g}, but must be a finite number. Correct it."
+                "SweptVolume",
+                "Pose {0}: the time is {1:g}, but must be a finite number. Correct it.",
             )
             raise InputProblem(text.format(i + 1, times[i]))
         for i in np.flatnonzero(times[1:] < times[:-1])[:1]:
             text = translate(
-                "Messages",
+                "SweptVolume",
                 "Pose {0}: its time {1:g} s is earlier than the time {2:g} s of the "
                 "pose before. Times must not decrease.",
             )
@@ -88,7 +89,7 @@ class Poses:
             if self.times[i] == self.times[i - 1]:
                 raise InputProblem(
                     translate(
-                        "Messages",
+                        "SweptVolume",
                         "Poses {0} and {1} have the same time ({2:g} s): give them different "
                         "times, because the motion is a spline or has a reference part.",
                     ).format(i, i + 1, self.times[i])
@@ -119,7 +120,7 @@ def base_of(poses, frame, standing, container=None):
     group that holds the motion, in whose coordinates displacements are given; None for a motion
     outside groups."""
     if not poses.placements:
-        raise InputProblem(translate("Messages", "The motion has no poses: add at least one."))
+        raise InputProblem(translate("SweptVolume", "The motion has no poses: add at least one."))
     if frame == "Absolute":
         return App.Placement(standing)
     if frame == "Relative":
@@ -127,7 +128,7 @@ def base_of(poses, frame, standing, container=None):
     if frame == "RelativeToFirst":
         return App.Placement(poses.placements[0])
     raise InputProblem(
-        translate("Messages", 'The pose type "{0}" is unknown: use one of these: {1}.').format(
+        translate("SweptVolume", 'The pose type "{0}" is unknown: use one of these: {1}.').format(
             frame, ", ".join(FRAMES)
         )
     )

@@ -12,13 +12,13 @@ def is_trajectory(obj):
 def poses(objects, count):
     """Returns `count` poses at equal times, interpolated by the Robot workbench (with its ramps)."""
     if len(objects) != 1 or not is_trajectory(objects[0]):
-        raise InputProblem(translate("Messages", "Select one Robot trajectory."))
+        raise InputProblem(translate("SweptVolume", "Select one Robot trajectory."))
     obj = objects[0]
     path = obj.Trajectory
     if len(path.Waypoints) < 2 or path.Duration <= 0:
         raise InputProblem(
             translate(
-                "Messages",
+                "SweptVolume",
                 '"{0}" has {1} waypoints, but a motion needs at least two: add waypoints.',
             ).format(obj.Label, len(path.Waypoints))
         )

@@ -38,7 +38,7 @@ class Settings:
         if not least <= value <= MOST_POSES:
             raise InputProblem(
                 translate(
-                    "Messages", "The number of poses is {0}: enter a number from {1} to {2}."
+                    "SweptVolume", "The number of poses is {0}: enter a number from {1} to {2}."
                 ).format(value, least, MOST_POSES)
             )
         return value
@@ -48,7 +48,7 @@ def damaged():
     """Returns the InputProblem for settings that cannot be read."""
     return InputProblem(
         translate(
-            "Messages",
+            "SweptVolume",
             "The settings of the motion's source are damaged: create the motion again, or edit its "
             "keys with Edit motion, which removes the link to the source and keeps the poses.",
         )
@@ -70,7 +70,7 @@ def values_from(text):
 def _stored(settings):
     raise InputProblem(
         translate(
-            "Messages",
+            "SweptVolume",
             "This motion has no source that could be read again: its poses are "
             "stored only in the document. To change them, choose Edit motion.",
         )

@@ -82,7 +82,7 @@ class Spline:
         if not all(math.isfinite(v.Length) for v in (v0, v1, w0 * third, w1 * third)):
             raise InputProblem(
                 translate(
-                    "Messages",
+                    "SweptVolume",
                     "The spline from pose {0} to pose {1} gives numbers that are too large: "
                     "check the times, placements and given velocities of these poses.",
                 ).format(k + 1, k + 2)

@@ -61,8 +61,8 @@ class ClearanceView(View):
 
     def setupContextMenu(self, view, menu):
         commands = (
-            (translate("Commands", "Check clearance"), self.EDITOR),
-            (translate("Commands", "Export report..."), "SweptVolume_ExportReport"),
+            (translate("SweptVolume", "Check clearance"), self.EDITOR),
+            (translate("SweptVolume", "Export report..."), "SweptVolume_ExportReport"),
         )
         self.add_commands(menu, view.Object, commands)
 

@@ -5,7 +5,7 @@ from PySide import QtCore
 
 from .. import runner
 from ..features import envelope
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from . import made_colours, surface
 from .base import View, run_command, set_if_there, state_icon
 
@@ -16,7 +16,7 @@ class _Recut(runner.Task):
     """Simplifies the kept surface to a new tolerance; other properties do not change."""
 
     def __init__(self, obj):
-        self.title = translate("Messages", "Compute envelope")
+        self.title = translate("SweptVolume", "Compute envelope")
         self.document, self.obj, self.watched = obj.Document, obj, [obj]
         plan = envelope.Plan.of(obj)
         self.hash, self.most = plan.hash(), surface.most_of(obj)
@@ -77,16 +77,16 @@ class EnvelopeView(View):
     def attach(self, view):
         super().attach(view)
         if "DrawnTriangles" not in view.PropertiesList:
-            text = mark(
-                "Properties",
+            text = QT_TRANSLATE_NOOP(
+                "App::Property",
                 "Largest number of triangles to draw. A larger mesh is reduced to "
                 "this number on screen. 0: draws all triangles",
             )
             view.addProperty("App::PropertyInteger", "DrawnTriangles", "Display", text)
             view.DrawnTriangles = surface.MOST
         if "ColourBy" not in view.PropertiesList:
-            text = mark(
-                "Properties",
+            text = QT_TRANSLATE_NOOP(
+                "App::Property",
                 "What the colours show. Needs a record of what made the envelope (MadeBy)",
             )
             view.addProperty("App::PropertyEnumeration", "ColourBy", "Display", text)
@@ -145,12 +145,12 @@ class EnvelopeView(View):
     def setupContextMenu(self, view, menu):
         obj = view.Object
         for text, name in (
-            (translate("Commands", "Edit envelope"), "SweptVolume_EditEnvelope"),
-            (translate("Commands", "Recompute envelope"), "SweptVolume_Recompute"),
-            (translate("Commands", "Check clearance"), "SweptVolume_Clearance"),
-            (translate("Commands", "Make solid"), "SweptVolume_Solid"),
-            (translate("Commands", "What made this?"), "SweptVolume_MadeBy"),
-            (translate("Commands", "Export envelope"), "SweptVolume_Export"),
+            (translate("SweptVolume", "Edit envelope"), "SweptVolume_EditEnvelope"),
+            (translate("SweptVolume", "Recompute envelope"), "SweptVolume_Recompute"),
+            (translate("SweptVolume", "Check clearance"), "SweptVolume_Clearance"),
+            (translate("SweptVolume", "Make solid"), "SweptVolume_Solid"),
+            (translate("SweptVolume", "What made this?"), "SweptVolume_MadeBy"),
+            (translate("SweptVolume", "Export envelope"), "SweptVolume_Export"),
         ):
             icon_name = name.replace("EditEnvelope", "Envelope")
             self.add_menu(menu, text, icon_name, lambda name=name: run_command(obj, name))

@@ -23,7 +23,7 @@ def view_of(document):
     views += gui.mdiViewsOfType("Gui::View3DInventor")
     if not views:
         text = translate(
-            "Messages", 'The document "{0}" has no open 3D view: open one with the menu Window.'
+            "SweptVolume", 'The document "{0}" has no open 3D view: open one with the menu Window.'
         )
         raise InputProblem(text.format(document.Label))
     return views[0]

@@ -7,16 +7,16 @@ import numpy as np
 from .. import convert, runner
 from ..features import made_by
 from ..features.made_by import CAP, EDGE, GRAZE
-from ..texts import mark
+from ..texts import QT_TRANSLATE_NOOP
 from . import surface
 
 #: What the colours of an envelope can show; the first entry: its own colour.
 CHOICES = [
-    mark("Panels", "Nothing"),
-    mark("Panels", "Part"),
-    mark("Panels", "Face"),
-    mark("Panels", "Kind"),
-    mark("Panels", "Time"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Nothing"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Part"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Face"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Kind"),
+    QT_TRANSLATE_NOOP("SweptVolume", "Time"),
 ]
 #: Number of hues for faces (faces with adjacent numbers differ clearly), and for times (from blue
 #: to red).

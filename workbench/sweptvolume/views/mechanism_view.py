@@ -22,7 +22,7 @@ class MechanismView(View):
 
     def setupContextMenu(self, view, menu):
         commands = (
-            (translate("Commands", "Check mechanism"), self.EDITOR),
-            (translate("Commands", "Export report..."), "SweptVolume_ExportReport"),
+            (translate("SweptVolume", "Check mechanism"), self.EDITOR),
+            (translate("SweptVolume", "Export report..."), "SweptVolume_ExportReport"),
         )
         self.add_commands(menu, view.Object, commands)

@@ -3,7 +3,7 @@
 from ..convert import InputProblem
 from ..features.motion import STALE, poses_of
 from ..features.motion_source import has_settings
-from ..texts import mark, translate
+from ..texts import QT_TRANSLATE_NOOP, translate
 from . import path
 from .base import View, run_command, shown_icon
 
@@ -20,12 +20,15 @@ class MotionView(View):
 
     def add_properties(self, view):
         if "FrameSize" not in view.PropertiesList:
-            text = mark(
-                "Properties", "Length of the axes drawn at each pose (mm). 0: chosen automatically"
+            text = QT_TRANSLATE_NOOP(
+                "App::Property",
+                "Length of the axes drawn at each pose (mm). 0: chosen automatically",
             )
             view.addProperty("App::PropertyFloat", "FrameSize", "Path", text)
         if "PathWidth" not in view.PropertiesList:
-            text = mark("Properties", "Width of the line that shows the motion (pixels)")
+            text = QT_TRANSLATE_NOOP(
+                "App::Property", "Width of the line that shows the motion (pixels)"
+            )
             view.addProperty("App::PropertyFloat", "PathWidth", "Path", text)
             view.PathWidth = 3.0
 
@@ -75,13 +78,13 @@ class MotionView(View):
     def setupContextMenu(self, view, menu):
         obj = view.Object
         for text, name in (
-            (translate("Commands", "Edit motion"), "SweptVolume_EditMotion"),
-            (translate("Commands", "Settings of the source"), "SweptVolume_EditSource"),
-            (translate("Commands", "Reload motion"), "SweptVolume_ReloadMotion"),
-            (translate("Commands", "Improve path"), "SweptVolume_ImprovePath"),
-            (translate("Commands", "Find path"), "SweptVolume_FindPath"),
-            (translate("Commands", "Create envelope"), "SweptVolume_Envelope"),
-            (translate("Commands", "Check clearance"), "SweptVolume_Clearance"),
+            (translate("SweptVolume", "Edit motion"), "SweptVolume_EditMotion"),
+            (translate("SweptVolume", "Settings of the source"), "SweptVolume_EditSource"),
+            (translate("SweptVolume", "Reload motion"), "SweptVolume_ReloadMotion"),
+            (translate("SweptVolume", "Improve path"), "SweptVolume_ImprovePath"),
+            (translate("SweptVolume", "Find path"), "SweptVolume_FindPath"),
+            (translate("SweptVolume", "Create envelope"), "SweptVolume_Envelope"),
+            (translate("SweptVolume", "Check clearance"), "SweptVolume_Clearance"),
         ):
             if name == "SweptVolume_EditSource" and not has_settings(obj):
                 continue

@@ -14,4 +14,6 @@ class SequenceView(MechanismView):
         return verdict_icon("SweptVolume_Sequence", self.Object)
 
     def setupContextMenu(self, view, menu):
-        self.add_commands(menu, view.Object, ((translate("Commands", "Sequence..."), self.EDITOR),))
+        self.add_commands(
+            menu, view.Object, ((translate("SweptVolume", "Sequence..."), self.EDITOR),)
+        )

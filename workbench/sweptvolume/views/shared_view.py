@@ -42,5 +42,5 @@ class SharedView(View):
         return state_icon("SweptVolume_Overlap", self.Object)
 
     def setupContextMenu(self, view, menu):
-        commands = ((translate("Commands", "Compute again"), self.EDITOR),)
+        commands = ((translate("SweptVolume", "Compute again"), self.EDITOR),)
         self.add_commands(menu, view.Object, commands)

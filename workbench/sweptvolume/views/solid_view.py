@@ -21,7 +21,7 @@ class SolidView(View):
 
     def setupContextMenu(self, view, menu):
         commands = (
-            (translate("Commands", "Make solid again"), "SweptVolume_Solid"),
-            (translate("Commands", "Export"), "SweptVolume_Export"),
+            (translate("SweptVolume", "Make solid again"), "SweptVolume_Solid"),
+            (translate("SweptVolume", "Export"), "SweptVolume_Export"),
         )
         self.add_commands(menu, view.Object, commands)

@@ -20,7 +20,7 @@ class StudyView(View):
 
     def setupContextMenu(self, view, menu):
         commands = (
-            (translate("Commands", "Study..."), self.EDITOR),
-            (translate("Commands", "Export report..."), "SweptVolume_ExportReport"),
+            (translate("SweptVolume", "Study..."), self.EDITOR),
+            (translate("SweptVolume", "Export report..."), "SweptVolume_ExportReport"),
         )
         self.add_commands(menu, view.Object, commands)
