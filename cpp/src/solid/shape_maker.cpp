@@ -242,10 +242,8 @@ class ShapeMaker {
       std::vector<std::int32_t> failed = judge_.take(model, run_);
       if (options_.tolerance <= 0 || !failed.empty()) return failed;
       left = judge_.findUnheldEdges(model, wanted);
-      const bool isShortest =
-          trouble_ && std::any_of(left.begin(), left.end(),
-                                  [&](const auto& cut) { return isShort(cut, model); });
-      if (left.empty() || round == kCuts || isShortest) return failed;
+      if (trouble_) std::erase_if(left, [&](const EdgeCut& cut) { return isShort(cut, model); });
+      if (left.empty() || round == kCuts) return failed;
       wanted.assign(model.edges.size(), 0);
       for (EdgeCut& cut : left) {
         wanted[cut.edge] = 1;
@@ -270,17 +268,7 @@ class ShapeMaker {
     if (!failed.empty()) return failed;
     // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
     // of recognised surfaces alone would become hundreds of facets.
-    if (!unheld.empty() && hasFacets(model)) {
-      for (const EdgeCut& cut : unheld) {
-        if (trouble_) trouble_->noteSpot(model.edges[cut.edge].curve.at(cut.at));
-      }
-      return curvedFacesOf(unheld, model);
-    }
-    const std::vector<std::int32_t> loose = trouble_ ? findLoose(model) : failed;
-    if (!loose.empty()) {  // cuts made edges that are too short
-      trouble_->noteLoose(loose, model);
-      return loose;
-    }
+    if (!unheld.empty() && hasFacets(model) && !trouble_) return curvedFacesOf(unheld, model);
     std::vector<std::int32_t> bad = judge_.findBadFaces(run_, 0.1, 0.3);
     return bad.empty() ? judge_.findUnreadable(model, options_, run_) : bad;
   }

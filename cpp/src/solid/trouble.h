@@ -32,8 +32,6 @@ class Trouble {
   /// else the smallest face.
   void noteRefused(const std::vector<std::int32_t>& bad, const Model& model);
 
-  void noteSpot(const Eigen::Vector3d& at);
-
   const std::vector<OpenSpot>& spots() const { return spots_; }
 
  private:
@@ -43,6 +41,7 @@ class Trouble {
   void noteShared(const std::vector<std::int32_t>& bad, const Model& model);
   void notePatch(std::int32_t patch);
   void noteEdge(const Curve& curve, const Carrier& surface, double gap);
+  void noteSpot(const Eigen::Vector3d& at);
 
   const HalfEdgeMesh& mesh_;
   const Partition& labelled_;
