@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "simplify/thin.h"
 #include "solid/label/label_steps.h"
-#include "solid/mesh/decimate.h"
 #include "solid/recognise/steps.h"
 
 namespace swept::step {
@@ -191,11 +191,12 @@ void FaceLabels::thin(const HalfEdgeMesh& mesh, RunContext& run) {
     }
     kept.swap(wider);
   }
-  std::vector<std::int32_t> from;
-  thin_ = thinBeside(std::move(kept), mesh, kFraction * labels.tolerance, from, run);
+  const Thinned thinned = thinOut({mesh.points, mesh.triangles}, kFraction * labels.tolerance,
+                                  ThinFor::Collapse, Phase::Export, run, std::move(kept));
+  thin_ = buildHalfEdges(thinned.mesh, run);
   std::vector<std::int32_t> of;
   std::vector<Eigen::Vector3d> points;
-  for (const std::int32_t t : from) {
+  for (const std::int32_t t : thinned.triangle) {
     of.push_back(labels.of[t]);
     points.push_back(labels.points[t]);
   }

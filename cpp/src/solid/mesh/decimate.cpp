@@ -187,20 +187,14 @@ Decimated thinOpenGround(Decimated start, double limit, RunContext& run) {
     if (start.partition.patchOf[t] < 0) continue;
     for (const std::int32_t v : mesh.triangles[t]) kept[v] = 1;
   }
+  const Thinned thin = thinOut({mesh.points, mesh.triangles}, limit, ThinFor::Collapse,
+                               Phase::Export, run, std::move(kept));
   Decimated out;
-  std::vector<std::int32_t> from;
-  out.mesh = thinBeside(std::move(kept), mesh, limit, from, run);
-  for (const std::int32_t t : from) out.partition.patchOf.push_back(start.partition.patchOf[t]);
+  for (const std::int32_t t : thin.triangle)
+    out.partition.patchOf.push_back(start.partition.patchOf[t]);
+  out.mesh = buildHalfEdges(thin.mesh, run);
   listPatches(start.partition, out.partition);
   return out;
-}
-
-HalfEdgeMesh thinBeside(std::vector<char> kept, const HalfEdgeMesh& mesh, double limit,
-                        std::vector<std::int32_t>& from, RunContext& run) {
-  Thinned thin = thinOut({mesh.points, mesh.triangles}, limit, ThinFor::Collapse, Phase::Export,
-                         run, std::move(kept));
-  from = std::move(thin.triangle);
-  return buildHalfEdges(thin.mesh, run);
 }
 
 Decimated decimate(Decimated start, double tolerance, const NearestTriangle& original,

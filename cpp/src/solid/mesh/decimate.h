@@ -38,11 +38,6 @@ enum class Effort {
 /// Removes vertices without a patch if the surface moves by at most `limit`.
 Decimated thinOpenGround(Decimated start, double limit, RunContext& run);
 
-/// Returns the mesh without vertices that are not `kept` (by vertex), if the surface moves by at
-/// most `limit`. `from` receives, by triangle, the one of `mesh` that it replaces.
-HalfEdgeMesh thinBeside(std::vector<char> kept, const HalfEdgeMesh& mesh, double limit,
-                        std::vector<std::int32_t>& from, RunContext& run);
-
 /// Returns the reduced mesh. `original` is the mesh before any collapse; triangles of open ground
 /// stay near it.
 Decimated decimate(Decimated start, double tolerance, const NearestTriangle& original,
