@@ -224,13 +224,6 @@ class ShapeMaker {
     return left;
   }
 
-  // Whether the pieces of an edge would be hardly longer than its tolerance.
-  static bool isShort(const EdgeCut& cut, const Model& model) {
-    constexpr double kLeast = 8;
-    const ModelEdge& edge = model.edges[cut.edge];
-    return (edge.curve.at(0) - edge.curve.at(edge.curve.last)).norm() < kLeast * edge.tolerance;
-  }
-
   // Gives the model to the judge and cuts edges that are farther from a face than a reader of the
   // file would find (findUnheldEdges()). An edge with a gap is cut where the distance is largest,
   // others in the middle. `left` receives the edges for which no number of cuts was enough. Returns
@@ -242,7 +235,6 @@ class ShapeMaker {
       std::vector<std::int32_t> failed = judge_.take(model, run_);
       if (options_.tolerance <= 0 || !failed.empty()) return failed;
       left = judge_.findUnheldEdges(model, wanted);
-      if (trouble_) std::erase_if(left, [&](const EdgeCut& cut) { return isShort(cut, model); });
       if (left.empty() || round == kCuts) return failed;
       wanted.assign(model.edges.size(), 0);
       for (EdgeCut& cut : left) {
@@ -297,19 +289,6 @@ class ShapeMaker {
     return false;
   }
 
-  // Whether labelled faces fit together: a quick test, before anything is measured. Notes the
-  // trouble if they do not.
-  bool fitTogether(const Model& model) {
-    const std::vector<std::int32_t> loose = trouble_->findLoose(model);
-    trouble_->noteLoose(loose, model);
-    if (!loose.empty()) return false;
-    std::vector<std::int32_t> bad = judge_.take(model, run_);
-    if (bad.empty()) bad = judge_.findBadFaces(run_, 0.1, 0.2);
-    if (bad.empty()) bad = judge_.findInterfering(model, run_);
-    trouble_->noteRefused(bad, model);
-    return bad.empty();
-  }
-
   // Builds the solid, adds vertices where the mesh lies too far away from it, and tests the faces
   // with the kernel. Returns nothing if there are too many faces or if faces are not accepted.
   std::optional<Built> tryMesh(Decimated base, std::int64_t& faces) {
@@ -332,7 +311,9 @@ class ShapeMaker {
         about = pointsAbout(deviation.beyond, small, tolerance, *points_);
         return putCorners(deviation.beyond, base, run_);
       };
-      if (trouble_ && mended == 0 && !fitTogether(model)) return std::nullopt;
+      // Labels that do not fit together yet are not worth measuring.
+      const bool isEarly = trouble_ && mended == 0 && !findLoose(model).empty();
+      if (isEarly && !acceptFaces(small, tolerance, model)) return std::nullopt;
       if (mended > 0 && mend(about)) continue;
       if (mend(*points_)) continue;
       if (!acceptFaces(small, tolerance, model)) return std::nullopt;

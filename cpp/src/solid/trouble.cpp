@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Share of the tolerance by which an edge between labelled faces may be off.
-constexpr double kMeetFraction = 0.3;
+constexpr double kMeetFraction = 0.1;
 /// Triangles of a small face.
 constexpr std::size_t kSmall = 30;
 
@@ -24,13 +24,6 @@ void forEdges(const ModelFace& face, const Visit& visit) {
   for (const auto& loop : face.loops) {
     for (const ModelUse& use : loop) visit(use.edge);
   }
-}
-
-// Whether the edge lies within the tolerances of its two vertices.
-bool isLost(const ModelEdge& edge, const Model& model) {
-  const ModelVertex &start = model.vertices[edge.start], &end = model.vertices[edge.end];
-  return edge.start != edge.end &&
-         (start.point - end.point).norm() <= 1.1 * (start.tolerance + end.tolerance);
 }
 
 }  // namespace
@@ -43,17 +36,8 @@ bool Trouble::isLabelled(const ModelFace& face) const {
 }
 
 std::vector<std::int32_t> Trouble::findLoose(const Model& model) const {
-  std::vector<std::int32_t> loose =
-      findLooseFaces(model, static_cast<std::int32_t>(labelled_.patches.size()),
-                     kMeetFraction * tolerance_, tolerance_);
-  for (std::size_t f = 0; f < model.faces.size(); ++f) {
-    if (!isLabelled(model.faces[f])) continue;
-    forEdges(model.faces[f], [&](std::int32_t e) {
-      if (isLost(model.edges[e], model)) loose.push_back(static_cast<std::int32_t>(f));
-    });
-  }
-  sortUnique(loose);
-  return loose;
+  return findLooseFaces(model, static_cast<std::int32_t>(labelled_.patches.size()),
+                        kMeetFraction * tolerance_, tolerance_);
 }
 
 void Trouble::noteLoose(const std::vector<std::int32_t>& loose, const Model& model) {
@@ -65,10 +49,8 @@ void Trouble::noteLoose(const std::vector<std::int32_t>& loose, const Model& mod
   for (const std::int32_t f : loose) {
     const ModelFace& face = model.faces[f];
     if (!isLabelled(face)) continue;
-    forEdges(face, [&](std::int32_t e) {
-      if (isLost(model.edges[e], model)) noteSpot(model.edges[e].curve.at(0));
-      noteEdge(model.edges[e].curve, face.surface, allowed[e]);
-    });
+    forEdges(face,
+             [&](std::int32_t e) { noteEdge(model.edges[e].curve, face.surface, allowed[e]); });
   }
 }
 

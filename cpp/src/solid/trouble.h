@@ -21,8 +21,7 @@ class Trouble {
   Trouble(const HalfEdgeMesh& mesh, const Partition& labelled, double tolerance, int round);
 
   /// Returns the faces with edges off their surfaces: between labelled faces by more than a small
-  /// part of the tolerance, beside facets by more than the tolerance. Faces with an edge that is
-  /// shorter than the tolerances of its ends count, too.
+  /// part of the tolerance, beside facets by more than the tolerance.
   std::vector<std::int32_t> findLoose(const Model& model) const;
 
   /// Notes where the edges of these loose faces are off.
