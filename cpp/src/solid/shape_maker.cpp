@@ -214,7 +214,8 @@ class ShapeMaker {
     if (faces.empty()) faces = judge_.findBadFaces(run_, 0.05, 0.1);
     const std::vector<std::int32_t> unread = judge_.findUnreadable(model, options_, run_);
     faces.insert(faces.end(), unread.begin(), unread.end());
-    const std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
+    const std::vector<std::int32_t> loose =
+        findLooseFaces(model, known_, options_.tolerance, kHeldGap);
     faces.insert(faces.end(), loose.begin(), loose.end());
     for (const std::int32_t face : faces) {
       if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
@@ -250,7 +251,7 @@ class ShapeMaker {
   std::vector<std::int32_t> findLoose(const Model& model) const {
     if (options_.tolerance <= 0) return {};
     return trouble_ ? trouble_->findLoose(model)
-                    : findLooseFaces(model, known_, options_.tolerance);
+                    : findLooseFaces(model, known_, options_.tolerance, kHeldGap);
   }
 
   // Returns the faces that the judge refuses, after it has taken the model.

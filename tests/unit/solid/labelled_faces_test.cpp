@@ -6,7 +6,6 @@
 #include <map>
 
 #include "judge/solid_judge.h"
-#include "solid/label/body_shape.h"
 #include "solid/test_meshes.h"
 #include "support/temporary_folder.h"
 #include "swept/body.h"
@@ -134,29 +133,6 @@ TEST_F(LabelledFaces, ATurnGivesNoWorseSolidThanBefore) {
   EXPECT_TRUE(judged_.valid);
   EXPECT_LE(report.edgeTolerance, options.tolerance);
   EXPECT_NEAR(report.volume, report.meshVolume, 1e-2 * report.meshVolume);
-}
-
-// What does not fit together costs its surroundings only.
-TEST_F(LabelledFaces, AWrongFaceBecomesFacetsAndTheOthersStay) {
-  readBodyOf(boxMesh(12, 8, 5));
-  const Vector3d way(7, 4, 9);
-  sweep({{0, 0, 0}, way}, none_);
-  StepOptions options = optionsWithOrigin();
-  SolidOrigin origin = *options.origin;
-  auto shape = std::make_shared<BodyShape>(*origin.shape);
-  shape->faces[0].surface.point += 0.3 * shape->faces[0].surface.axis;
-  origin.shape = shape;
-  options.origin = std::make_shared<const SolidOrigin>(origin);
-  const StepReport report = write(options);
-  EXPECT_EQ(kinds_["plane"], 11);
-  EXPECT_GT(kinds_["facet"], 0);
-  EXPECT_LE(kinds_["facet"], 30);
-  const double volume = 12 * 8 * 5 + 8 * 5 * way.x() + 12 * 5 * way.y() + 12 * 8 * way.z();
-  EXPECT_NEAR(report.volume, volume, 1e-3 * volume);
-  EXPECT_LE(report.deviation, options.tolerance);
-  EXPECT_LE(report.edgeTolerance, options.tolerance);
-  EXPECT_TRUE(judged_.valid);
-  EXPECT_TRUE(judged_.faults.empty());
 }
 
 TEST_F(LabelledFaces, RefusesSourcesOfAnotherMesh) {

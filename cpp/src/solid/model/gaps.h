@@ -20,6 +20,6 @@ constexpr double kHeldGap = 1e-7;
 /// faces, `tolerance` (mm) is allowed: surfaces that touch were fitted separately, so no edge lies
 /// on both. Otherwise `facetGap` (mm) is allowed. Facets are never loose.
 std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known, double tolerance,
-                                         double facetGap = kHeldGap);
+                                         double facetGap);
 
 }  // namespace swept::step
