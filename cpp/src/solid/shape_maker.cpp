@@ -17,7 +17,6 @@
 #include "solid/model/split_edges.h"
 #include "solid/recognise/costly_patches.h"
 #include "solid/recognise/recognise.h"
-#include "solid/trouble.h"
 
 namespace swept::step {
 namespace {
@@ -170,9 +169,11 @@ class ShapeMaker {
   }
 
   // Makes the solid from the faces of the sweep. The triangles around unsound edges and faces lose
-  // their patches and become facets in the next round. Returns nothing if some stay unsound.
+  // their patches and become facets in the next round. Returns nothing if some faces stay unsound,
+  // or if there are so many facets that recognised surfaces would give no more faces.
   std::optional<Built> makeLabelled(std::int64_t& faces) {
-    constexpr int kRounds = 10;
+    constexpr int kRounds = 6, kFacetsPerFace = 2;
+    isLabelled_ = true;
     // Vertices of the mesh lie off the surface along creases; crossings lie on it.
     std::vector<Eigen::Vector3d> crossings;
     for (const std::uint32_t row : options_.origin->sources.of) {
@@ -180,26 +181,59 @@ class ShapeMaker {
     }
     points_ = &crossings;
     const double tolerance = kFaceFraction * options_.tolerance;
-    FaceLabels labels(dense_, *options_.origin, kSurfaceFraction * options_.tolerance, run_);
-    if (!labels.explainMost()) return std::nullopt;
     for (int round = 0; round < kRounds; ++round) {
-      const Partition first = labels.partition();
+      const Partition first = labelFaces(dense_, *options_.origin,
+                                         kSurfaceFraction * options_.tolerance, trouble_, run_);
       known_ = static_cast<std::int32_t>(first.patches.size());
-      trouble_.emplace(labels.mesh(), first, options_.tolerance, round);
-      Decimated start{labels.mesh(), first, {}, {}, 0};
+      if (known_ == 0) return std::nullopt;
+      labelled_ = &first;
+      Decimated start{dense_, first, {}, {}, 0};
       const auto open = std::count(first.patchOf.begin(), first.patchOf.end(), -1);
       if (4 * open > std::ssize(first.patchOf))
         start = thinOpenGround(std::move(start), kThinFraction * options_.tolerance, run_);
       start = decimate(std::move(start), tolerance, original_, run_);
       refused_.clear();
-      if (auto built = tryMesh(start, faces)) return built;
-      if (!fits_(faces) || trouble_->spots().empty()) break;
-      labels.open(trouble_->spots());
+      const std::size_t before = trouble_.size();
+      if (auto built = tryMesh(start, faces)) {
+        if (hasFacets(built->model) && 2 * built->facesByKind["facet"] > faces) return std::nullopt;
+        return built;
+      }
+      if (trouble_.size() == before || faces > (1 + kFacetsPerFace) * known_) return std::nullopt;
     }
     return std::nullopt;
   }
 
  private:
+  // Remembers where the ground must be opened: along the edges that lie off these faces, else on
+  // the whole faces.
+  void noteTrouble(const std::vector<std::int32_t>& bad, const Model& model, bool isLoose) {
+    for (const std::int32_t f : bad) {
+      const ModelFace& face = model.faces[f];
+      if (face.patch >= known_) continue;
+      if (!isLoose) {
+        for (const std::int32_t t : labelled_->patches[face.patch].triangles) {
+          const auto& [a, b, c] = dense_.triangles[t];
+          trouble_.push_back((dense_.points[a] + dense_.points[b] + dense_.points[c]) / 3);
+        }
+        continue;
+      }
+      for (const auto& loop : face.loops) {
+        for (const ModelUse& use : loop) {
+          const Curve& curve = model.edges[use.edge].curve;
+          if (largestGap(curve, face.surface) > options_.tolerance)
+            noteEdge(curve, face.surface, 0.5 * options_.tolerance);
+        }
+      }
+    }
+  }
+
+  void noteEdge(const Curve& curve, const Carrier& surface, double gap) {
+    for (int i = 0; i <= kEdgeSteps; ++i) {
+      const Eigen::Vector3d p = curve.at(curve.last * i / kEdgeSteps);
+      if (std::abs(surface.distance(p)) > gap) trouble_.push_back(p);
+    }
+  }
+
   bool worthTrial() const { return dense_.triangles.size() > kWorthTrial; }
 
   // A rough simplification finds the patches that are not worth their border, and those that the
@@ -214,8 +248,7 @@ class ShapeMaker {
     if (faces.empty()) faces = judge_.findBadFaces(run_, 0.05, 0.1);
     const std::vector<std::int32_t> unread = judge_.findUnreadable(model, options_, run_);
     faces.insert(faces.end(), unread.begin(), unread.end());
-    const std::vector<std::int32_t> loose =
-        findLooseFaces(model, known_, options_.tolerance, kHeldGap);
+    const std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
     faces.insert(faces.end(), loose.begin(), loose.end());
     for (const std::int32_t face : faces) {
       if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
@@ -231,15 +264,12 @@ class ShapeMaker {
   // the faces that cannot be made.
   std::vector<std::int32_t> takeHeld(Model& model, std::vector<EdgeCut>& left) {
     constexpr int kCuts = 6;
-    std::vector<char> wanted;  // edges that the last round has not examined
     for (int round = 0;; ++round) {
       std::vector<std::int32_t> failed = judge_.take(model, run_);
       if (options_.tolerance <= 0 || !failed.empty()) return failed;
-      left = judge_.findUnheldEdges(model, wanted);
+      left = judge_.findUnheldEdges(model);
       if (left.empty() || round == kCuts) return failed;
-      wanted.assign(model.edges.size(), 0);
       for (EdgeCut& cut : left) {
-        wanted[cut.edge] = 1;
         const ModelEdge& edge = model.edges[cut.edge];
         const double part = cut.at / edge.curve.last;
         if (edge.tolerance <= kOnCarrier || part < 0.1 || part > 0.9) cut.at = middleOf(edge.curve);
@@ -248,20 +278,24 @@ class ShapeMaker {
     }
   }
 
-  std::vector<std::int32_t> findLoose(const Model& model) const {
-    if (options_.tolerance <= 0) return {};
-    return trouble_ ? trouble_->findLoose(model)
-                    : findLooseFaces(model, known_, options_.tolerance, kHeldGap);
-  }
-
-  // Returns the faces that the judge refuses, after it has taken the model.
+  // Returns the faces that are loose or that the judge refuses. Unless a face is loose, the judge
+  // has taken the model.
   std::vector<std::int32_t> findUnsound(Model& model) {
+    if (options_.tolerance > 0) {
+      std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
+      isLoose_ = !loose.empty();
+      if (isLoose_) return loose;
+    }
     std::vector<EdgeCut> unheld;
     const std::vector<std::int32_t> failed = takeHeld(model, unheld);
     if (!failed.empty()) return failed;
     // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
     // of recognised surfaces alone would become hundreds of facets.
-    if (!unheld.empty() && hasFacets(model) && !trouble_) return curvedFacesOf(unheld, model);
+    if (!unheld.empty() && hasFacets(model)) {
+      for (const EdgeCut& cut : unheld) trouble_.push_back(model.edges[cut.edge].curve.at(cut.at));
+      isLoose_ = true;
+      return curvedFacesOf(unheld, model);
+    }
     std::vector<std::int32_t> bad = judge_.findBadFaces(run_, 0.1, 0.3);
     return bad.empty() ? judge_.findUnreadable(model, options_, run_) : bad;
   }
@@ -273,14 +307,11 @@ class ShapeMaker {
     constexpr int kTrials = 4;
     for (int trial = 0; trial < kTrials; ++trial) {
       if (trial > 0) model = buildModel(small.mesh, small.partition, tolerance, run_);
-      std::vector<std::int32_t> bad = findLoose(model);
-      const bool isLoose = !bad.empty();
-      if (!isLoose) bad = findUnsound(model);
+      std::vector<std::int32_t> bad = findUnsound(model);
       const bool sound = bad.empty();
       if (sound && options_.tolerance > 0) bad = judge_.findInterfering(model, run_);
       if (bad.empty()) return true;
-      if (trouble_ && isLoose) trouble_->noteLoose(bad, model);
-      if (trouble_ && !isLoose) trouble_->noteRefused(bad, model);
+      if (isLabelled_) noteTrouble(bad, model, isLoose_);
       const bool changed = withdraw(bad, model, known_, small, refused_);
       if (!refused_.empty()) return false;
       // If only facets intersect and no recognised surface is left to withdraw, they stay: each
@@ -299,7 +330,7 @@ class ShapeMaker {
     std::vector<Eigen::Vector3d> about;
     for (int mended = 0;; ++mended) {
       Decimated small{base.mesh, base.partition, {}, {}, base.deviation};
-      if (options_.mergeCoplanar && !trouble_)
+      if (options_.mergeCoplanar)
         growPlanes(small.mesh, options_.planarTolerance, small.partition, run_);
       addFacets(small.mesh, small.partition);
       faces = countFaces(small.partition);
@@ -312,9 +343,6 @@ class ShapeMaker {
         about = pointsAbout(deviation.beyond, small, tolerance, *points_);
         return putCorners(deviation.beyond, base, run_);
       };
-      // Labels that do not fit together yet are not worth measuring.
-      const bool isEarly = trouble_ && mended == 0 && !findLoose(model).empty();
-      if (isEarly && !acceptFaces(small, tolerance, model)) return std::nullopt;
       if (mended > 0 && mend(about)) continue;
       if (mend(*points_)) continue;
       if (!acceptFaces(small, tolerance, model)) return std::nullopt;
@@ -323,7 +351,7 @@ class ShapeMaker {
     }
   }
 
-  static constexpr int kMendings = 16;
+  static constexpr int kMendings = 16, kEdgeSteps = 96;
   /// Number of triangles; for a smaller mesh, a trial costs more than it saves.
   static constexpr std::size_t kWorthTrial = 20000;
   const HalfEdgeMesh& whole_;
@@ -335,9 +363,11 @@ class ShapeMaker {
   const NearestTriangle original_;
   std::int32_t known_ = 0;             // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
+  bool isLabelled_ = false, isLoose_ = false;
   const std::vector<Eigen::Vector3d>* points_ =
-      &whole_.points;               // those that must be near the solid
-  std::optional<Trouble> trouble_;  // of this round, if the faces are labelled
+      &whole_.points;                     // those that must be near the solid
+  const Partition* labelled_ = nullptr;   // the labelled patches of this round
+  std::vector<Eigen::Vector3d> trouble_;  // where labelled ground is opened in the next round
 };
 
 }  // namespace

@@ -38,10 +38,7 @@ std::vector<std::int32_t> TextJudge::take(const Model& model, RunContext& run) {
   return failed;
 }
 
-std::vector<EdgeCut> TextJudge::findUnheldEdges(const Model& /*model*/,
-                                                const std::vector<char>& /*wanted*/) {
-  return {};
-}
+std::vector<EdgeCut> TextJudge::findUnheldEdges(const Model& /*model*/) { return {}; }
 
 std::vector<std::int32_t> TextJudge::findBadFaces(RunContext& run, double from, double /*to*/) {
   constexpr double kScale = 1e6;

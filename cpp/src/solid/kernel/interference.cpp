@@ -117,8 +117,7 @@ std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, 
   return found;
 }
 
-std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep,
-                                     const std::vector<char>& wanted) {
+std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep) {
   std::vector<std::vector<std::int32_t>> faces(model.edges.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     if (model.faces[f].surface.isPlanar()) continue;
@@ -128,8 +127,7 @@ std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep,
   }
   std::vector<EdgeCut> unheld;
   for (std::size_t e = 0; e < faces.size(); ++e) {
-    if (faces[e].empty() || brep.edges[e].IsNull() || (e < wanted.size() && wanted[e] == 0))
-      continue;
+    if (faces[e].empty() || brep.edges[e].IsNull()) continue;
     const TopoDS_Edge& edge = brep.edges[e];
     double seen = 0, largest = 0, at = 0;
     ShapeAnalysis_Edge().CheckSameParameter(edge, seen);

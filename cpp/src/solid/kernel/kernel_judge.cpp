@@ -39,9 +39,8 @@ class KernelJudge : public Judge {
     brep_ = buildBrep(model, run);
     return brep_.failed;
   }
-  std::vector<EdgeCut> findUnheldEdges(const Model& model,
-                                       const std::vector<char>& wanted) override {
-    return step::findUnheldEdges(model, brep_, wanted);
+  std::vector<EdgeCut> findUnheldEdges(const Model& model) override {
+    return step::findUnheldEdges(model, brep_);
   }
   std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) override {
     return step::findBadFaces(brep_.faces, run, from, to);

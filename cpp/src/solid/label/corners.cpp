@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <array>
-#include <map>
+#include <set>
 
 #include "solid/label/label_steps.h"
 
@@ -74,58 +74,56 @@ class Corners : LabelTools {
     }
     return false;
   }
-};
 
-// Opens labelled ground.
-class Opener : LabelTools {
- public:
-  using LabelTools::LabelTools;
-
-  void open(const std::vector<OpenSpot>& spots) {
-    double widest = 0;
-    for (const OpenSpot& spot : spots) widest = std::max(widest, spot.radius * spacing_);
-    const auto keyOf = [&](const Vector3d& p) {
-      Key key{};
-      for (int k = 0; k < 3; ++k) key[k] = static_cast<std::int64_t>(std::floor(p[k] / widest));
-      return key;
-    };
-    std::map<Key, std::vector<const OpenSpot*>> byCell;
-    for (const OpenSpot& spot : spots) byCell[keyOf(spot.at)].push_back(&spot);
-    const auto isNear = [&](const Vector3d& p) {
-      const Key key = keyOf(p);
-      for (int n = 0; n < 27; ++n) {
-        const auto cell =
-            byCell.find({key[0] + n % 3 - 1, key[1] + n / 3 % 3 - 1, key[2] + n / 9 - 1});
-        if (cell == byCell.end()) continue;
-        for (const OpenSpot* spot : cell->second) {
-          if ((spot->at - p).norm() <= spot->radius * spacing_) return true;
-        }
-      }
-      return false;
-    };
-    for (std::size_t t = 0; t < of_.size(); ++t) {
-      const auto& [a, b, c] = mesh_.triangles[t];
-      if (isNear((mesh_.points[a] + mesh_.points[b] + mesh_.points[c]) / 3)) of_[t] = kNone;
+  // Where regions meet at a vertex whose carriers have no common point, the ground stays open.
+  void openBadCorners() {
+    std::vector<char> bad(mesh_.points.size(), 0), seen(mesh_.points.size(), 0);
+    for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
+      const auto first = static_cast<std::int32_t>(h);
+      const std::int32_t v = mesh_.origin(first);
+      if (seen[v]) continue;
+      seen[v] = 1;
+      std::vector<std::int32_t> around;
+      std::int32_t g = first;
+      do {
+        if (isBorder(g) && of_[g / 3] >= 0) around.push_back(of_[g / 3]);
+        g = mesh_.opposite[HalfEdgeMesh::previous(g)];
+      } while (g != first);
+      sortUnique(around);
+      bad[v] = around.size() > 2 && !meetAll(mesh_.points[v], around);
     }
-    openSpecks();
+    constexpr int kRings = 2;
+    for (int ring = 0; ring < kRings; ++ring) {
+      std::vector<char> next = bad;
+      for (std::size_t t = 0; t < of_.size(); ++t) {
+        const auto& tri = mesh_.triangles[t];
+        if (!bad[tri[0]] && !bad[tri[1]] && !bad[tri[2]]) continue;
+        of_[t] = kNone;
+        for (const std::int32_t v : tri) next[v] = 1;
+      }
+      bad.swap(next);
+    }
   }
 
- private:
-  using Key = std::array<std::int64_t, 3>;
-  static constexpr std::size_t kSpeck = 12;
-
-  // A speck beside open ground has more border than it is worth.
-  void openSpecks() {
-    const Regions all = regions();
-    for (const auto& members : all.triangles) {
-      if (members.size() > kSpeck || of_[members.front()] < 0) continue;
-      const bool besideOpen = std::any_of(members.begin(), members.end(), [&](std::int32_t t) {
-        const auto around = mesh_.neighbours(t);
-        return std::any_of(around.begin(), around.end(),
-                           [&](std::int32_t other) { return of_[other] < 0; });
-      });
-      if (!besideOpen) continue;
-      for (const std::int32_t t : members) of_[t] = kNone;
+  void openAround(const std::vector<Vector3d>& open) {
+    if (open.empty()) return;
+    const double cell = 1.5 * spacing_;
+    using Key = std::array<std::int64_t, 3>;
+    const auto keyOf = [&](const Vector3d& p) {
+      Key key{};
+      for (int k = 0; k < 3; ++k) key[k] = static_cast<std::int64_t>(std::floor(p[k] / cell));
+      return key;
+    };
+    std::set<Key> near;
+    for (const Vector3d& p : open) {
+      const Key key = keyOf(p);
+      for (int n = 0; n < 27; ++n)
+        near.insert({key[0] + n % 3 - 1, key[1] + n / 3 % 3 - 1, key[2] + n / 9 - 1});
+    }
+    for (std::size_t t = 0; t < of_.size(); ++t) {
+      const auto& [a, b, c] = mesh_.triangles[t];
+      const Vector3d centre = (mesh_.points[a] + mesh_.points[b] + mesh_.points[c]) / 3;
+      if (near.count(keyOf(centre)) != 0) of_[t] = kNone;
     }
   }
 };
@@ -134,8 +132,10 @@ class Opener : LabelTools {
 
 bool mendCorners(Labels& labels) { return Corners(labels).coverShortBorders(); }
 
-void openGround(const std::vector<OpenSpot>& spots, Labels& labels) {
-  if (!spots.empty()) Opener(labels).open(spots);
+void openGround(const std::vector<Eigen::Vector3d>& around, Labels& labels) {
+  Corners corners(labels);
+  corners.openBadCorners();
+  corners.openAround(around);
 }
 
 }  // namespace swept::step

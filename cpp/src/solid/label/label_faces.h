@@ -15,47 +15,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "solid/mesh/patches.h"
 #include "swept/run_context.h"
 #include "swept/solid.h"
 
 namespace swept::step {
 
-struct Labels;
-
-/// A place whose surroundings become open ground.
-struct OpenSpot {
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();
-  double radius = 0;  ///< in edges of triangles
-};
-
-class FaceLabels {
- public:
-  /// `tolerance`: mm, how far a face may lie from the points that it explains.
-  FaceLabels(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double tolerance,
-             RunContext& run);
-  ~FaceLabels();
-  FaceLabels(const FaceLabels&) = delete;
-  FaceLabels& operator=(const FaceLabels&) = delete;
-
-  /// Whether carriers explain at least half of the triangles. Otherwise there are no patches.
-  bool explainMost() const { return explainMost_; }
-  /// Takes the carriers of the triangles around these places. They stay without one.
-  void open(const std::vector<OpenSpot>& spots);
-  /// The mesh, thinned inside the faces.
-  const HalfEdgeMesh& mesh() const { return thin_; }
-  /// The patches of that mesh.
-  Partition partition() const;
-
- private:
-  void thin(const HalfEdgeMesh& mesh, RunContext& run);
-
-  HalfEdgeMesh thin_;
-  std::unique_ptr<Labels> labels_;
-  bool explainMost_ = false;
-};
+/// `tolerance`: mm, how far a face may lie from the points that it explains. `open`: points around
+/// which the ground stays open, as it then does at corners without a common point.
+Partition labelFaces(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double tolerance,
+                     const std::vector<Eigen::Vector3d>& open, RunContext& run);
 
 }  // namespace swept::step

@@ -1,10 +1,9 @@
-// Steps that clean the labels of triangles, called by FaceLabels in this order.
+// Steps that clean the labels of triangles, called by labelFaces() in this order.
 // Units:   mm.
 // Cost:    O(triangles) each.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "solid/label/label_faces.h"
 #include "solid/label/label_tools.h"
 
 namespace swept::step {
@@ -17,10 +16,7 @@ bool tidyRegions(Labels& labels);
 /// false if nothing changed.
 bool mendCorners(Labels& labels);
 
-/// Removes regions of very few triangles: they join a neighbour, or become open ground.
-void removeSpecks(Labels& labels);
-
-/// Opens the ground around these places, and specks of labelled ground that remain between them.
-void openGround(const std::vector<OpenSpot>& spots, Labels& labels);
+/// Opens the ground around vertices that could not be mended, and around the given points.
+void openGround(const std::vector<Eigen::Vector3d>& around, Labels& labels);
 
 }  // namespace swept::step

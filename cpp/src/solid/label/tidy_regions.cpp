@@ -15,18 +15,6 @@ class Tidier : LabelTools {
     return joined || closed || parted;
   }
 
-  // Specks make faces without a usable border. Gives them to a neighbour within the tolerance, or
-  // opens them.
-  void removeSpecks() {
-    constexpr std::size_t kFewest = 5;
-    const Regions all = regions();
-    for (const auto& members : all.triangles) {
-      if (members.size() >= kFewest || of_[members.front()] < 0) continue;
-      if (joinWithin(members, tolerance_)) continue;
-      for (const std::int32_t t : members) of_[t] = kNone;
-    }
-  }
-
  private:
   // Gives small regions to the neighbour that explains their points best, smallest first.
   bool joinSmall() {
@@ -49,11 +37,6 @@ class Tidier : LabelTools {
   static constexpr std::size_t kMostSmall = 400, kMostOpen = 2000, kSpeck = 6;
 
   bool joinBest(const std::vector<std::int32_t>& members) {
-    const bool isOpen = of_[members.front()] < 0;
-    return joinWithin(members, isOpen && members.size() <= kSpeck ? 1e300 : joinLimit());
-  }
-
-  bool joinWithin(const std::vector<std::int32_t>& members, double limit) {
     const std::int32_t own = of_[members.front()];
     std::vector<std::int32_t> beside;
     for (const std::int32_t t : members) {
@@ -66,7 +49,7 @@ class Tidier : LabelTools {
     // An island within another region is noise if that region explains it.
     if (beside.size() == 1 && own >= 0 && worstOff(members, beside[0]) <= tolerance_)
       best = beside[0];
-    double smallest = limit;
+    double smallest = own < 0 && members.size() <= kSpeck ? 1e300 : joinLimit();
     for (const std::int32_t n : beside) {
       const double worst = worstOff(members, n);
       if (worst >= smallest) continue;
@@ -183,7 +166,5 @@ class Tidier : LabelTools {
 }  // namespace
 
 bool tidyRegions(Labels& labels) { return Tidier(labels).tidy(); }
-
-void removeSpecks(Labels& labels) { Tidier(labels).removeSpecks(); }
 
 }  // namespace swept::step

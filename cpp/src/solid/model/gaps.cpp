@@ -7,8 +7,14 @@
 #include "solid/carrier/section.h"
 
 namespace swept::step {
-std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known, double tolerance,
-                                         double facetGap) {
+namespace {
+
+/// mm; initial tolerance of the kernel. An edge within it needs no larger tolerance.
+constexpr double kHeld = 1e-7;
+
+}  // namespace
+
+std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known, double tolerance) {
   std::vector<std::array<bool, 2>> isKnown(model.edges.size(), {false, false});
   for (const ModelFace& face : model.faces) {
     for (const auto& loop : face.loops) {
@@ -21,7 +27,7 @@ std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known,
     if (face.surface.kind == CarrierKind::Facet) continue;
     const auto isOff = [&](const ModelUse& use) {
       const ModelEdge& edge = model.edges[use.edge];
-      const double allowed = isKnown[use.edge][0] && isKnown[use.edge][1] ? tolerance : facetGap;
+      const double allowed = isKnown[use.edge][0] && isKnown[use.edge][1] ? tolerance : kHeld;
       return edge.tolerance > allowed && largestGap(edge.curve, face.surface) > allowed;
     };
     const bool isLoose = std::any_of(face.loops.begin(), face.loops.end(), [&](const auto& loop) {

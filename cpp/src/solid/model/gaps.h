@@ -13,13 +13,9 @@
 
 namespace swept::step {
 
-/// mm; initial tolerance of the kernel. An edge within it needs no larger tolerance.
-constexpr double kHeldGap = 1e-7;
-
 /// A face is loose if an edge lies farther from its surface than allowed. Between two recognised
 /// faces, `tolerance` (mm) is allowed: surfaces that touch were fitted separately, so no edge lies
-/// on both. Otherwise `facetGap` (mm) is allowed. Facets are never loose.
-std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known, double tolerance,
-                                         double facetGap);
+/// on both. Otherwise only 1e-7 mm are allowed. Facets are never loose.
+std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known, double tolerance);
 
 }  // namespace swept::step

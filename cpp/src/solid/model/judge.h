@@ -29,10 +29,8 @@ class Judge {
   /// Takes a model, to which the next four functions refer. Returns the faces that cannot be made.
   virtual std::vector<std::int32_t> take(const Model& model, RunContext& run) = 0;
   /// Edges of curved faces that are farther from a face than a reader of the file would assume.
-  /// Each entry has the curve parameter at which the distance is largest. Only edges whose entry in
-  /// `wanted` is set, and those beyond its end, are examined.
-  virtual std::vector<EdgeCut> findUnheldEdges(const Model& model,
-                                               const std::vector<char>& wanted) = 0;
+  /// Each entry has the curve parameter at which the distance is largest.
+  virtual std::vector<EdgeCut> findUnheldEdges(const Model& model) = 0;
   /// Faces that are not valid. `from` and `to` are the progress of the export (0 to 1).
   virtual std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) = 0;
   /// Curved faces that are not valid after the text of the file was read back.
