@@ -70,7 +70,9 @@ bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOpti
   text += options.exact ? "; an exact solid must not deviate from the mesh, so use larger cells"
                         : "; allow a larger tolerance";
   throw Error(Status::ExportFailed, "TooManyFaces",
-              text + ", raise the limit, or export a mesh file, which has no such limit");
+              text +
+                  ", raise the limit, or export a mesh file (PLY, STL, OBJ, OFF or 3MF), which has "
+                  "no such limit");
 }
 
 // Share of the tolerance for thinning a dense mesh before surfaces are recognised.
