@@ -280,7 +280,7 @@ TEST_F(StepExport, BadInput39TooManyFaces) {
   options.maxFaces = 100;
   put("x.step", "old");
   EXPECT_EQ(failure(makeTorus(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
-  for (const char* word : {"limit is 100 faces", "MB", " s.", "PLY", "STL"}) {
+  for (const char* word : {"limit is 100 faces", "MB", " s to make", "PLY", "STL"}) {
     EXPECT_NE(message_.find(word), std::string::npos) << word << " in " << message_;
   }
   options.maxFaces = 100000;
