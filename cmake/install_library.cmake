@@ -15,7 +15,7 @@ set_target_properties(swept_all PROPERTIES EXPORT_NAME swept)
 target_link_libraries(swept_all INTERFACE ${swept_parts})
 target_compile_features(swept_all INTERFACE cxx_std_20)
 
-set(swept_headers check_text clearance compute drawable body inaccuracy io live_clearance mechanism neighbour_rule overlap page path preview report run_context sequence sources types)
+set(swept_headers accuracy check_text clearance compute drawable body inaccuracy io live_clearance mechanism neighbour_rule overlap page path preview report run_context sequence sources types)
 list(APPEND swept_headers solid)
 if(TARGET swept_solid)
   set(SWEPT_HAS_SOLIDS ON)
