@@ -2,13 +2,85 @@
 """Tables of states in which inputs stand in another document, named Elsewhere."""
 import FreeCAD as App
 
+from case import shift
 from sweptvolume.features.base import UP_TO_DATE
-from table_case import Table
+from table_case import Table, add_box, changes
 
 
 def elsewhere():
     """The other document."""
     return App.getDocument("Elsewhere")
+
+
+#: Changes that every table makes. Elsewhere has a Part, a Wall, Values, and a Group of Inner and Second;
+#: this document has a PartLink to the part, and a Box.
+COMMON_CHANGES, change = changes()
+
+
+@change
+def the_part_grows(doc):
+    elsewhere().Part.Length = 12
+
+
+@change
+def the_part_is_hidden_there(doc):
+    elsewhere().Part.Visibility = False
+
+
+@change
+def the_part_is_deleted_there(doc):
+    elsewhere().removeObject("Part")
+
+
+@change
+def the_group_gets_a_part(doc):
+    other = elsewhere()
+    other.Group.addObject(add_box(other, "More", shift(0, -60)))
+
+
+@change
+def the_group_loses_a_part(doc):
+    elsewhere().Group.removeObject(elsewhere().Second)
+
+
+@change
+def a_part_of_the_group_moves(doc):
+    elsewhere().Inner.Placement = shift(0, -23)
+
+
+@change
+def a_part_of_the_group_is_hidden(doc):
+    elsewhere().Second.Visibility = False
+
+
+@change
+def the_value_changes(doc):
+    elsewhere().Values.set("A1", "8 mm")
+
+
+@change
+def the_link_moves(doc):
+    doc.PartLink.Placement = shift(0, 3)
+
+
+@change
+def the_link_shows_another_part(doc):
+    doc.PartLink.LinkedObject = elsewhere().Wall
+
+
+@change
+def the_link_shows_a_part_of_this_document(doc):
+    doc.PartLink.LinkedObject = doc.Box
+
+
+@change
+def the_link_shows_nothing(doc):
+    doc.PartLink.LinkedObject = None
+
+
+@change
+def the_link_is_deleted(doc):
+    doc.removeObject("PartLink")
 
 
 class OtherDocumentTable(Table):

@@ -13,9 +13,10 @@ from sweptvolume.features import study
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE, kind_of
 
 
-def changes():
-    """({name: what a user does to the document}, the decorator that adds to it)."""
-    known = {}
+def changes(known=()):
+    """({name: what a user does to the document}, the decorator that adds to it). It begins with those
+    that are known."""
+    known = dict(known)
 
     def change(action):
         known[action.__name__] = action

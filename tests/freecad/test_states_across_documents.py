@@ -8,31 +8,16 @@ import os
 import FreeCAD as App
 
 from case import shift, turn
-from other_document_case import OtherDocumentTable, elsewhere
+from other_document_case import COMMON_CHANGES, OtherDocumentTable, elsewhere
 from shaft import plan_of, shaft, stack
 from sweptvolume.features import clearance, mechanism, sequence, shared, study
 from sweptvolume.features.base import FAILED, UP_TO_DATE
 from table_case import add_box, changes, put_into, rows
 
-CHANGES, change = changes()
+CHANGES, change = changes(COMMON_CHANGES)
 
 
 # --- there
-
-
-@change
-def the_part_grows(doc):
-    elsewhere().Part.Length = 12
-
-
-@change
-def the_part_is_hidden_there(doc):
-    elsewhere().Part.Visibility = False
-
-
-@change
-def the_part_is_deleted_there(doc):
-    elsewhere().removeObject("Part")
 
 
 @change
@@ -51,34 +36,8 @@ def the_obstacle_is_deleted_there(doc):
 
 
 @change
-def the_group_gets_a_part(doc):
-    other = elsewhere()
-    other.Group.addObject(add_box(other, "More", shift(0, -60)))
-
-
-@change
-def the_group_loses_a_part(doc):
-    elsewhere().Group.removeObject(elsewhere().Second)
-
-
-@change
-def a_part_of_the_group_moves(doc):
-    elsewhere().Inner.Placement = shift(0, -23)
-
-
-@change
-def a_part_of_the_group_is_hidden(doc):
-    elsewhere().Second.Visibility = False
-
-
-@change
 def a_part_of_the_group_has_another_name(doc):
     elsewhere().Inner.Label = "Another name"
-
-
-@change
-def the_value_changes(doc):
-    elsewhere().Values.set("A1", "8 mm")
 
 
 @change
@@ -113,33 +72,8 @@ def other_names_here(doc):
 
 
 @change
-def the_link_moves(doc):
-    doc.PartLink.Placement = shift(0, 3)
-
-
-@change
 def the_obstacle_turns_here(doc):
     doc.WallLink.Placement = turn(20, base=shift(34, 2, 2).Base)
-
-
-@change
-def the_link_shows_another_part(doc):
-    doc.PartLink.LinkedObject = elsewhere().Wall
-
-
-@change
-def the_link_shows_a_part_of_this_document(doc):
-    doc.PartLink.LinkedObject = doc.Box
-
-
-@change
-def the_link_shows_nothing(doc):
-    doc.PartLink.LinkedObject = None
-
-
-@change
-def the_link_is_deleted(doc):
-    doc.removeObject("PartLink")
 
 
 @change

@@ -10,20 +10,15 @@ import FreeCAD as App
 import Part
 
 from case import V, shift, turn
-from other_document_case import OtherDocumentTable, elsewhere
+from other_document_case import COMMON_CHANGES, OtherDocumentTable, elsewhere
 from sweptvolume.features import clearance, envelope, motion
 from sweptvolume.features.base import FAILED, UP_TO_DATE
 from table_case import add_box, changes, put_into, rows
 
-CHANGES, change = changes()
+CHANGES, change = changes(COMMON_CHANGES)
 
 
 # --- there
-
-
-@change
-def the_part_grows(doc):
-    elsewhere().Part.Length = 12
 
 
 @change
@@ -52,32 +47,6 @@ def the_wire_moves_there(doc):
 
 
 @change
-def the_value_changes(doc):
-    elsewhere().Values.set("A1", "8 mm")
-
-
-@change
-def the_group_gets_a_part(doc):
-    other = elsewhere()
-    other.Group.addObject(add_box(other, "More", shift(0, -60)))
-
-
-@change
-def the_group_loses_a_part(doc):
-    elsewhere().Group.removeObject(elsewhere().Second)
-
-
-@change
-def a_part_of_the_group_moves(doc):
-    elsewhere().Inner.Placement = shift(0, -23)
-
-
-@change
-def a_part_of_the_group_is_hidden(doc):
-    elsewhere().Second.Visibility = False
-
-
-@change
 def a_part_of_the_group_is_deleted(doc):
     elsewhere().removeObject("Second")
 
@@ -97,16 +66,6 @@ def the_group_is_in_another_group(doc):
 def the_part_is_in_a_group(doc):
     other = elsewhere()
     put_into(other.addObject("App::Part", "Outer"), other.Part)
-
-
-@change
-def the_part_is_hidden_there(doc):
-    elsewhere().Part.Visibility = False
-
-
-@change
-def the_part_is_deleted_there(doc):
-    elsewhere().removeObject("Part")
 
 
 @change
@@ -141,33 +100,8 @@ def something_new_there(doc):
 
 
 @change
-def the_link_moves(doc):
-    doc.PartLink.Placement = shift(0, 3)
-
-
-@change
-def the_link_shows_another_part(doc):
-    doc.PartLink.LinkedObject = elsewhere().Wall
-
-
-@change
-def the_link_shows_a_part_of_this_document(doc):
-    doc.PartLink.LinkedObject = doc.Box
-
-
-@change
-def the_link_shows_nothing(doc):
-    doc.PartLink.LinkedObject = None
-
-
-@change
 def the_link_is_scaled(doc):
     doc.GroupLink.Scale = 2
-
-
-@change
-def the_link_is_deleted(doc):
-    doc.removeObject("PartLink")
 
 
 @change
