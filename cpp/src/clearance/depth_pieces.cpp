@@ -11,8 +11,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kNoBound = std::numeric_limits<double>::infinity();
-
 double radiusOf(const Triangle3d& c) {
   const Vector3d m = centroid(c);
   return std::sqrt(
@@ -24,15 +22,14 @@ Vector3d seen(const Matrix3d& R, const Vector3d& t, bool ofBody, const Vector3d&
   return ofBody ? Vector3d(R * local + t) : Vector3d(R.transpose() * (local - t));
 }
 
-// Returns an upper bound of the depth of all points of the piece. The distance from the triangle
-// nearest to the centre is convex, so it is largest at a corner of the piece. Where faces lie flat
-// on each other, the bound equals the depth, whatever the size of the piece.
+// Returns an upper bound of the depth of all points of the piece. The distance from the triangle at
+// `place`, the nearest to the centre, is convex, so it is largest at a corner of the piece. Where
+// faces lie flat on each other, the bound equals the depth, whatever the size of the piece.
 template <class Corners>
 double farthestCorner(const PairSearch& pair, const Matrix3d& R, const Vector3d& t,
-                      const Piece& piece, const Vector3d& centre, const Corners& corners) {
+                      const Piece& piece, std::int32_t place, const Corners& corners) {
+  if (place < 0) return std::numeric_limits<double>::infinity();
   const Part& other = piece.ofBody ? pair.neighbour() : pair.body();
-  const std::int32_t place = other.nearest(seen(R, t, piece.ofBody, centre), kNoBound).place;
-  if (place < 0) return kNoBound;
   double most = 0;
   for (const Vector3d& corner : corners)
     most = std::max(most, footOnTriangle(seen(R, t, piece.ofBody, corner),
@@ -55,32 +52,32 @@ std::array<Vector3d, 8> cornersOf(const Box& box) {
 double depthIn(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, bool ofBody,
                const Vector3d& local) {
   const Part& other = ofBody ? pair.neighbour() : pair.body();
-  return other.depth(seen(R, t, ofBody, local));
+  return other.depth(seen(R, t, ofBody, local)).depth;
 }
 
 Probe probe(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, const Piece& piece) {
   Probe p;
   const Part& own = piece.ofBody ? pair.body() : pair.neighbour();
-  Vector3d local;
-  if (piece.isTriangle) {
-    local = centroid(piece.corners);
-    p.radius = radiusOf(piece.corners);
-    p.depth = p.surfaceDepth = depthIn(pair, R, t, piece.ofBody, local);
+  const Part& other = piece.ofBody ? pair.neighbour() : pair.body();
+  const auto measure = [&](const Vector3d& centre, double radius, const auto& corners) {
+    const Part::Depth at = other.depth(seen(R, t, piece.ofBody, centre), piece.near);
+    p.radius = radius;
+    p.depth = at.depth;
+    p.near = at.place >= 0 ? at.place : piece.near;
     p.most = p.depth + p.radius;
     if (p.most > 0)
-      p.most = std::min(p.most, farthestCorner(pair, R, t, piece, local, piece.corners));
+      p.most = std::min(p.most, farthestCorner(pair, R, t, piece, at.place, corners));
+    p.surfacePoint = piece.ofBody ? Vector3d(R * centre + t) : centre;
+  };
+  if (piece.isTriangle) {
+    measure(centroid(piece.corners), radiusOf(piece.corners), piece.corners);
+    p.surfaceDepth = p.depth;
   } else {
     const Box box = own.box(piece.node);
-    p.radius = box.half.norm();
-    p.depth = depthIn(pair, R, t, piece.ofBody, box.centre);
-    p.most = p.depth + p.radius;
-    if (p.most > 0)
-      p.most = std::min(p.most, farthestCorner(pair, R, t, piece, box.centre, cornersOf(box)));
-    local = box.centre;
+    measure(box.centre, box.half.norm(), cornersOf(box));
     // The centre of a box is not on the surface.
     p.surfaceDepth = -std::numeric_limits<double>::infinity();
   }
-  p.surfacePoint = piece.ofBody ? Vector3d(R * local + t) : local;
   return p;
 }
 
@@ -89,7 +86,7 @@ void cutPiece(const PairSearch& pair, const Piece& piece, std::vector<Piece>& ou
   if (!piece.isTriangle) {
     for (std::uint32_t k = 0; k < own.tree().children(piece.node); ++k) {
       const BoxTree::Node child = BoxTree::child(piece.node, k);
-      Piece p{piece.ofBody, child, child.isItem(), {}};
+      Piece p{piece.ofBody, child, child.isItem(), {}, piece.near};
       if (child.isItem()) p.corners = own.corners(child.index);
       out.push_back(p);
     }
@@ -101,7 +98,7 @@ void cutPiece(const PairSearch& pair, const Piece& piece, std::vector<Piece>& ou
   const Vector3d d = 0.5 * (c[2] + c[0]);
   for (const Triangle3d& part : {Triangle3d{c[0], a, d}, Triangle3d{a, c[1], b},
                                  Triangle3d{d, b, c[2]}, Triangle3d{a, b, d}})
-    out.push_back({piece.ofBody, piece.node, true, part});
+    out.push_back({piece.ofBody, piece.node, true, part, piece.near});
 }
 
 std::vector<Piece> roots(const PairSearch& pair) {
@@ -110,7 +107,7 @@ std::vector<Piece> roots(const PairSearch& pair) {
     const Part& own = ofBody ? pair.body() : pair.neighbour();
     const Part& other = ofBody ? pair.neighbour() : pair.body();
     if (!other.closed()) continue;
-    Piece p{ofBody, own.tree().root(), own.tree().root().isItem(), {}};
+    Piece p{ofBody, own.tree().root(), own.tree().root().isItem(), {}, -1};
     if (p.isTriangle) p.corners = own.corners(0);
     pieces.push_back(p);
   }

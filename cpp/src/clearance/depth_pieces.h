@@ -18,6 +18,8 @@ struct Piece {
   BoxTree::Node node;
   bool isTriangle = false;
   Triangle3d corners;
+  /// Place of a triangle of the other part that is probably near; -1: none is known.
+  std::int32_t near = -1;
 };
 
 struct Probe {
@@ -26,6 +28,7 @@ struct Probe {
   double most = 0;               // upper bound of the depth of all points of the piece
   Eigen::Vector3d surfacePoint;  // the centre, in the neighbour's frame at the representative pose
   double surfaceDepth = 0;
+  std::int32_t near = -1;  ///< see Piece
 };
 
 inline Eigen::Vector3d centroid(const Triangle3d& c) { return (c[0] + c[1] + c[2]) / 3.0; }

@@ -229,16 +229,22 @@ double largestDistance(const MotionBound& b, const PairDistance& d) {
   return std::min(d.distance + b.reach, std::hypot(along, b.reach));
 }
 
+/// Whether the pair of triangles that was nearest last stays below the level in the whole node.
+bool hintIsBelow(const SearchContext& c, const LevelItem& item, const MotionBound& b,
+                 double level) {
+  // Where the reach is at least the level, largestDistance() never falls below it.
+  if (item.hint.body < 0 || b.reach >= level) return false;
+  const NearestPoints p = c.pair.leafDistance(b.R, b.t, item.hint);
+  return largestDistance(b, {std::sqrt(p.squared), item.hint, p.a, p.b}) < level;
+}
+
 void classify(SearchContext& c, LevelItem& item, double level, double resolution,
               const OverlapTest& overlaps) {
   const MotionBound b = c.motion.bound(item.node);
   const bool last = !c.motion.splits(item.node) || b.reach <= 0.5 * resolution;
-  if (item.hint.body >= 0) {  // the pair that was nearest before often suffices
-    const NearestPoints p = c.pair.leafDistance(b.R, b.t, item.hint);
-    if (largestDistance(b, {std::sqrt(p.squared), item.hint, p.a, p.b}) < level) {
-      item.outcome = Level::Below;
-      return;
-    }
+  if (hintIsBelow(c, item, b, level)) {
+    item.outcome = Level::Below;
+    return;
   }
   Certificate proof;
   if (b.reach > 0) {
@@ -249,21 +255,20 @@ void classify(SearchContext& c, LevelItem& item, double level, double resolution
     item.outcome = c.pair.containedAt(b.R, b.t) ? Level::Below : Level::Clear;
     return;
   }
-  const LeafPair hint = proof.obstacle.body >= 0 ? proof.obstacle : item.hint;
-  item.hint = hint;
-  const PairDistance d = c.pair.distanceAt(b.R, b.t, level, hint);
-  ++c.queries;
-  if (d.pair.body >= 0) item.hint = d.pair;
-  const bool below = d.pair.body >= 0 || c.pair.containedAt(b.R, b.t);
+  if (proof.obstacle.body >= 0) item.hint = proof.obstacle;
   if (last) {
     // A step without proof counts as below the level: spans may be too long, never too short.
-    item.outcome = below || b.reach > 0 ? Level::Below : Level::Clear;
-  } else if (below && (largestDistance(b, d) < level ||
-                       (d.distance <= 0 && overlaps(b.R, b.t, b.reach - level)))) {
-    item.outcome = Level::Below;
-  } else {
-    item.outcome = Level::Split;
+    const bool below = b.reach > 0 ||
+                       c.pair.anyNearerThan(b.R, b.t, level, item.hint).body >= 0 ||
+                       c.pair.containedAt(b.R, b.t);
+    item.outcome = below ? Level::Below : Level::Clear;
+    return;
   }
+  // The exact distance is not measured: it costs more than the proofs for both halves, and the pair
+  // that prevented this proof soon shows that the parts are below the level.
+  const bool below = hintIsBelow(c, item, b, level) ||
+                     (b.reach >= level && overlaps(b.R, b.t, b.reach - level));
+  item.outcome = below ? Level::Below : Level::Split;
 }
 
 }  // namespace

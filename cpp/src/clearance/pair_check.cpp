@@ -92,8 +92,10 @@ class PairCheck {
     const double resolution = !motion_.isContinuous()    ? 0.0
                               : o_.intervalTolerance > 0 ? o_.intervalTolerance
                                                          : 10 * o_.tolerance;
+    // No overlap is deeper than the bound of the whole motion.
+    const double deepest = row.penetration.depthBound;
     const OverlapTest overlaps = [&](const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double d) {
-      return overlapsBy(context.pair, R, t, d);
+      return d <= deepest && overlapsBy(context.pair, R, t, d);
     };
     const auto timesBelow = [&](double level) {
       std::vector<TimeInterval> times;

@@ -187,12 +187,17 @@ NearestOnPart Part::nearest(const Vector3d& point, double within) const {
 
 bool Part::inside(const Vector3d& point) const { return rays_ && rays_->winding(point) != 0; }
 
-double Part::depth(const Vector3d& point) const {
+Part::Depth Part::depth(const Vector3d& point, std::int32_t hint) const {
   const auto& [low, high] = tree_.bounds();
   const double outside = (low - point).cwiseMax(point - high).cwiseMax(0.0).norm();
-  if (outside > 0) return -outside;
-  const double distance = nearest(point, std::numeric_limits<double>::infinity()).distance;
-  return inside(point) ? distance : -distance;
+  if (outside > 0) return {-outside};
+  double within = std::numeric_limits<double>::infinity();
+  if (hint >= 0) {
+    const double d = footOnTriangle(point, corners_[static_cast<std::size_t>(hint)]).offset.norm();
+    within = std::nextafter(d, within);  // the hint itself is found again
+  }
+  const NearestOnPart near = nearest(point, within);
+  return {inside(point) ? near.distance : -near.distance, near.place};
 }
 
 }  // namespace swept::clearance

@@ -58,9 +58,14 @@ class Part {
   NearestOnPart nearest(const Eigen::Vector3d& point, double within) const;
   /// Whether the winding number of the point is not 0. Always false if the mesh is open.
   bool inside(const Eigen::Vector3d& point) const;
-  /// Returns the depth below the surface: positive inside, negative outside. For a point outside
-  /// the bounding box, returns only an upper bound (minus the distance to the box).
-  double depth(const Eigen::Vector3d& point) const;
+  struct Depth {
+    double depth = 0;         ///< mm, positive inside, negative outside
+    std::int32_t place = -1;  ///< place of the nearest triangle
+  };
+  /// Returns the depth below the surface. For a point outside the bounding box, returns only an
+  /// upper bound (minus the distance to the box) and no place. `hint` is the place of a triangle
+  /// that is probably near; -1: none is known.
+  Depth depth(const Eigen::Vector3d& point, std::int32_t hint = -1) const;
 
  private:
   struct Piece {

@@ -117,6 +117,7 @@ class DepthSearch {
       Item& item = fresh_[i];
       const MotionBound b = c_.motion.bound(item.motion);
       probes_[i] = probe(c_.pair, b.R, b.t, item.piece);
+      item.piece.near = probes_[i].near;
       item.radius = probes_[i].radius;
       item.reach = b.reach;
       item.excess = probes_[i].most - probes_[i].depth;
@@ -316,9 +317,10 @@ bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, do
   std::priority_queue<Open> queue;
   std::vector<Piece> fresh = roots(pair);
   for (int effort = 0; effort < 150;) {
-    for (const Piece& piece : fresh) {
+    for (Piece& piece : fresh) {
       ++effort;
       const Probe p = probe(pair, R, t, piece);
+      piece.near = p.near;
       if (p.surfaceDepth >= atLeast) return true;
       if (p.most > atLeast) queue.push({p.depth + kPromise * p.radius, piece});
     }

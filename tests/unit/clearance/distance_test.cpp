@@ -33,9 +33,9 @@ TEST(Part, InsideOfNestedAndOverlappingShells) {
     EXPECT_TRUE(tree.inside({9.5, 0, 0}));
     EXPECT_TRUE(tree.inside({11, 0, 0}));
     EXPECT_FALSE(tree.inside({9.9, 9.9, 10.1}));
-    EXPECT_NEAR(tree.depth({0, 0, 7}), 3, 1e-12);
-    EXPECT_NEAR(tree.depth({0, 0, 0}), -4, 1e-12);
-    EXPECT_NEAR(tree.depth({0, 0, 12}), -2, 1e-12);
+    EXPECT_NEAR(tree.depth({0, 0, 7}).depth, 3, 1e-12);
+    EXPECT_NEAR(tree.depth({0, 0, 0}).depth, -4, 1e-12);
+    EXPECT_NEAR(tree.depth({0, 0, 12}).depth, -2, 1e-12);
   }
   TriMesh open = mesh;
   open.triangles.pop_back();
