@@ -33,7 +33,11 @@ def parts(module, bodies, distance):
         half = np.pi * random.uniform(0.3, 1) * times[:, None]
         centre = np.array([distance * (k % 10), distance * (k // 10), 0.0])
         phases = random.uniform(0, 6, 2)
-        swing = [np.sin(1.7 * times + phases[0]), np.sin(1.3 * times + phases[1]), np.sin(times + k)]
+        swing = [
+            np.sin(1.7 * times + phases[0]),
+            np.sin(1.3 * times + phases[1]),
+            np.sin(times + k),
+        ]
         motion = module.Motion(
             times,
             np.hstack([np.sin(half) * axis, np.cos(half)]),
