@@ -103,6 +103,16 @@ class SolidPanel(StartPanel):
             where = QtWidgets.QLabel(os.path.basename(self.path))
             widgets.hint(where, self.path)
             rows.addRow(translate("SweptVolume", "File"), where)
+        if self.path and self.obj is not None:
+            text = translate(
+                "SweptVolume",
+                'The file gets a new solid, made from the present mesh of "{0}". The stored solid '
+                "is not used.",
+            )
+            made_anew = QtWidgets.QLabel(text.format(self.source.Label))
+            made_anew.setObjectName("SweptVolumeMadeAnew")
+            made_anew.setWordWrap(True)
+            rows.addRow(made_anew)
         self.expected = QtWidgets.QLabel()
         self.expected.setObjectName("SweptVolumeSolidEstimate")
         self.expected.setWordWrap(True)
