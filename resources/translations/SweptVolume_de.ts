@@ -131,8 +131,8 @@
         <translation>Anzahl der Zellen entlang der längsten Seite des überstrichenen Volumens. Gilt, wenn CellSize 0 ist</translation>
     </message>
     <message>
-        <source>Edge length of a cell of the sampling grid. 0: computed from Resolution</source>
-        <translation>Kantenlänge einer Zelle des Abtastgitters. 0: aus Resolution berechnet</translation>
+        <source>Edge length of a cell of the grid. 0: computed from Resolution</source>
+        <translation>Kantenlänge einer Zelle des Gitters. 0: aus Resolution berechnet</translation>
     </message>
     <message>
         <source>How far the triangle mesh of a solid may deviate from the solid, as a fraction of the cell size</source>

@@ -95,7 +95,7 @@ ACCURACY = [
         "Accuracy",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Edge length of a cell of the sampling grid. 0: computed from Resolution",
+            "Edge length of a cell of the grid. 0: computed from Resolution",
         ),
         None,
         0,
