@@ -3643,8 +3643,12 @@ bis etwa {2}, {3}</translation>
         <translation>Abstand, den die Bahn von jedem Nachbarn hält. Der Vorgabewert ist kleiner als der einer Abstandsprüfung, weil ein größerer Abstand enge Durchgänge versperrt</translation>
     </message>
     <message>
-        <source>The file gets a new solid, made from the present mesh of &quot;{0}&quot;. The stored solid is not used.</source>
-        <translation>Die Datei erhält einen neuen Festkörper, der aus dem jetzigen Netz von „{0}“ entsteht. Der gespeicherte Festkörper wird nicht verwendet.</translation>
+        <source>The file gets a new solid, made from the mesh of &quot;{0}&quot;. The stored solid is not used.</source>
+        <translation>Die Datei erhält einen neuen Festkörper, der aus dem Netz von „{0}“ entsteht. Der gespeicherte Festkörper wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is stale: the file gets its last result. To export the present state, recompute it first.</source>
+        <translation>„{0}“ ist veraltet: Die Datei erhält das letzte Ergebnis. Um den jetzigen Stand zu exportieren, zuerst neu berechnen.</translation>
     </message>
 </context>
 <context>

@@ -50,7 +50,7 @@ def ends(doc, part, path):
     yield no_panel
 
 
-def export(hull, made):
+def export(hull, made, stale):
     from sweptvolume.panels import file_dialogs
 
     path = os.path.join(tempfile.mkdtemp(), "a.step")
@@ -60,6 +60,7 @@ def export(hull, made):
             Gui.runCommand("SweptVolume_Export")
         yield 0.5
         assert ("stored solid is not used" in said()) == told, said()
+        assert ('"Together" is stale' in said()) == stale, said()
         click(panel_button(Cancel))
         yield no_panel
 
@@ -98,7 +99,10 @@ def scenario():
     made = solid.make_solid(doc, hull)
     solid.compute(made)
     yield from study()
-    yield from export(hull, made)
+    yield from export(hull, made, stale=False)
+    hull.Resolution = 30
+    doc.recompute()
+    yield from export(hull, made, stale=True)
     yield from ends(doc, parts[0], path)
 
 
