@@ -67,7 +67,7 @@ T castOption(const std::string& name, const py::handle& value) {
     if (PyLong_Check(value.ptr()) != 0) {
       throw Error(Status::InvalidInput, "BadOption",
                   "option " + name + " = " + py::repr(value).cast<std::string>() +
-                      " is beyond what any option takes");
+                      " is too large for any option; give a smaller number");
     }
     throw py::type_error("option " + name + " cannot be " + py::repr(value).cast<std::string>());
   }

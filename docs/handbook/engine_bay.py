@@ -43,6 +43,12 @@ def path_from_file():
     yield no_panel
 
 
+def estimated():
+    """Whether the panel of a solid shows the figures of a trial."""
+    text = find(QtWidgets.QLabel, "SweptVolumeSolidEstimate").text()
+    return text and "Estimating" not in text
+
+
 def work(look, folder):
     """The whole tutorial; a generator. look(name): a generator that takes a picture."""
     from sweptvolume.panels import file_dialogs, motion_panel
@@ -94,6 +100,7 @@ def work(look, folder):
     yield 0.6
     find(QtWidgets.QWidget, "SweptVolumeSolidTolerance").setProperty("rawValue", 0.5)
     yield 0.5
+    yield estimated
     yield from look("bay_solid_panel")
     click(panel_button(Ok))
     yield no_panel

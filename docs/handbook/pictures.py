@@ -134,7 +134,7 @@ def demo():
 
     select(starter, motion)
     Gui.runCommand("SweptVolume_Envelope")
-    yield lambda: envelope_panel.opened[-1].estimate_label.text()
+    yield lambda: "memory" in envelope_panel.opened[-1].estimate_label.text()
     Gui.Selection.clearSelection()
     yield from picture("create_envelope")
     click(panel_button(Ok))
@@ -168,7 +168,7 @@ def demo():
     yield no_panel
     select(made)
     Gui.runCommand("SweptVolume_Solid")
-    yield 5.0  # for the estimate
+    yield engine_bay.estimated
     Gui.Selection.clearSelection()
     yield from picture("make_solid")
     click(panel_button(Ok))
@@ -182,6 +182,7 @@ def demo():
     with answered(file_dialogs, "ask_export", lambda name: os.path.join(folder, name + ".step")):
         Gui.runCommand("SweptVolume_Export")
     yield 0.8
+    yield engine_bay.estimated
     Gui.Selection.clearSelection()
     yield from picture("export_panel")
     click(panel_button(Cancel))

@@ -52,10 +52,6 @@
         <translation>Zustand des Ergebnisses</translation>
     </message>
     <message>
-        <source>Why the last run failed, and notes</source>
-        <translation>Warum der letzte Lauf fehlschlug, und Hinweise</translation>
-    </message>
-    <message>
         <source>Result in one line</source>
         <translation>Ergebnis in einer Zeile</translation>
     </message>
@@ -135,8 +131,8 @@
         <translation>Anzahl der Zellen entlang der längsten Seite des überstrichenen Volumens. Gilt, wenn CellSize 0 ist</translation>
     </message>
     <message>
-        <source>Edge length of a cell of the sampling grid. 0: computed from Resolution</source>
-        <translation>Kantenlänge einer Zelle des Abtastgitters. 0: aus Resolution berechnet</translation>
+        <source>Edge length of a cell of the grid. 0: computed from Resolution</source>
+        <translation>Kantenlänge einer Zelle des Gitters. 0: aus Resolution berechnet</translation>
     </message>
     <message>
         <source>How far the triangle mesh of a solid may deviate from the solid, as a fraction of the cell size</source>
@@ -163,20 +159,12 @@
         <translation>Überspringt eine Lage, wenn sich kein Punkt des Teils seit der letzten verwendeten Lage weiter als dies bewegt hat. 0: verwendet jede Lage</translation>
     </message>
     <message>
-        <source>How separate pieces of surface inside one cell are recognised</source>
-        <translation>Wie getrennte Flächenstücke innerhalb einer Zelle erkannt werden</translation>
-    </message>
-    <message>
         <source>Processor that samples the envelope: CPU, graphics processor, or chosen automatically</source>
         <translation>Prozessor, der die Hülle abtastet: CPU, Grafikprozessor oder automatisch gewählt</translation>
     </message>
     <message>
         <source>Whether to record which face or edge made each triangle. Off: no record. Session: kept until the document is closed. Document: stored in the document, which makes the file larger</source>
         <translation>Ob aufgezeichnet wird, welche Fläche oder Kante jedes Dreieck erzeugt hat. Off: keine Aufzeichnung. Session: bleibt, bis das Dokument geschlossen wird. Document: wird im Dokument gespeichert, was die Datei größer macht</translation>
-    </message>
-    <message>
-        <source>Why the last run failed, and warnings</source>
-        <translation>Warum der letzte Lauf fehlschlug, und Warnungen</translation>
     </message>
     <message>
         <source>Volume of the envelope</source>
@@ -409,14 +397,6 @@
         <translation>Volumen, das beide Seiten gemeinsam haben</translation>
     </message>
     <message>
-        <source>Smallest distance between the sides, if they share no volume</source>
-        <translation>Kleinster Abstand der Seiten, wenn sie kein Volumen gemeinsam haben</translation>
-    </message>
-    <message>
-        <source>How deep one of the two sides penetrates the other</source>
-        <translation>Wie tief eine der beiden Seiten in die andere eindringt</translation>
-    </message>
-    <message>
         <source>Envelope or other closed mesh that is converted to a solid</source>
         <extracomment>Limit of faces of a new solid.</extracomment>
         <translation>Hülle oder anderes geschlossenes Netz, das in einen Festkörper umgewandelt wird</translation>
@@ -510,6 +490,22 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
     <message>
         <source>Width of the line that shows the motion (pixels)</source>
         <translation>Breite der Linie, die die Bewegung zeigt (Pixel)</translation>
+    </message>
+    <message>
+        <source>How separate pieces of surface inside one cell are recognised. For research: only Consistent guarantees that the envelope is closed</source>
+        <translation>Wie getrennte Flächenstücke innerhalb einer Zelle erkannt werden. Für die Forschung: nur Consistent garantiert, dass die Hülle geschlossen ist</translation>
+    </message>
+    <message>
+        <source>Why the last run failed, and its findings</source>
+        <translation>Warum der letzte Lauf fehlschlug, und seine Befunde</translation>
+    </message>
+    <message>
+        <source>Smallest distance between the parts, if they share no volume</source>
+        <translation>Kleinster Abstand der Teile, wenn sie kein gemeinsames Volumen haben</translation>
+    </message>
+    <message>
+        <source>How deep one of the two parts lies inside the other</source>
+        <translation>Wie tief eines der beiden Teile im anderen liegt</translation>
     </message>
 </context>
 <context>
@@ -2773,10 +2769,6 @@ path&apos;s size.</extracomment>
         <translation>Was diese Stelle erzeugt hat, ist nicht bekannt: Klicken Sie auf einen Punkt daneben.</translation>
     </message>
     <message>
-        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the size of the parts, or more if a rule needs it</source>
-        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der Größe der Teile, oder mehr, wenn eine Regel es braucht</translation>
-    </message>
-    <message>
         <source>{0} neighbours that stand still: {1}</source>
         <translation>{0} stillstehende Nachbarn: {1}</translation>
     </message>
@@ -3098,10 +3090,6 @@ path&apos;s size.</extracomment>
     <message>
         <source>Last run: {0}</source>
         <translation>Letzter Lauf: {0}</translation>
-    </message>
-    <message>
-        <source>Warnings: {0}</source>
-        <translation>Warnungen: {0}</translation>
     </message>
     <message>
         <source>Contact allowed</source>
@@ -3611,12 +3599,8 @@ bis etwa {2}, {3}</translation>
         <translation>Das Teil hat Lücken (offene Kanten). Seine Hülle ist trotzdem geschlossen.</translation>
     </message>
     <message>
-        <source>The part has gaps that its motion does not close. There, its walls became thin sheets of the envelope: close the gaps to get the space between the walls.</source>
-        <translation>Das Teil hat Lücken, die seine Bewegung nicht schließt. Dort wurden seine Wände zu dünnen Schalen der Hülle: Lücken schließen, um den Raum zwischen den Wänden zu erhalten.</translation>
-    </message>
-    <message>
         <source>Some poses have the same time.</source>
-        <translation>Einige Posen haben denselben Zeitpunkt.</translation>
+        <translation>Einige Lagen haben denselben Zeitpunkt.</translation>
     </message>
     <message>
         <source>Cavities inside the envelope were filled. To keep them, set Keep cavities, and close the gaps of the part if it is open.</source>
@@ -3629,6 +3613,42 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>To stay within Max faces, the solid was simplified: it deviates from the envelope by up to {0}. Allow more faces, or set a Tolerance.</source>
         <translation>Um innerhalb von „Max. Flächen“ zu bleiben, wurde der Festkörper vereinfacht: Er weicht um bis zu {0} von der Hülle ab. Mehr Flächen zulassen oder eine Toleranz setzen.</translation>
+    </message>
+    <message>
+        <source>The part has gaps that its motion does not close. There, its walls became thin sheets of the envelope: close the gaps if the space between the walls belongs to the part.</source>
+        <translation>Das Teil hat Lücken, die seine Bewegung nicht schließt. Dort wurden seine Wände zu dünnen Schalen der Hülle: Lücken schließen, wenn der Raum zwischen den Wänden zum Teil gehört.</translation>
+    </message>
+    <message>
+        <source>For research. Only Consistent guarantees that the envelope is closed</source>
+        <translation>Für die Forschung. Nur „Stimmig“ garantiert, dass die Hülle geschlossen ist</translation>
+    </message>
+    <message>
+        <source>The motion &quot;{0}&quot; does not set start and goal: only a motion with the pose type Absolute and at least two poses does. Enter start and goal below.</source>
+        <translation>Die Bewegung „{0}“ legt Start und Ziel nicht fest: Das tut nur eine Bewegung mit der Art der Lage Absolut und mindestens zwei Lagen. Start und Ziel unten eingeben.</translation>
+    </message>
+    <message>
+        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the size of a medium part, or more if a rule needs it</source>
+        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der Größe eines mittleren Teils, oder mehr, wenn eine Regel es braucht</translation>
+    </message>
+    <message>
+        <source>0: reserved spaces may lie close together, but must not touch</source>
+        <translation>0: Reservierte Räume dürfen dicht beieinander liegen, sich aber nicht berühren</translation>
+    </message>
+    <message>
+        <source>Findings: {0}</source>
+        <translation>Befunde: {0}</translation>
+    </message>
+    <message>
+        <source>Distance that the path keeps from every neighbour. The default is smaller than that of a clearance check, because a larger distance closes narrow passages</source>
+        <translation>Abstand, den die Bahn von jedem Nachbarn hält. Der Vorgabewert ist kleiner als der einer Abstandsprüfung, weil ein größerer Abstand enge Durchgänge versperrt</translation>
+    </message>
+    <message>
+        <source>The file gets a new solid, made from the mesh of &quot;{0}&quot;. The stored solid is not used.</source>
+        <translation>Die Datei erhält einen neuen Festkörper, der aus dem Netz von „{0}“ entsteht. Der gespeicherte Festkörper wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is stale: the file gets its last result. To export the present state, recompute it first.</source>
+        <translation>„{0}“ ist veraltet: Die Datei erhält das letzte Ergebnis. Um den jetzigen Stand zu exportieren, zuerst neu berechnen.</translation>
     </message>
 </context>
 <context>

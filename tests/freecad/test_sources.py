@@ -182,9 +182,15 @@ class Sources(Case):
         feature.Path = Path.Path([Path.Command(line) for line in lines])
         head = motion.motion_from_source(self.doc, "CAM", [feature])
         table = motion.motion_from_source(self.doc, "CAM", [feature], convention="Table")
-        self.assert_placement(head.Placements[1], turn(90, base=V(10, 0, 0)), 1e-9)
+        self.assert_placement(head.Placements[-1], turn(90, base=V(10, 0, 0)), 1e-9)
         # The workpiece turned by 90 degrees under the tool: seen from it, the tool went back.
-        self.assert_placement(table.Placements[1], turn(-90, base=V(0, -10, 0)), 1e-9)
+        self.assert_placement(table.Placements[-1], turn(-90, base=V(0, -10, 0)), 1e-9)
+        # Between two poses the shorter way is taken: a turn by 270 degrees has poses on its way.
+        feature.Path = Path.Path([Path.Command(line) for line in (lines[0], "G1 X10 C270")])
+        far = motion.motion_from_source(self.doc, "CAM", [feature])
+        self.assertEqual(len(far.Placements), 28)
+        for i, place in enumerate(far.Placements):
+            self.assert_placement(place, turn(10 * i, base=V(10, 0, 0)), 1e-9)
 
     def test_driven_sketch_constraint_and_offset(self):
         import Sketcher

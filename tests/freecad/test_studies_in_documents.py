@@ -16,6 +16,7 @@ from sweptvolume.features import (
     mechanism,
     study,
     study_export,
+    study_plan,
 )
 from sweptvolume.features.base import CANCELLED, FAILED, NOT_COMPUTED, STALE, UP_TO_DATE
 
@@ -55,6 +56,15 @@ class Studies(Slide):
         return obj
 
     # --- of the document
+
+    def test_parts_with_motions_of_their_own_are_no_run(self):
+        check, one, other = self.check(), self.path, self.line()
+        parts = [self.part, self.wall]
+        together = envelope.make_envelope(self.doc, parts, one)
+        apart = envelope.make_envelope(self.doc, parts, one, Motions=[one, other])
+        same = envelope.make_envelope(self.doc, parts, one, Motions=[other, other])
+        found = [study_plan.has_one_motion(obj) for obj in (check, together, apart, same)]
+        self.assertEqual(found, [True, True, False, True])
 
     def test_a_run_finds_what_the_check_finds(self):
         check = self.check()

@@ -37,9 +37,13 @@ NO_LABEL = {
 }
 
 
+#: Terms whose German word differs from that of the text: the name of the workbench.
+OTHER_GERMAN = {"Swept volume"}
+
+
 def words(name):
-    """A property as FreeCAD's property editor shows it, in sentence case; SourceX belongs to the group
-    Source and is X in the panel of the source."""
+    """The words of a property, as FreeCAD's property editor shows them, in sentence case. The prefix
+    Source is dropped: SourceAccuracy is "Accuracy" in the panel of the source."""
     name = re.sub("^Source(?=[A-Z])", "", name)
     return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).capitalize()
 
@@ -66,11 +70,44 @@ class Words(unittest.TestCase):
         finally:
             sys.path.remove(folder)
         known = update.translations(os.path.join(folder, "SweptVolume_de.ts"))
+        bare = lambda text: re.sub(r": \{0\}$|\.+$", "", text.replace("&", ""))  # noqa: E731
+        self.translated = {
+            bare(text): bare(known[context, text])
+            for context, text in known
+            if context == "SweptVolume"
+        }
         self.texts = {text.replace("&", "") for context, text in known if context == "SweptVolume"}
 
     def test_labels_are_the_words_of_their_properties(self):
         wrong = [n for n in inputs() if words(n) not in self.texts and n not in NO_LABEL]
         self.assertEqual(wrong, [])
+
+    def test_words_are_those_of_the_glossary(self):
+        """In English and German, for each term that is a text of the workbench too. Each label that
+        the glossary names in its last column is such a text."""
+        path = os.path.join(ROOT, "docs", "handbook", "glossary.md")
+        with open(path, encoding="utf-8") as file:
+            page = file.read()
+        german = {}
+        for text, translated in self.translated.items():
+            german.setdefault(text.lower(), set()).add(translated.lower())
+        rows = re.findall(r"^\| \*\*(.*?)\*\* \|.*\| ([^|]*?) \|([^|]*)\|$", page, re.M)
+        self.assertGreater(len(rows), 40)
+        self.assertEqual(len(rows), len(re.findall(r"^\| \*\*", page, re.M)))
+        shared = [row for row in rows if row[0].lower() in german and row[0] not in OTHER_GERMAN]
+        self.assertGreater(len(shared), 30)
+        wrong = [
+            (t, w, german[t.lower()]) for t, w, _ in shared if w.lower() not in german[t.lower()]
+        ]
+        self.assertEqual(wrong, [])
+        labels = {label for _, _, seen in rows for label in re.findall(r"(?<!\*)\*([^*]+)\*", seen)}
+        properties = set(inputs())
+        unknown = [
+            label
+            for label in labels - {"Motion from ...", "Placement"}
+            if label.lower() not in german and label not in properties
+        ]
+        self.assertEqual(unknown, [])
 
     def test_words_of_before_are_gone(self):
         before = (
@@ -96,6 +133,31 @@ class Words(unittest.TestCase):
                 source = file.read()
             for name, german, code in rows:
                 self.assertIn('Word{{"{}", "{}", "{}"}}'.format(code, name.lower(), german), source)
+
+    def test_messages_on_the_page_for_troubleshooting_are_those_of_the_core(self):
+        """The column of messages has the beginning of each text of the core, in the row of its code."""
+        from sweptvolume import core_texts
+
+        path = os.path.join(ROOT, "docs", "handbook", "troubleshooting.md")
+        with open(path, encoding="utf-8") as file:
+            page = file.read()
+        codes = set()
+        for table in re.findall(
+            r"^\| code \| message in FreeCAD .*?(?=\n\n|\Z)", page, re.M | re.S
+        ):
+            for row in table.splitlines()[2:]:
+                cells = row.strip("|").split(" | ")
+                here = [c for c in re.findall(r"`(\w+)`", cells[0]) if c in core_texts._TEXTS]
+                quoted = re.findall(r'"(.+?)"', cells[1])
+                for code in here:
+                    text = core_texts._TEXTS[code]
+                    starts = [q for q in quoted if text.startswith(q.removesuffix("...").rstrip())]
+                    self.assertEqual(len(starts), 1, (code, quoted, text))
+                texts = [core_texts._TEXTS[code] for code in here]
+                for start in (q.removesuffix("...").rstrip() for q in quoted):
+                    self.assertTrue(any(t.startswith(start) for t in texts), (start, texts))
+                codes.update(here)
+        self.assertEqual(set(core_texts._TEXTS) - codes, set())
 
     def test_every_code_of_the_core_is_in_the_page_for_troubleshooting(self):
         from sweptvolume import core_texts

@@ -67,7 +67,7 @@ def test_help_and_version(call):
         assert "see swept" not in done.stdout, "the help is here"
     text = call("envelope", "--help").stdout
     for option in (
-        "--motion --motion-unit --generator-unit --interpolation --resolution --cell --threads "
+        "--motion --motion-unit --body-unit --interpolation --resolution --cell --threads "
         "--memory-limit --backend --components --output --tolerance --keep-cavities --offset "
         "--conservative --no-cull --chord --position-filter"
     ).split():
@@ -115,11 +115,27 @@ def test_units_and_interpolation_reach_the_core(call, inputs):
 
     assert bounds() == pytest.approx([60, 20, 30], abs=0.5)
     assert bounds("--motion-unit", "cm") == pytest.approx([510, 20, 30], abs=0.5)
-    assert bounds("--generator-unit", "cm") == pytest.approx([150, 200, 300], abs=0.5)
+    assert bounds("--body-unit", "cm") == pytest.approx([150, 200, 300], abs=0.5)
     assert bounds("--interpolation", "none") == pytest.approx([60, 20, 30], abs=0.5)
     assert _swept.check_mesh(
         *(lambda m: (m.vertices, m.triangles))(_swept.read_mesh(inputs / "o.ply"))
     )["shells"] == 2, "two posed copies are two shells"  # fmt: skip
+
+
+def test_earlier_names_of_options_work_but_are_not_shown(call, inputs):
+    done = call(*envelope(inputs, "o.ply", "--cell", 2, "--generator-unit", "cm"))
+    assert done.returncode == 0, done.stderr
+    size = np.ptp(_swept.read_mesh(inputs / "o.ply").vertices, axis=0)
+    assert size == pytest.approx([150, 200, 300], abs=0.5)
+    both = ["--generator-unit", "cm", "--body-unit", "cm"]
+    assert call(*envelope(inputs, "o.ply", "--cell", 2, *both)).returncode == 2
+    done = call(*envelope(inputs, "o.ply", "--cell", 2, "--generator-unit", "mile"))
+    assert done.returncode == 2 and "--body-unit" in done.stderr, done.stderr
+    for words in (["manual"], *(["completion", shell] for shell in ("bash", "zsh", "fish"))):
+        assert "generator" not in call(*words).stdout.lower(), words
+    for command in COMMANDS:
+        assert "generator" not in call(command, "--help").stdout.lower(), command
+    assert "--chord" not in call("overlap", "--help").stdout.replace("--part-chord", "")
 
 
 def test_same_bytes_for_any_number_of_threads(call, inputs):
@@ -246,7 +262,7 @@ def test_check_fails_on_a_hole(call, inputs, box):
 def long_run(program, shared, inputs):
     return [
         program, "envelope", str(shared / "meshes" / "bunny_stanford_70k.ply"),
-        "--generator-unit", "m", "--motion-unit", "m", "--resolution", "900", "--report",
+        "--body-unit", "m", "--motion-unit", "m", "--resolution", "900", "--report",
         str(inputs / "r.json"), "--output", str(inputs / "o.ply"), "--motion",
         str(shared / "motions" / "keyposes_16_arc_for_bunny.csv"),
     ]  # fmt: skip

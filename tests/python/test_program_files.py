@@ -178,10 +178,10 @@ def test_solids_and_meshes_from_pipes(program, inputs, box):  # noqa: F811
     for line in (
         "swept clearance {} <(cat far.step) --motion <(cat slide.csv) -q --csv - < box.ply",
         "swept clearance {} <(cat far.ply) --motion <(cat slide.csv) -q --csv - < box.step",
-        "swept clearance {} --generator-format stl far.step --motion slide.csv -q --csv - < box.stl",
+        "swept clearance {} --body-format stl far.step --motion slide.csv -q --csv - < box.stl",
     ):
-        for generator in ("-", "/dev/stdin"):
-            status, said = run(line.format(generator))
+        for body in ("-", "/dev/stdin"):
+            status, said = run(line.format(body))
             assert status == 0 and ",clear,40" in said, line + said
     for line, says in (
         ("cat box.ply | swept check - --format step", "'-' does not begin like a STEP"),

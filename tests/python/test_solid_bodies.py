@@ -56,7 +56,7 @@ def test_a_solid_sweeps_as_its_mesh_does(program, part, name):
 
 
 def test_the_tolerance_is_an_option_or_follows_from_the_resolution(program, part):
-    _, report = envelope(program, part, "part.step", "--generator-tolerance", "0.5")
+    _, report = envelope(program, part, "part.step", "--body-tolerance", "0.5")
     assert "at most 0.5 mm" in report["warnings"][0]["text"]
     words = ["envelope", "part.step", "--motion", "motion.csv", "--output", "out.ply"]
     done = swept(program, part, *words, "--report", "r.json", "--resolution", "40")
@@ -66,7 +66,7 @@ def test_the_tolerance_is_an_option_or_follows_from_the_resolution(program, part
     # The body is 30 mm long, so no cell of its sweep is smaller than 30 / sqrt(3) / 40 mm.
     assert body.chord_error == pytest.approx(0.02 * 30 / np.sqrt(3) / 40)
     assert body.chord_error <= 0.02 * report["cell"]
-    done, report = envelope(program, part, "part.step", "--generator-tolerance", "0")
+    done, report = envelope(program, part, "part.step", "--body-tolerance", "0")
     assert done.returncode == 1 and report["code"] == "BadOption"
 
 
@@ -87,7 +87,7 @@ def test_the_content_counts_where_the_suffix_says_nothing(program, part, name):
 
 
 def test_a_solid_states_its_own_unit(program, part):
-    done, report = envelope(program, part, "part.step", "--generator-unit", "m")
+    done, report = envelope(program, part, "part.step", "--body-unit", "m")
     assert done.returncode == 1
     assert (report["status"], report["code"]) == ("InvalidInput", "BadOption")
     assert "contains its own unit of length" in done.stderr

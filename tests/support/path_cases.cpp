@@ -385,7 +385,7 @@ PathCase drawerCase(unsigned seed) {
   Random random(seed);
   PathCase c;
   c.name = "drawer";
-  // A drawer with a stop at its back: it has to be lifted at the end of its way to come out.
+  // A drawer with a stop at its back: it has to be lifted at the end to come out.
   const double w = random.number(8, 12), gap = random.number(0.5, 1), stop = random.number(2, 3);
   const double length = 24, height = 8;
   append(c.part, boxAt(0, length, -w, w, 0, height));

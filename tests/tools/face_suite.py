@@ -2,17 +2,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Solids that have the faces of the sweep: CAD parts along a motion, from STEP to STEP.
 
-Each part is swept and written as STEP by the program, with the faces that its sweep really has. A
-row of the table has, besides what supplier_suite.py tells:
-    real          share of the area on other faces than plane triangles
-    off, off99    mm: largest distance of exact crossings (the points of --sources) from the solid, and
-                  the distance that 99 % of a sample keep
-    away          cells: largest distance of points on the faces of the solid from the nearest
-                  crossing; about 1 is as near as crossings lie to each other
+The program sweeps each part and writes the result as STEP, with the faces that the sweep really has.
+A row of the table has these columns besides those of supplier_suite.py:
+    real          share of the area of the solid that is not on triangular planar faces
+    off, off99    mm: distances of exact crossings (the points of --sources) from the solid: the largest
+                  of a sample, and the 99 % quantile
+    away          cells: largest distance of sample points on the solid from the nearest crossing. A value
+                  of about 1 is good: crossings are about a cell apart
 
 Usage: face_suite.py BUILD TABLE [--parts FOLDER] [--path lift2|path3|path5] [--resolution N]
        [--share S] [--keep FOLDER] [--mesh] [WORD...]    only parts whose name contains a WORD
-       --share: tolerance, of the box diagonal; --mesh: recognise the faces in the mesh, as before
+       --share: tolerance as a fraction of the diagonal of the envelope's bounding box (default 0.001)
+       --mesh: do not use the faces of the part, but recognise surfaces in the mesh
 Ends with 1 if a solid is not clean. Needs FreeCAD's Python modules.
 """
 import argparse
@@ -50,7 +51,7 @@ def is_facet(face):
 
 
 def sampled(faces, count):
-    """Points on the faces, about as many on each mm^2."""
+    """Returns points on the faces, in proportion to their area. Very small faces get none."""
     points = []
     area = sum(face.Area for face in faces)
     for face in faces:
@@ -64,7 +65,7 @@ def sampled(faces, count):
 
 
 def measured(solid, crossings, cell):
-    """real, off, off99, away, and the number of facets."""
+    """Returns real, off, off99, away, and the number of facets."""
     FreeCAD, Part = kernel()
     shape = Part.Shape()
     shape.read(str(solid))
@@ -81,7 +82,7 @@ def measured(solid, crossings, cell):
 
 
 def judged(part, folder, options):
-    """One row of the table. Everything stays in `folder`."""
+    """Returns one row of the table. All files are written to `folder`."""
     program = options.build / "bin" / "swept"
     motion, mesh = folder / (part.stem + ".csv"), folder / (part.stem + ".ply")
     motion.write_text("0,0,0,0,0,0,0,1\n")

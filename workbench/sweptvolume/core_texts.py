@@ -159,7 +159,7 @@ _TEXTS = {
     "OpenSheets": QT_TRANSLATE_NOOP(
         "SweptVolume",
         "The part has gaps that its motion does not close. There, its walls became thin sheets "
-        "of the envelope: close the gaps to get the space between the walls.",
+        "of the envelope: close the gaps if the space between the walls belongs to the part.",
     ),
     "DegenerateTriangles": QT_TRANSLATE_NOOP(
         "SweptVolume", "Triangles with zero area were removed."

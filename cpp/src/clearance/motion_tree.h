@@ -77,8 +77,8 @@ struct MotionBound {
  private:
   friend class MotionTree;
   enum class Kind { Point, Flow, Cluster } kind_ = Kind::Point;
-  // If kind_ is Flow: velocity v(x) = linear + angular x position at the representative, half the
-  // span, and a second-order bound.
+  // If kind_ is Flow: a point x has the velocity linear_ + angular_.cross(x) at the representative.
+  // span_ is half of the span; rest_ bounds how far a point leaves its tangent.
   Eigen::Vector3d linear_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_ = Eigen::Vector3d::Zero();
   double span_ = 0;

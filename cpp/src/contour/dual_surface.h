@@ -61,8 +61,9 @@ struct DualSurface {
   /// Returns the global index of the vertex at a quad's corner; i is the layer of the quad's
   /// lattice edge.
   std::uint32_t vertex(int axis, std::int32_t i, std::uint32_t crossing, int corner) const {
-    // A corner at -x lies in the layer i - 1. Corners 0 and 3 lie at -b, corners 0 and 1 at -c; x
-    // is b for axis 2 and c for axis 1.
+    // Layers are counted along x. Let b and c be the two axes across the lattice edge, in cyclic
+    // order. Corners 0 and 3 lie on the lower side along b, corners 0 and 1 along c. For axis 2, b
+    // is x; for axis 1, c is x. A corner on the lower side along x lies in the layer i - 1.
     const bool lower =
         (axis == 2 && (corner == 0 || corner == 3)) || (axis == 1 && (corner == 0 || corner == 1));
     return firstVertex[lower ? i - 1 : i] + quads[crossing][corner];

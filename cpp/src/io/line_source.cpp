@@ -57,7 +57,8 @@ class GzipSource final : public ByteSource {
         state_.next_in = reinterpret_cast<Bytef*>(packed_.data());
         state_.avail_in = static_cast<uInt>(stream_->gcount());
         if (state_.avail_in == 0 && ended_) return 0;
-        if (state_.avail_in == 0) badFile("'" + path_ + "' is truncated (gzip)");
+        if (state_.avail_in == 0)
+          badFile("'" + path_ + "' is truncated (gzip); compress or copy it again");
       }
       if (ended_) {  // a gzip file may consist of several members
         inflateReset(&state_);
@@ -68,7 +69,8 @@ class GzipSource final : public ByteSource {
         ended_ = true;
       } else if (code != Z_OK) {
         badFile("'" + path_ +
-                "' is damaged (gzip: " + (state_.msg != nullptr ? state_.msg : "wrong data") + ")");
+                "' is damaged (gzip: " + (state_.msg != nullptr ? state_.msg : "wrong data") +
+                "); compress or copy it again");
       }
     }
     return capacity - state_.avail_out;
@@ -107,9 +109,10 @@ class XzSource final : public ByteSource {
       if (code == LZMA_STREAM_END) {
         ended_ = true;
       } else if (code == LZMA_BUF_ERROR) {
-        badFile("'" + path_ + "' is truncated (xz)");
+        badFile("'" + path_ + "' is truncated (xz); compress or copy it again");
       } else if (code != LZMA_OK) {
-        badFile("'" + path_ + "' is damaged (xz, code " + std::to_string(code) + ")");
+        badFile("'" + path_ + "' is damaged (xz, code " + std::to_string(code) +
+                "); compress or copy it again");
       }
     }
     return capacity - state_.avail_out;

@@ -51,8 +51,8 @@ Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double ch
                   "the motion between poses " + std::to_string(i) + " and " +
                       std::to_string(i + 1) + " would need more than " +
                       std::to_string(kMaxPlacements) +
-                      " sampled placements to follow its rotation; use a larger cell, or move the "
-                      "origin of the body closer to the body");
+                      " sampled placements to follow its rotation; use a larger cell, or a pivot "
+                      "closer to the body");
     }
     const int pieces = std::max(1, static_cast<int>(std::ceil(wanted)));
     motion.chordError =

@@ -29,10 +29,10 @@ Finding GrownSweep::offsetFinding(double offset, bool fromMesh) const {
                    " triangles of the envelope before it was grown, whose deviation adds to the "
                    "deviation of the result");
   } else {
-    text += textOf(4, "; the distance is accurate to ",
-                   (cover_.largestSlack + cover_.chord) * grid_.cell, " mm (it is measured from ",
-                   cover_.triangles.size(),
-                   " triangles that stand for the boundary of the swept volume)");
+    text +=
+        textOf(4, "; the distance is accurate to ",
+               (cover_.largestSlack + cover_.chord) * grid_.cell, " mm (it is measured from ",
+               cover_.triangles.size(), " triangles that cover the boundary of the swept volume)");
   }
   return {"Offset", static_cast<std::int64_t>(cover_.triangles.size()), {}, std::move(text)};
 }

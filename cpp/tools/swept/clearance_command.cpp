@@ -1,4 +1,4 @@
-// swept clearance GENERATOR --motion CSV NEIGHBOUR...: measures smallest distances over a motion.
+// swept clearance BODY --motion CSV NEIGHBOUR...: measures smallest distances over a motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef HAVE_SWEPT_CLEARANCE
 #include <algorithm>
@@ -22,9 +22,9 @@ namespace swept::cli {
 namespace {
 
 struct ClearanceJob {
-  std::string generatorPath, generatorFormat, motionPath, csvPath, offerPath;
+  std::string bodyPath, bodyFormat, motionPath, csvPath, offerPath;
   NeighbourFiles neighbours;
-  double generatorUnit = 1.0;
+  double bodyUnit = 1.0;
   double motionUnit = 1.0;
   Interpolation interpolation = Interpolation::Linear;
   Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
@@ -36,7 +36,7 @@ struct ClearanceJob {
 };
 
 void addFileOptions(CLI::App& app, ClearanceJob& job) {
-  addText(app, "GENERATOR", "FILE", job.generatorPath,
+  addText(app, "BODY", "FILE", job.bodyPath,
           "the moving part: a file of type ply, stl, obj, off, step, stp, brep or brp, or - for "
           "standard input")
       ->required();
@@ -45,9 +45,9 @@ void addFileOptions(CLI::App& app, ClearanceJob& job) {
   addText(app, "--motion", "FILE", job.motionPath,
           "table of poses, as for \"swept envelope\", or - for standard input")
       ->required();
-  addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.generatorFormat,
+  addText(app, "--body-format", "ply|stl|obj|off|step|brep", job.bodyFormat,
           "format of the moving part, in place of its file extension");
-  addUnit(app, "--generator-unit", job.generatorUnit,
+  addUnit(app, "--body-unit", job.bodyUnit,
           "unit of the numbers in a moving part that is a mesh (default mm)");
   addUnit(app, "--motion-unit", job.motionUnit,
           "unit of the translations in the motion (default mm)");
@@ -70,8 +70,11 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
       app, "--pivot", job.pivot,
       "point of the moving part that moves in a straight line between two poses, used only with "
       "linear interpolation; coordinates in mm (default 0,0,0: the origin)");
-  addNumber(app, "--generator-chord", "MM", job.options.bodyChordError,
+  addNumber(app, "--body-chord", "MM", job.options.bodyChordError,
             "how far the triangles of the moving part deviate from its exact surface (default 0)");
+  for (const char* rest : {"format", "unit", "chord"}) {
+    keepEarlierName(app, std::string("--generator-") + rest, std::string("--body-") + rest);
+  }
   addDetailOptions(app, job.options, job.curve,
                    "number of points of the graph of distance over time (default 200; 0: no graph)",
                    job.stamp);
@@ -170,11 +173,11 @@ void printTable(const ClearanceReport& report, bool details) {
               report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
 }
 
-Body readGenerator(const ClearanceJob& job, RunContext& run) {
+Body readMovingBody(const ClearanceJob& job, RunContext& run) {
   BodyFileOptions options;
-  options.millimetresPerUnit = job.generatorUnit;
+  options.millimetresPerUnit = job.bodyUnit;
   options.tolerance = job.neighbours.deflection;
-  return readInputBody(job.generatorPath, job.generatorFormat, options, run);
+  return readInputBody(job.bodyPath, job.bodyFormat, options, run);
 }
 
 Trajectory readMotion(const ClearanceJob& job) {
@@ -184,7 +187,7 @@ Trajectory readMotion(const ClearanceJob& job) {
 std::vector<PageInput> pageInputs(const ClearanceJob& job) {
   std::vector<PageInput> rows;
   if (job.page.path.empty()) return rows;
-  rows = {inputRow("body", job.generatorPath), inputRow("motion", job.motionPath)};
+  rows = {inputRow("body", job.bodyPath), inputRow("motion", job.motionPath)};
   for (const std::string& path : job.neighbours.paths) rows.push_back(inputRow("neighbour", path));
   if (!job.neighbours.rulesPath.empty())
     rows.push_back(inputRow("rules", job.neighbours.rulesPath));
@@ -194,7 +197,7 @@ std::vector<PageInput> pageInputs(const ClearanceJob& job) {
 std::string pageText(const ClearanceJob& job, const PageFrame& frame, std::vector<PageInput> inputs,
                      Body body, Trajectory motion, std::vector<ClearanceNeighbour> neighbours,
                      const ClearanceReport& report, RunContext& run) {
-  std::vector<PagePart> parts{{utf8FromPath(pathFromUtf8(job.generatorPath).stem()),
+  std::vector<PagePart> parts{{utf8FromPath(pathFromUtf8(job.bodyPath).stem()),
                                std::move(body.mesh), std::move(motion), true}};
   for (ClearanceNeighbour& part : neighbours)
     parts.push_back({std::move(part.name), std::move(part.mesh)});
@@ -205,7 +208,7 @@ std::string pageText(const ClearanceJob& job, const PageFrame& frame, std::vecto
 ClearanceReport compute(const ClearanceJob& job, std::string& page, RunContext& run) {
   const PageFrame frame = beginPage(job.page);
   std::vector<PageInput> inputs = pageInputs(job);
-  Body body = readGenerator(job, run);
+  Body body = readMovingBody(job, run);
   Trajectory motion = readMotion(job);
   std::vector<ClearanceNeighbour> parts = readNeighbours(job.neighbours, run);
   ClearanceOptions options = job.options;
@@ -223,8 +226,7 @@ ClearanceReport compute(const ClearanceJob& job, std::string& page, RunContext& 
 
 int runClearance(const ClearanceJob& job) {
   const CommonOptions& common = job.common;
-  std::vector<RoledFile> inputs{{"the moving part", job.generatorPath},
-                                {"the motion", job.motionPath}};
+  std::vector<RoledFile> inputs{{"the moving part", job.bodyPath}, {"the motion", job.motionPath}};
   for (const std::string& path : job.neighbours.paths) inputs.push_back({"a neighbour", path});
   if (!job.neighbours.rulesPath.empty()) inputs.push_back({"--rules", job.neighbours.rulesPath});
   addTemplate(job.page, inputs);
@@ -262,7 +264,7 @@ Run addClearanceCommand(CLI::App& program) {
       "whole motion. No approach between two poses is missed.");
   addOptions(app, *job);
   return [job] {
-    checkNeighbourOptions(job->neighbours, job->generatorPath);
+    checkNeighbourOptions(job->neighbours, job->bodyPath);
     checkPageOptions(job->page);
     if (!job->page.path.empty() && !job->offerPath.empty())
       badOption(

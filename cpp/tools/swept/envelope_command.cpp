@@ -1,4 +1,4 @@
-// swept envelope GENERATOR --motion CSV --output FILE: computes an envelope.
+// swept envelope BODY --motion CSV --output FILE: computes an envelope.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <chrono>
@@ -27,10 +27,9 @@ namespace swept::cli {
 namespace {
 
 struct EnvelopeJob {
-  std::string generatorPath, generatorFormat, motionPath, outputPath, outputFormat = "ply",
-                                                                      sourcesPath;
-  double generatorUnit = 1.0;
-  std::optional<double> generatorTolerance;
+  std::string bodyPath, bodyFormat, motionPath, outputPath, outputFormat = "ply", sourcesPath;
+  double bodyUnit = 1.0;
+  std::optional<double> bodyTolerance;
   double motionUnit = 1.0;
   Interpolation interpolation = Interpolation::Linear;
   Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
@@ -70,9 +69,10 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
       [&options](const std::string& t) { options.components = parseComponentMethod(t); },
       "for research: how separate pieces of surface in one cell are recognised; only consistent "
       "(default) guarantees a closed manifold");
-  addNumber(app, "--chord", "F", options.chordTolerance,
-            "largest deviation of the computed motion from the true one, as a fraction of the cell "
-            "size, above 0 to 1 (default 0.02)");
+  addNumber(
+      app, "--chord", "F", options.chordTolerance,
+      "largest deviation of the computed motion from the true one: a fraction of the cell size, "
+      "not a length; above 0 to 1 (default 0.02)");
   addNumber(app, "--position-filter", "MM", options.positionFilter,
             "skip a pose if no point of the part has moved farther than this since the last pose "
             "used (default 0: use all poses)");
@@ -92,7 +92,7 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
 }
 
 void addOptions(CLI::App& app, EnvelopeJob& job) {
-  addText(app, "GENERATOR", "FILE", job.generatorPath,
+  addText(app, "BODY", "FILE", job.bodyPath,
           "the moving part: a file of type ply, stl, obj, off, step, stp, brep or brp, or - for "
           "standard input. All solids of a file move as one part")
       ->required();
@@ -111,18 +111,19 @@ void addOptions(CLI::App& app, EnvelopeJob& job) {
           "file of the solid; for a mesh, each triangle is a face");
   addText(app, "--format", "ply|stl|obj|off|3mf|step|brep", job.outputFormat,
           "format of the output if it is written to standard output (default ply)");
-  addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.generatorFormat,
+  addText(app, "--body-format", "ply|stl|obj|off|step|brep", job.bodyFormat,
           "format of the moving part, in place of its file extension");
-  addUnit(app, "--generator-unit", job.generatorUnit,
+  addUnit(app, "--body-unit", job.bodyUnit,
           "unit of the numbers in a moving part that is a mesh (default mm)");
   addConverted(
-      app, "--generator-tolerance", "MM",
-      [&job](const std::string& t) {
-        job.generatorTolerance = numberOf("--generator-tolerance", t);
-      },
+      app, "--body-tolerance", "MM",
+      [&job](const std::string& t) { job.bodyTolerance = numberOf("--body-tolerance", t); },
       "how far the triangles of a moving part that is a solid may deviate from its surface "
       "(default: 0.02 of the cell "
       "size; with --resolution, 0.02 of the smallest cell size that this resolution can give)");
+  for (const char* rest : {"format", "unit", "tolerance"}) {
+    keepEarlierName(app, std::string("--generator-") + rest, std::string("--body-") + rest);
+  }
   addUnit(app, "--motion-unit", job.motionUnit,
           "unit of the translations in the motion (default mm)");
   addConverted(
@@ -250,10 +251,10 @@ void printSummary(const Report& report, const std::string& path) {
               report.seconds.empty() ? 0.0 : report.seconds.back().seconds);
 }
 
-Body readGenerator(const EnvelopeJob& job, RunContext& run) {
-  BodyFileOptions files{job.generatorUnit, job.generatorTolerance, {}, job.options.resolution};
+Body readMovingBody(const EnvelopeJob& job, RunContext& run) {
+  BodyFileOptions files{job.bodyUnit, job.bodyTolerance, {}, job.options.resolution};
   if (job.options.cellSize > 0) files.cellSize = job.options.cellSize;
-  return readInputBody(job.generatorPath, job.generatorFormat, files, run);
+  return readInputBody(job.bodyPath, job.bodyFormat, files, run);
 }
 
 // STL stores single precision. Rounds the mesh in the same way and checks it again, so that the
@@ -280,7 +281,7 @@ SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   const auto start = Clock::now();
-  const Body body = readGenerator(job, run);
+  const Body body = readMovingBody(job, run);
   const Trajectory motion =
       readInputMotion(job.motionPath, job.motionUnit, job.interpolation, job.pivot);
   const double reading = since(start);
@@ -303,7 +304,7 @@ SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
 
 int runEnvelope(const EnvelopeJob& job) {
   const CommonOptions& common = job.common;
-  const std::vector<RoledFile> files{{"the moving part", job.generatorPath},
+  const std::vector<RoledFile> files{{"the moving part", job.bodyPath},
                                      {"the motion", job.motionPath}};
   const std::vector<RoledFile> output{{"--output", job.outputPath}, {"--sources", job.sourcesPath}};
   checkIdentity(files, {output[0], output[1], {"--report", common.report}}, common.noClobber);
@@ -333,7 +334,7 @@ int runEnvelope(const EnvelopeJob& job) {
   }
 #endif
   Json json = reportJson(report);
-  json["input"] = job.generatorPath;
+  json["input"] = job.bodyPath;
   json["motion"] = job.motionPath;
   json["pivot"] = {job.pivot.x(), job.pivot.y(), job.pivot.z()};
   if (ok) json["output"] = job.outputPath;

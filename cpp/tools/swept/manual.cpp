@@ -14,9 +14,11 @@ std::vector<const CLI::App*> commandsOf(const CLI::App& program) {
   return program.get_subcommands([](const CLI::App*) { return true; });
 }
 
+// Earlier names of options have no group (keepEarlierName()) and are left out.
 Options optionsOf(const CLI::App& app, bool positional) {
-  return app.get_options(
-      [positional](const CLI::Option* o) { return o->get_positional() == positional; });
+  return app.get_options([positional](const CLI::Option* o) {
+    return o->get_positional() == positional && !o->get_group().empty();
+  });
 }
 
 bool takesValue(const CLI::Option& option) { return option.get_items_expected_max() > 0; }

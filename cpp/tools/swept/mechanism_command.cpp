@@ -46,8 +46,8 @@ void addOptions(CLI::App& app, MechanismJob& job) {
   addConverted(
       app, "--interpolation", "linear|screw",
       [&job](const std::string& t) { job.interpolation = parseInterpolation(t); },
-      "how a part moves between two poses (default linear). With screw, two parts that have the "
-      "same relative placement at two poses also have it between these poses");
+      "how a part moves between two poses (default linear). With screw, parts of one "
+      "rigid body do not move relative to each other between two poses");
   addDistanceOptions(app, job.options);
   addNumber(
       app, "--range", "MM", job.options.range,

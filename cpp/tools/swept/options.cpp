@@ -39,6 +39,16 @@ CLI::Option* addConverted(CLI::App& app, const std::string& names, const std::st
   return app.add_option_function<std::string>(names, take, about)->type_name(kind);
 }
 
+void keepEarlierName(CLI::App& app, const std::string& earlier, const std::string& name) {
+  CLI::Option* option = app.get_option(name);
+  app.add_option_function<std::string>(earlier,
+                                       [option](const std::string& value) {
+                                         option->add_result(value);
+                                         option->run_callback();
+                                       })
+      ->group("");
+}
+
 CLI::Option* addText(CLI::App& app, const std::string& names, const std::string& kind,
                      std::string& target, const std::string& about) {
   const std::string name = names.substr(names.rfind(',') + 1);
@@ -92,7 +102,14 @@ CLI::Option* addUnit(CLI::App& app, const std::string& names, double& target,
                      const std::string& about) {
   return addConverted(
       app, names, "mm|cm|m|in",
-      [&target](const std::string& text) { target = parseLengthUnit(text); }, about);
+      [names, &target](const std::string& text) {
+        try {
+          target = parseLengthUnit(text);
+        } catch (const Error& e) {  // several options of a command have units
+          badOption(names + ": " + e.what());
+        }
+      },
+      about);
 }
 
 void addCommonOptions(CLI::App& app, CommonOptions& options) {

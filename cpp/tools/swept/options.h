@@ -36,6 +36,10 @@ CLI::Option* addPoint(CLI::App& app, const std::string& names, Eigen::Vector3d& 
 CLI::Option* addUnit(CLI::App& app, const std::string& names, double& target,
                      const std::string& about);
 
+/// Adds the earlier name of the option `name`: it works, but help, manual page and completions
+/// leave it out.
+void keepEarlierName(CLI::App& app, const std::string& earlier, const std::string& name);
+
 /// Options that every command has.
 struct CommonOptions {
   std::string report;

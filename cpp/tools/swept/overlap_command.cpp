@@ -31,9 +31,10 @@ void addOptions(CLI::App& app, OverlapJob& job) {
       ->required();
   addUnit(app, "--unit", job.files.millimetresPerUnit,
           "unit of the numbers in parts that are meshes (default mm)");
-  addNumber(app, "--chord", "MM", job.files.chordError,
+  addNumber(app, "--part-chord", "MM", job.files.chordError,
             "how far the triangles of parts that are meshes deviate from their exact surfaces "
             "(default 0)");
+  keepEarlierName(app, "--chord", "--part-chord");
   addNumber(app, "--deflection", "MM", job.files.deflection,
             "how far the triangles of solids may deviate from their surfaces (default 0.05)");
   addDistanceOptions(app, job.options);

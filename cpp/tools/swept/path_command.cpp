@@ -62,12 +62,15 @@ void addPlaces(CLI::App& app, PathJob& job) {
 void addOptions(CLI::App& app, PathJob& job) {
   addPlaces(app, job);
   addSearchOptions(app, job.options, job.seed);
-  addText(app, "--generator-format", "ply|stl|obj|off|step|brep", job.partFormat,
+  addText(app, "--part-format", "ply|stl|obj|off|step|brep", job.partFormat,
           "format of the part, in place of its file extension");
-  addUnit(app, "--generator-unit", job.partUnit,
+  addUnit(app, "--part-unit", job.partUnit,
           "unit of the numbers in a part that is a mesh (default mm)");
-  addNumber(app, "--generator-chord", "MM", job.options.bodyChordError,
+  addNumber(app, "--part-chord", "MM", job.options.bodyChordError,
             "how far the triangles of the part deviate from its exact surface (default 0)");
+  for (const char* rest : {"format", "unit", "chord"}) {
+    keepEarlierName(app, std::string("--generator-") + rest, std::string("--part-") + rest);
+  }
   addText(app, "-o,--output", "FILE", job.output,
           "write the keys of the path as a table of poses, or - for standard output");
   addCommonOptions(app, job.common);

@@ -67,7 +67,7 @@ TEST(NearestTriangle, KeepsToItsBounds) {
       const Vector3d p = mesh.vertices[0] + random.point(12);
       const double all = byLookingAtAll(p, mesh), limit = random.number(0, 60);
       EXPECT_EQ(nearest.query(p, limit, 0), std::min(all, limit));
-      // Whether anything lies nearer than a limit at all.
+      // The limit as both bounds: the query only tells whether anything lies nearer than it.
       EXPECT_EQ(nearest.query(p, limit, limit) < limit, all < limit);
       const double enough = random.number(0, 60), found = nearest.query(p, HUGE_VAL, enough);
       EXPECT_GE(found, all);

@@ -110,7 +110,7 @@ RESULT = [
     (
         "App::PropertyString",
         "Message",
-        QT_TRANSLATE_NOOP("App::Property", "Why the last run failed, and notes"),
+        QT_TRANSLATE_NOOP("App::Property", "Why the last run failed, and its findings"),
         READ_ONLY,
     ),
     (

@@ -95,7 +95,7 @@ ACCURACY = [
         "Accuracy",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Edge length of a cell of the sampling grid. 0: computed from Resolution",
+            "Edge length of a cell of the grid. 0: computed from Resolution",
         ),
         None,
         0,
@@ -166,7 +166,9 @@ ACCURACY = [
         "Components",
         "Method",
         QT_TRANSLATE_NOOP(
-            "App::Property", "How separate pieces of surface inside one cell are recognised"
+            "App::Property",
+            "How separate pieces of surface inside one cell are recognised. For research: only "
+            "Consistent guarantees that the envelope is closed",
         ),
         list(COMPONENTS),
         0,
@@ -215,7 +217,7 @@ RESULT = [
     (
         "App::PropertyString",
         "Message",
-        QT_TRANSLATE_NOOP("App::Property", "Why the last run failed, and warnings"),
+        QT_TRANSLATE_NOOP("App::Property", "Why the last run failed, and its findings"),
     ),
     ("App::PropertyVolume", "Volume", QT_TRANSLATE_NOOP("App::Property", "Volume of the envelope")),
     (

@@ -44,7 +44,7 @@ class Part:
         return (*arrays, motion, run.interpolation, self.chord)
 
     def points_at(self, time):
-        """Returns the vertices in world coordinates at a time (s). Any thread."""
+        """Returns the vertices in world coordinates at a time (s). Any thread may call it."""
         run = self.run
         if run is None:
             return self.body.vertices

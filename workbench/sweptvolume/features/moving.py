@@ -280,7 +280,7 @@ class Moving:
 
     def trajectory(self, tolerance):
         """Returns (Poses, interpolation of the core). tolerance: mm by which straight pieces may
-        deviate from a curved way."""
+        deviate from a curved motion."""
         return self.way().trajectory(tolerance)
 
     def request(self, body, tolerance, options):

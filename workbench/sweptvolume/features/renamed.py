@@ -58,8 +58,8 @@ def take_over(obj, names):
 
 
 def _without_object(text, names):
-    """Removes the object's own name from an expression; an expression of the object may leave it
-    out."""
+    """Renames properties in an expression of the object itself, where they stand without the name of
+    the object (".Frame" or "Frame"). names: {old: new}."""
     pattern = r"(?<![\w.>])(\.?)({})\b(?!\s*\()".format("|".join(names))
     return re.sub(pattern, lambda found: found.group(1) + names[found.group(2)], text)
 

@@ -90,14 +90,14 @@ RESULT = [
             "App::PropertyLength",
             "Distance",
             QT_TRANSLATE_NOOP(
-                "App::Property", "Smallest distance between the sides, if they share no volume"
+                "App::Property", "Smallest distance between the parts, if they share no volume"
             ),
         ),
         (
             "App::PropertyLength",
             "Depth",
             QT_TRANSLATE_NOOP(
-                "App::Property", "How deep one of the two sides penetrates the other"
+                "App::Property", "How deep one of the two parts lies inside the other"
             ),
         ),
     )

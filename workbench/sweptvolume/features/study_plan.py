@@ -206,3 +206,9 @@ def _stamps(study):
 def can_run(obj):
     """Returns whether an object may be a run."""
     return kind_of(obj) in (clearance.Clearance.KIND, envelope.Envelope.KIND)
+
+
+def has_one_motion(obj):
+    """Returns whether all parts of a possible run have the same motion, as a run needs it."""
+    motions = [motion for motion in getattr(obj, "Motions", ()) if motion]
+    return len({(motion.Document.Name, motion.Name) for motion in motions}) <= 1

@@ -182,6 +182,13 @@ class EnvelopePanel(StartPanel):
     def _build_method(self, values):
         rows = widgets.group(translate("SweptVolume", "Method"), self.layout)
         self.components = widgets.choice(list(COMPONENTS), values["Components"])
+        widgets.hint(
+            self.components,
+            translate(
+                "SweptVolume",
+                "For research. Only Consistent guarantees that the envelope is closed",
+            ),
+        )
         self.backend = widgets.choice(list(BACKENDS), values["Backend"])
         self.filter = widgets.length(values["PositionFilter"])
         widgets.hint(

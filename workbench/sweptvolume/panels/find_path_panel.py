@@ -109,6 +109,13 @@ class FindPathPanel(SearchPanel):
         if path.PoseType == "Absolute" and len(poses) > 1:
             self.start_at.show_placement(poses[0])
             self.goal.show_placement(poses[-1])
+            return
+        text = translate(
+            "SweptVolume",
+            'The motion "{0}" does not set start and goal: only a motion with the pose type '
+            "Absolute and at least two poses does. Enter start and goal below.",
+        )
+        widgets.show_message(self.message, text.format(path.Label))
 
     def plan(self):
         """Returns the task of the search. Raises InputProblem."""

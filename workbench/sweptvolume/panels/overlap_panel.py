@@ -50,7 +50,13 @@ class OverlapPanel(StayingPanel):
         self.chosen.setObjectName("SweptVolumeSpaces")
         self.take = QtWidgets.QPushButton(translate("SweptVolume", "Ta&ke selected"))
         self.take.setObjectName("SweptVolumeTakeSpaces")
-        self.required = widgets.length(DEFAULTS["RequiredDistance"], 0.0, 0.5)
+        self.required = widgets.hint(
+            widgets.length(DEFAULTS["RequiredDistance"], 0.0, 0.5),
+            translate(
+                "SweptVolume",
+                "0: reserved spaces may lie close together, but must not touch",
+            ),
+        )
         self.required.setObjectName("SweptVolumeSpacesRequired")
         self.deflection = widgets.length(DEFAULTS["MeshDeflection"], 1e-4, 0.01)
         self.deflection.setObjectName("SweptVolumeSpacesDeflection")

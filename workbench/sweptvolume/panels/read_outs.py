@@ -72,7 +72,7 @@ def lines_of(obj, report):
     )
     if obj.Message and obj.Status in (CANCELLED, FAILED):
         lines.append(translate("SweptVolume", "Last run: {0}").format(obj.Message))
-    warnings = "\n".join(w["text"] for w in warnings_of(report))
-    if warnings:
-        lines.append(translate("SweptVolume", "Warnings: {0}").format(warnings))
+    findings = "\n".join(w["text"] for w in warnings_of(report))
+    if findings:
+        lines.append(translate("SweptVolume", "Findings: {0}").format(findings))
     return lines

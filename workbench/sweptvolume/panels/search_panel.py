@@ -35,7 +35,14 @@ class SearchPanel(StayingPanel):
     def _build_rules(self):
         rows = widgets.group(translate("SweptVolume", "Rules"), self.layout)
         now = path_plan.DEFAULTS
-        self.required = widgets.length(now["RequiredDistance"], 0.0, 0.5)
+        self.required = widgets.hint(
+            widgets.length(now["RequiredDistance"], 0.0, 0.5),
+            translate(
+                "SweptVolume",
+                "Distance that the path keeps from every neighbour. The default is smaller than "
+                "that of a clearance check, because a larger distance closes narrow passages",
+            ),
+        )
         self.required.setObjectName("SweptVolumePathClearance")
         self.release = widgets.hint(
             widgets.length(now["ReleaseDistance"], 0.0, 5.0),

@@ -7,6 +7,7 @@ from PySide import QtCore
 
 from .. import core, export, quantities, targets
 from ..features import solid
+from ..features.base import STALE
 from ..texts import translate
 from . import focus, guard, tasks, widgets
 from .look import Look
@@ -103,6 +104,11 @@ class SolidPanel(StartPanel):
             where = QtWidgets.QLabel(os.path.basename(self.path))
             widgets.hint(where, self.path)
             rows.addRow(translate("SweptVolume", "File"), where)
+            if self.what_is_written():
+                note = QtWidgets.QLabel(self.what_is_written())
+                note.setObjectName("SweptVolumeWritten")
+                note.setWordWrap(True)
+                rows.addRow(note)
         self.expected = QtWidgets.QLabel()
         self.expected.setObjectName("SweptVolumeSolidEstimate")
         self.expected.setWordWrap(True)
@@ -111,6 +117,25 @@ class SolidPanel(StartPanel):
         self.tessellated.toggled.connect(self._kind_changed)
         for field in (self.tolerance, self.faces, self.megabytes):
             field.valueChanged.connect(self._changed)
+
+    def what_is_written(self):
+        """Returns what the file contains, if people may expect something else."""
+        found = []
+        if self.obj is not None:
+            text = translate(
+                "SweptVolume",
+                'The file gets a new solid, made from the mesh of "{0}". The stored solid is not '
+                "used.",
+            )
+            found.append(text.format(self.source.Label))
+        if getattr(self.source, "Status", "") == STALE:
+            text = translate(
+                "SweptVolume",
+                '"{0}" is stale: the file gets its last result. To export the present state, '
+                "recompute it first.",
+            )
+            found.append(text.format(self.source.Label))
+        return " ".join(found)
 
     def settings(self):
         """Returns the settings in the form of features.solid."""

@@ -56,7 +56,7 @@ class StudyPanel(StayingPanel):
         self.list.setObjectName("SweptVolumeStudySources")
         self.list.setMaximumHeight(150)
         every = [o for o in self.document.Objects if study_plan.can_run(o)]
-        ticked = plan.sources or every
+        ticked = plan.sources or [o for o in every if study_plan.has_one_motion(o)]
         for source in every:
             item = QtWidgets.QListWidgetItem(source.ViewObject.Icon, source.Label)
             item.setData(QtCore.Qt.UserRole, source.Name)

@@ -18,7 +18,8 @@ from ..convert import InputProblem
 from ..texts import translate
 from .poses import Poses
 
-#: Largest angle (rad) of the pieces into which arcs are divided; shortest time of a command (s).
+#: Largest angle (rad) of the pieces into which arcs and turns of A, B and C are divided; shortest
+#: time of a command (s).
 ARC_STEP, SHORTEST = math.radians(10), 1e-4
 MOVES = {"G0": 0, "G00": 0, "G1": 1, "G01": 1, "G2": 2, "G02": 2, "G3": 3, "G03": 3}
 #: Word for the plane -> (first axis, second axis, first word for the centre, second word for the
@@ -124,11 +125,19 @@ def _centre(state, target, words, kind, plane):
     return x - side * height * dy / chord, y + side * height * dx / chord
 
 
+def _between(state, target, u):
+    """Returns the state at the share u of a move along straight lines."""
+    return {axis: state[axis] + (target[axis] - state[axis]) * u for axis in state}
+
+
 def _steps(state, target, words, kind, plane):
     """Returns the states along the move, the target last."""
     centre = _centre(state, target, words, kind, plane) if kind >= 2 else None
+    # Between two poses a part always turns the shorter way, so a turn by 270 degrees needs poses.
+    turn = math.radians(max(abs(target[axis] - state[axis]) for axis in "ABC"))
     if centre is None:
-        return [target]
+        count = max(1, int(math.ceil(turn / ARC_STEP - 1e-9)))
+        return [_between(state, target, i / count) for i in range(1, count)] + [target]
     axes = plane[:2]
     start = [state[axis] - c for axis, c in zip(axes, centre)]
     end = [target[axis] - c for axis, c in zip(axes, centre)]
@@ -138,11 +147,11 @@ def _steps(state, target, words, kind, plane):
         sweep -= 2 * math.pi
     if kind == 3 and sweep <= 1e-9:
         sweep += 2 * math.pi
-    count = max(1, int(math.ceil(abs(sweep) / ARC_STEP)))
+    count = max(1, int(math.ceil(max(abs(sweep), turn) / ARC_STEP)))
     steps = []
     for i in range(1, count):
         u = i / count
-        step = {axis: state[axis] + (target[axis] - state[axis]) * u for axis in state}
+        step = _between(state, target, u)
         step[axes[0]] = centre[0] + radius * math.cos(first + sweep * u)
         step[axes[1]] = centre[1] + radius * math.sin(first + sweep * u)
         steps.append(step)

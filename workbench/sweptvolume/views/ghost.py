@@ -150,7 +150,7 @@ class Ghosts(Overlay):
         self.paint = self.add(MOVING_COLOUR, 0.35, self.moving, shape)
 
     def show_clash(self, on):
-        """Shows the part on its way in red, or in its usual colour."""
+        """Shows the moving part in red (on), or in its usual colour."""
         self.paint.diffuseColor = CLASH_COLOUR if on else MOVING_COLOUR
 
     def show_keys(self, placements):

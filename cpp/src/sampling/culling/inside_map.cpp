@@ -154,7 +154,7 @@ bool InsideMap::hidesAlong(const std::array<Eigen::Vector3d, 3>& corner,
                            const Eigen::Vector3d& normal, const Eigen::Array3d& low,
                            const Eigen::Array3d& high, double reach) const {
   constexpr int U = W == 0 ? 1 : 0, V = W == 2 ? 1 : 2;
-  /// If the plane is closer than this to parallel with the lines, it gives no useful range.
+  /// Sine of the angle between plane and lines below which the plane does not narrow the range.
   constexpr double kLeastSlope = 1e-3;
   const double across = std::abs(normal[W]);
   const bool steep = across < kLeastSlope * normal.norm();

@@ -217,7 +217,7 @@ void GlContext::lost(const std::string& what) const {
 double GlContext::finish(double timeoutSeconds) const {
   const Timer timer;
   GLsync fence = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  if (!fence) lost("no fence could be set");
+  if (!fence) lost("glFenceSync failed");
   GLenum state = GL_TIMEOUT_EXPIRED;
   while (state == GL_TIMEOUT_EXPIRED && timer.seconds() < timeoutSeconds) {
     const double rest = std::min(0.1, timeoutSeconds - timer.seconds());

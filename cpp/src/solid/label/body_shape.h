@@ -13,7 +13,7 @@
 namespace swept {
 
 struct BodyFace {
-  /// Its kind is Facet if the surface is none that a Carrier can hold.
+  /// Its kind is Facet if a Carrier cannot represent the surface.
   step::Carrier surface;
   std::vector<std::int32_t> edges;  ///< indices into BodyShape::edges
 };

@@ -9,11 +9,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Sine of the angle to the motion below which a surface slides along it.
+/// A surface slides along itself if the sine of its angle to the motion is below this.
 constexpr double kSlides = 1e-9;
 constexpr double kCurveError = 1e-8;  // mm
 
-// The part of the axis beside which the edges of a face lie, with some room.
+// The range, along the axis of the surface, in which the edges of a face lie, with a margin.
 struct Extent {
   double low = 1e300, high = -1e300;
 };

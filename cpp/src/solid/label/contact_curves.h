@@ -14,15 +14,15 @@
 
 namespace swept::step {
 
-/// Whether the surface slides along itself.
+/// Returns whether the surface slides along itself when it moves in the direction `way`.
 bool slidesAlong(const Carrier& surface, const Eigen::Vector3d& way);
 
-/// Returns the contact curves of the face, longer than the face where they are lines. Empty if the
-/// surface slides along itself or if its kind has no formula.
+/// Returns the contact curves of the face. Straight ones extend beyond it. Empty if the surface
+/// slides along itself, or if there is no formula for its kind.
 std::vector<Curve> contactCurves(const BodyShape& body, std::int32_t face,
                                  const Eigen::Vector3d& way);
 
-/// Returns the contact points of the surface on a curve of it.
+/// Returns the contact points of the surface that lie on this curve. The curve lies on the surface.
 std::vector<Eigen::Vector3d> contactPoints(const Curve& curve, const Carrier& surface,
                                            const Eigen::Vector3d& way);
 

@@ -11,8 +11,9 @@ class Corners : LabelTools {
  public:
   using LabelTools::LabelTools;
 
-  // Three regions that meet at a vertex of the mesh need a common point of their carriers. If there
-  // is none, the shortest of the three borders does not exist: the third region covers it.
+  // The carriers of three regions that meet at a vertex of the mesh should have a common point. If
+  // they have none, the true surface has no border between two of the regions: the shortest of the
+  // three borders is an error of the labels. Gives the triangles along it to the third region.
   bool coverShortBorders() {
     return anyVertex([this](std::int32_t h) { return coverAt(h); });
   }
@@ -54,8 +55,9 @@ class Corners : LabelTools {
     return true;
   }
 
-  // Four regions rarely meet at one point. Unless they do, makes those two neighbours that have a
-  // common point with each of the other two.
+  // Four regions rarely meet at one point. If their carriers have no common point, two opposite
+  // regions must be neighbours there. Joins that pair whose carriers have a common point with the
+  // carrier of each of the other two regions.
   bool partAt(const std::vector<std::int32_t>& borders) {
     std::vector<std::int32_t> around;
     for (const std::int32_t h : borders) around.push_back(of_[h / 3]);
@@ -75,7 +77,8 @@ class Corners : LabelTools {
     return false;
   }
 
-  // Where regions meet at a vertex whose carriers have no common point, the ground stays open.
+  // Removes the labels around vertices at which the carriers of the regions have no common point.
+  // These triangles are open ground: they become facets.
   void openBadCorners() {
     std::vector<char> bad(mesh_.points.size(), 0), seen(mesh_.points.size(), 0);
     for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {

@@ -12,12 +12,13 @@
 namespace swept::step {
 namespace {
 
-// Mean length of the edges of triangles.
+// Returns the mean length of the edges of triangles.
 double spacingOf(const HalfEdgeMesh& mesh) {
   return std::sqrt(2 * mesh.area / static_cast<double>(mesh.triangles.size()));
 }
 
-// How far surfaces go on beyond what an edge sweeps, in edges of triangles.
+// How far the surface that an edge sweeps is extended at its borders, as a multiple of the mean
+// length of the edges of triangles.
 constexpr double kRoom = 4;
 
 Labels emptyLabels(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double tolerance) {

@@ -6,10 +6,11 @@
 // Cost:    O(triangles).
 // Method:  1. Each triangle has a crossing, a point of the envelope. Of the carriers that its
 //             source allows, the triangle takes the one on which the point lies (swept_carriers.h).
-//          2. Ragged borders are cleaned by residual, not by size: a small region goes to a
-//             neighbour whose carrier explains its points. Strips narrower than a cell are
-//             connected: where two carriers do not meet, the one between them takes the border. The
-//             edges of the solid follow the carriers, not the mesh.
+//          2. Ragged borders are cleaned. A small region joins a neighbour if its points lie near
+//             the neighbour's carrier; its size alone does not decide. A strip narrower than a cell
+//             can be interrupted: two regions then touch whose carriers do not meet. The triangles
+//             along this border go to the carrier of the strip between them. The edges of the solid
+//             are computed from the carriers, not from the mesh.
 //          3. Connected triangles on one carrier form a patch. Patches that close on themselves are
 //             cut, so that no face needs a seam.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -22,7 +23,8 @@
 namespace swept::step {
 
 /// `tolerance`: mm, how far a face may lie from the points that it explains. `open`: points around
-/// which the ground stays open, as it then does at corners without a common point.
+/// which triangles get no carrier and become facets. If there are any, this also applies around
+/// vertices at which the carriers have no common point.
 Partition labelFaces(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double tolerance,
                      const std::vector<Eigen::Vector3d>& open, RunContext& run);
 

@@ -8,15 +8,16 @@
 
 namespace swept::step {
 
-/// Gives small regions to neighbours that explain them, connects narrow strips, and parts regions
-/// that touch themselves. Returns false if nothing changed.
+/// Gives small regions to neighbours whose carriers are near, connects narrow strips, and changes
+/// labels at vertices where a region touches itself. Returns false if nothing changed.
 bool tidyRegions(Labels& labels);
 
 /// Mends vertices where three or four regions meet whose carriers have no common point. Returns
 /// false if nothing changed.
 bool mendCorners(Labels& labels);
 
-/// Opens the ground around vertices that could not be mended, and around the given points.
+/// Removes the labels around vertices that could not be mended, and around the given points. These
+/// triangles become facets.
 void openGround(const std::vector<Eigen::Vector3d>& around, Labels& labels);
 
 }  // namespace swept::step

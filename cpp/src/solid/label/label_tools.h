@@ -66,7 +66,8 @@ class LabelTools {
     return changed;
   }
 
-  // Triangles of one region around the origin of a border half-edge, from that on.
+  // Returns the triangles around the origin of a border half-edge, from its own triangle to the
+  // next border.
   std::vector<std::int32_t> fanFrom(std::int32_t h) const {
     std::vector<std::int32_t> fan;
     do {
@@ -76,7 +77,7 @@ class LabelTools {
     return fan;
   }
 
-  // Half-edges of the border between the same two regions, from the origin of this one.
+  // Returns the half-edges of the border between the two regions at h: h and those after it.
   std::vector<std::int32_t> chainFrom(std::int32_t h) const {
     const std::int32_t left = of_[h / 3], right = of_[mesh_.opposite[h] / 3];
     std::vector<std::int32_t> chain{h};

@@ -75,7 +75,7 @@ Carrier planeThrough(const Vector3d& point, const Vector3d& normal) {
   return plane;
 }
 
-// The line on which all these points lie as seen along the axis, as a plane parallel to it.
+// Returns the plane, parallel to the axis, that contains the curve; none if there is no such plane.
 std::optional<Carrier> planeAlong(const Curve& spline, const Vector3d& axis) {
   constexpr double kFlat = 1e-7;
   std::vector<Vector3d> points;
@@ -97,7 +97,7 @@ std::optional<Carrier> planeAlong(const Curve& spline, const Vector3d& axis) {
   return flat ? std::optional<Carrier>(plane) : std::nullopt;
 }
 
-// Cuts a spline where it runs in the direction of the axis: seen along the axis, it turns back.
+// Cuts a spline where it runs parallel to the axis. There its projection along the axis has a cusp.
 std::vector<Curve> withoutCusps(const Curve& spline, const Vector3d& axis) {
   constexpr double kCusp = 0.02, kMargin = 1e-3;
   const auto speed = [&](double t) {

@@ -1,6 +1,6 @@
 // The surfaces that the faces and edges of a body make while it moves in straight lines, without
-// turning: the body's faces at each pose, what its edges sweep, and what touches the envelope along
-// the lines of a face that are parallel to the motion (n . v = 0, the contact curves).
+// turning: the body's faces at each pose, the surfaces that its edges sweep, and those that contact
+// curves sweep. A contact curve is where the normal of a face is perpendicular to the motion.
 // In:      BodyShape, trajectory.
 // Out:     carriers, each with the curves and points where others meet it: edges and corners of the
 //          body at poses, contact curves at poses, paths of points.
@@ -23,7 +23,7 @@ namespace swept::step {
 
 class SweptCarriers {
  public:
-  /// `room`: mm, how far surfaces go on beyond what an edge sweeps.
+  /// `room`: mm, how far the surface that an edge sweeps is extended at its borders.
   SweptCarriers(const BodyShape& body, const Trajectory& trajectory, double room);
 
   /// Makes the carriers that may explain this source. Returns their numbers; none if no carrier of

@@ -67,9 +67,9 @@ class Tidier : LabelTools {
   }
   double joinLimit() const { return std::min(0.5 * tolerance_, 0.3 * spacing_); }
 
-  // Where a region meets itself at a vertex, another one lies between. Gives that to the region if
-  // it is near its carrier, the smallest fan of triangles first. So narrow strips become connected,
-  // and borders do not touch themselves.
+  // A region can touch itself at a vertex, with other regions between its two fans of triangles.
+  // Gives one of the fans between to the region, if it lies near the region's carrier: the smallest
+  // such fan. Afterwards narrow strips are connected, and no border touches itself.
   bool untouch() {
     return anyVertex([this](std::int32_t h) { return untouchAt(h); });
   }
@@ -105,8 +105,9 @@ class Tidier : LabelTools {
     return true;
   }
 
-  // Two regions can only meet where their carriers do. If they do not, a narrow strip lies between
-  // them that has too few crossings to be connected. Gives the triangles along the border to it.
+  // If two regions touch where their carriers do not meet, a narrow strip of a third surface lies
+  // between them, which has too few crossings to be connected. Gives the triangles along the border
+  // to that surface.
   bool closeStrips() {
     std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int32_t>> borders;
     for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
@@ -139,7 +140,7 @@ class Tidier : LabelTools {
            std::max(std::abs(carrier(a).distance(p)), std::abs(carrier(b).distance(p))) <= kMeet;
   }
 
-  // Returns a carrier near this half-edge that meets both.
+  // Returns a carrier near this half-edge that meets the carriers a and b; kNone if there is none.
   std::int32_t strip(std::int32_t h, const Vector3d& middle, std::int32_t a, std::int32_t b) const {
     constexpr std::size_t kRing = 60;
     std::vector<std::int32_t> ring{h / 3, mesh_.opposite[h] / 3}, beside;

@@ -63,7 +63,7 @@ class Scanner {
     const std::int64_t from = line_;
     for (int c = in_.sbumpc(); c != '\''; c = in_.sbumpc()) {
       if (c == kEnd) {
-        wrong_ = "line " + std::to_string(from) + ": a text in quotes does not end";
+        wrong_ = "line " + std::to_string(from) + ": the closing quote of a text is missing";
         return;
       }
       if (c == '\n') ++line_;

@@ -29,7 +29,8 @@ Trajectory trembling(int poses, double travel, double turn) {
   return out;
 }
 
-/// Candidates that the trial foresees, for one that the whole body has.
+/// Returns the number of candidates that the trial estimates, divided by the true number for the
+/// whole body.
 double ratioOfPairs(const TriMesh& body) {
   RunContext run;
   Options options;
