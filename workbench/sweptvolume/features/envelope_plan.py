@@ -21,12 +21,6 @@ STRAIGHT = 0.02
 #: Deflection of solids for the closer estimate, as a fraction of the part's size.
 LOOK_DEFLECTION = 2e-3
 
-
-#: What an accuracy of 1 mm stands for, as in the core (swept/accuracy.h): mm, mm, cells.
-OF_ACCURACY = {"cell": 0.5, "tolerance": 0.1}
-CHORD_OF_ACCURACY = 0.04
-
-
 class Plan:
     """The inputs of an envelope: moving parts, motions, reference part, values of the settings by
     property name.
@@ -107,8 +101,8 @@ class Plan:
         groups = grouped(self.pairs, motions, *reference)
         return groups or [Moving([], self.motion, *reference)]
 
-    def options(self):
-        """Returns the settings in the form of the core."""
+    def _settings(self):
+        """Returns the settings by the names of the core, which need not be there."""
         v = self.values
         found = {
             "resolution": int(v["Resolution"]),
@@ -123,8 +117,16 @@ class Plan:
             "sources": self.records(),
         }
         if v["Accuracy"] > 0:
-            found.update({name: v["Accuracy"] * part for name, part in OF_ACCURACY.items()})
-            found["chord"] = CHORD_OF_ACCURACY
+            found.update(accuracy=float(v["Accuracy"]), resolution=0, cell=0.0, tolerance=0.0)
+        return found
+
+    def options(self):
+        """Returns the settings in the form of the core. Raises CoreError, CoreMissing."""
+        found = self._settings()
+        if "accuracy" in found:
+            # Joining samples the envelopes of several groups again: each time half of it is lost.
+            accuracy = found.pop("accuracy") / (1 if len(self.groups()) == 1 else 2)
+            found.update(core.options_of_accuracy(accuracy))
         return found
 
     def records(self):
@@ -154,7 +156,7 @@ class Plan:
         return self._hash([word for group in self.groups() for word in group.words_of_before()])
 
     def _hash(self, inputs, without=()):
-        options = self.options()
+        options = self._settings()
         # The surface depends neither on the backend nor on the recording of sources.
         for name in ("backend", "sources") + tuple(without):
             del options[name]
