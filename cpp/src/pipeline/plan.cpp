@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "base/accuracy_text.h"
 #include "base/memory.h"
 #include "base/number_text.h"
 #include "geometry/mesh_parts.h"
@@ -204,7 +205,8 @@ void requireMemory(const Estimate& e, const RunContext& run) {
               textOf(4, "the run would need about ", e.memoryBytes / 1'000'000,
                      " MB for a grid of ", e.grid[0], " x ", e.grid[1], " x ", e.grid[2],
                      " cells, but the limit is ", limit / 1'000'000,
-                     " MB; the smallest cell that fits is about ", e.cellSize * ratio, " mm"));
+                     " MB; the smallest cell that fits is about ",
+                     cellOrAccuracy(e.cellSize * ratio)));
 }
 
 namespace {
