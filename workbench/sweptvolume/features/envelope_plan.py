@@ -99,6 +99,14 @@ class Plan:
         reference = (self.reference, self.reference_motion)
         motions = self.motions or [self.motion] * len(self.pairs)
         groups = grouped(self.pairs, motions, *reference)
+        if len(groups) > 1 and self.values["KeepCavities"]:
+            raise InputProblem(
+                translate(
+                    "SweptVolume",
+                    "Cavities cannot be kept if parts have individual motions: clear Keep "
+                    "cavities, or create one envelope for each motion.",
+                )
+            )
         return groups or [Moving([], self.motion, *reference)]
 
     def _settings(self):
@@ -190,14 +198,6 @@ class Plan:
             self.estimate()
         if len(groups) > 1:
             options.update(cell=cell, tolerance=0.0)
-            if options["keep_cavities"]:
-                raise InputProblem(
-                    translate(
-                        "SweptVolume",
-                        "Cavities cannot be kept if parts have individual motions: clear Keep "
-                        "cavities, or create one envelope for each motion.",
-                    )
-                )
         deflection = max(max(self.values["MeshDeflection"], 1e-3) * cell, finest)
         return [g.body_request(deflection, STRAIGHT * cell, options, read) for g in groups]
 
