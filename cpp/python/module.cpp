@@ -282,10 +282,11 @@ void bindFunctions(py::module_& module) {
   module.def("costs_accuracy", &costsAccuracy, py::arg("code"),
              "costs_accuracy(code: str) -> bool\n\nReturns True if a finding with this code means "
              "that a result is less accurate than requested.");
-  module.def("options_of_accuracy", &optionsOfAccuracy, py::arg("accuracy"),
-             "options_of_accuracy(accuracy: float) -> dict\n\nReturns the options of compute() that "
-             "an accuracy (mm) stands for: cell (mm), tolerance (mm) and chord (cells). Raises "
-             "InvalidInput unless it is above 0.");
+  module.def(
+      "options_of_accuracy", &optionsOfAccuracy, py::arg("accuracy"),
+      "options_of_accuracy(accuracy: float) -> dict\n\nReturns the options of compute() that "
+      "an accuracy (mm) stands for: cell (mm), tolerance (mm) and chord (cells). Raises "
+      "InvalidInput unless it is above 0.");
   module.def("check_mesh", &pyCheckMesh, kCheckMeshDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("run") = py::none());
 }

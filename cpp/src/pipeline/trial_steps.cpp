@@ -72,9 +72,9 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
   };
   tbb::task_arena(1).execute(look);
   better.triangles = static_cast<std::int64_t>(2 * surface.crossings);
-  better.seconds =
-      seconds + (surface.crossings * kCrossingSeconds + surface.probes.seconds) / threads +
-      simplifySeconds(2 * surface.crossings, p.grid.cell, options, threads);
+  better.seconds = seconds +
+                   (surface.crossings * kCrossingSeconds + surface.probes.seconds) / threads +
+                   simplifySeconds(2 * surface.crossings, p.grid.cell, options, threads);
   // The memory for checking the body is free again when sampling begins.
   const double byBox = static_cast<double>(estimate.triangles) / 2;
   const double held = static_cast<double>(estimate.memoryBytes) +

@@ -65,7 +65,11 @@ def scenario():
     assert made.Status == envelope.UP_TO_DATE, (made.Status, made.Message)
     assert (made.Accuracy.Value, made.UsedCellSize.Value) == (0.5, 0.25)
     assert 0.4 < made.AccuracyBound.Value <= 0.5, made.AccuracyBound
-    say("accuracy 0.5 mm: bound {:.3f} mm, {} triangles".format(made.AccuracyBound.Value, made.Triangles))
+    say(
+        "accuracy 0.5 mm: bound {:.3f} mm, {} triangles".format(
+            made.AccuracyBound.Value, made.Triangles
+        )
+    )
 
     panel = envelope_panel.show(doc, obj=made)
     panel.by.setObjectName("By")

@@ -21,6 +21,7 @@ STRAIGHT = 0.02
 #: Deflection of solids for the closer estimate, as a fraction of the part's size.
 LOOK_DEFLECTION = 2e-3
 
+
 class Plan:
     """The inputs of an envelope: moving parts, motions, reference part, values of the settings by
     property name.
