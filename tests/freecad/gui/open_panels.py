@@ -128,6 +128,26 @@ def lists(doc):
         yield close()
 
 
+def closed_while_reading(doc):
+    """Parts are read beside the window; a panel that is closed meanwhile is asked no more."""
+    import Mesh
+    from sweptvolume import runner
+    from sweptvolume.panels import clearance_panel
+
+    ball = doc.addObject("Mesh::Feature", "Ball")
+    ball.Mesh, ball.Placement = Mesh.createSphere(20.0, 300), at(90, 0, 0)
+    doc.recompute()
+    panel = clearance_panel.show(doc, pairs=[(doc.Slide, "")], motion_obj=doc.Motion)
+    yield 0.3
+    panel.start()
+    assert panel.run is None and "Reading" in panel.message.text(), panel.message.text()
+    click(panel_button(Close))
+    yield no_panel
+    yield lambda: not runner.running()
+    yield 0.3
+    doc.removeObject("Ball")
+
+
 def spaces(doc):
     """Reserved spaces: also other objects or another required distance than those that were checked."""
     select(doc.Slide, doc.Wall)
@@ -258,7 +278,7 @@ def scenario():
     motion.motion_from_poses(doc, [0, 1], [at(0, 0, 0), at(20, 0, 0)])
     doc.recompute()
     yield
-    for part in (checks, lists, spaces, record, numbers, installation):
+    for part in (checks, lists, closed_while_reading, spaces, record, numbers, installation):
         yield from part(doc)
     App.closeDocument(doc.Name)
 

@@ -54,7 +54,8 @@ class StartPanel:
         return True
 
     def _read(self, again):
-        open_ = widgets.shiboken.isValid(self.form)
+        # A panel that was closed meanwhile loses its labels before its form.
+        open_ = all(map(widgets.shiboken.isValid, (self.form, self.message)))
         if open_ and widgets.alive(self.document) and self.run is None:
             widgets.show_message(self.message, "")
             again()
