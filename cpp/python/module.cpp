@@ -192,6 +192,16 @@ py::dict pyEstimate(const py::object& vertices, const py::object& triangles,
   return result;
 }
 
+py::dict optionsOfAccuracy(double accuracy) {
+  Options options;
+  setAccuracy(options, accuracy);
+  py::dict found;
+  found["cell"] = options.cellSize;
+  found["tolerance"] = options.tolerance;
+  found["chord"] = options.chordTolerance;
+  return found;
+}
+
 py::object pyCheckMesh(const py::object& vertices, const py::object& triangles,
                        const py::object& run) {
   const RunPointer context = runFromObject(run);
@@ -272,6 +282,11 @@ void bindFunctions(py::module_& module) {
   module.def("costs_accuracy", &costsAccuracy, py::arg("code"),
              "costs_accuracy(code: str) -> bool\n\nReturns True if a finding with this code means "
              "that a result is less accurate than requested.");
+  module.def(
+      "options_of_accuracy", &optionsOfAccuracy, py::arg("accuracy"),
+      "options_of_accuracy(accuracy: float) -> dict\n\nReturns the options of compute() that "
+      "an accuracy (mm) stands for: cell (mm), tolerance (mm) and chord (cells). Raises "
+      "InvalidInput unless it is above 0.");
   module.def("check_mesh", &pyCheckMesh, kCheckMeshDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("run") = py::none());
 }

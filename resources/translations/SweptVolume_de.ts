@@ -789,10 +789,6 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Das Teil oder die Bewegung reicht weiter als 1e9 mm vom Ursprung: Prüfen Sie die Längeneinheit.</translation>
     </message>
     <message>
-        <source>The cell is too large for the part: the part is smaller, or thinner everywhere, than one cell. Choose a smaller cell or a higher resolution.</source>
-        <translation>Die Zelle ist zu groß für das Teil: Das Teil ist kleiner als eine Zelle oder überall dünner. Wählen Sie eine kleinere Zelle oder eine höhere Auflösung.</translation>
-    </message>
-    <message>
         <source>A setting is not allowed: the text in brackets names the setting and says what is allowed.</source>
         <translation>Eine Einstellung ist nicht erlaubt: Der Text in Klammern nennt die Einstellung und sagt, was erlaubt ist.</translation>
     </message>
@@ -1303,7 +1299,7 @@ Versucht:
     </message>
     <message>
         <source>There are {0} moving parts but {1} individual motions: give one motion for each part, or none.</source>
-        <extracomment>What an accuracy of 1 mm stands for, as in the core (swept/accuracy.h): mm, mm, cells.</extracomment>
+        <extracomment>Deflection of solids for the closer estimate, as a fraction of the part&apos;s size.</extracomment>
         <translation>Es gibt {0} bewegte Teile, aber {1} einzelne Bewegungen: Geben Sie für jedes Teil eine Bewegung an, oder keine.</translation>
     </message>
     <message>
@@ -1662,7 +1658,7 @@ Versucht:
     </message>
     <message>
         <source>The environment variable SOURCE_DATE_EPOCH is &quot;{0}&quot;, but must be a number of seconds since 1970.</source>
-        <extracomment>Options of subprocess that keep a console window from appearing on Windows.</extracomment>
+        <extracomment>What is still told of an envelope after it was joined: the fields of its Outcome.</extracomment>
         <translation>Die Umgebungsvariable SOURCE_DATE_EPOCH ist „{0}“, muss aber eine Anzahl von Sekunden seit 1970 sein.</translation>
     </message>
     <message>
@@ -3645,6 +3641,10 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>The file gets a new solid, made from the mesh of &quot;{0}&quot;. The stored solid is not used.</source>
         <translation>Die Datei erhält einen neuen Festkörper, der aus dem Netz von „{0}“ entsteht. Der gespeicherte Festkörper wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>The cell is too large for the part: the part is smaller, or thinner everywhere, than one cell. Choose a finer accuracy, a smaller cell or a higher resolution.</source>
+        <translation>Die Zelle ist zu groß für das Teil: Das Teil ist kleiner als eine Zelle oder überall dünner. Wählen Sie eine feinere Genauigkeit, eine kleinere Zelle oder eine höhere Auflösung.</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; is stale: the file gets its last result. To export the present state, recompute it first.</source>

@@ -5,6 +5,7 @@ import base64
 import hashlib
 import http.server
 import os
+import signal
 import sys
 import threading
 import zipfile
@@ -43,6 +44,8 @@ class Index(http.server.ThreadingHTTPServer):
 
     def __init__(self, folder):
         super().__init__(("127.0.0.1", 0), _Handler)
+        # FreeCAD ends at a broken pipe since 1.0: here, when pip is stopped in a download.
+        signal.signal(signal.SIGPIPE, signal.SIG_IGN)
         self.folder, self.asked, self.held = folder, [], threading.Event()
         self.held.set()
         self.daemon_threads = True

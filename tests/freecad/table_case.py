@@ -98,7 +98,13 @@ class Table(Case):
         box = (obj.Mesh if hasattr(obj, "Mesh") else obj.Shape).copy().BoundBox
         numbers = (place.Base.x, place.Base.y, place.Base.z, place.Rotation.Angle)
         numbers += (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax, obj.Volume.Value)
-        told = self.record(obj) if kind_of(obj) == envelope.Envelope.KIND else []
+        told = [obj.Message]
+        if kind_of(obj) == envelope.Envelope.KIND:
+            numbers += (obj.Triangles, obj.Shells)
+            numbers += (obj.UsedCellSize.Value, obj.AccuracyBound.Value)
+            told += self.record(obj)
+        if kind_of(obj) == solid.Solid.KIND:
+            numbers += (obj.Deviation.Value, obj.EdgeTolerance.Value, len(obj.Shape.Faces))
         return [round(n, 4) + 0.0 for n in numbers] + told
 
     def record(self, obj):

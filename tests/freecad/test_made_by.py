@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What made each triangle of an envelope: faces of parts in groups and links, several motions, what is
 kept and what is stored."""
+import json
 import os
 
 import FreeCAD as App
@@ -9,7 +10,7 @@ import Part
 
 from case import Case, V, shift, turn
 from sweptvolume import convert
-from sweptvolume.features import envelope, made_by, motion
+from sweptvolume.features import envelope, kept, made_by, motion
 from sweptvolume.features.made_by import CAP, EDGE, GRAZE
 from sweptvolume.trajectory.poses import at_time
 
@@ -131,6 +132,27 @@ class MadeBy(Case):
             elif middles[t][0] > 11:
                 self.assertEqual(answer.motion, first.Name)
                 self.assertTrue(0 <= answer.time <= 1)
+
+    def test_two_motions_simplified_again(self):
+        """Only the tolerance changes: the record and the report know both motions as before."""
+        one, two = self.box("One"), self.box("Two")
+        two.Placement = shift(0, 5, 0)
+        ways = [self.line(30), motion.motion_from_poses(self.doc, [5, 7], [shift(), shift(z=30)])]
+        obj = self.envelope([one, two], ways[0], MadeBy="Session", Tolerance=0.3)
+        obj.Motions = ways
+        envelope.compute(obj)
+        obj.Tolerance = 0.05
+        self.assertTrue(envelope.can_recut(obj))
+        envelope.compute(obj)
+        again, told = made_by.find(obj), json.loads(obj.Report)
+        kept.drop()
+        envelope.compute(obj)
+        fresh, anew = made_by.find(obj), json.loads(obj.Report)
+        self.assertEqual([p["motion"] for p in again.parts], [m.Name for m in ways])
+        np.testing.assert_array_equal(again.kind, fresh.kind)
+        np.testing.assert_array_equal(again.faces, fresh.faces)
+        for name in ("placements", "warnings", "joined"):
+            self.assertEqual(told[name], anew[name], name)
 
     def test_a_mesh_has_triangles_for_faces(self):
         import Mesh

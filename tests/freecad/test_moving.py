@@ -7,7 +7,7 @@ import numpy as np
 from case import Case, V, shift, turn
 from sweptvolume import convert, core
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import clearance, envelope, motion
+from sweptvolume.features import clearance, envelope, envelope_plan, motion
 
 
 class Moving(Case):
@@ -38,6 +38,27 @@ class Moving(Case):
         up.Placements = [shift(), shift(0, 25)]
         self.doc.recompute()
         self.assertEqual(obj.Status, envelope.STALE)
+
+    def test_an_accuracy_is_shared_by_both_runs(self):
+        """The envelopes are sampled, and then once more when they are joined. No bound is told,
+        since none is known."""
+        one, two = self.box("One"), self.box("Two")
+        ways = self.lines((30, 0, 0), (0, 0, 30))
+        obj = self.envelope([one, two], ways[0], Accuracy=1)
+        self.doc.recompute()
+        plan = envelope_plan.Plan.of(obj)
+        self.assertEqual([r.options["cell"] for r in plan.requests()], [0.5])
+        obj.Motions = ways
+        self.doc.recompute()
+        plan = envelope_plan.Plan.of(obj)
+        cells = [r.options["cell"] for r in plan.requests()]
+        self.assertEqual(cells + [plan.estimate()["cell"]], [0.25] * 3)
+        envelope.compute(obj)
+        self.assertEqual(obj.Status, envelope.UP_TO_DATE)
+        self.assertEqual((obj.UsedCellSize.Value, obj.AccuracyBound.Value), (0.25, 0))
+        points = np.array(obj.Mesh.Topology[0])
+        outside = np.maximum(-points.min(axis=0), points.max(axis=0) - (40, 10, 40)).max()
+        self.assertLess(outside, 1)
 
     def test_every_part_needs_its_motion(self):
         along, up = self.lines((30, 0, 0), (0, 20, 0))

@@ -168,7 +168,7 @@ def outcome_of(found, request=None):
         again = all(w["code"] != "NotSimplified" for w in found.report["warnings"])
     outcome = Outcome(found.report, found.vertices, found.triangles, found.contact_time)
     parts = request.body.parts if request is not None else []
-    outcome.result = (found, parts) if again else None
+    outcome.result = (found, parts, lambda outcome: outcome) if again else None
     return _with_sources(outcome, found, parts)
 
 
@@ -191,12 +191,12 @@ def compute(request, control):
 
 def recut(result, tolerance, control):
     """Simplifies the `result` of an Outcome to another tolerance. Returns an Outcome."""
-    surface, parts = result
+    surface, parts, completed = result
     with errors():
         found = surface.recut(tolerance, run=control.context)
     again = _with_sources(outcome_of(found), found, parts)
-    again.result = found, parts
-    return again
+    again.result = found, parts, completed
+    return completed(again)
 
 
 def has_sources(result):
@@ -213,6 +213,13 @@ def estimate(request, control=None):
     how = {} if control is None else {"trial": True, "run": control.context}
     with errors():
         return module().estimate(*arguments(request), **how, **request.options)
+
+
+def options_of_accuracy(accuracy):
+    """Returns cell (mm), tolerance (mm) and chord (cells) of runs with this accuracy (mm). Raises
+    CoreError."""
+    with errors():
+        return module().options_of_accuracy(accuracy)
 
 
 def drawable(vertices, triangles, most, crease):

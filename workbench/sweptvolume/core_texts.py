@@ -34,7 +34,7 @@ _TEXTS = {
     "CellTooLarge": QT_TRANSLATE_NOOP(
         "SweptVolume",
         "The cell is too large for the part: the part is smaller, or thinner everywhere, than "
-        "one cell. Choose a smaller cell or a higher resolution.",
+        "one cell. Choose a finer accuracy, a smaller cell or a higher resolution.",
     ),
     "BadOption": QT_TRANSLATE_NOOP(
         "SweptVolume",

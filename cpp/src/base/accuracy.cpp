@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/accuracy_text.h"
 #include "base/number_text.h"
 
 namespace swept {
@@ -37,6 +38,10 @@ double accuracyBound(const Report& report) {
   if (grown || report.crossings <= 0) return 0;
   return kDiagonal * report.cellSize + report.chordError + report.positionFilterDistance +
          report.simplificationDeviation;
+}
+
+std::string cellOrAccuracy(double cell) {
+  return textOf(4, cell, " mm (an accuracy of ", cell / kCell, " mm)");
 }
 
 }  // namespace swept

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/accuracy_text.h"
 #include "base/number_text.h"
 #include "base/parallel.h"
 
@@ -121,7 +122,7 @@ GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bod
     throw Error(Status::InvalidInput, "CellTooLarge",
                 "the cell of " + numberText(plan.cell, 4) + " mm is larger than the whole body (" +
                     numberText(bodyBox.sizes().maxCoeff(), 4) + " mm); use at most " +
-                    numberText(bodyBox.sizes().maxCoeff() / 4, 4) + " mm");
+                    cellOrAccuracy(bodyBox.sizes().maxCoeff() / 4));
   }
   const double farthest =
       std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
@@ -142,7 +143,7 @@ GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bod
                   "the grid would have " + numberText(cells, 4) +
                       " cells along one side, but the limit is " +
                       std::to_string(kMaxPointsPerSide - 1) + "; the smallest cell that fits is " +
-                      numberText(box.sizes().maxCoeff() / (kMaxPointsPerSide - 4), 4) + " mm");
+                      cellOrAccuracy(box.sizes().maxCoeff() / (kMaxPointsPerSide - 4)));
     }
     plan.points[axis] = static_cast<std::int32_t>(cells) + 1;
     const double spare = cells - box.sizes()[axis] / plan.cell;

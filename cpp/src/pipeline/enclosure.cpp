@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/accuracy_text.h"
 #include "base/number_text.h"
 #include "check/mesh_check.h"
 
@@ -51,7 +52,7 @@ double meanThickness(const CheckedBody& body, RunContext& run) {
   if (thickness > 0)
     text += textOf(3, "; the mean thickness of the body is about ", thickness, " mm");
   const double better = thickness > 0 ? std::min(thickness, cell / 2) : cell / 2;
-  text += textOf(3, "; use a smaller cell: try ", better, " mm");
+  text += "; use a smaller cell: try " + cellOrAccuracy(better);
   throw Error(Status::InvalidInput, "CellTooLarge", text);
 }
 

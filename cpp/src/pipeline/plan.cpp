@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "base/accuracy_text.h"
 #include "base/memory.h"
 #include "base/number_text.h"
 #include "geometry/mesh_parts.h"
@@ -200,11 +201,12 @@ void requireMemory(const Estimate& e, const RunContext& run) {
   if (fitsMemory(e, run)) return;
   const std::uint64_t limit = memoryLimit(run);
   const double ratio = std::sqrt(static_cast<double>(e.memoryBytes) / static_cast<double>(limit));
-  throw Error(Status::ResourceLimit, "ResourceLimit",
-              textOf(4, "the run would need about ", e.memoryBytes / 1'000'000,
-                     " MB for a grid of ", e.grid[0], " x ", e.grid[1], " x ", e.grid[2],
-                     " cells, but the limit is ", limit / 1'000'000,
-                     " MB; the smallest cell that fits is about ", e.cellSize * ratio, " mm"));
+  throw Error(
+      Status::ResourceLimit, "ResourceLimit",
+      textOf(4, "the run would need about ", e.memoryBytes / 1'000'000, " MB for a grid of ",
+             e.grid[0], " x ", e.grid[1], " x ", e.grid[2], " cells, but the limit is ",
+             limit / 1'000'000, " MB; the smallest cell that fits is about ",
+             cellOrAccuracy(e.cellSize * ratio)));
 }
 
 namespace {

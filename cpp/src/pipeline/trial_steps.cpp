@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -21,11 +22,25 @@ namespace {
 /// of the surface (contouring).
 constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1.5e-6, kCrossingSeconds = 3e-6;
 
+/// Returns the seconds that simplification takes. The finer the tolerance, the more often the
+/// distance from the surface is measured: measured on machined parts and scans with tolerances of
+/// 0.05 to 2 cells, 2.3 to 34 microseconds of CPU per triangle. A fifth of it is not parallel.
+double simplifySeconds(double triangles, double cell, const Options& options, double threads) {
+  if (!(options.tolerance > 0)) return 0;
+  const double cells = std::clamp(options.tolerance / cell, 0.02, 10.0);
+  return triangles * 2e-6 * (1 + std::pow(cells, -0.78)) * (0.2 + 0.8 / threads);
+}
+
 }  // namespace
 
 Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const BodyTopology& topology,
                          const BodyCost& body, const Options& options, RunContext& run) {
-  if (options.offset > 0 || options.conservative) return estimate;
+  Estimate better = estimate;
+  if (options.offset > 0 || options.conservative) {
+    better.seconds += simplifySeconds(static_cast<double>(estimate.triangles), p.grid.cell, options,
+                                      threadsOf(run));
+    return better;
+  }
   const FaceClusters clusters = buildClusters(p.body.mesh, topology);
   const SamplerInput input{p.body.mesh,       topology,  p.motion, p.grid,  options.cull,
                            p.body.orientable, &clusters, nullptr,  nullptr, !options.keepCavities};
@@ -56,10 +71,10 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
     bytes = trial.bytesOf(whole.cost, surface.crossings, threads);
   };
   tbb::task_arena(1).execute(look);
-  Estimate better = estimate;
   better.triangles = static_cast<std::int64_t>(2 * surface.crossings);
-  better.seconds =
-      seconds + (surface.crossings * kCrossingSeconds + surface.probes.seconds) / threads;
+  better.seconds = seconds +
+                   (surface.crossings * kCrossingSeconds + surface.probes.seconds) / threads +
+                   simplifySeconds(2 * surface.crossings, p.grid.cell, options, threads);
   // The memory for checking the body is free again when sampling begins.
   const double byBox = static_cast<double>(estimate.triangles) / 2;
   const double held = static_cast<double>(estimate.memoryBytes) +

@@ -121,7 +121,8 @@ def scenario():
     yield lambda: not runner.running()
     yield 0.3
     text = "Die Zelle ist zu groß für das Teil: Das Teil ist kleiner als eine Zelle oder überall "
-    text += "dünner. Wählen Sie eine kleinere Zelle oder eine höhere Auflösung. (the cell"
+    text += "dünner. Wählen Sie eine feinere Genauigkeit, eine kleinere Zelle oder eine höhere "
+    text += "Auflösung. (the cell"
     assert hull.Message.startswith(text), hull.Message
     assert any(text in line for line in texts_of_panel())
     shot("70_german_refusal")

@@ -11,6 +11,7 @@ from driver import (  # noqa: E402
     Gui,
     Ok,
     QtCore,
+    QtGui,
     QtWidgets,
     click,
     find,
@@ -71,8 +72,13 @@ def scenario():
     doc.commitTransaction()
     path.ViewObject.Visibility = False
     undo = list(doc.UndoNames)
+    # Keys that a user chose in FreeCAD's preferences count as well.
+    own = QtGui.QKeySequence("Ctrl+Alt+R")
+    for action in widgets.actions_of("Std_Redo"):
+        action.setShortcuts(action.shortcuts() + [own])
     panel = motion_panel.show(doc, path, (box, ""))
     yield 0.5
+    assert own in [k.key() for k in panel.undo_keys.keys]
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     table.item(1, 1).setText("40")
     table.setCurrentCell(1, 1)

@@ -83,6 +83,71 @@ def checks(doc):
         yield close()
 
 
+def lists(doc):
+    """Clearance and mechanism list the neighbours that there are now; a rule that is being typed stays."""
+    from sweptvolume.panels import clearance_panel, mechanism_panel
+
+    part = [(doc.Slide, "")]
+    for panel, rules in (
+        (clearance_panel.show(doc, pairs=part, motion_obj=doc.Motion), "SweptVolumeRules"),
+        (mechanism_panel, "SweptVolumePairRules"),
+    ):
+        if panel is mechanism_panel:
+            panel = mechanism_panel.show(doc, pairs=part, motions=[doc.Motion])
+            panel.all.setChecked(True)
+        yield 0.3
+        table = find(QtWidgets.QTableWidget, rules)
+
+        def told(*names):
+            rows = [table.item(row, 0).text() for row in range(table.rowCount())]
+            return len(rows) == len(names) and all(
+                name in text and any(name in row for row in rows)
+                for name, text in zip(names, [panel.chosen.text()] * len(names))
+            )
+
+        assert told("Wall"), panel.chosen.text()
+        doc.Wall.ViewObject.Visibility = False
+        yield lambda: told()
+        doc.Wall.ViewObject.Visibility = True
+        yield lambda: told("Wall")
+        table.item(0, 1).setText("3")
+        add_box(doc, "Post", (5, 5, 5), (90, 0, 0))
+        doc.recompute()
+        yield lambda: told("Wall", "Post")
+        assert sorted(table.item(row, 1).text() for row in range(2))[1].startswith("3")
+        cell = table.item(0, 1)
+        doc.Slide.Placement = doc.Slide.Placement
+        doc.recompute()
+        yield 0.2
+        assert table.item(0, 1) is cell  # nothing new to list
+        select(doc.Post)
+        click(panel.take)
+        yield lambda: told("Post")
+        doc.removeObject("Post")
+        yield lambda: told()
+        yield close()
+
+
+def closed_while_reading(doc):
+    """Parts are read beside the window; a panel that is closed meanwhile is asked no more."""
+    import Mesh
+    from sweptvolume import runner
+    from sweptvolume.panels import clearance_panel
+
+    ball = doc.addObject("Mesh::Feature", "Ball")
+    ball.Mesh, ball.Placement = Mesh.createSphere(20.0, 300), at(90, 0, 0)
+    doc.recompute()
+    panel = clearance_panel.show(doc, pairs=[(doc.Slide, "")], motion_obj=doc.Motion)
+    yield 0.3
+    panel.start()
+    assert panel.run is None and "Reading" in panel.message.text(), panel.message.text()
+    click(panel_button(Close))
+    yield no_panel
+    yield lambda: not runner.running()
+    yield 0.3
+    doc.removeObject("Ball")
+
+
 def spaces(doc):
     """Reserved spaces: also other objects or another required distance than those that were checked."""
     select(doc.Slide, doc.Wall)
@@ -213,7 +278,7 @@ def scenario():
     motion.motion_from_poses(doc, [0, 1], [at(0, 0, 0), at(20, 0, 0)])
     doc.recompute()
     yield
-    for part in (checks, spaces, record, numbers, installation):
+    for part in (checks, lists, closed_while_reading, spaces, record, numbers, installation):
         yield from part(doc)
     App.closeDocument(doc.Name)
 

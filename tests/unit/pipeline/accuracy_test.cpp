@@ -54,5 +54,16 @@ TEST(Accuracy, RefusesWhatIsNotAbove0) {
   }
 }
 
+TEST(Accuracy, RefusalsNameTheAccuracyThatFits) {
+  const Report coarse = boxWithin(30).report;
+  EXPECT_EQ(coarse.code, "CellTooLarge");
+  EXPECT_NE(coarse.message.find("at most 2 mm (an accuracy of 4 mm)"), std::string::npos)
+      << coarse.message;
+  EXPECT_EQ(boxWithin(4).report.status, Status::Ok);
+  const Report fine = boxWithin(1e-4).report;
+  EXPECT_EQ(fine.code, "ResourceLimit");
+  EXPECT_NE(fine.message.find(" mm (an accuracy of "), std::string::npos) << fine.message;
+}
+
 }  // namespace
 }  // namespace swept::test

@@ -130,6 +130,27 @@ TEST(TrialSteps, TheSurfaceIsGuessedFromTheSweepAndNotFromItsBox) {
   }
 }
 
+// Simplification takes most of the time where there is a tolerance: the finer, the longer.
+TEST(TrialSteps, SimplificationIsCounted) {
+  Trajectory path;
+  path.poses = {{}, {1, Eigen::Quaterniond::Identity(), {9, 4, 3}}};
+  const TriMesh body = makeBall({0, 0, 0}, 2, 3);
+  for (const double offset : {0.0, 0.5}) {
+    Options options;
+    options.cellSize = 0.1;
+    options.offset = offset;
+    RunContext run;
+    double before = estimateByTrial(body, path, options, run).seconds;
+    for (const double cells : {2.0, 0.5, 0.05}) {
+      options.tolerance = cells * options.cellSize;
+      const Estimate found = estimateByTrial(body, path, options, run);
+      const double least = 2e-6 * static_cast<double>(found.triangles) / 4;  // of 64 threads
+      EXPECT_GT(found.seconds, before + 0.1 * least) << cells;
+      before = found.seconds;
+    }
+  }
+}
+
 // A heavy body along few steps (all of them, with some clusters), a light one along many (windows),
 // and one that is sampled whole.
 TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {

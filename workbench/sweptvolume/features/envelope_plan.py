@@ -22,11 +22,6 @@ STRAIGHT = 0.02
 LOOK_DEFLECTION = 2e-3
 
 
-#: What an accuracy of 1 mm stands for, as in the core (swept/accuracy.h): mm, mm, cells.
-OF_ACCURACY = {"cell": 0.5, "tolerance": 0.1}
-CHORD_OF_ACCURACY = 0.04
-
-
 class Plan:
     """The inputs of an envelope: moving parts, motions, reference part, values of the settings by
     property name.
@@ -105,10 +100,18 @@ class Plan:
         reference = (self.reference, self.reference_motion)
         motions = self.motions or [self.motion] * len(self.pairs)
         groups = grouped(self.pairs, motions, *reference)
+        if len(groups) > 1 and self.values["KeepCavities"]:
+            raise InputProblem(
+                translate(
+                    "SweptVolume",
+                    "Cavities cannot be kept if parts have individual motions: clear Keep "
+                    "cavities, or create one envelope for each motion.",
+                )
+            )
         return groups or [Moving([], self.motion, *reference)]
 
-    def options(self):
-        """Returns the settings in the form of the core."""
+    def _settings(self):
+        """Returns the settings by the names of the core, which need not be there."""
         v = self.values
         found = {
             "resolution": int(v["Resolution"]),
@@ -123,8 +126,16 @@ class Plan:
             "sources": self.records(),
         }
         if v["Accuracy"] > 0:
-            found.update({name: v["Accuracy"] * part for name, part in OF_ACCURACY.items()})
-            found["chord"] = CHORD_OF_ACCURACY
+            found.update(accuracy=float(v["Accuracy"]), resolution=0, cell=0.0, tolerance=0.0)
+        return found
+
+    def options(self):
+        """Returns the settings in the form of the core. Raises CoreError, CoreMissing."""
+        found = self._settings()
+        if "accuracy" in found:
+            # Joining samples the envelopes of several groups again: each time half of it is lost.
+            accuracy = found.pop("accuracy") / (1 if len(self.groups()) == 1 else 2)
+            found.update(core.options_of_accuracy(accuracy))
         return found
 
     def records(self):
@@ -154,7 +165,7 @@ class Plan:
         return self._hash([word for group in self.groups() for word in group.words_of_before()])
 
     def _hash(self, inputs, without=()):
-        options = self.options()
+        options = self._settings()
         # The surface depends neither on the backend nor on the recording of sources.
         for name in ("backend", "sources") + tuple(without):
             del options[name]
@@ -188,14 +199,6 @@ class Plan:
             self.estimate()
         if len(groups) > 1:
             options.update(cell=cell, tolerance=0.0)
-            if options["keep_cavities"]:
-                raise InputProblem(
-                    translate(
-                        "SweptVolume",
-                        "Cavities cannot be kept if parts have individual motions: clear Keep "
-                        "cavities, or create one envelope for each motion.",
-                    )
-                )
         deflection = max(max(self.values["MeshDeflection"], 1e-3) * cell, finest)
         return [g.body_request(deflection, STRAIGHT * cell, options, read) for g in groups]
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Task panel of a clearance check: inputs, run, table, graph, colours, export. Writes nothing to
 the document before a run has succeeded."""
+import contextlib
+
 import FreeCADGui as Gui
 
 from ..convert import InputProblem, label_of
@@ -29,7 +31,7 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.document = document
         self.obj = obj
         self.run, self.hidden = None, None  # hidden: the envelope under its colours
-        self.rules = {}
+        self.rules, self.listed = {}, None
         values, all_visible = DEFAULTS, not neighbours
         if obj is not None:
             plan = clearance.Plan.of(obj)
@@ -144,16 +146,22 @@ class ClearancePanel(CheckRun, ResultPanel):
         plan.rules = neighbour_rules.merged(self.rules, self.asked.pairs, self.asked.rules())
         return plan
 
+    def renew_inputs(self):
+        if self.pairs and not all(widgets.alive(root) for root, _ in self.pairs):
+            self.pairs = []
+        self.neighbours = [pair for pair in self.neighbours if widgets.alive(pair[0])]
+        self._show_neighbours()
+
     @guard.told
     def _show_neighbours(self):
         try:
             found = self.plan().leaves()
         except (InputProblem, RuntimeError) as problem:
             self.chosen.setText(str(problem))
+            self._list([], [])
             return
         names = [label_of(*pair) for pair in found]
-        new = [pair for pair in found if pair not in self.asked.pairs]
-        self.asked.show_pairs(found, {p: neighbour_rules.of(self.rules, *p) for p in new})
+        self._list(found, names)
         more = "" if len(names) <= 6 else " ..."
         text = translate("SweptVolume", "{0} neighbours: {1}")
         self.chosen.setText(text.format(len(names), ", ".join(names[:6]) + more))
@@ -161,6 +169,16 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.moving.setText(", ".join(label_of(*p) for p in self.plan().pairs) or "-")
         self.path.setEnabled(own)
         self.moving.setEnabled(own)
+
+    def _list(self, found, names):
+        """Shows the rules of these neighbours. Rules of others are kept for when they come back."""
+        if (found, names) == self.listed:  # a rule may just be edited
+            return
+        with contextlib.suppress(InputProblem):  # of a rule that cannot be read
+            self.rules = neighbour_rules.merged(self.rules, self.asked.pairs, self.asked.rules())
+        new = [pair for pair in found if pair not in self.asked.pairs]
+        self.asked.show_pairs(found, {p: neighbour_rules.of(self.rules, *p) for p in new})
+        self.listed = found, names
 
     # --- run
 

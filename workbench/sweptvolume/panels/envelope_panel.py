@@ -227,7 +227,11 @@ class EnvelopePanel(StartPanel):
             self.backend.currentIndexChanged,
             self.accuracy.valueChanged,
             self.cell.valueChanged,
+            self.tolerance.valueChanged,
             self.offset.valueChanged,
+            self.conservative.toggled,
+            self.cavities.toggled,
+            self.filter.valueChanged,
         ):
             signal.connect(self._changed)
         self._show_quality()

@@ -100,8 +100,11 @@ def _is_quantity(field):
 def _counts_as(field):
     if not _is_quantity(field):
         return field.value()
-    unit = App.Units.Quantity("1 " + (field.property("unit") or "mm")).Unit
-    return App.Units.Quantity(field.property("rawValue"), unit).UserString
+    return App.Units.Quantity(field.property("rawValue"), _unit_of(field)).UserString
+
+
+def _unit_of(field):
+    return App.Units.Quantity("1 " + (field.property("unit") or "mm")).Unit
 
 
 def _understood(field, text):
@@ -116,8 +119,10 @@ def _understood(field, text):
     except ValueError:
         pass
     try:
-        typed = App.Units.Quantity(plain).Value
+        quantity = App.Units.Quantity(plain)
     except (ValueError, ArithmeticError, SyntaxError):
         return False
-    raw = float(field.property("rawValue"))
+    if quantity.Unit not in (_unit_of(field), App.Units.Unit()):
+        return False  # FreeCAD 1.0 takes "5 kg" for 5 mm
+    typed, raw = quantity.Value, float(field.property("rawValue"))
     return abs(typed - raw) <= AGREES * max(abs(typed), abs(raw), 1e-9)

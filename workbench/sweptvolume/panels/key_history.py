@@ -62,12 +62,15 @@ class UndoKeys(QtCore.QObject):
         super().__init__(window)
         self.taken, self.keys, self.hidden, self.ours = [], [], [], {}
         for name, back in (("Std_Undo", True), ("Std_Redo", False)):
+            standard = QtGui.QKeySequence.Undo if back else QtGui.QKeySequence.Redo
+            sequences = QtGui.QKeySequence.keyBindings(standard)
             for action in actions_of(name):
                 self.taken.append((action, action.shortcuts()))
+                # Users may have chosen other keys in FreeCAD's preferences.
+                sequences += [s for s in action.shortcuts() if s not in sequences]
                 action.setShortcuts([])
             self._replace(name, back, step)
-            standard = QtGui.QKeySequence.Undo if back else QtGui.QKeySequence.Redo
-            for sequence in QtGui.QKeySequence.keyBindings(standard):
+            for sequence in sequences:
                 key = _Shortcut(sequence, window)
                 key.setContext(QtCore.Qt.ApplicationShortcut)
                 key.activated.connect(lambda back=back: step(back))

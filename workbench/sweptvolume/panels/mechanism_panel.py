@@ -29,6 +29,7 @@ class MechanismPanel(CheckRun, ResultPanel):
     def __init__(self, document, pairs=(), motions=(), obj=None):
         self.document, self.obj, self.run, self.report = document, obj, None, None
         self.rules, self.neighbours, all_visible, values = {}, [], False, DEFAULTS
+        self.listed = None
         if obj is not None:
             plan = mechanism.Plan.of(obj)
             pairs, motions, self.neighbours = plan.pairs, plan.motions, plan.neighbours
@@ -123,6 +124,10 @@ class MechanismPanel(CheckRun, ResultPanel):
         plan.pair_rules = pair_rules.merged(self.rules, self.asked.pairs, self.asked.rules())
         return plan
 
+    def renew_inputs(self):
+        self.neighbours = [pair for pair in self.neighbours if widgets.alive(pair[0])]
+        self.show_inputs()
+
     @guard.told
     def show_inputs(self):
         """Shows the parts that stand still, and the pairs with their rules."""
@@ -137,7 +142,11 @@ class MechanismPanel(CheckRun, ResultPanel):
         text = translate("SweptVolume", "{0} neighbours that stand still: {1}")
         self.chosen.setText(text.format(len(names), (", ".join(names[:6]) or "-") + more))
         new = [pair for pair in pairs if pair not in self.asked.pairs]
-        self.asked.show_pairs(pairs, {p: pair_rules.of(self.rules, *p) for p in new})
+        listed = pairs, [pair_rules.label_of(pair) for pair in pairs]
+        if listed != self.listed:  # otherwise a rule may just be edited
+            self.rules = plan.pair_rules  # those of parts that are hidden now are kept
+            self.asked.show_pairs(pairs, {p: pair_rules.of(self.rules, *p) for p in new})
+            self.listed = listed
 
     def _listed(self, plan):
         """Returns the pairs that the table lists."""

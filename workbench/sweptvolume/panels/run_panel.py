@@ -54,7 +54,8 @@ class StartPanel:
         return True
 
     def _read(self, again):
-        open_ = widgets.shiboken.isValid(self.form)
+        # A panel that was closed meanwhile loses its labels before its form.
+        open_ = all(map(widgets.shiboken.isValid, (self.form, self.message)))
         if open_ and widgets.alive(self.document) and self.run is None:
             widgets.show_message(self.message, "")
             again()
@@ -94,7 +95,10 @@ class StayingPanel(StartPanel):
 
     @guard.told
     def _look_again(self):
-        if self.run is not None or self.obj is None:  # a run shows its result itself
+        if self.run is not None:  # a run shows its result itself
+            return
+        self.renew_inputs()
+        if self.obj is None:
             return
         if not widgets.alive(self.obj):
             self.lost()
@@ -102,6 +106,9 @@ class StayingPanel(StartPanel):
         elif self._state() == self._noted:
             return
         self.show_result()
+
+    def renew_inputs(self):
+        """Called after changes of the document. Subclasses update what they list of it."""
 
     def lost(self):
         """Called when the object was deleted while the panel shows it, for example by Undo."""

@@ -187,8 +187,8 @@ def to_first_field(form):
 
 
 class DocumentWatch:
-    """Calls gone() soon after a document was closed, and changed() soon after states or names in it
-    may have changed, until stop() is called."""
+    """Calls gone() soon after a document was closed, and changed() soon after objects came or went,
+    or states, names or what is visible may have changed, until stop() is called."""
 
     def __init__(self, document, gone, changed=None):
         self.name, self.gone, self.changed, self._waits = document.Name, gone, changed, False
@@ -204,11 +204,13 @@ class DocumentWatch:
             self.gone()
 
     def slotChangedObject(self, obj, name):  # noqa: N802
-        if name in ("Status", "Message", "Label"):
+        if name in ("Status", "Message", "Label", "Visibility", "VisibilityList"):
             self.slotRecomputedDocument(obj.Document)
 
-    def slotDeletedObject(self, obj):  # noqa: N802
+    def slotCreatedObject(self, obj):  # noqa: N802
         self.slotRecomputedDocument(obj.Document)
+
+    slotDeletedObject = slotCreatedObject
 
     def slotRecomputedDocument(self, document):  # noqa: N802
         if self.changed is not None and not self._waits and document.Name == self.name:
