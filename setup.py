@@ -5,7 +5,8 @@
 
 CMake does the build; the wheel needs the system libraries that README.md names (TBB, OpenMesh, FCL)
 where it is installed, and numpy. `.ci/wheel` makes wheels that need no library but the C library. CMAKE_ARGS
-in the environment is handed on to CMake.
+in the environment is handed on to CMake. If SWEPT_MODULE in the environment names a compiled module,
+nothing is built: it goes into the wheel as it is (.ci/foreign-wheel).
 """
 import os
 import pathlib
@@ -20,10 +21,19 @@ from setuptools.command.build_ext import build_ext
 
 ROOT = pathlib.Path(__file__).resolve().parent
 (ROOT / "build-wheel").mkdir(exist_ok=True)
+MODULE = os.environ.get("SWEPT_MODULE")
 
 
 class CMakeBuild(build_ext):
+    def get_ext_filename(self, name):
+        return pathlib.Path(MODULE).name if MODULE else super().get_ext_filename(name)
+
     def build_extension(self, extension):
+        target = pathlib.Path(self.get_ext_fullpath(extension.name))
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if MODULE:
+            target.write_bytes(pathlib.Path(MODULE).read_bytes())
+            return
         folder = ROOT / "build-wheel"
         # The libraries of the core are the same for every Python: only the module is built again.
         fresh = "-U *[Pp]ython* -U *PYTHON*"  # what CMake remembers of another Python
@@ -36,8 +46,6 @@ class CMakeBuild(build_ext):
             cwd=ROOT,
         )
         subprocess.check_call(["cmake", "--build", str(folder), "--target", "_swept"])
-        target = pathlib.Path(self.get_ext_fullpath(extension.name))
-        target.parent.mkdir(parents=True, exist_ok=True)
         target.write_bytes((folder / "python" / target.name).read_bytes())
 
 

@@ -21,7 +21,12 @@ foreach(tool cc c++ ar ranlib rc)
     string(APPEND words " -target ${SWEPT_ZIG_TARGET} -g0")
   endif()
   if(NOT EXISTS ${tools}/${tool})
-    file(WRITE ${tools}/${tool} "#!/bin/sh\nexec '${SWEPT_ZIG_PYTHON}' -m ziglang ${words} \"$@\"\n")
+    if(NOT zig_version)  # in the text of the script, so that a compiler cache sees when it changes
+      execute_process(COMMAND ${SWEPT_ZIG_PYTHON} -m ziglang version OUTPUT_VARIABLE zig_version
+        OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    endif()
+    file(WRITE ${tools}/${tool} "#!/bin/sh\n# zig ${zig_version}\n"
+      "exec '${SWEPT_ZIG_PYTHON}' -m ziglang ${words} \"$@\"\n")
     file(CHMOD ${tools}/${tool} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
   endif()
 endforeach()

@@ -3,7 +3,6 @@
 import Part
 
 from case import Case, V, shift
-from sweptvolume import core
 from sweptvolume.features import clearance, envelope, neighbour_rules, solid
 from sweptvolume.features.neighbour_rules import CONTACT, Rule
 
@@ -62,8 +61,7 @@ class Scene(Case):
             self.doc, MovingParts=[(self.part, "")], Motion=self.path
         )
         self.doc.recompute()
-        if core.has_solids():
-            solid.compute(self.body)
+        solid.compute(self.body)
         clearance.compute(self.check)
         self.doc.recompute()
         self.assert_states(envelope.UP_TO_DATE, envelope.UP_TO_DATE, envelope.UP_TO_DATE)
@@ -72,7 +70,4 @@ class Scene(Case):
         return self.swept.Status, self.body.Status, self.check.Status
 
     def assert_states(self, *wanted):
-        found = self.states()
-        if not core.has_solids():
-            found, wanted = found[::2], wanted[::2]
-        self.assertEqual(found, wanted)
+        self.assertEqual(self.states(), wanted)

@@ -64,8 +64,7 @@ class Table(Case):
     CHANGES = {}
 
     def results(self):
-        found = [o for o in self.doc.Objects if kind_of(o) and "InputHash" in o.PropertiesList]
-        return [o for o in found if core.has_solids() or kind_of(o) != solid.Solid.KIND]
+        return [o for o in self.doc.Objects if kind_of(o) and "InputHash" in o.PropertiesList]
 
     def content(self, obj):
         """What a result shows people, in numbers; None where a run is refused."""

@@ -8,7 +8,6 @@ import FreeCAD as App
 
 from case import Case, V, shift, turn
 from scene_case import Scene, plate
-from sweptvolume import core
 from sweptvolume.features import clearance, envelope, motion, solid
 
 
@@ -20,8 +19,7 @@ class Saved(Scene):
         self.check.RequiredDistance, self.check.MeshDeflection = 100 * third, third
         self.doc.recompute()
         envelope.compute(self.swept)
-        if core.has_solids():
-            solid.compute(self.body)
+        solid.compute(self.body)
         clearance.compute(self.check)
         self.doc.recompute()
         self.assert_states(*[envelope.UP_TO_DATE] * 3)
@@ -48,8 +46,7 @@ class OfBefore(Scene):
             for name in ("Placed", "Missing", "Seen"):
                 if name in obj.PropertiesList:
                     obj.removeProperty(name)
-            if obj is not self.body or core.has_solids():
-                obj.InputHash = text
+            obj.InputHash = text
         self.body.removeProperty("TriedHash")
         for obj, _ in before:
             obj.purgeTouched()

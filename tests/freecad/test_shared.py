@@ -40,8 +40,6 @@ class Shared(Case):
 
     def test_a_solid_of_what_is_shared(self):
         """Make solid takes a shared volume; the solid is stale when the volume is another one."""
-        if not core.has_solids():
-            self.skipTest("built without OpenCASCADE")
         left, right = self.sides(5)
         obj = self.make([left], [right])
         shared.compute(obj)
@@ -60,8 +58,6 @@ class Shared(Case):
 
     def test_flush_solids_share_a_clean_solid(self):
         """Where faces lie on each other the mesh has triangles without area; its solid has none of them."""
-        if not core.has_solids():
-            self.skipTest("built without OpenCASCADE")
         leaning = turn(30, V(1, 2, 3))
         for k, (by, faces, volume) in enumerate((((5, 0, 0), 6, 500), ((5, 4, 0), 6, 300))):
             left, right = self.box("Flush{}".format(k)), self.box("Beside{}".format(k))

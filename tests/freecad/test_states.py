@@ -8,7 +8,6 @@ import FreeCAD as App
 import Part
 
 from case import Case, V, shift, turn
-from sweptvolume import core
 from sweptvolume.features import clearance, envelope, motion, solid
 from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE
 from table_case import Table, add_box, changes, put_into, rows
@@ -361,8 +360,7 @@ class States(Table):
         doc.recompute()
         for obj in (doc.Envelope, second):
             envelope.compute(obj)
-        if core.has_solids():
-            solid.compute(doc.EnvelopeSolid)
+        solid.compute(doc.EnvelopeSolid)
         clearance.compute(doc.Clearance)
         doc.recompute()
 

@@ -93,10 +93,9 @@ class Placed(Scene):
         group.addObject(self.body)
         self.doc.recompute()
         self.assertEqual(self.body.Status, envelope.STALE)
-        if core.has_solids():
-            solid.compute(self.body)
-            self.assertEqual(self.body.Status, envelope.UP_TO_DATE)
-            self.assert_placement(self.body.getGlobalPlacement(), App.Placement(), 1e-9)
+        solid.compute(self.body)
+        self.assertEqual(self.body.Status, envelope.UP_TO_DATE)
+        self.assert_placement(self.body.getGlobalPlacement(), App.Placement(), 1e-9)
 
     def test_a_solid_of_an_envelope_with_another_resolution(self):
         self.swept.Resolution = 20
@@ -126,8 +125,6 @@ class Edges(Case):
     NEEDS_CORE = True
 
     def test_the_largest_edge_tolerance_is_reported(self):
-        if not core.has_solids():
-            self.skipTest("the core was built without OpenCASCADE")
         ball = self.doc.addObject("Part::Sphere", "Ball")
         path = motion.motion_from_poses(
             self.doc, [0, 1], [shift(), turn(70, V(1, 2, 3), V(30, 5, 0))]
@@ -149,8 +146,6 @@ class Edges(Case):
         self.assertIn("deviates from the envelope by 0.5 mm; its Tolerance is 0.3 mm", body.Message)
 
     def test_a_solid_that_was_simplified_by_itself_says_so(self):
-        if not core.has_solids():
-            self.skipTest("the core was built without OpenCASCADE")
         ball = self.doc.addObject("Part::Sphere", "Ball")
         path = motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(10)])
         obj = self.envelope([ball], path, Resolution=24)

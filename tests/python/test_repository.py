@@ -104,6 +104,8 @@ def test_what_is_allowed_is_not_found(rules, tmp_path, path, line):
         ("cpp/src/base/memory.cpp", "#include <sys/resource.h>"),
         ("cpp/src/base/memory.cpp", '  open("/proc/self/statm", 0);'),
         ("cpp/python/a.cpp", "#ifdef _WIN32"),
+        ("cpp/src/solid/a.cpp", "gmtime_r(&now, &utc);"),
+        ("cpp/src/base/timer.h", "::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);"),
         ("cpp/tools/swept/a.cpp", "std::signal(SIGPIPE, SIG_IGN);"),
         ("tests/unit/base/a_test.cpp", "const int own = getpid();"),
         ("tests/support/shapes.cpp", "#include <dlfcn.h>"),

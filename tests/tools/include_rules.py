@@ -102,7 +102,8 @@ SYSTEM_HEADERS = re.compile(
 )
 SYSTEM_WORDS = re.compile(
     r'"/(dev|proc)/|\b_WIN32\b|\b__linux__\b|\b__APPLE__\b|\b__GLIBC__\b|'
-    r"\b(SIGHUP|SIGPIPE|SIGXFSZ|SIGKILL|SIGUSR[12]|sigaction|getpid|fileno|isatty|setenv|mkstemp)\b"
+    r"\b(SIGHUP|SIGPIPE|SIGXFSZ|SIGKILL|SIGUSR[12]|sigaction|getpid|fileno|isatty|setenv|mkstemp|"
+    r"gmtime_r|localtime_r|clock_gettime|strtok_r|nanosleep)\b"
 )
 # Tests may name files that only some systems have, and then skip.
 MAY_NAME_DEVICES = "tests/"

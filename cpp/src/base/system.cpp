@@ -12,12 +12,14 @@
 #include <system_error>
 
 #include "base/safe_file.h"
+#include "base/timer.h"
 
 #ifndef _WIN32
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 #endif
 #ifdef __GLIBC__
@@ -30,6 +32,14 @@
 #include <mach-o/dyld.h>
 #include <mach/mach.h>
 #include <pthread/qos.h>
+#endif
+
+#ifndef _WIN32
+double swept::threadSeconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 #endif
 
 namespace swept::os {

@@ -16,6 +16,18 @@
 
 #include "base/safe_file.h"
 #include "base/system.h"
+#include "base/timer.h"
+
+double swept::threadSeconds() {
+  constexpr double kUnit = 1e-7;  // of a FILETIME, in seconds
+  const auto seconds = [](const FILETIME& time) {
+    return kUnit *
+           static_cast<double>((std::uint64_t{time.dwHighDateTime} << 32U) | time.dwLowDateTime);
+  };
+  FILETIME begun{}, ended{}, kernel{}, user{};
+  GetThreadTimes(GetCurrentThread(), &begun, &ended, &kernel, &user);
+  return seconds(kernel) + seconds(user);
+}
 
 namespace swept::os {
 namespace {

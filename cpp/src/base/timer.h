@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <time.h>
-
 #include <chrono>
 
 namespace swept {
@@ -25,11 +23,8 @@ class Timer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), lap_ = start_;
 };
 
-/// Returns the processor time of the calling thread, in seconds.
-inline double threadSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+/// Returns the processor time of the calling thread, in seconds. Defined in base/system.cpp and
+/// base/system_windows.cpp.
+double threadSeconds();
 
 }  // namespace swept

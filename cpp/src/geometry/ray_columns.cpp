@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "geometry/exact_predicates.h"
 
 namespace swept {
 namespace {
@@ -22,10 +23,7 @@ int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double 
   if (aboveA == aboveB) return 0;
   const Eigen::Vector3d& low = aboveB ? a : b;
   const Eigen::Vector3d& high = aboveB ? b : a;
-  const long double side =
-      (static_cast<long double>(high.y()) - low.y()) * (static_cast<long double>(z) - low.z()) -
-      (static_cast<long double>(high.z()) - low.z()) * (static_cast<long double>(y) - low.y());
-  if (!(side > 0)) return 0;
+  if (orientation2d(low, high, {0, y, z}, 1, 2) <= 0) return 0;
   return aboveB ? 1 : -1;
 }
 

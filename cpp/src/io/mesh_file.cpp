@@ -1,8 +1,7 @@
 // Reads and writes mesh files. OpenMesh's reader parses STL, but not into OpenMesh's mesh class
 // (openmesh_bridge.h gives the reason). The project's own code reads and writes all other formats.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <OpenMesh/Core/IO/IOManager.hh>
-#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/IO/reader/STLReader.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 #include <array>
 #include <cmath>
@@ -151,7 +150,8 @@ PolygonList readStl(InputFile& file, const std::string& path) {
   const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // an element has a byte or more
   ListImporter found(path, file.bytes, limit, 4 * limit);
   OpenMeshCall call;
-  if (!OpenMesh::IO::IOManager().read(*file.stream, "stl", found, options)) {
+  // The reader itself: its manager knows no readers if OpenMesh is linked statically.
+  if (!OpenMesh::IO::STLReader().read(*file.stream, found, options)) {
     badFile("'" + path + "' cannot be read: " + call.said());
   }
   return std::move(found.list);

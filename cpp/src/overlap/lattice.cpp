@@ -75,11 +75,11 @@ int Lattice::sideOf(Side side, std::int32_t vertex, const Corners& triangle) con
   return side == Side::Shrunk ? sign : -sign;
 }
 
-long double Lattice::heightOf(Side side, std::int32_t vertex, const Corners& triangle) const {
+double Lattice::heightOf(Side side, std::int32_t vertex, const Corners& triangle) const {
   const Side there = other(side);
   const Whole& a = at(there, triangle[0]);
   const Cross normal = cross(minus(at(there, triangle[1]), a), minus(at(there, triangle[2]), a));
-  return static_cast<long double>(dot(normal, minus(at(side, vertex), a)));
+  return static_cast<double>(dot(normal, minus(at(side, vertex), a)));
 }
 
 int Lattice::turnOf(std::int32_t a0, std::int32_t a1, std::int32_t b0, std::int32_t b1) const {

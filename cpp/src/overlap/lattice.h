@@ -45,7 +45,7 @@ class Lattice {
   int sideOf(Side side, std::int32_t vertex, const Corners& triangle) const;
   /// Returns the signed height of the vertex above the plane of the triangle, times twice the area
   /// of the triangle. The value is rounded, and ignores the symbolic displacement.
-  long double heightOf(Side side, std::int32_t vertex, const Corners& triangle) const;
+  double heightOf(Side side, std::int32_t vertex, const Corners& triangle) const;
   /// Returns the sign of det(a1 - a0, b0 - a0, b1 - a0). The vertices a0 and a1 belong to the
   /// shrunk mesh, b0 and b1 to the fixed mesh. The sign is 0 only if the two edges are parallel.
   int turnOf(std::int32_t a0, std::int32_t a1, std::int32_t b0, std::int32_t b1) const;

@@ -118,10 +118,10 @@ std::vector<Node> findNodes(const Lattice& lattice, Side side, const ClosedMesh&
       const int before = lattice.sideOf(side, edge.from, triangle);
       if (before == 0 || lattice.sideOf(side, edge.to, triangle) != -before) return;
       if (!passesInside(lattice, side, edge, triangle, before)) return;
-      const long double from = lattice.heightOf(side, edge.from, triangle);
-      const long double to = lattice.heightOf(side, edge.to, triangle);
+      const double from = lattice.heightOf(side, edge.from, triangle);
+      const double to = lattice.heightOf(side, edge.to, triangle);
       Node node{static_cast<std::int32_t>(e), t, before > 0};
-      node.share = from == to ? 0.5 : std::clamp(double(from / (from - to)), 0.0, 1.0);
+      node.share = from == to ? 0.5 : std::clamp(from / (from - to), 0.0, 1.0);
       const Eigen::Vector3d &p = mesh.mesh->vertices[edge.from], &q = mesh.mesh->vertices[edge.to];
       node.point = p + node.share * (q - p);
       found.push_back(node);

@@ -43,7 +43,6 @@ def tip(name):
 
 
 def scenario():
-    from sweptvolume import core
     from sweptvolume.features import clearance, envelope, motion, solid
     from sweptvolume.panels import motion_panel
 
@@ -76,11 +75,10 @@ def scenario():
     # Blue and golden, not FreeCAD's grey.
     red, green, blue = colour(hulls[0])
     assert blue > red + 0.3, (red, green, blue)
-    if core.has_solids():
-        body = solid.make_solid(doc, hulls[0])
-        solid.compute(body)
-        red, green, blue = colour(body)
-        assert red > blue + 0.3, (red, green, blue)
+    body = solid.make_solid(doc, hulls[0])
+    solid.compute(body)
+    red, green, blue = colour(body)
+    assert red > blue + 0.3, (red, green, blue)
     shot("87_colours")
     yield 0.5
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/text/step_lines.h"
 
+#include <chrono>
 #include <cstdio>
-#include <ctime>
 
 namespace swept::step {
 namespace {
@@ -28,17 +28,26 @@ char32_t codePoint(const std::string& text, std::size_t& at) {
   return value;
 }
 
+// Returns the present time in UTC as STEP files state it, such as 2026-01-31T23:59:59.
+std::string timeStamp() {
+  namespace chrono = std::chrono;
+  const auto now = chrono::floor<chrono::seconds>(chrono::system_clock::now());
+  const auto midnight = chrono::floor<chrono::days>(now);
+  const chrono::year_month_day day{midnight};
+  const chrono::hh_mm_ss time{now - midnight};
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d:%02d", int{day.year()},
+                unsigned{day.month()}, unsigned{day.day()}, static_cast<int>(time.hours().count()),
+                static_cast<int>(time.minutes().count()), static_cast<int>(time.seconds().count()));
+  return text.data();
+}
+
 }  // namespace
 
 void FileSections::header(const std::string& fileName) {
-  std::array<char, 32> date{};
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%S", &utc);
   lines_.raw("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((");
   lines_.raw(stepString("Envelope of a moving body: " + options_.productName));
-  lines_.raw("),'2;1');\nFILE_NAME(").raw(stepString(fileName)).raw(",'").raw(date.data());
+  lines_.raw("),'2;1');\nFILE_NAME(").raw(stepString(fileName)).raw(",'").raw(timeStamp());
   lines_.raw("',(").raw(stepString(options_.author)).raw("),(");
   lines_.raw(stepString(options_.organization));
   lines_.raw("),'Swept Volume','Swept Volume for FreeCAD','');\nFILE_SCHEMA(('");

@@ -1,0 +1,23 @@
+# Headers that many sources include, compiled once for each library and program (SWEPT_PRECOMPILED_HEADERS).
+# Off by default: a source that forgets an #include compiles with them all the same.
+# SPDX-License-Identifier: LGPL-2.1-or-later
+set(headers algorithm array atomic bit charconv cmath cstdint exception functional limits map memory mutex numeric
+  optional set span sstream string string_view tuple unordered_map unordered_set utility vector
+  Eigen/Core Eigen/Geometry tbb/blocked_range.h tbb/parallel_for.h)
+list(TRANSFORM headers REPLACE "(.+)" "<\\1>")
+function(swept_precompile target)
+  if(TARGET ${target})
+    target_precompile_headers(${target} PRIVATE ${headers} ${ARGN})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")  # no dates inside: a compiler cache finds them again
+      target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
+    endif()
+  endif()
+endfunction()
+foreach(target core io path page solid test_support fuzz)
+  swept_precompile(swept_${target})
+endforeach()
+foreach(target swept_model swept)
+  swept_precompile(${target} <nlohmann/json.hpp>)
+endforeach()
+swept_precompile(_swept <pybind11/numpy.h> <pybind11/stl.h>)
+swept_precompile(swept_tests <gtest/gtest.h> <nlohmann/json.hpp>)
