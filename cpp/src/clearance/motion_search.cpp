@@ -258,16 +258,15 @@ void classify(SearchContext& c, LevelItem& item, double level, double resolution
   if (proof.obstacle.body >= 0) item.hint = proof.obstacle;
   if (last) {
     // A step without proof counts as below the level: spans may be too long, never too short.
-    const bool below = b.reach > 0 ||
-                       c.pair.anyNearerThan(b.R, b.t, level, item.hint).body >= 0 ||
+    const bool below = b.reach > 0 || c.pair.anyNearerThan(b.R, b.t, level, item.hint).body >= 0 ||
                        c.pair.containedAt(b.R, b.t);
     item.outcome = below ? Level::Below : Level::Clear;
     return;
   }
   // The exact distance is not measured: it costs more than the proofs for both halves, and the pair
   // that prevented this proof soon shows that the parts are below the level.
-  const bool below = hintIsBelow(c, item, b, level) ||
-                     (b.reach >= level && overlaps(b.R, b.t, b.reach - level));
+  const bool below =
+      hintIsBelow(c, item, b, level) || (b.reach >= level && overlaps(b.R, b.t, b.reach - level));
   item.outcome = below ? Level::Below : Level::Split;
 }
 
