@@ -65,8 +65,7 @@ Probe probe(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, const 
     p.depth = at.depth;
     p.near = at.place >= 0 ? at.place : piece.near;
     p.most = p.depth + p.radius;
-    if (p.most > 0)
-      p.most = std::min(p.most, farthestCorner(pair, R, t, piece, at.place, corners));
+    if (p.most > 0) p.most = std::min(p.most, farthestCorner(pair, R, t, piece, at.place, corners));
     p.surfacePoint = piece.ofBody ? Vector3d(R * centre + t) : centre;
   };
   if (piece.isTriangle) {
