@@ -381,7 +381,7 @@ TEST_F(StepExport, DamagedFilesAreRefusedWhenRead) {
   EXPECT_PRED2(has, complaint(bracket), "bracket is not closed");
   std::string quote = whole;
   quote.erase(quote.rfind('\''), 1);
-  EXPECT_PRED2(has, complaint(quote), "quotes does not end");
+  EXPECT_PRED2(has, complaint(quote), "closing quote of a text is missing");
   std::string number = whole;
   number.insert(number.rfind("\n#") + 2, "99999999999");
   EXPECT_PRED2(has, complaint(number), "too large");
