@@ -2225,8 +2225,8 @@ path&apos;s size.</extracomment>
         <translation>(Teile und Bewegung unten)</translation>
     </message>
     <message>
-        <source>{0} neighbours: {1}</source>
-        <translation>{0} Nachbarn: {1}</translation>
+        <source>Neighbours ({0}): {1}</source>
+        <translation>Nachbarn ({0}): {1}</translation>
     </message>
     <message>
         <source>Check</source>

@@ -163,7 +163,7 @@ class ClearancePanel(CheckRun, ResultPanel):
         names = [label_of(*pair) for pair in found]
         self._list(found, names)
         more = "" if len(names) <= 6 else " ..."
-        text = translate("SweptVolume", "{0} neighbours: {1}")
+        text = translate("SweptVolume", "Neighbours ({0}): {1}")
         self.chosen.setText(text.format(len(names), ", ".join(names[:6]) + more))
         own = not self.source.currentData()
         self.moving.setText(", ".join(label_of(*p) for p in self.plan().pairs) or "-")
