@@ -12,7 +12,7 @@ from .apart import digest, rounded
 #: Entries of matrices are rounded to this number of decimals, because documents keep only sixteen
 #: digits.
 DECIMALS = 9
-#: Number of faces that may be read without delay to the window: about a thirtieth of a second.
+#: Most faces that are read at once in the window's thread. They take about a thirtieth of a second.
 MOST_AT_ONCE = 150
 
 #: Number of directions in which the outermost points of a part are searched, and deflection of the

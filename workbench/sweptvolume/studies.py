@@ -17,7 +17,8 @@ from . import core, interpreter
 from .body import InputProblem
 from .texts import translate
 
-#: Interval (s) between two checks whether a study must stop, and time (s) that it then has to stop.
+#: _POLL: interval (s) at which the program looks whether a running study must stop. _LEAVE: longest
+#: time (s) to wait for its process and its reading threads to end.
 _POLL, _LEAVE = 0.05, 20.0
 
 

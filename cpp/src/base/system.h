@@ -68,13 +68,14 @@ std::filesystem::path newTemporaryFile(const std::string& suffix);
 
 // --- the program, its terminal and its signals
 
-/// The words of the command line, in UTF-8. Also prepares standard input and output: no system
-/// changes the bytes that are written to them.
+/// The words of the command line, in UTF-8. Also prepares the standard streams, so that Windows
+/// does not change the bytes that are read or written.
 std::vector<std::string> commandLine(int argc, char** argv);
 /// A name by which standard input can be opened; empty if there is none.
 std::string standardInputName();
-/// Names that lead to standard output, and to where everything written is lost.
+/// A name by which standard output can be opened.
 std::string standardOutputName();
+/// The null device, which discards everything that is written to it.
 std::string nullDeviceName();
 /// True for names that may lead to a terminal, a pipe or any other file without a suffix.
 bool isDeviceName(const std::string& name);

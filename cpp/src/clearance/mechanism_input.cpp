@@ -118,9 +118,9 @@ TimeInterval commonTime(const std::vector<MechanismPart>& parts,
     names += (names.empty() ? "" : ", ") + parts[i].name;
   }
   if (cut.count > 0) {
-    cut.text = counted(cut.count, "motion lasts", "motions last") + " longer than the others (" +
-               names + (cut.count > 8 ? ", ..." : "") +
-               "); only the common time of all motions was checked, from " +
+    cut.text = counted(cut.count, "motion extends", "motions extend") +
+               " beyond the time that all motions share (" + names +
+               (cut.count > 8 ? ", ..." : "") + "); only this time was checked, from " +
                numberText(common.from) + " to " + numberText(common.to) + " s";
     findings.push_back(cut);
   }

@@ -35,8 +35,8 @@ struct VertexSplit {
   /// Per slot of the component: part 0, part 1, or -1 for neither.
   std::array<std::int8_t, kSlots> part;
   std::vector<ProbeLine> between;  ///< hits on the side between the parts, in grid coordinates
-  /// A point, in the coordinates of the cell, near one end of both features: the crossing on the
-  /// side between the parts. Empty if this side has no crossing.
+  /// The crossing on the side between the parts, in the coordinates of the cell; empty if there is
+  /// none. It lies near one end of both creases.
   std::optional<Eigen::Vector3d> seen;
   /// Folds: places on the faces of the cell where the polygons of the two parts meet, each a pair
   /// of slots. There are two folds, or none if the vertex cannot be split.
@@ -50,9 +50,10 @@ struct VertexSplit {
                  const Crossing* crossings);
 
   /// Returns the position of a part's vertex along the crease of its planes; `best` is the
-  /// minimiser. The few crossings of the part do not tell how long the crease is, and no crossing
-  /// of the next cell may lie beside the crease. The vertex is therefore placed half way between
-  /// the walls of the cell, or three quarters of the way from the end next to `seen`.
+  /// minimiser. The few crossings of the part do not tell how long the crease is, and the next cell
+  /// may have no crossing that shows it. The vertex is therefore placed half way between the walls
+  /// of the cell. If `seen` shows one end of the crease, it is placed three quarters of the way
+  /// from that end.
   Eigen::Vector3d alongCrease(const Qef& planes, const Eigen::Vector3d& best) const;
 };
 

@@ -79,8 +79,9 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
   return patches;
 }
 
-/// Joins patches that meet at an edge, if the triangles of each patch alone do not run along this
-/// edge equally often in both directions. Returns the shell of each patch.
+/// Joins patches at edges that do not have exactly two triangles. A patch is balanced at an edge if
+/// its triangles run along it equally often in both directions; the patches that are not are joined
+/// there. Returns the shell of each patch.
 std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& patches,
                                       std::vector<Shell>& shells) {
   auto parent = singleSets<std::int32_t>(patches.count());

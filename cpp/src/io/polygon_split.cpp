@@ -12,7 +12,8 @@ double turn(const Point& a, const Point& b, const Point& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// Projects the polygon along its Newell normal, so that it runs counter-clockwise in the plane.
+// Drops the coordinate in which the Newell normal of the polygon is largest. The other two are
+// ordered so that the polygon runs counter-clockwise.
 std::vector<Point> flatten(const std::vector<Eigen::Vector3d>& vertices,
                            std::span<const std::int32_t> corners) {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();

@@ -14,8 +14,9 @@
 
 namespace swept {
 
-/// Returns nothing if the motion has too few placements to be worth it, or if enclosed spaces may
-/// be hollow.
+/// Returns nothing if the motion has too few placements, if the map would hide too little, or if
+/// nothing may be hidden: without culling, with a cache, for a body that is not orientable, or if
+/// enclosed spaces do not always count as inside.
 std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& run);
 
 }  // namespace swept
