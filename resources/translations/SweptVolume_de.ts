@@ -1886,7 +1886,7 @@ Versucht:
     </message>
     <message>
         <source>Studies need the Python package swept_volume, which is missing in {0}: install the workbench again, or build it with &quot;cmake --build build&quot;.</source>
-        <extracomment>Interval (s) between two checks whether a study must stop, and time (s) that it then has to stop.</extracomment>
+        <extracomment>time (s) to wait for its process and its reading threads to end.</extracomment>
         <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder bauen Sie sie mit „cmake --build build“.</translation>
     </message>
     <message>
