@@ -233,8 +233,8 @@ class Installation(threading.Thread):
             shutil.rmtree(staged, ignore_errors=True)
 
     def _run_pip(self, staged):
-        """Runs pip for FreeCAD's version of Python. Dependencies are left
-        out: FreeCAD has its own numpy, which pip must not replace."""
+        """Runs pip for FreeCAD's version of Python, without dependencies: FreeCAD has its own
+        numpy, which pip must not replace."""
         python = _python()
         words = [python, "-m", "pip", "install", "--no-input", "--progress-bar", "off", "--no-deps"]
         words += ["--only-binary", ":all:", "--implementation", "cp", "--no-compile"]

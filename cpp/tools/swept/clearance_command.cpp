@@ -72,9 +72,7 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
       "linear interpolation; coordinates in mm (default 0,0,0: the origin)");
   addNumber(app, "--body-chord", "MM", job.options.bodyChordError,
             "how far the triangles of the moving part deviate from its exact surface (default 0)");
-  for (const char* rest : {"format", "unit", "chord"}) {
-    keepEarlierName(app, std::string("--generator-") + rest, std::string("--body-") + rest);
-  }
+  keepGeneratorNames(app, "--body-", {"format", "unit", "chord"});
   addDetailOptions(app, job.options, job.curve,
                    "number of points of the graph of distance over time (default 200; 0: no graph)",
                    job.stamp);

@@ -121,9 +121,7 @@ void addOptions(CLI::App& app, EnvelopeJob& job) {
       "how far the triangles of a moving part that is a solid may deviate from its surface "
       "(default: 0.02 of the cell "
       "size; with --resolution, 0.02 of the smallest cell size that this resolution can give)");
-  for (const char* rest : {"format", "unit", "tolerance"}) {
-    keepEarlierName(app, std::string("--generator-") + rest, std::string("--body-") + rest);
-  }
+  keepGeneratorNames(app, "--body-", {"format", "unit", "tolerance"});
   addUnit(app, "--motion-unit", job.motionUnit,
           "unit of the translations in the motion (default mm)");
   addConverted(

@@ -49,6 +49,12 @@ void keepEarlierName(CLI::App& app, const std::string& earlier, const std::strin
       ->group("");
 }
 
+void keepGeneratorNames(CLI::App& app, const std::string& prefix,
+                        std::initializer_list<const char*> rests) {
+  for (const char* rest : rests)
+    keepEarlierName(app, std::string("--generator-") + rest, prefix + rest);
+}
+
 CLI::Option* addText(CLI::App& app, const std::string& names, const std::string& kind,
                      std::string& target, const std::string& about) {
   const std::string name = names.substr(names.rfind(',') + 1);

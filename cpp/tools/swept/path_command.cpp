@@ -68,9 +68,7 @@ void addOptions(CLI::App& app, PathJob& job) {
           "unit of the numbers in a part that is a mesh (default mm)");
   addNumber(app, "--part-chord", "MM", job.options.bodyChordError,
             "how far the triangles of the part deviate from its exact surface (default 0)");
-  for (const char* rest : {"format", "unit", "chord"}) {
-    keepEarlierName(app, std::string("--generator-") + rest, std::string("--part-") + rest);
-  }
+  keepGeneratorNames(app, "--part-", {"format", "unit", "chord"});
   addText(app, "-o,--output", "FILE", job.output,
           "write the keys of the path as a table of poses, or - for standard output");
   addCommonOptions(app, job.common);

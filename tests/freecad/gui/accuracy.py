@@ -9,7 +9,6 @@ from driver import (  # noqa: E402
     Apply,
     Cancel,
     Ok,
-    QtCore,
     QtWidgets,
     choose,
     click,
@@ -18,23 +17,13 @@ from driver import (  # noqa: E402
     no_panel,
     open_workbench,
     panel_button,
-    press,
     run,
     say,
     shot,
+    type_over,
 )
 
 V = App.Vector
-
-
-def type_over(text):
-    """Types into the field Accuracy in place of what stands there."""
-    edit = find(QtWidgets.QWidget, "SweptVolumeAccuracy").findChild(QtWidgets.QLineEdit)
-    edit.setFocus()
-    edit.selectAll()
-    press(edit, QtCore.Qt.Key_Delete)
-    for sign in text:
-        press(edit, 0, text=sign)
 
 
 def scenario():
@@ -55,7 +44,7 @@ def scenario():
     panel.by.setObjectName("By")
     yield 0.3
     choose("By", "Accuracy")
-    type_over("0.5 mm")
+    type_over(find(QtWidgets.QWidget, "SweptVolumeAccuracy"), "0.5 mm")
     assert not panel.tolerance.isEnabled() and not panel.resolution.isEnabled()
     yield lambda: "cells of 0.25 mm" in panel.estimate_label.text()
     shot("70_accuracy")
@@ -87,7 +76,7 @@ def scenario():
         ("0.0001 mm", "an accuracy of "),
         ("30 mm", "at most 2.5 mm (an accuracy of 5 mm)"),
     ):
-        type_over(typed)
+        type_over(find(QtWidgets.QWidget, "SweptVolumeAccuracy"), typed)
         click(panel_button(Apply))
         yield lambda: not runner.running()
         yield 0.1
@@ -96,7 +85,7 @@ def scenario():
         assert words in told[0], (typed, words, told)
         assert (made.Accuracy.Value, made.UsedCellSize.Value) == (0.5, 0.25), typed
     shot("71_accuracy_too_coarse")
-    type_over("2 mm")
+    type_over(find(QtWidgets.QWidget, "SweptVolumeAccuracy"), "2 mm")
     click(panel_button(Apply))
     yield lambda: not runner.running()
     yield 0.1
@@ -110,7 +99,7 @@ def scenario():
     App.Units.setSchema(3)
     panel = envelope_panel.show(doc, obj=made)
     yield 0.3
-    type_over("0.04")
+    type_over(find(QtWidgets.QWidget, "SweptVolumeAccuracy"), "0.04")
     click(panel_button(Apply))
     yield lambda: not runner.running()
     yield 0.1

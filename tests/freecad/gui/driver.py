@@ -192,6 +192,17 @@ def press(widget, key, modifiers=QtCore.Qt.NoModifier, text=""):
         QtWidgets.QApplication.sendEvent(widget, event)
 
 
+def type_over(field, text):
+    """Types in place of what stands in a field. Returns its line."""
+    edit = field if isinstance(field, QtWidgets.QLineEdit) else field.findChild(QtWidgets.QLineEdit)
+    edit.setFocus()
+    edit.selectAll()
+    press(edit, QtCore.Qt.Key_Delete)
+    for sign in text:
+        press(edit, 0, text=sign)
+    return edit
+
+
 def choose(name, data):
     """Chooses an entry of a visible combo box by its data."""
     box = find(QtWidgets.QComboBox, name)
@@ -285,6 +296,12 @@ def find(kind, name):
     found = [w for w in Gui.getMainWindow().findChildren(kind, name) if w.isVisible()]
     assert found, "no visible {} {}".format(kind.__name__, name)
     return found[0]
+
+
+def visible_text(form=None):
+    """All that the labels of a form say, by default of the whole window."""
+    labels = (form or Gui.getMainWindow()).findChildren(QtWidgets.QLabel)
+    return "\n".join(label.text() for label in labels if label.isVisible())
 
 
 def panel_button(standard):

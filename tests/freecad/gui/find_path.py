@@ -10,7 +10,6 @@ from driver import (  # noqa: E402
     Close,
     Gaps,
     Gui,
-    QtCore,
     QtWidgets,
     choose,
     click,
@@ -19,33 +18,18 @@ from driver import (  # noqa: E402
     no_panel,
     open_workbench,
     panel_button,
-    press,
     run,
     say,
     select,
     shot,
     stopped,
+    type_over,
+    visible_text,
 )
 
 V = App.Vector
 #: s for searches that find a way, on a machine that is busy as well.
 BUDGET = 600
-
-
-def type_text(edit, text):
-    """Types over what stands in a line."""
-    edit.setFocus()
-    edit.selectAll()
-    press(edit, QtCore.Qt.Key_Delete)
-    for sign in text:
-        press(edit, 0, text=sign)
-
-
-def panel_text():
-    """What the panel says below its head."""
-    form = next(w for w in QtWidgets.QApplication.topLevelWidgets() if w is Gui.getMainWindow())
-    labels = [w.text() for w in form.findChildren(QtWidgets.QLabel) if w.isVisible()]
-    return "\n".join(labels)
 
 
 def motions(doc):
@@ -94,8 +78,8 @@ def slot(doc):
     find(QtWidgets.QDoubleSpinBox, "SweptVolumeBudget").setValue(BUDGET)
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))  # the placement is missing
     yield 0.2
-    assert "6 numbers" in panel_text(), panel_text()
-    type_text(find(QtWidgets.QLineEdit, "SweptVolumeStartNumbers"), "80 -22 -3 0 0 0")
+    assert "6 numbers" in visible_text(), visible_text()
+    type_over(find(QtWidgets.QLineEdit, "SweptVolumeStartNumbers"), "80 -22 -3 0 0 0")
     find(QtWidgets.QWidget, "SweptVolumePathClearance").setProperty("rawValue", 0.5)
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))
     yield 0.1
@@ -108,7 +92,7 @@ def slot(doc):
     assert doc.UndoCount == undo + 1, doc.UndoNames
     paths = find(QtWidgets.QTableWidget, "SweptVolumePaths")
     assert paths.rowCount() == 1 and found.Label == "Path of Plate", found.Label
-    assert found.Parts[0][0] is part and "Found" in panel_text(), panel_text()
+    assert found.Parts[0][0] is part and "Found" in visible_text(), visible_text()
     rows = check(doc, part, found, 0.5)
     assert rows["Case"]["verdict"] == "clear" and rows["Case"]["guaranteed"] >= 0.489, rows
     assert (found.Placements[0].Base - V(80, -22, -3)).Length < 1e-9
@@ -130,8 +114,8 @@ def slot(doc):
     table.item(0, 1).setText("80 mm")
     find(QtWidgets.QWidget, "SweptVolumeRelease").setProperty("rawValue", 0.0)
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))
-    yield lambda: "goal" in panel_text()
-    assert "Case" in panel_text() and "80 mm" in panel_text(), panel_text()
+    yield lambda: "goal" in visible_text()
+    assert "Case" in visible_text() and "80 mm" in visible_text(), visible_text()
     shot("72_find_path_refused")
     yield 0.5
     assert (len(doc.Objects), doc.UndoCount) == (count, undo)
@@ -155,7 +139,7 @@ def too_narrow(doc):
     Gui.runCommand("SweptVolume_FindPath")
     yield 0.5
     choose("SweptVolumeStartKind", "Place")
-    type_text(find(QtWidgets.QLineEdit, "SweptVolumeStartNumbers"), "80 -22 -9 0 0 0")
+    type_over(find(QtWidgets.QLineEdit, "SweptVolumeStartNumbers"), "80 -22 -9 0 0 0")
     find(QtWidgets.QDoubleSpinBox, "SweptVolumeBudget").setValue(60)
     count, gaps = len(doc.Objects), Gaps()
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))
@@ -166,16 +150,16 @@ def too_narrow(doc):
     still = gaps.stop()
     took = yield from stopped(button.isEnabled)
     say("window stood still for {}, cancelled in {:.2f} s".format(still, took))
-    assert "Cancelled" in panel_text(), panel_text()
+    assert "Cancelled" in visible_text(), visible_text()
     find(QtWidgets.QDoubleSpinBox, "SweptVolumeBudget").setValue(2)
     click(button)
-    yield lambda: button.isEnabled() and "No path" in panel_text()
+    yield lambda: button.isEnabled() and "No path" in visible_text()
     shot("74_find_path_none")
     yield 0.5
-    assert "Case" in panel_text() and len(doc.Objects) == count, panel_text()
+    assert "Case" in visible_text() and len(doc.Objects) == count, visible_text()
     find(QtWidgets.QDoubleSpinBox, "SweptVolumeBudget").setValue(0)
     click(button)
-    yield lambda: "budget" in panel_text()
+    yield lambda: "budget" in visible_text()
     click(panel_button(Close))
     yield no_panel
 

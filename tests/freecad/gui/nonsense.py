@@ -18,10 +18,11 @@ from driver import (  # noqa: E402
     no_panel,
     open_workbench,
     panel_button,
-    press,
     run,
     say,
     shot,
+    type_over,
+    visible_text,
 )
 
 V = App.Vector
@@ -29,17 +30,6 @@ NONSENSE = ["abc", "-5", "0.000001", "5 kg", "999999999"]
 CSV = "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n"
 #: s that a run may take before it is stopped: a field may well have taken what was typed.
 PATIENCE = 0.3
-
-
-def type_text(field, text):
-    """Types over what stands in a field."""
-    edit = field if isinstance(field, QtWidgets.QLineEdit) else field.findChild(QtWidgets.QLineEdit)
-    edit.setFocus()
-    edit.selectAll()
-    press(edit, QtCore.Qt.Key_Delete)
-    for sign in text:
-        press(edit, 0, text=sign)
-    return edit
 
 
 def fields(form):
@@ -61,11 +51,6 @@ def settled():
     return not runner.running()
 
 
-def answers(form):
-    """What a panel says: its labels."""
-    return [w.text() for w in form.findChildren(QtWidgets.QLabel) if w.isVisible()]
-
-
 def storm(name, reopen, confirm):
     """Every kind of nonsense in every field of a panel."""
     panel = reopen()
@@ -79,8 +64,8 @@ def storm(name, reopen, confirm):
             found = fields(panel.form)
             if k >= len(found):
                 continue
-            edit = type_text(found[k], text)
-            typed, before = edit.text(), answers(panel.form)
+            edit = type_over(found[k], text)
+            typed, before = edit.text(), visible_text(panel.form)
             confirm(panel)
             yield 0.05
             yield settled
@@ -88,7 +73,7 @@ def storm(name, reopen, confirm):
             if no_panel():
                 continue
             assert edit.text() == typed or edit.text(), "{}: what was typed is lost".format(name)
-            told += answers(panel.form) != before
+            told += visible_text(panel.form) != before
             if text == "5 kg":
                 shot("60_nonsense_{}_{}".format(name, k))
         if not no_panel():

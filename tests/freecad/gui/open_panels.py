@@ -101,8 +101,7 @@ def lists(doc):
         def told(*names):
             rows = [table.item(row, 0).text() for row in range(table.rowCount())]
             return len(rows) == len(names) and all(
-                name in text and any(name in row for row in rows)
-                for name, text in zip(names, [panel.chosen.text()] * len(names))
+                name in panel.chosen.text() and any(name in row for row in rows) for name in names
             )
 
         assert told("Wall"), panel.chosen.text()

@@ -23,6 +23,7 @@ from driver import (  # noqa: E402
     select,
     shot,
     to_3d_view,
+    visible_text,
 )
 
 V = App.Vector
@@ -33,12 +34,6 @@ def made(doc):
     from sweptvolume.features.motion import is_motion
 
     return [o for o in doc.Objects if is_motion(o)][-1]
-
-
-def told():
-    """What the open panel says, in any of its labels."""
-    labels = Gui.getMainWindow().findChildren(QtWidgets.QLabel)
-    return " ".join(label.text() for label in labels if label.isVisible())
 
 
 def stops_early(doc):
@@ -55,7 +50,7 @@ def stops_early(doc):
             click(panel_button(Ok))
             yield 0.4
             if button == 0:
-                said = told()
+                said = visible_text()
                 for words in ("stopped early", "4 of 5 frames", "0.75 s of 1 s", "OK again"):
                     assert words in said, said
                 shot("26_stops_early_{}".format(len(chosen)))

@@ -25,6 +25,7 @@ from driver import (  # noqa: E402
     select,
     shot,
     stopped,
+    visible_text,
 )
 
 FOLDER = tempfile.mkdtemp()
@@ -129,8 +130,7 @@ def of_the_document(doc):
     folder = find(QtWidgets.QLineEdit, "SweptVolumeStudyFolder")
     click(run_button())  # where to?
     yield 0.3
-    said = [w.text() for w in Gui.getMainWindow().findChildren(QtWidgets.QLabel) if w.isVisible()]
-    assert any("save the document first" in text for text in said), said
+    assert "save the document first" in visible_text(), visible_text()
     folder.setText(os.path.join(FOLDER, "of the document"))
     undo, gaps = doc.UndoCount, Gaps()
     click(run_button())

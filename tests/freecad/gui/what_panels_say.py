@@ -22,14 +22,10 @@ from driver import (  # noqa: E402
     panel_button,
     run,
     select,
+    visible_text,
 )
 
 V = App.Vector
-
-
-def said():
-    labels = Gui.getMainWindow().findChildren(QtWidgets.QLabel)
-    return "\n".join(label.text() for label in labels if label.isVisible())
 
 
 def ends(doc, part, path):
@@ -37,7 +33,7 @@ def ends(doc, part, path):
     select(path)
     Gui.runCommand("SweptVolume_FindPath")
     yield 0.5
-    assert "does not set start and goal" in said(), said()
+    assert "does not set start and goal" in visible_text(), visible_text()
     click(panel_button(Close))
     yield no_panel
     path.PoseType = "Absolute"
@@ -45,7 +41,7 @@ def ends(doc, part, path):
     select(path)
     Gui.runCommand("SweptVolume_FindPath")
     yield 0.5
-    assert "does not set start and goal" not in said(), said()
+    assert "does not set start and goal" not in visible_text(), visible_text()
     click(panel_button(Close))
     yield no_panel
 
@@ -59,8 +55,8 @@ def export(hull, made, stale):
         with answered(file_dialogs, "ask_export", lambda *ignored: path):
             Gui.runCommand("SweptVolume_Export")
         yield 0.5
-        assert ("stored solid is not used" in said()) == told, said()
-        assert ('"Together" is stale' in said()) == stale, said()
+        assert ("stored solid is not used" in visible_text()) == told, visible_text()
+        assert ('"Together" is stale' in visible_text()) == stale, visible_text()
         click(panel_button(Cancel))
         yield no_panel
 

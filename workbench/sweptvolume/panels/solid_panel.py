@@ -104,8 +104,9 @@ class SolidPanel(StartPanel):
             where = QtWidgets.QLabel(os.path.basename(self.path))
             widgets.hint(where, self.path)
             rows.addRow(translate("SweptVolume", "File"), where)
-            if self.what_is_written():
-                note = QtWidgets.QLabel(self.what_is_written())
+            written = self.what_is_written()
+            if written:
+                note = QtWidgets.QLabel(written)
                 note.setObjectName("SweptVolumeWritten")
                 note.setWordWrap(True)
                 rows.addRow(note)
