@@ -1923,10 +1923,6 @@ Versucht:
         <translation>„{0}“ ist ein Ordner: Geben Sie den Namen einer Datei an.</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is write-protected: choose another name, or change its permissions.</source>
-        <translation>„{0}“ ist schreibgeschützt: Wählen Sie einen anderen Namen, oder ändern Sie die Rechte.</translation>
-    </message>
-    <message>
         <source>&quot;{0}&quot; is an input of &quot;{1}&quot; and would be overwritten: choose another file.</source>
         <translation>„{0}“ ist eine Eingabe von „{1}“ und würde überschrieben: Wählen Sie eine andere Datei.</translation>
     </message>
@@ -3072,10 +3068,6 @@ path&apos;s size.</extracomment>
         <translation>Dreiecke: {0}, Schalen: {1}</translation>
     </message>
     <message>
-        <source>Cell: {0}, simplified by: {1}</source>
-        <translation>Zelle: {0}, vereinfacht um: {1}</translation>
-    </message>
-    <message>
         <source>Time: {0} on {1}</source>
         <translation>Zeit: {0} auf {1}</translation>
     </message>
@@ -3647,8 +3639,20 @@ bis etwa {2}, {3}</translation>
         <translation>Die Zelle ist zu groß für das Teil: Das Teil ist kleiner als eine Zelle oder überall dünner. Wählen Sie eine feinere Genauigkeit, eine kleinere Zelle oder eine höhere Auflösung.</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is stale: the file gets its last result. To export the present state, recompute it first.</source>
-        <translation>„{0}“ ist veraltet: Die Datei erhält das letzte Ergebnis. Um den jetzigen Stand zu exportieren, zuerst neu berechnen.</translation>
+        <source>&quot;{0}&quot; is not up to date: the file gets its last result. To export the present state, recompute it first.</source>
+        <translation>„{0}“ ist nicht aktuell: Die Datei erhält das letzte Ergebnis. Um den jetzigen Stand zu exportieren, zuerst neu berechnen.</translation>
+    </message>
+    <message>
+        <source>Cell size: {0}, deviation by simplification: {1}</source>
+        <translation>Zellengröße: {0}, Abweichung durch Vereinfachung: {1}</translation>
+    </message>
+    <message>
+        <source>The folder &quot;{0}&quot; is write-protected: choose another folder, or change its permissions.</source>
+        <translation>Der Ordner „{0}“ ist schreibgeschützt: Wählen Sie einen anderen Ordner, oder ändern Sie die Rechte.</translation>
+    </message>
+    <message>
+        <source>The file &quot;{0}&quot; is write-protected: choose another name, or change its permissions.</source>
+        <translation>Die Datei „{0}“ ist schreibgeschützt: Wählen Sie einen anderen Namen, oder ändern Sie die Rechte.</translation>
     </message>
 </context>
 <context>
