@@ -3644,7 +3644,7 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>Cell size: {0}, deviation by simplification: {1}</source>
-        <translation>Zellengröße: {0}, Abweichung durch Vereinfachung: {1}</translation>
+        <translation>Zellgröße: {0}, Abweichung durch Vereinfachung: {1}</translation>
     </message>
     <message>
         <source>The folder &quot;{0}&quot; is write-protected: choose another folder, or change its permissions.</source>
