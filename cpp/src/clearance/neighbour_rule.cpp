@@ -164,8 +164,8 @@ NamedRule parseNamedRule(const std::string& text) {
   const std::size_t at = text.rfind('=');
   const std::string name = at == std::string::npos ? "" : trimmed(text.substr(0, at));
   if (name.empty())
-    badRule(quoted(text) + " is not a rule; write NAME=RULE, for example 'bolt*=contact'. RULE is " +
-            kAllowed);
+    badRule(quoted(text) +
+            " is not a rule; write NAME=RULE, for example 'bolt*=contact'. RULE is " + kAllowed);
   return {name, parseRule(text.substr(at + 1))};
 }
 

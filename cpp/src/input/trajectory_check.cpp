@@ -25,17 +25,15 @@ void checkFinite(const Pose& pose, std::size_t index) {
   if (!pose.translation.allFinite()) what = "the translation";
   if (!pose.rotation.coeffs().allFinite()) what = "the rotation";
   if (what != nullptr) {
-    throw Error(
-        Status::InvalidInput, "BadPose",
-        poseName(index) + ": " + what +
-            " is not a finite number; correct or remove this pose" + kCounted);
+    throw Error(Status::InvalidInput, "BadPose",
+                poseName(index) + ": " + what +
+                    " is not a finite number; correct or remove this pose" + kCounted);
   }
   if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength) {
-    throw Error(Status::InvalidInput, "BadPose",
-                poseName(index) + ": translation of " +
-                    numberText(pose.translation.cwiseAbs().maxCoeff()) +
-                    " mm is above the limit of 1e9 mm; check the unit of length of the motion" +
-                    kCounted);
+    throw Error(
+        Status::InvalidInput, "BadPose",
+        poseName(index) + ": translation of " + numberText(pose.translation.cwiseAbs().maxCoeff()) +
+            " mm is above the limit of 1e9 mm; check the unit of length of the motion" + kCounted);
   }
 }
 

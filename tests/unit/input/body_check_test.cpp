@@ -67,7 +67,8 @@ TEST(BodyCheck, bad_input_02_index_out_of_range) {
   TriMesh mesh = unitBox();
   mesh.triangles[7][2] = 8;
   expectRefused(mesh, "BadIndex",
-                "triangle 7 refers to vertex 8, but the mesh has 8 vertices (triangles and vertices are counted from 0)");
+                "triangle 7 refers to vertex 8, but the mesh has 8 vertices (triangles and "
+                "vertices are counted from 0)");
   mesh.triangles[7][2] = -1;
   expectRefused(mesh, "BadIndex", "triangle 7 refers to vertex -1");
 }

@@ -66,7 +66,7 @@ def lines_of(obj, report):
             translate("SweptVolume", "Distance from the true surface: at most {0}").format(bound)
         )
     lines.append(
-        translate("SweptVolume", "Time: {0} on {1}").format(
+        translate("SweptVolume", "Computing time: {0} on the {1}").format(
             quantities.seconds(obj.Seconds), report["backend"].upper()
         )
     )

@@ -33,20 +33,22 @@ void checkNumbers(const TriMesh& mesh) {
     refuse("BadIndex", badIndexText(*bad, mesh) + "; export the mesh again");
   const Coordinates found = measureCoordinates(mesh);
   if (found.nonFinite > 0) {
-    refuse("NonFiniteVertex",
-           "vertex " + std::to_string(found.firstNonFinite[0]) +
-               " (counted from 0) has a coordinate that is not a finite number; export the mesh again");
+    refuse("NonFiniteVertex", "vertex " + std::to_string(found.firstNonFinite[0]) +
+                                  " (counted from 0) has a coordinate that is not a finite number; "
+                                  "export the mesh again");
   }
   if (found.largest > kLargestLength) {
-    refuse("OutOfRange", "vertex " + std::to_string(found.farthest) +
-                             " (counted from 0) lies more than 1e9 mm from the origin; check the unit of length, "
-                             "or move the mesh closer to the origin");
+    refuse("OutOfRange",
+           "vertex " + std::to_string(found.farthest) +
+               " (counted from 0) lies more than 1e9 mm from the origin; check the unit of length, "
+               "or move the mesh closer to the origin");
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     if (a == b || b == c || c == a) {
-      refuseUnclosed("DegenerateTriangle",
-                     "triangle " + std::to_string(t) + " (counted from 0) has the same vertex at two corners");
+      refuseUnclosed(
+          "DegenerateTriangle",
+          "triangle " + std::to_string(t) + " (counted from 0) has the same vertex at two corners");
     }
   }
 }
