@@ -2829,10 +2829,6 @@ path&apos;s size.</extracomment>
         <translation>En&amp;tfernen</translation>
     </message>
     <message>
-        <source>Removes the marked parts from the list</source>
-        <translation>Entfernt die markierten Teile aus der Liste</translation>
-    </message>
-    <message>
         <source>Add a&amp;ll its parts</source>
         <translation>A&amp;lle ihre Teile hinzufügen</translation>
     </message>
@@ -3176,24 +3172,12 @@ path&apos;s size.</extracomment>
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
-        <source>Removes the marked part from the sequence</source>
-        <translation>Entfernt das markierte Teil aus der Einbaufolge</translation>
-    </message>
-    <message>
         <source>&amp;Up</source>
         <translation>&amp;Auf</translation>
     </message>
     <message>
-        <source>Moves the marked part one step earlier</source>
-        <translation>Rückt das markierte Teil um einen Schritt nach vorn</translation>
-    </message>
-    <message>
         <source>D&amp;own</source>
         <translation>A&amp;b</translation>
-    </message>
-    <message>
-        <source>Moves the marked part one step later</source>
-        <translation>Rückt das markierte Teil um einen Schritt nach hinten</translation>
     </message>
     <message>
         <source>find a path</source>
@@ -3657,6 +3641,18 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>What the G-code words A, B and C rotate: the tool head, or the table with the workpiece. They are angles in degrees about the fixed axes x, then y, then z. For a tool head, X, Y and Z are coordinates of the workpiece; for a table, they are coordinates of the machine</source>
         <translation>Was die G-Code-Wörter A, B und C drehen: den Werkzeugkopf, oder den Tisch mit dem Werkstück. Sie sind Winkel in Grad um die festen Achsen x, dann y, dann z. Bei einem Werkzeugkopf sind X, Y und Z Koordinaten des Werkstücks, bei einem Tisch Koordinaten der Maschine</translation>
+    </message>
+    <message>
+        <source>Removes the selected part from the sequence</source>
+        <translation>Entfernt das ausgewählte Teil aus der Einbaufolge</translation>
+    </message>
+    <message>
+        <source>Moves the selected part one step earlier</source>
+        <translation>Rückt das ausgewählte Teil um einen Schritt nach vorn</translation>
+    </message>
+    <message>
+        <source>Moves the selected part one step later</source>
+        <translation>Rückt das ausgewählte Teil um einen Schritt nach hinten</translation>
     </message>
 </context>
 <context>
