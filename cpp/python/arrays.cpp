@@ -79,7 +79,8 @@ void takeTriangles(const Index* indices, TriMesh& mesh) {
         throw Error(Status::InvalidInput, "BadIndex",
                     "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(index) +
                         ", but the mesh has " + counted(vertices, "vertex", "vertices") +
-                        ", numbered from 0; correct the triangles of the mesh");
+                        " (triangles and vertices are counted from 0); correct the triangles of "
+                        "the mesh");
       }
       mesh.triangles[t][k] = static_cast<std::int32_t>(index);
     }
@@ -134,7 +135,8 @@ std::vector<std::int32_t> facesFromArray(const py::object& faces) {
     if (number < 0 || number > std::numeric_limits<std::int32_t>::max()) {
       throw Error(Status::InvalidInput, "BadFaces",
                   "triangle " + std::to_string(n) + " is said to belong to face " +
-                      std::to_string(number) + "; faces are numbered from 0 to 2147483647");
+                      std::to_string(number) +
+                      " (triangles are counted from 0); faces are numbered from 0 to 2147483647");
     }
     numbers[n] = static_cast<std::int32_t>(number);
   }

@@ -246,9 +246,10 @@ def estimate(
     **options: Any,
 ) -> Dict[str, Any]:
     """Estimates compute() with the same options. Returns grid (3 ints), cell (mm), memory_bytes,
-    seconds, triangles, and useful_filter (mm) if such a position_filter would leave out most poses
-    without changing the result by more than the chord error. trial: samples some steps, which takes up
-    to a second. Without it, memory, seconds and triangles are rough figures from boxes."""
+    seconds and triangles. Also returns useful_filter (mm) if a position_filter of this length would
+    leave out most poses and change the result by no more than the chord error. trial: samples some
+    steps, which takes up to a second. Without it, memory, seconds and triangles are rough figures.
+    """
     body, way = mesh_of(mesh), motion_of(motion, interpolation)
     given = _given(resolution=resolution, cell=cell, **options)
     return _core.estimate(

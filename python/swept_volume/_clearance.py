@@ -12,7 +12,7 @@ from ._calls import RunContext, _log
 from ._values import Floats, Integers, MeshLike, MotionLike, frozen, mesh_of, motion_of
 
 Neighbour = Union[Tuple[str, MeshLike], Tuple[str, MeshLike, float]]
-#: Name of neighbours (* and ? stand for letters) -> distance in mm, "contact", "contact:MM", "ignore".
+#: Name of neighbours (* and ? stand for characters) -> distance in mm, "contact", "contact:MM", "ignore".
 Rules = Mapping[str, Union[float, str]]
 
 

@@ -89,7 +89,7 @@ def write_report(path: str, text: str) -> None:
     except OSError as error:
         if made is not None and os.path.exists(made):
             os.remove(made)
-        raise _failed("WriteFailed", f"writing '{path}' failed: {error.strerror}") from None
+        raise _failed("WriteFailed", f"cannot write '{path}': {error.strerror}") from None
 
 
 def _mode(target: str) -> int:

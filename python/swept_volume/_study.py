@@ -206,22 +206,24 @@ def run_study(
 ) -> Report:
     """Computes all runs of a study file (docs/studies.md) into a folder, and a table of them.
 
-    output          another folder for results than the file says
-    jobs            runs at once on this machine (None: one for each core); all compute the same bytes
-    scheduler       address of a dask scheduler (tcp://host:8786), whose workers compute instead
-    send_files      files travel through the scheduler; else all machines see the same folders
-    again           compute runs again whose results are there, with the same input and options
-    page            also write study.html, a page for people, as where the file says so
-    strict          a run with a finding that costs accuracy (docs/command_line.md, "--strict") counts as
-                    failed; its results are there and are kept
-    progress        called with the number of runs that have ended, of all runs, and the row of the last
-    kept            called with the rows of the runs that are there already, before others are computed
-    run             cancels
+    output          folder for the results, in place of the one that the file names
+    jobs            number of runs at the same time on this machine (None: one for each core). The
+                    results do not depend on it
+    scheduler       address of a dask scheduler (tcp://host:8786): its workers compute the runs
+    send_files      send the files through the scheduler. Without it, all machines must have access to
+                    the same folders
+    again           also compute runs whose results exist, for the same input and options
+    page            also write study.html, a page for people, even if the file does not ask for it
+    strict          a run counts as failed if it has a finding that costs accuracy
+                    (docs/command_line.md, "--strict"). Its results are written and kept
+    progress        function(ended, all, row), called after each run: numbers of runs, row of this run
+    kept            function(rows), called first, with the rows of runs whose results exist
+    run             RunContext with which another thread can cancel the study
 
-    Returns the report of the study: its `runs` are the rows of the table, `worst` names the run to look
-    at first. A run that fails has a row that says so and stops no other. What was cancelled goes on at
-    the next call. Raises InvalidInput (BadStudy, BadOption, FolderInUse), FileNotFoundError, OSError
-    where the scheduler does not answer or results cannot be written.
+    Returns the report of the study: `runs` are the rows of the table, `worst` names the run to look at
+    first. If a run fails, its row says so, and the other runs go on. After a cancelled call, the next
+    call computes the runs that are missing. Raises InvalidInput (BadStudy, BadOption, FolderInUse) and
+    FileNotFoundError. Raises OSError if the scheduler does not answer or results cannot be written.
     """
     if jobs is not None and jobs < 1:
         raise bad_option(f"jobs is {jobs}; it must be 1 or more")

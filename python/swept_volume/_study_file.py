@@ -297,9 +297,9 @@ def _with_pages(run: Run, language: str, template: str) -> Run:
 
 
 def read_study(path: Path, output: Optional[Path] = None) -> Study:
-    """Reads and checks a study file; output: another folder for results than the file says. Relative
-    paths start at the folder of the file. Raises InvalidInput (BadStudy) with all that is wrong in it,
-    FileNotFoundError."""
+    """Reads and checks a study file. output: folder for the results, in place of the one that the file
+    names. Relative paths start at the folder of the file. Raises InvalidInput (BadStudy) with all that
+    is wrong in the file, and FileNotFoundError."""
     file = pathlib.Path(os.fsdecode(path))
     parsed, problems = _parsed(file), _Problems()
     for key in parsed:

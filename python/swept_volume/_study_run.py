@@ -205,9 +205,9 @@ def execute(
     threads: int,
     locate: Optional[Callable[[str], str]] = None,
 ) -> Tuple[Report, str]:
-    """Computes a run into a new folder below output; returns its report, which is written there too,
-    and the folder. What fails is told by the report and never raised. hashes: of its files, for its page;
-    locate: where a file of the run lies on this machine."""
+    """Computes a run into a new folder below output. Returns its report, which is also written there,
+    and the folder. Never raises: a failure is in the report. hashes: of the files of the run, for its
+    page. locate: returns the path of a file of the run on this machine."""
     began = time.monotonic()
     folder = partial_folder(output)
     report = failed(run, key, "Ok", "", "")

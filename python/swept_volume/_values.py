@@ -344,9 +344,10 @@ def read_body(
     angle: float = 0.2,
 ) -> Mesh:
     """Reads a moving part: a mesh file as read_mesh(), or all solids of a STEP or BREP file as one
-    body, tessellated within tolerance (mm); else within 0.01 of accuracy (mm) or 0.02 of cell (mm),
-    those of the run to come; else within 0.02 of the smallest cell that resolution (128) can give.
-    angle: rad between neighbouring triangles of a solid, at most."""
+    body. Solids are approximated by triangles, with a deviation of at most tolerance (mm). Without a
+    tolerance, give accuracy (mm), cell (mm) or resolution of the envelope that will be computed: the
+    deviation is then 0.01 of the accuracy, 0.02 of the cell, or 0.02 of the smallest cell that the
+    resolution (default 128) can give. angle: largest angle (rad) between neighbouring triangles."""
     refuse_both(resolution, cell)
     require_file(path)
     if tolerance is None and accuracy is not None:

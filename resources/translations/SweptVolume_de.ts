@@ -77,14 +77,6 @@
         <translation>Abstand an jedem Eckpunkt der Hülle, für ihre Farben</translation>
     </message>
     <message>
-        <source>Inputs of the stored result</source>
-        <translation>Eingaben des gespeicherten Ergebnisses</translation>
-    </message>
-    <message>
-        <source>Inputs of the last run that failed</source>
-        <translation>Eingaben des letzten fehlgeschlagenen Laufs</translation>
-    </message>
-    <message>
         <source>Inputs that were deleted (JSON)</source>
         <translation>Eingaben, die gelöscht wurden (JSON)</translation>
     </message>
@@ -333,14 +325,6 @@
         <translation>Name des Werts, der geändert wird, um das Teil zu bewegen</translation>
     </message>
     <message>
-        <source>What SourceValue is set to at the first pose, in its own unit (such as mm or degrees)</source>
-        <translation>Zahl, auf die SourceValue bei der ersten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
-    </message>
-    <message>
-        <source>What SourceValue is set to at the last pose, in its own unit (such as mm or degrees)</source>
-        <translation>Zahl, auf die SourceValue bei der letzten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
-    </message>
-    <message>
         <source>Parts, in the order in which they are installed</source>
         <translation>Teile, in der Reihenfolge ihres Einbaus</translation>
     </message>
@@ -506,6 +490,22 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
     <message>
         <source>How deep one of the two parts lies inside the other</source>
         <translation>Wie tief eines der beiden Teile im anderen liegt</translation>
+    </message>
+    <message>
+        <source>Checksum of the inputs of the stored result</source>
+        <translation>Prüfsumme der Eingaben des gespeicherten Ergebnisses</translation>
+    </message>
+    <message>
+        <source>Checksum of the inputs of the last run that failed</source>
+        <translation>Prüfsumme der Eingaben des letzten fehlgeschlagenen Laufs</translation>
+    </message>
+    <message>
+        <source>Number to which the driven value (SourceValue) is set at the first pose, in its own unit (such as mm or degrees)</source>
+        <translation>Zahl, auf die der gesteuerte Wert (SourceValue) bei der ersten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
+    </message>
+    <message>
+        <source>Number to which the driven value (SourceValue) is set at the last pose, in its own unit (such as mm or degrees)</source>
+        <translation>Zahl, auf die der gesteuerte Wert (SourceValue) bei der letzten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
     </message>
 </context>
 <context>
@@ -1923,10 +1923,6 @@ Versucht:
         <translation>„{0}“ ist ein Ordner: Geben Sie den Namen einer Datei an.</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is write-protected: choose another name, or change its permissions.</source>
-        <translation>„{0}“ ist schreibgeschützt: Wählen Sie einen anderen Namen, oder ändern Sie die Rechte.</translation>
-    </message>
-    <message>
         <source>&quot;{0}&quot; is an input of &quot;{1}&quot; and would be overwritten: choose another file.</source>
         <translation>„{0}“ ist eine Eingabe von „{1}“ und würde überschrieben: Wählen Sie eine andere Datei.</translation>
     </message>
@@ -2833,10 +2829,6 @@ path&apos;s size.</extracomment>
         <translation>En&amp;tfernen</translation>
     </message>
     <message>
-        <source>Removes the marked parts from the list</source>
-        <translation>Entfernt die markierten Teile aus der Liste</translation>
-    </message>
-    <message>
         <source>Add a&amp;ll its parts</source>
         <translation>A&amp;lle ihre Teile hinzufügen</translation>
     </message>
@@ -3072,14 +3064,6 @@ path&apos;s size.</extracomment>
         <translation>Dreiecke: {0}, Schalen: {1}</translation>
     </message>
     <message>
-        <source>Cell: {0}, simplified by: {1}</source>
-        <translation>Zelle: {0}, vereinfacht um: {1}</translation>
-    </message>
-    <message>
-        <source>Time: {0} on {1}</source>
-        <translation>Zeit: {0} auf {1}</translation>
-    </message>
-    <message>
         <source>Distance from the true surface: at most {0}</source>
         <translation>Abstand von der wahren Fläche: höchstens {0}</translation>
     </message>
@@ -3188,24 +3172,12 @@ path&apos;s size.</extracomment>
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
-        <source>Removes the marked part from the sequence</source>
-        <translation>Entfernt das markierte Teil aus der Einbaufolge</translation>
-    </message>
-    <message>
         <source>&amp;Up</source>
         <translation>&amp;Auf</translation>
     </message>
     <message>
-        <source>Moves the marked part one step earlier</source>
-        <translation>Rückt das markierte Teil um einen Schritt nach vorn</translation>
-    </message>
-    <message>
         <source>D&amp;own</source>
         <translation>A&amp;b</translation>
-    </message>
-    <message>
-        <source>Moves the marked part one step later</source>
-        <translation>Rückt das markierte Teil um einen Schritt nach hinten</translation>
     </message>
     <message>
         <source>find a path</source>
@@ -3322,10 +3294,6 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>Table</source>
         <translation>Tisch</translation>
-    </message>
-    <message>
-        <source>What the G-code words A, B and C rotate. They are angles in degrees about the fixed axes x, then y, then z. Tool head: X, Y and Z are coordinates of the workpiece. Table: X, Y and Z are coordinates of the machine, and the table turns the workpiece</source>
-        <translation>Was die G-Code-Wörter A, B und C drehen. Sie sind Winkel in Grad um die festen Achsen x, dann y, dann z. Werkzeugkopf: X, Y und Z sind Koordinaten des Werkstücks. Tisch: X, Y und Z sind Koordinaten der Maschine, und der Tisch dreht das Werkstück</translation>
     </message>
     <message>
         <source>Rotary axes</source>
@@ -3647,8 +3615,44 @@ bis etwa {2}, {3}</translation>
         <translation>Die Zelle ist zu groß für das Teil: Das Teil ist kleiner als eine Zelle oder überall dünner. Wählen Sie eine feinere Genauigkeit, eine kleinere Zelle oder eine höhere Auflösung.</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is stale: the file gets its last result. To export the present state, recompute it first.</source>
-        <translation>„{0}“ ist veraltet: Die Datei erhält das letzte Ergebnis. Um den jetzigen Stand zu exportieren, zuerst neu berechnen.</translation>
+        <source>&quot;{0}&quot; is not up to date: the file gets its last result. To export the present state, recompute it first.</source>
+        <translation>„{0}“ ist nicht aktuell: Die Datei erhält das letzte Ergebnis. Um den jetzigen Stand zu exportieren, zuerst neu berechnen.</translation>
+    </message>
+    <message>
+        <source>Cell size: {0}, deviation by simplification: {1}</source>
+        <translation>Zellgröße: {0}, Abweichung durch Vereinfachung: {1}</translation>
+    </message>
+    <message>
+        <source>The folder &quot;{0}&quot; is write-protected: choose another folder, or change its permissions.</source>
+        <translation>Der Ordner „{0}“ ist schreibgeschützt: Wählen Sie einen anderen Ordner, oder ändern Sie die Rechte.</translation>
+    </message>
+    <message>
+        <source>The file &quot;{0}&quot; is write-protected: choose another name, or change its permissions.</source>
+        <translation>Die Datei „{0}“ ist schreibgeschützt: Wählen Sie einen anderen Namen, oder ändern Sie die Rechte.</translation>
+    </message>
+    <message>
+        <source>Removes the selected parts from the list</source>
+        <translation>Entfernt die ausgewählten Teile aus der Liste</translation>
+    </message>
+    <message>
+        <source>Computing time: {0} on the {1}</source>
+        <translation>Rechenzeit: {0} auf der {1}</translation>
+    </message>
+    <message>
+        <source>What the G-code words A, B and C rotate: the tool head, or the table with the workpiece. They are angles in degrees about the fixed axes x, then y, then z. For a tool head, X, Y and Z are coordinates of the workpiece; for a table, they are coordinates of the machine</source>
+        <translation>Was die G-Code-Wörter A, B und C drehen: den Werkzeugkopf, oder den Tisch mit dem Werkstück. Sie sind Winkel in Grad um die festen Achsen x, dann y, dann z. Bei einem Werkzeugkopf sind X, Y und Z Koordinaten des Werkstücks, bei einem Tisch Koordinaten der Maschine</translation>
+    </message>
+    <message>
+        <source>Removes the selected part from the sequence</source>
+        <translation>Entfernt das ausgewählte Teil aus der Einbaufolge</translation>
+    </message>
+    <message>
+        <source>Moves the selected part one step earlier</source>
+        <translation>Rückt das ausgewählte Teil um einen Schritt nach vorn</translation>
+    </message>
+    <message>
+        <source>Moves the selected part one step later</source>
+        <translation>Rückt das ausgewählte Teil um einen Schritt nach hinten</translation>
     </message>
 </context>
 <context>

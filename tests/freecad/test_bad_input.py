@@ -5,6 +5,7 @@ import subprocess
 import sys
 import tempfile
 import zipfile
+from unittest import mock
 
 import FreeCAD as App
 import numpy as np
@@ -14,7 +15,7 @@ from bad_case import BadCase
 from case import shift, turn
 from sweptvolume import __version__, core, export, runner
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import envelope, motion
+from sweptvolume.features import envelope, motion, solid
 from sweptvolume.panels import tasks
 
 
@@ -107,6 +108,35 @@ class BadInput(BadCase):
             with self.assertRaises(InputProblem):
                 export.check_target(os.path.join(self.folder, name))
         self.assertEqual(os.listdir(self.folder), [])
+
+    def test_write_protected_targets_are_named(self):
+        old = self.file("old.stl", "old")
+        for protected, text in ((self.folder, 'folder "{}" is'), (old, 'file "{}" is')):
+            with mock.patch("os.access", lambda path, mode, known=protected: path != known):
+                with self.assertRaises(InputProblem) as caught:
+                    export.check_target(old)
+            self.assertIn(text.format(protected) + " write-protected", str(caught.exception))
+
+    def test_exports_of_results_that_are_not_up_to_date_say_so(self):
+        """The same note for every kind of result and file; a current result has none."""
+        box = self.box()
+        obj = self.envelope([box], self.line())
+        envelope.compute(obj)
+        body = solid.make_solid(self.doc, obj)
+        solid.compute(body)
+        for source in (obj, body, box):
+            self.assertEqual(export.outdated_note(source), "", source.Label)
+        box.Length = 7
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.STALE)
+        for source in (obj, body):
+            note = '"{}" is not up to date: the file gets its last result'.format(source.Label)
+            self.assertIn(note, export.outdated_note(source))
+        envelope.fail(obj, "no memory", "")
+        self.assertEqual(obj.Status, envelope.FAILED)
+        self.assertIn("not up to date", export.outdated_note(obj))
+        envelope.compute(obj)
+        self.assertEqual(export.outdated_note(obj), "")
 
     def events(self):
         from PySide import QtCore

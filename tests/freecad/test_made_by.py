@@ -202,6 +202,33 @@ class MadeBy(Case):
         self.doc.undo()
         self.assertIs(made_by.find(obj), second)
 
+    def test_another_object_with_the_name_of_a_deleted_part(self):
+        """The record of a deleted part keeps its label when a new object gets its name. The label of
+        a part that is still there is its present one, and Undo brings the part back."""
+        one, two = self.box("One"), self.box("Two")
+        two.Placement = shift(0, 20, 0)
+        obj = self.computed([one, two], self.line())
+
+        def labels():
+            return [part["label"] for part in made_by.find(obj).parts]
+
+        self.assertEqual(labels(), ["One", "Two"])
+        self.doc.openTransaction("Delete")
+        self.doc.removeObject("One")
+        self.doc.commitTransaction()
+        two.Label = "Second"
+        new = self.doc.addObject("Part::Box", "One")
+        self.assertEqual(new.Name, "One")
+        new.Label = "Other"
+        self.doc.recompute()
+        self.assertNotEqual(obj.Status, envelope.UP_TO_DATE)
+        self.assertEqual(labels(), ["One", "Second"])
+        self.doc.removeObject(new.Name)
+        self.doc.undo()
+        self.doc.getObject("One").Label = "First"
+        self.doc.recompute()
+        self.assertEqual(labels(), ["First", "Second"])
+
     def test_stored_only_where_asked_for(self):
         path, box = self.line(), self.box()
         obj = self.computed([box], path)

@@ -96,7 +96,7 @@ def test_contacts_at_the_first_pose_are_offered(call, inputs, scene):  # noqa: F
         (
             "post=near",
             2,
-            "rule 'near' is not understood; allowed: a required distance in mm; contact",
+            "rule 'near' is not understood; write a required distance in mm (such as 8), contact",
         ),
         ("hose=3", 1, "'hose' names no neighbour; the neighbours are: 'table', 'post', 'wall'"),
         ("*=ignore", 1, "the rules ignore every neighbour"),

@@ -264,7 +264,7 @@ CHECK = '[[run]]\npart = "box.ply"\nmotion = "by30.csv"\nneighbours = ["post.ply
         ('[study]\noutput = "."\n' + RUN, "lies in the folder for results"),
         (RUN + 'name = "Study.csv"', "run 'Study.csv': a file of the results has that name"),
         (RUN + 'name = "study.html"', "a file of the results has that name"),
-        (CHECK + 'rules = { post = "touch" }', "rules: rule 'touch' is not understood; allowed"),
+        (CHECK + 'rules = { post = "touch" }', "rules: rule 'touch' is not understood; write"),
         (
             CHECK + "rules = { post = -1 }",
             "rules: rule '-1.0': a required distance of -1 mm is not",

@@ -215,8 +215,8 @@ def test_bad_reports_of_studies_are_refused():
     assert "The run is done" in sv.report_page(good)
     for row, said in (
         ({"run": "a", "state": "lost"}, "the state 'lost' of a run is unknown"),
-        ({"run": "a", "state": "done", "page": "http://x/y"}, "must be a relative path"),
-        ({"run": "a", "state": "done", "page": "//x/y"}, "must be a relative path"),
+        ({"run": "a", "state": "done", "page": "http://x/y"}, "must be a path relative to"),
+        ({"run": "a", "state": "done", "page": "//x/y"}, "must be a path relative to"),
         ({"run": "a", "state": "done", "distance": -1}, "distance is not a length"),
         ({"state": "done"}, "run"),
     ):

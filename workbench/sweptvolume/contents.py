@@ -105,9 +105,10 @@ class KeptBodies:
 
 
 def outline(pairs):
-    """Returns a function for any thread. The function returns the outermost points of the parts in
-    many directions, in world coordinates (k,3), for the bounding box of a sweep. The points are
-    kept as the texts are. Both raise InputProblem."""
+    """Returns a function that may be called in any thread. It returns the outermost points of the
+    parts in many directions, in world coordinates (k,3), for the bounding box of a sweep. The
+    points are kept for later calls, like the texts of words(). outline() and the function raise
+    InputProblem."""
     found = []
     for root, sub in pairs:
         label = convert.label_of(root, sub)

@@ -341,7 +341,14 @@ def no_part_text():
 
 def owner(root, path):
     """Returns to which part the faces of a solid or mesh belong, in the form of features.made_by."""
-    return {"label": label_of(root, path), "root": root.Name, "sub": path}
+    known = {"label": label_of(root, path), "root": root.Name, "sub": path}
+    return dict(known, id=object_id(root, path))
+
+
+def object_id(root, path):
+    """Returns the number that FreeCAD gives only to the object at a place, never to a later one with
+    the same name."""
+    return root.getSubObject(path, retType=1).ID
 
 
 def body_from(pairs, deflection):

@@ -286,7 +286,7 @@ def write_solid(vertices, triangles, path, control, **options):
 
 def clearance(request, neighbours, options, control):
     """Measures the smallest distance of a moving body from each neighbour (name, vertices,
-    triangles, chord, rule). Returns the report (dict).
+    triangles, mesh deflection in mm, rule). Returns the report (dict).
 
     Ignores `request.options`. Raises CoreError.
     """

@@ -9,8 +9,8 @@ class PathRequest:
 
     body: has vertices (n,3) mm, in the coordinates to which the placements apply, and triangles
     (m,3); any thread may create them. goal, start: (4,4). extract, in place of a start: mm, or a
-    direction (x, y, z). neighbours: (name, body in the world, chord, rule as text or None).
-    options: those of the module's find_path()."""
+    direction (x, y, z). neighbours: (name, body in the world, mesh deflection in mm, rule as text
+    or None). options: those of the module's find_path()."""
 
     def __init__(self, body, goal, neighbours, start, extract, options):
         self.body = body

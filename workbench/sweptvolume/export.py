@@ -8,7 +8,7 @@ import os
 
 from . import core, targets
 from .convert import InputProblem
-from .features import solid
+from .features import solid, status
 from .texts import translate
 
 SOLID_SUFFIXES = (".step", ".stp", ".brep", ".brp")
@@ -22,6 +22,19 @@ def check_target(path):
 
 def is_solid_file(path):
     return os.path.splitext(path)[1].lower() in SOLID_SUFFIXES
+
+
+def outdated_note(source):
+    """Returns what people must know before they export a source that is not up to date; "" if it
+    is."""
+    if not status.is_behind(source):
+        return ""
+    text = translate(
+        "SweptVolume",
+        '"{0}" is not up to date: the file gets its last result. To export the present state, '
+        "recompute it first.",
+    )
+    return text.format(source.Label)
 
 
 def request(source, settings=None):

@@ -27,11 +27,20 @@ def check_target(path, suffixes):
         raise InputProblem(
             translate("SweptVolume", '"{0}" is a folder: enter the name of a file.').format(path)
         )
-    if not os.access(folder, os.W_OK) or (os.path.exists(path) and not os.access(path, os.W_OK)):
+    if not os.access(folder, os.W_OK):
         raise InputProblem(
             translate(
                 "SweptVolume",
-                '"{0}" is write-protected: choose another name, or change its permissions.',
+                'The folder "{0}" is write-protected: choose another folder, or change its '
+                "permissions.",
+            ).format(folder)
+        )
+    if os.path.exists(path) and not os.access(path, os.W_OK):
+        raise InputProblem(
+            translate(
+                "SweptVolume",
+                'The file "{0}" is write-protected: choose another name, or change its '
+                "permissions.",
             ).format(path)
         )
 

@@ -41,10 +41,10 @@ struct ClearanceOptions {
   bool penetration = true;  ///< measure the depth and the place of a clash
 };
 
-/// Clear: at least the required distance. BelowRequired: apart, but nearer than the required
-/// distance. Contact: nearer than tolerance + chord errors, so the program cannot distinguish it
-/// from touching. Clash: the solids overlap by more than that. If the rule allows contact, a clash
-/// must also be deeper than the rule allows.
+/// Contact: the measured distance is at most tolerance + chord errors, so the parts may touch.
+/// Clash: the parts overlap deeper than that and, if the rule allows contact, than it allows.
+/// Otherwise BelowRequired: distance - chord errors is below the required distance, or Clear: it is
+/// not (so the true distance may be below it by up to the tolerance).
 enum class ClearanceVerdict { Clear, BelowRequired, Contact, Clash };
 const char* clearanceVerdictName(ClearanceVerdict verdict);  // clear | below | contact | clash
 
@@ -99,7 +99,7 @@ struct NeighbourClearance {
   bool closed = true;   ///< false: the neighbour's mesh is open, so its inside is not defined
   bool inside = false;  ///< true: at some time, one part lies inside the other without touching it
   PenetrationResult penetration;
-  /// When the guaranteed distance is below the required one (if required > 0)
+  /// When the distance, less the chord errors, is below the required one (if required > 0)
   std::vector<TimeInterval> below;
   std::vector<TimeInterval> contact;  ///< when there is contact or clash
   std::vector<CurvePoint> curve;

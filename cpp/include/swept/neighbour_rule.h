@@ -32,7 +32,7 @@ NeighbourRule parseRule(const std::string& text);
 /// `who`: the name that the message gives to the owner of the rule.
 void checkRule(const NeighbourRule& rule, const std::string& who);
 
-/// A rule for all neighbours whose names match. In the pattern, * stands for any letters and ? for
+/// A rule for all neighbours whose names match. In the pattern, * stands for any characters, ? for
 /// one.
 struct NamedRule {
   std::string pattern;

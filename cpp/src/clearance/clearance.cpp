@@ -61,16 +61,20 @@ std::vector<const ClearanceNeighbour*> withoutIgnored(const std::vector<Clearanc
   return kept;
 }
 
+/// Returns the depth (mm) up to which the rule of a row allows contact.
+double allowedDepth(const NeighbourClearance& row, const ClearanceOptions& options) {
+  return std::max(row.rule.contact.value_or(0), options.tolerance + row.chordError);
+}
+
 /// Adds a finding about allowed contacts for which a greater depth could not be excluded. The text
-/// names the deepest contact.
+/// names the contact with the largest bound.
 void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
   Finding finding{"ContactNotProven", 0, {}, ""};
   const NeighbourClearance* worst = nullptr;
   for (std::size_t i = 0; i < report.neighbours.size(); ++i) {
     const NeighbourClearance& row = report.neighbours[i];
-    const double most = std::max(row.rule.contact.value_or(0), options.tolerance + row.chordError);
     if (!row.rule.contact || row.verdict != ClearanceVerdict::Contact ||
-        row.penetration.depthBound <= most)
+        row.penetration.depthBound <= allowedDepth(row, options))
       continue;
     ++finding.count;
     if (finding.first.size() < kMostFirst) finding.first.push_back(static_cast<std::int64_t>(i));
@@ -79,8 +83,10 @@ void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
   }
   if (worst == nullptr) return;
   finding.text = counted(finding.count, "allowed contact") +
-                 ": no point deeper than allowed was found, but deeper points may exist; for '" +
-                 worst->name + "' it is only proven that the depth is at most " +
+                 ": no point deeper than allowed was found, but a deeper point is not excluded; "
+                 "for '" +
+                 worst->name + "', " + numberText(allowedDepth(*worst, options), 3) +
+                 " mm are allowed, and it is only proven that no point is deeper than " +
                  numberText(worst->penetration.depthBound, 3) + " mm";
   report.warnings.push_back(finding);
 }

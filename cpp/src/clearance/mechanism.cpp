@@ -1,6 +1,6 @@
 // The parts are prepared in parallel. Boxes over time discard the pairs of parts that stay far
-// apart. Each remaining pair is searched like one moving body. The frame of the search is that part
-// from which the other one is seen to move less.
+// apart. Each remaining pair is searched like one moving body: the part relative to which the other
+// one moves less counts as standing still.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/mechanism.h"
 

@@ -12,7 +12,8 @@ namespace swept {
 namespace {
 
 constexpr const char* kAllowed =
-    "allowed: a required distance in mm; contact; contact:MM (overlap of at most MM mm); or ignore";
+    "a required distance in mm (such as 8), contact, contact:MM (the parts may overlap by at most "
+    "MM mm) or ignore";
 /// Largest number of neighbours that one message names.
 constexpr std::size_t kMostNames = 12;
 
@@ -33,7 +34,7 @@ double lengthOf(const std::string& text, const std::string& whole) {
   const char* end = text.data() + text.size();
   const auto [at, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || at != end)
-    badRule("rule " + quoted(whole) + " is not understood; " + kAllowed);
+    badRule("rule " + quoted(whole) + " is not understood; write " + kAllowed);
   return value;
 }
 
@@ -163,8 +164,8 @@ NamedRule parseNamedRule(const std::string& text) {
   const std::size_t at = text.rfind('=');
   const std::string name = at == std::string::npos ? "" : trimmed(text.substr(0, at));
   if (name.empty())
-    badRule(quoted(text) + " is not a rule; write NAME=RULE, for example 'bolt*=contact'; " +
-            kAllowed);
+    badRule(quoted(text) +
+            " is not a rule; write NAME=RULE, for example 'bolt*=contact'. RULE is " + kAllowed);
   return {name, parseRule(text.substr(at + 1))};
 }
 

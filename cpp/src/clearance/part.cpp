@@ -22,11 +22,13 @@ void requireUsable(const TriMesh& mesh, const std::string& who) {
   if (numbers.nonFinite > 0)
     throw Error(Status::InvalidInput, "NonFiniteVertex",
                 who + ": vertex " + std::to_string(numbers.firstNonFinite.front()) +
-                    " has a coordinate that is not a finite number; export the part again");
+                    " (counted from 0) has a coordinate that is not a finite number; export the "
+                    "part again");
   if (numbers.largest > kLargestLength)
     throw Error(Status::InvalidInput, "OutOfRange",
                 who + ": vertex " + std::to_string(numbers.farthest) +
-                    " lies more than 1e9 mm from the origin; check the unit of length of the part");
+                    " (counted from 0) lies more than 1e9 mm from the origin; check the unit of "
+                    "length of the part");
   if (const std::optional<BadIndex> bad = findBadIndex(mesh))
     throw Error(Status::InvalidInput, "BadIndex",
                 who + ": " + badIndexText(*bad, mesh) + "; export the part again");

@@ -1,4 +1,4 @@
-// Surface components of a leaf cell: which of its crossings belong to one piece of surface.
+// Surface components of a cell: which of its crossings belong to one piece of surface.
 //
 // In: one cell and the crossings of the grid. Out: a component number per slot. Units: cells. Cost:
 // O(crossings of the cell).

@@ -7,10 +7,10 @@
 // removes the intersections that remain. Source: own method; docs/contouring.md, "Tips".
 //
 // The tip of a corner or wedge can reach into a neighbouring cell without meeting any of its edges.
-// If the way to the point leads through empty cells, the vertex moves to the point. If the point
-// lies in a neighbouring leaf cell, the vertex of a component of that cell may take over the point,
-// provided that the planes of this component agree with it. The corner then lies in that cell,
-// although its crossings lie on some of the planes only.
+// If the way to the point leads through cells without surface, the vertex moves to the point. If
+// the point lies in a neighbouring cell with surface, the vertex of a component there may move to
+// it, provided that the point lies on all planes of this component. That vertex is then the corner,
+// although the crossings of its own cell lie on some of the corner's planes only.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -43,9 +43,9 @@ struct VertexSplit {
   std::vector<std::array<std::int8_t, 2>> folds;
   std::vector<std::int8_t> foldFaces;
 
-  /// Finds the folds. There are none unless every slot of the component has a part, each part is
-  /// one arc of the ring of polygons, and the arcs meet on faces with a single way to pair
-  /// crossings.
+  /// Finds the folds. The polygons of the component form a ring. There are folds only if `part`
+  /// divides this ring into two connected arcs and leaves no polygon out, and if the arcs meet on
+  /// faces whose crossings can be paired in one way only.
   void findFolds(const Cell& cell, const Components& components, int component,
                  const Crossing* crossings);
 

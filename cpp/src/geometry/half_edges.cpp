@@ -21,7 +21,7 @@ EdgeTable::EdgeTable(const Triangles& triangles, std::size_t vertexCount) {
   // 32-bit half-edge numbers allow 1,431,655,765 triangles, far above any memory budget.
   if (triangles.size() > 0xffffffffu / 3) {
     throw Error(Status::ResourceLimit, "TooManyTriangles",
-                std::to_string(triangles.size()) +
+                "the mesh has " + std::to_string(triangles.size()) +
                     " triangles, but the limit is 1431655765; use a coarser mesh");
   }
   const auto forAll = [&](const auto& use) {

@@ -35,7 +35,8 @@ std::optional<BadIndex> findBadIndex(const TriMesh& mesh) {
 std::string badIndexText(const BadIndex& bad, const TriMesh& mesh) {
   return "triangle " + std::to_string(bad.triangle) + " refers to vertex " +
          std::to_string(bad.vertex) + ", but the mesh has " +
-         counted(std::ssize(mesh.vertices), "vertex", "vertices") + ", numbered from 0";
+         counted(std::ssize(mesh.vertices), "vertex", "vertices") +
+         " (triangles and vertices are counted from 0)";
 }
 
 Coordinates measureCoordinates(const TriMesh& mesh) {

@@ -130,8 +130,8 @@ GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bod
   if (precision > plan.cell / 8) {
     throw Error(Status::InvalidInput, "PrecisionTooCoarse",
                 "the body lies up to " + numberText(farthest, 4) +
-                    " mm from the origin, where successive floating-point numbers are " +
-                    numberText(precision, 4) + " mm apart; the cell is " +
+                    " mm from the origin, where coordinates can only be stored in steps of " +
+                    numberText(precision, 4) + " mm. This is too coarse for a cell of " +
                     numberText(plan.cell, 4) +
                     " mm. Move the body closer to the origin, or use a cell above " +
                     numberText(8 * precision, 4) + " mm");

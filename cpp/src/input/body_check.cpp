@@ -32,7 +32,7 @@ void refuseBadFaces(const TriMesh& body) {
                         " triangles; give one face number for each triangle, or none at all"
                   : "triangle " + std::to_string(negative - body.faceOf.begin()) +
                         " has the face number " + std::to_string(*negative) +
-                        "; face numbers begin at 0");
+                        " (triangles are counted from 0); face numbers begin at 0");
 }
 
 /// If faces are wanted, keeps the given faces of the triangles; if none are given, each triangle
@@ -72,7 +72,7 @@ void refuseBadVertices(const TriMesh& body) {
   if (found.nonFinite > 0) {
     throw Error(Status::InvalidInput, "NonFiniteVertex",
                 counted(found.nonFinite, "vertex has", "vertices have") +
-                    " a coordinate that is not a finite number (first: " +
+                    " a coordinate that is not a finite number (the first ones, counted from 0: " +
                     list(found.firstNonFinite) + "); repair the mesh, or export it again");
   }
   if (found.largest > kLargestLength) {

@@ -17,6 +17,7 @@ constexpr double kAmbiguousDegrees = 1.0;
 
 // Users count poses from 1, like the rows of a table.
 std::string poseName(std::size_t index) { return "pose " + std::to_string(index + 1); }
+constexpr const char* kCounted = " (poses are counted from 1)";
 
 void checkFinite(const Pose& pose, std::size_t index) {
   const char* what = nullptr;
@@ -24,16 +25,15 @@ void checkFinite(const Pose& pose, std::size_t index) {
   if (!pose.translation.allFinite()) what = "the translation";
   if (!pose.rotation.coeffs().allFinite()) what = "the rotation";
   if (what != nullptr) {
-    throw Error(
-        Status::InvalidInput, "BadPose",
-        poseName(index) + ": " + what +
-            " is not a finite number; correct or remove this pose (poses are counted from 1)");
+    throw Error(Status::InvalidInput, "BadPose",
+                poseName(index) + ": " + what +
+                    " is not a finite number; correct or remove this pose" + kCounted);
   }
   if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength) {
-    throw Error(Status::InvalidInput, "BadPose",
-                poseName(index) + ": translation of " +
-                    numberText(pose.translation.cwiseAbs().maxCoeff()) +
-                    " mm is above the limit of 1e9 mm; check the unit of length of the motion");
+    throw Error(
+        Status::InvalidInput, "BadPose",
+        poseName(index) + ": translation of " + numberText(pose.translation.cwiseAbs().maxCoeff()) +
+            " mm is above the limit of 1e9 mm; check the unit of length of the motion" + kCounted);
   }
 }
 
@@ -44,14 +44,15 @@ double checkNorm(const Pose& pose, std::size_t index) {
     throw Error(Status::InvalidInput, "NotRigid",
                 poseName(index) +
                     ": the rotation quaternion is zero; for no rotation, use "
-                    "(qx, qy, qz, qw) = (0, 0, 0, 1)");
+                    "(qx, qy, qz, qw) = (0, 0, 0, 1)" +
+                    kCounted);
   }
   const double deviation = std::abs(norm - 1);
   if (deviation > kRigidLimit) {
     throw Error(Status::InvalidInput, "NotRigid",
                 poseName(index) + ": the rotation quaternion has length " + numberText(norm) +
                     " instead of 1 (allowed error: 1e-4), so the pose scales the body by " +
-                    numberText(norm * norm) + "; export the poses without scale");
+                    numberText(norm * norm) + "; export the poses without scale" + kCounted);
   }
   return deviation;
 }
@@ -66,7 +67,8 @@ void checkTurn(const Pose& before, const Pose& after, std::size_t index) {
                     " the body turns by " + numberText(degrees) +
                     " degrees (limit: " + numberText(180 - kAmbiguousDegrees) +
                     "), so the direction of the turn is ambiguous; insert a pose between them, or "
-                    "choose interpolation none");
+                    "choose interpolation none" +
+                    kCounted);
   }
 }
 
@@ -123,7 +125,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
                   poseName(i) + ": time " + numberText(pose.timeSeconds, kTellingDigits) +
                       " s is earlier than " +
                       numberText(trajectory.poses[i - 1].timeSeconds, kTellingDigits) +
-                      " s, the time of the pose before; times must not decrease");
+                      " s, the time of the pose before; times must not decrease" + kCounted);
     }
     pose.rotation.normalize();
     if (!poses.empty()) {

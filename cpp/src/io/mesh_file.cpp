@@ -110,10 +110,10 @@ TriMesh toTriangles(PolygonList found, const std::string& path) {
       badFile("'" + path + "': face " + std::to_string(f) + " refers to vertex " +
               std::to_string(corner) + ", but the file has " +
               counted(vertexCount, "vertex", "vertices") +
-              ", numbered from 0; the file is damaged: export it again");
+              " (faces and vertices are counted from 0); the file is damaged: export it again");
     }
     if (corners.size() > kMaxPolygonCorners) {
-      badFile("'" + path + "': face " + std::to_string(f) + " has " +
+      badFile("'" + path + "': face " + std::to_string(f) + " (counted from 0) has " +
               std::to_string(corners.size()) + " corners (limit " +
               std::to_string(kMaxPolygonCorners) + "); triangulate the mesh before export");
     }

@@ -50,7 +50,8 @@ Pose poseFromMatrix(const double matrix[16], double timeSeconds, std::int64_t in
     throw Error(Status::InvalidInput, "BadPose",
                 "pose " + std::to_string(index + 1) + ": matrix entry " +
                     std::to_string(i / 4 + 1) + "," + std::to_string(i % 4 + 1) +
-                    " (row, column) is not a finite number");
+                    " (row, column) is not a finite number; correct or remove this pose (poses are "
+                    "counted from 1)");
   }
   const Eigen::RowVector4d last = full.row(3);
   if ((last - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-9) {

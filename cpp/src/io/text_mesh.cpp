@@ -209,7 +209,7 @@ void checkBinaryStl(std::istream& stream, const std::string& path) {
       float value = 0;
       std::memcpy(&value, facet.data() + 4 * k, 4);
       if (std::isfinite(value)) continue;
-      notFinite(path, "triangle " + std::to_string(i));
+      notFinite(path, "triangle " + std::to_string(i) + " (counted from 0)");
     }
   }
 }

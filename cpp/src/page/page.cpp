@@ -80,7 +80,9 @@ std::string reportPage(const std::string& report, const PageOptions& options, Ru
     return page::pageOf(report, options, run);
   } catch (const Json::exception& error) {
     throw Error(Status::InvalidInput, "BadReport",
-                std::string("no page can be made of this report: ") + error.what());
+                std::string("no page can be made of this report: it is damaged, or no report of "
+                            "this version (") +
+                    error.what() + "); create the report again");
   }
 }
 

@@ -64,19 +64,21 @@ void checkPart(const PagePart& part) {
     refuse("NonFiniteVertex", counted(found.nonFinite, "vertex has", "vertices have") +
                                   " a coordinate that is not a finite number (first: vertex " +
                                   std::to_string(found.firstNonFinite[0]) +
-                                  "); export the part again");
+                                  ", counted from 0); export the part again");
   if (found.largest > kLargestLength)
     refuse(
         "OutOfRange",
-        "vertex " + std::to_string(found.farthest) + " lies " + numberText(found.largest) +
+        "vertex " + std::to_string(found.farthest) + " (counted from 0) lies " +
+            numberText(found.largest) +
             " mm from the origin, but the limit is 1e9 mm; check the unit of length of the part");
   for (std::size_t i = 0; i < part.motion.poses.size(); ++i) {
     const Pose& pose = part.motion.poses[i];
     if (!std::isfinite(pose.timeSeconds) || !pose.translation.allFinite() ||
         !pose.rotation.coeffs().allFinite() || !(pose.rotation.norm() > 0))
-      refuse("BadPose", "pose " + std::to_string(i + 1) +
-                            " has a number that is not finite, or a quaternion of length 0; "
-                            "correct or remove this pose");
+      refuse("BadPose",
+             "pose " + std::to_string(i + 1) +
+                 " (counted from 1) has a number that is not finite, or a quaternion of length 0; "
+                 "correct or remove this pose");
   }
 }
 

@@ -46,8 +46,8 @@ std::string linkTo(const std::string& address, const std::string& text) {
 std::string pageOf(const Json& row) {
   const std::string address = row.value("page", "");
   if (address.find(':') != std::string::npos || address.starts_with("/"))
-    badReport("the address '" + address +
-              "' of a page must be a relative path beside the study page");
+    badReport("the key 'page' of a run is '" + address +
+              "'; it must be a path relative to the folder of the study's page");
   return address;
 }
 

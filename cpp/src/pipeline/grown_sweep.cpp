@@ -25,9 +25,12 @@ HermiteGrid GrownSweep::hermite(double distance, const FindSigns& findSigns,
 Finding GrownSweep::offsetFinding(double offset, bool fromMesh) const {
   std::string text = textOf(4, "the envelope was grown by ", offset, " mm");
   if (fromMesh) {
-    text += textOf(4, "; the distance is measured from the ", cover_.triangles.size(),
-                   " triangles of the envelope before it was grown, whose deviation adds to the "
-                   "deviation of the result");
+    text += textOf(4,
+                   "; the distance was measured from the mesh of the envelope before it was "
+                   "grown (",
+                   cover_.triangles.size(),
+                   " triangles). The deviation of this mesh "
+                   "adds to that of the result");
   } else {
     text +=
         textOf(4, "; the distance is accurate to ",

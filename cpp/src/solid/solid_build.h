@@ -96,7 +96,8 @@ void withJudge(Judge& judge, std::size_t triangles, RunContext& run, const Work&
     refuseMemory(triangles);
   } catch (const std::ios_base::failure& failure) {
     throw Error(Status::ExportFailed, "WriteFailed",
-                std::string("writing failed: ") + failure.what());
+                std::string("the file could not be written (") + failure.what() +
+                    "); check the free space, and the permissions of its folder");
   }
 }
 

@@ -143,7 +143,7 @@ RepeatableInput::RepeatableInput(const std::string& path) : given_(path), path_(
   std::ifstream file;
   if (!path_.empty()) {
     file.open(pathFromUtf8(path_), std::ios::binary);
-    if (!file) badFile("'" + path + "' cannot be opened for reading");
+    if (!file) badFile("'" + path + "' cannot be opened; check its name and its permissions");
   }
   try {
     copy_ = std::make_unique<os::ScratchFile>();

@@ -54,8 +54,9 @@ void addOptions(CLI::App& app, MechanismJob& job) {
       "list the pairs that come closer than this (default 0: a tenth of the size of the parts)");
   addWords(
       app, "--rule", 3, "PART PART RULE", job.rules,
-      "rule for one pair of parts, in place of the required distance: a distance in mm; contact; "
-      "contact:MM (overlap of at most MM mm); or ignore. Repeat the option for each pair");
+      "rule for one pair of parts, in place of the required distance: a distance in mm, contact, "
+      "contact:MM (the parts may overlap by at most MM mm) or ignore. Repeat the option for each "
+      "pair");
   addWords(app, "--ignore", 2, "PART PART", job.ignored,
            "do not check this pair, for example parts that are connected by a joint; the same as "
            "--rule PART PART ignore");

@@ -37,8 +37,8 @@ void addRuleOptions(CLI::App& app, NeighbourFiles& files) {
            for (const std::string& text : list) files.rules.push_back(parseNamedRule(text));
          },
          "rule for the neighbours with this name, in place of the required distance: a distance in "
-         "mm; contact; contact:MM (overlap of at most MM mm); or ignore. In NAME, * stands for any "
-         "letters and ? for one. Repeat the option for more rules")
+         "mm, contact, contact:MM (the parts may overlap by at most MM mm) or ignore. In NAME, * "
+         "stands for any characters and ? for one. Repeat the option for more rules")
       ->type_name("NAME=RULE")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -29,8 +29,9 @@ struct SequenceJob {
 };
 
 constexpr const char* kHow =
-    "is 'out:' and a distance in mm or a direction x,y,z; 'from:' and a start placement; or "
-    "'motion:' and a motion file";
+    "out:R (the part comes from any place at least R mm away), out:X,Y,Z (it comes from beyond all "
+    "other parts in this direction), from:PLACEMENT (it comes from this placement, written as for "
+    "--start of swept path) or motion:FILE (it follows the motion in this file)";
 
 bool takes(const std::string& text, const std::string& word, std::string& rest) {
   if (text.rfind(word + ":", 0) != 0) return false;
@@ -41,7 +42,7 @@ bool takes(const std::string& text, const std::string& word, std::string& rest) 
 void addOptions(CLI::App& app, SequenceJob& job) {
   addWords(app, "--part", 2, "PART HOW", job.parts,
            "a part in its installed position, and how it gets there. The part takes the name of "
-           "its file PART. HOW " +
+           "its file PART. HOW is " +
                std::string(kHow) + ". Repeat the option for each part");
   addNeighbourOptions(app, job.still)->required(false);
   addUnit(app, "--part-unit", job.partUnit,
@@ -84,7 +85,7 @@ bool takePlace(const std::string& how, PathTask& task) {
   else if (takes(how, "from", rest))
     task.start = placementOf("--part ... from", rest);
   else
-    badOption("--part ... '" + how + "'; HOW " + kHow);
+    badOption("--part PART HOW: HOW is '" + how + "', which is not understood; give " + kHow);
   return true;
 }
 

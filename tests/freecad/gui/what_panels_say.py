@@ -11,6 +11,7 @@ from driver import (  # noqa: E402
     Cancel,
     Close,
     Gui,
+    Ok,
     QtCore,
     QtWidgets,
     answered,
@@ -56,9 +57,26 @@ def export(hull, made, stale):
             Gui.runCommand("SweptVolume_Export")
         yield 0.5
         assert ("stored solid is not used" in visible_text()) == told, visible_text()
-        assert ('"Together" is stale' in visible_text()) == stale, visible_text()
+        assert ('"Together" is not up to date' in visible_text()) == stale, visible_text()
         click(panel_button(Cancel))
         yield no_panel
+    yield from export_mesh(hull, stale)
+
+
+def export_mesh(hull, stale):
+    """A mesh file is written at once, or after OK if the envelope is not up to date."""
+    from sweptvolume.panels import file_dialogs
+
+    path = os.path.join(tempfile.mkdtemp(), "a.stl")
+    select(hull)
+    with answered(file_dialogs, "ask_export", lambda *ignored: path):
+        Gui.runCommand("SweptVolume_Export")
+    if stale:
+        yield 0.5
+        assert '"Together" is not up to date' in visible_text(), visible_text()
+        assert not os.path.exists(path)
+        click(panel_button(Ok))
+    yield lambda: os.path.exists(path) and no_panel()
 
 
 def study():

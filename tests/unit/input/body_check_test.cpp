@@ -67,7 +67,8 @@ TEST(BodyCheck, bad_input_02_index_out_of_range) {
   TriMesh mesh = unitBox();
   mesh.triangles[7][2] = 8;
   expectRefused(mesh, "BadIndex",
-                "triangle 7 refers to vertex 8, but the mesh has 8 vertices, numbered from 0");
+                "triangle 7 refers to vertex 8, but the mesh has 8 vertices (triangles and "
+                "vertices are counted from 0)");
   mesh.triangles[7][2] = -1;
   expectRefused(mesh, "BadIndex", "triangle 7 refers to vertex -1");
 }
@@ -77,7 +78,7 @@ TEST(BodyCheck, bad_input_03_not_a_number) {
   mesh.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
   mesh.vertices[5].x() = std::numeric_limits<double>::infinity();
   expectRefused(mesh, "NonFiniteVertex", "2 vertices");
-  expectRefused(mesh, "NonFiniteVertex", "first: 3, 5");
+  expectRefused(mesh, "NonFiniteVertex", "the first ones, counted from 0: 3, 5");
 }
 
 TEST(BodyCheck, bad_input_04_degenerate_triangles) {

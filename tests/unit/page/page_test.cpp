@@ -153,8 +153,9 @@ TEST(Page, StudiesHaveATableAndAPartForEachRun) {
     return codeOf([&] { reportPage(head + row + "]}", {}, run); }, part);
   };
   EXPECT_EQ(code(R"({"run": "a", "state": "late"})", "'late' of a run is unknown"), "BadReport");
-  EXPECT_EQ(code(R"({"run": "a", "state": "done", "page": "data:x"})", "must be a relative path"),
-            "BadReport");
+  EXPECT_EQ(
+      code(R"({"run": "a", "state": "done", "page": "data:x"})", "must be a path relative to"),
+      "BadReport");
   EXPECT_EQ(code(R"({"run": "a", "state": "done", "clearance": {"neighbours": 3}})",
                  "no page can be made"),
             "BadReport");

@@ -22,7 +22,7 @@ class Command(BaseCommand):
 
     def run(self, document):
         from .. import export
-        from ..panels import file_dialogs, run_panel, selection, solid_panel, tasks
+        from ..panels import file_dialogs, mesh_file_panel, selection, solid_panel
 
         source, solid = selection.source(), selection.solid()
         if source is None and solid is not None:
@@ -33,4 +33,4 @@ class Command(BaseCommand):
         if path and export.is_solid_file(path):
             solid_panel.show(source, solid, path)
         elif path:
-            run_panel.show(tasks.ExportTask(source, path), self.NAME)
+            mesh_file_panel.show(source, path)

@@ -157,13 +157,13 @@ RESULT = [
     (
         "App::PropertyString",
         "InputHash",
-        QT_TRANSLATE_NOOP("App::Property", "Inputs of the stored result"),
+        QT_TRANSLATE_NOOP("App::Property", "Checksum of the inputs of the stored result"),
         HIDDEN,
     ),
     (
         "App::PropertyString",
         "TriedHash",
-        QT_TRANSLATE_NOOP("App::Property", "Inputs of the last run that failed"),
+        QT_TRANSLATE_NOOP("App::Property", "Checksum of the inputs of the last run that failed"),
         HIDDEN,
     ),
     (

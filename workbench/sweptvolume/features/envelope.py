@@ -66,10 +66,17 @@ class Envelope(Result):
             ("App::PropertyString", name, "Result", text, None, HIDDEN)
             for name, text in (
                 ("Report", QT_TRANSLATE_NOOP("App::Property", "Report of the run (JSON)")),
-                ("InputHash", QT_TRANSLATE_NOOP("App::Property", "Inputs of the stored result")),
+                (
+                    "InputHash",
+                    QT_TRANSLATE_NOOP(
+                        "App::Property", "Checksum of the inputs of the stored result"
+                    ),
+                ),
                 (
                     "TriedHash",
-                    QT_TRANSLATE_NOOP("App::Property", "Inputs of the last run that failed"),
+                    QT_TRANSLATE_NOOP(
+                        "App::Property", "Checksum of the inputs of the last run that failed"
+                    ),
                 ),
                 (
                     missing.PROPERTY,

@@ -54,8 +54,8 @@ _observer = None
 
 class Record:
     """kind int8 (m,), -1: not known; faces int32 (m,2); time float64 (m,), s. parts: dicts with
-    first and count of their faces, label, root and sub, facets (whether the faces are triangles
-    of a mesh) and motion."""
+    first and count of their faces, label, root and sub, id (convert.object_id(); not in records of
+    earlier versions), facets (whether the faces are triangles of a mesh) and motion."""
 
     def __init__(self, key, kind, faces, time, parts):
         self.key, self.kind, self.faces, self.time = key, kind, faces, time
@@ -154,8 +154,10 @@ def _rename(obj, record):
     inputs, so this works after renaming and regrouping."""
     if obj.Status != UP_TO_DATE:
         for part in record.parts:
-            place = [part["root"], part["sub"]]
-            part["label"] = row_names.label_at(obj.Document, place, part["label"])
+            place = row_names.pair_at(obj.Document, [part["root"], part["sub"]])
+            # Another object may have got the name of a deleted part.
+            if place and part.get("id") in (None, convert.object_id(*place)):
+                part["label"] = convert.label_of(*place)
         return
     now = [
         dict(convert.owner(root, path), motion=group.motion.Name)

@@ -274,8 +274,8 @@ _SETTINGS = {
         "SourceStart",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "What SourceValue is set to at the first pose, in its own unit (such as mm or "
-            "degrees)",
+            "Number to which the driven value (SourceValue) is set at the first pose, in its own "
+            "unit (such as mm or degrees)",
         ),
         None,
     ),
@@ -284,8 +284,8 @@ _SETTINGS = {
         "SourceEnd",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "What SourceValue is set to at the last pose, in its own unit (such as mm or "
-            "degrees)",
+            "Number to which the driven value (SourceValue) is set at the last pose, in its own "
+            "unit (such as mm or degrees)",
         ),
         None,
     ),

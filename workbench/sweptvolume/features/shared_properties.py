@@ -104,8 +104,16 @@ RESULT = [
 ] + [
     ("App::PropertyString", name, "Result", text, None, HIDDEN)
     for name, text in (
-        ("InputHash", QT_TRANSLATE_NOOP("App::Property", "Inputs of the stored result")),
-        ("TriedHash", QT_TRANSLATE_NOOP("App::Property", "Inputs of the last run that failed")),
+        (
+            "InputHash",
+            QT_TRANSLATE_NOOP("App::Property", "Checksum of the inputs of the stored result"),
+        ),
+        (
+            "TriedHash",
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Checksum of the inputs of the last run that failed"
+            ),
+        ),
         (missing.PROPERTY, QT_TRANSLATE_NOOP("App::Property", "Inputs that were deleted (JSON)")),
     )
 ]

@@ -15,9 +15,9 @@ BOXES_AT_ONCE = 6
 
 
 class MotionTable(QtCore.QObject):
-    """Base of the boxes with such a table. Signal `changed`: other parts or motions. pairs: (root,
-    sub) of the parts; motions: the motion of each part, or None. `add`: the button after the
-    table."""
+    """Base of the boxes with such a table. The signal `changed` says that parts or motions were
+    changed. pairs: (root, sub) of each part. motions: the motion of each part, or None. Subclasses
+    set `add`, the button after the table in the order of the Tab key."""
 
     changed = QtCore.Signal()
 

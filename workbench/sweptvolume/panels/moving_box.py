@@ -36,7 +36,7 @@ class MovingBox(MotionTable):
             line,
             "SweptVolumeRemoveMoving",
             translate("SweptVolume", "&Remove"),
-            translate("SweptVolume", "Removes the marked parts from the list"),
+            translate("SweptVolume", "Removes the selected parts from the list"),
             self.remove_chosen,
         )
         rows.addRow(line)

@@ -31,7 +31,7 @@ class NeighboursBox(QtCore.QObject):
             (
                 "SweptVolumeRemoveNeighbours",
                 translate("SweptVolume", "&Remove"),
-                translate("SweptVolume", "Removes the marked parts from the list"),
+                translate("SweptVolume", "Removes the selected parts from the list"),
                 self.remove_chosen,
             ),
             (

@@ -35,7 +35,7 @@ class PartsBox(MotionTable):
         tip = translate("SweptVolume", "Adds the solids and meshes selected in the tree")
         widgets.hint(self.add, tip)
         widgets.hint(
-            self.remove, translate("SweptVolume", "Removes the marked parts from the list")
+            self.remove, translate("SweptVolume", "Removes the selected parts from the list")
         )
         buttons = QtWidgets.QHBoxLayout()
         buttons.addWidget(self.add)

@@ -21,9 +21,9 @@ MOST_TRIANGLES = 30000
 MOST_CELLS = 192
 #: Time (ms) without a change until the fine envelope is computed.
 REST = 300
-#: Interval (ms) between two checks for results, if no request comes meanwhile. With a request the
-#: view is drawn anyway, and each drawing takes time. Longer than the interval between two requests
-#: of a dragger (its POLL).
+#: Time (ms) after the last request until the panel looks for results by itself. A request draws the
+#: view anyway, and drawing it twice would take time. So this time is longer than the interval in
+#: which a dragger makes requests (its POLL).
 LOOK = 100
 #: Times (s): above SLOW the next coarse run is coarser, below QUICK it is finer, by the factor
 #: STEP; smallest number of cells.

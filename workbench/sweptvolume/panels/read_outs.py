@@ -56,7 +56,7 @@ def lines_of(obj, report):
         translate("SweptVolume", "Triangles: {0}, shells: {1}").format(
             quantities.count(obj.Triangles), quantities.count(obj.Shells)
         ),
-        translate("SweptVolume", "Cell: {0}, simplified by: {1}").format(
+        translate("SweptVolume", "Cell size: {0}, deviation by simplification: {1}").format(
             quantities.quantity(report["cell"]), quantities.quantity(deviation)
         ),
     ]
@@ -66,7 +66,7 @@ def lines_of(obj, report):
             translate("SweptVolume", "Distance from the true surface: at most {0}").format(bound)
         )
     lines.append(
-        translate("SweptVolume", "Time: {0} on {1}").format(
+        translate("SweptVolume", "Computing time: {0} on the {1}").format(
             quantities.seconds(obj.Seconds), report["backend"].upper()
         )
     )

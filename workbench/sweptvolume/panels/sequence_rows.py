@@ -48,19 +48,19 @@ class SequenceRows(QtCore.QObject):
             (
                 "RemovePart",
                 translate("SweptVolume", "Re&move"),
-                translate("SweptVolume", "Removes the marked part from the sequence"),
+                translate("SweptVolume", "Removes the selected part from the sequence"),
                 self.remove,
             ),
             (
                 "PartUp",
                 translate("SweptVolume", "&Up"),
-                translate("SweptVolume", "Moves the marked part one step earlier"),
+                translate("SweptVolume", "Moves the selected part one step earlier"),
                 lambda: self.move(-1),
             ),
             (
                 "PartDown",
                 translate("SweptVolume", "D&own"),
-                translate("SweptVolume", "Moves the marked part one step later"),
+                translate("SweptVolume", "Moves the selected part one step later"),
                 lambda: self.move(1),
             ),
         ):
@@ -129,7 +129,7 @@ class SequenceRows(QtCore.QObject):
             self.changed.emit()
 
     def move(self, by):
-        """Moves the marked part one step earlier (-1) or later (1)."""
+        """Moves the selected part one step earlier (-1) or later (1)."""
         row = self.table.currentRow()
         if row < 0 or not 0 <= row + by < len(self.pairs):
             return

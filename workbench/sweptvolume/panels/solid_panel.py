@@ -7,7 +7,6 @@ from PySide import QtCore
 
 from .. import core, export, quantities, targets
 from ..features import solid
-from ..features.base import STALE
 from ..texts import translate
 from . import focus, guard, tasks, widgets
 from .look import Look
@@ -129,14 +128,8 @@ class SolidPanel(StartPanel):
                 "used.",
             )
             found.append(text.format(self.source.Label))
-        if getattr(self.source, "Status", "") == STALE:
-            text = translate(
-                "SweptVolume",
-                '"{0}" is stale: the file gets its last result. To export the present state, '
-                "recompute it first.",
-            )
-            found.append(text.format(self.source.Label))
-        return " ".join(found)
+        found.append(export.outdated_note(self.source))
+        return " ".join(filter(None, found))
 
     def settings(self):
         """Returns the settings in the form of features.solid."""

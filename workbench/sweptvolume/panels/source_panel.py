@@ -107,10 +107,10 @@ class SourcePanel:
             convention,
             translate(
                 "SweptVolume",
-                "What the G-code words A, B and C rotate. They are angles in degrees "
-                "about the fixed axes x, then y, then z. Tool head: X, Y and Z are "
-                "coordinates of the workpiece. Table: X, Y and Z are coordinates of "
-                "the machine, and the table turns the workpiece",
+                "What the G-code words A, B and C rotate: the tool head, or the table with the "
+                "workpiece. They are angles in degrees about the fixed axes x, then y, then z. "
+                "For a tool head, X, Y and Z are coordinates of the workpiece; for a table, they "
+                "are coordinates of the machine",
             ),
         )
         rows.addRow(translate("SweptVolume", "Rotary axes"), convention)

@@ -2,8 +2,8 @@
 //
 // In: body, motion, clusters. Out: a direction per face and step. Units: mm.
 // Cost: O(clusters), plus O(faces) for undecided clusters.
-// Promise: a dropped element is enclosed by the swept volume. The proof only requires a closed body
-// with positive volume on both sides of the dropped piece.
+// Promise: a dropped element is enclosed by the swept volume: on both sides of it, there is a part
+// of the swept volume with a thickness above 0. The proof only requires a closed body.
 // Source: docs/pipeline.md, "Culling".
 //
 // A face has direction +1 if all its points move outward during a whole step, -1 if all move

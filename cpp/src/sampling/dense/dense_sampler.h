@@ -55,8 +55,8 @@ struct DenseSurface {
 };
 
 /// Returns nothing if the motion or the body is not suitable: no union of copies, too few copies,
-/// motions too large, an open body, or culling switched off. Also returns nothing if too much
-/// remains open and brute force is affordable.
+/// motions too large, an open body, or culling switched off. Also returns nothing if too many
+/// surface points remain wrong, and the whole union is small enough to be sampled instead.
 std::optional<DenseSurface> sampleDense(const SamplerInput& input, const DenseSettings& settings,
                                         RunContext& run);
 

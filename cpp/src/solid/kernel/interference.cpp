@@ -24,8 +24,8 @@ using Box = Eigen::AlignedBox3d;
 /// Distance in mm; faces nearer than this may count as touching.
 constexpr double kNear = 1e-5;
 
-// Returns points along the borders of a face. Inside its borders, a curved face may bulge by less
-// than the size of its bounding box.
+// Returns points along the borders of a face. The inside of a curved face may lie outside the box
+// of these points, but by less than the size of the box. The callers add slack for that.
 std::vector<Vector3d> pointsOf(const Model& model, const ModelFace& face) {
   constexpr int kSteps = 8;
   std::vector<Vector3d> points;

@@ -150,7 +150,7 @@ void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
   errno = 0;
   const IFSelect_ReturnStatus written = writer.Write(path.c_str());
   if (written != IFSelect_RetDone) {
-    fail("WriteFailed", "writing the STEP file failed" + systemReason(errno), &kernel);
+    fail("WriteFailed", "the STEP file could not be written" + systemReason(errno), &kernel);
   }
   throwIfCancelled(run);
 }

@@ -104,7 +104,8 @@ template <class Read>
 auto withShape(const std::string& path, RunContext& run, Read read) {
   std::error_code code;
   if (!std::filesystem::exists(pathFromUtf8(path), code))
-    throw Error(Status::InvalidInput, "BadFile", "'" + path + "' does not exist");
+    throw Error(Status::InvalidInput, "BadFile",
+                "'" + path + "' does not exist; check the file name");
   step::KernelSession kernel;
   try {
     step::ProductNames names;

@@ -67,9 +67,10 @@ class Tidier : LabelTools {
   }
   double joinLimit() const { return std::min(0.5 * tolerance_, 0.3 * spacing_); }
 
-  // A region can touch itself at a vertex, with other regions between its two fans of triangles.
-  // Gives one of the fans between to the region, if it lies near the region's carrier: the smallest
-  // such fan. Afterwards narrow strips are connected, and no border touches itself.
+  // A region can touch itself at a vertex: around this vertex, the region has two separate fans of
+  // triangles, with fans of other regions between them. Of the fans between that lie near the
+  // region's carrier, the smallest joins the region. Afterwards narrow strips are connected, and no
+  // border touches itself.
   bool untouch() {
     return anyVertex([this](std::int32_t h) { return untouchAt(h); });
   }

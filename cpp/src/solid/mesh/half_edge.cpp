@@ -33,36 +33,61 @@ void checkNumbers(const TriMesh& mesh) {
     refuse("BadIndex", badIndexText(*bad, mesh) + "; export the mesh again");
   const Coordinates found = measureCoordinates(mesh);
   if (found.nonFinite > 0) {
-    refuse("NonFiniteVertex",
-           "vertex " + std::to_string(found.firstNonFinite[0]) +
-               " has a coordinate that is not a finite number; export the mesh again");
+    refuse("NonFiniteVertex", "vertex " + std::to_string(found.firstNonFinite[0]) +
+                                  " (counted from 0) has a coordinate that is not a finite number; "
+                                  "export the mesh again");
   }
   if (found.largest > kLargestLength) {
-    refuse("OutOfRange", "vertex " + std::to_string(found.farthest) +
-                             " lies more than 1e9 mm from the origin; check the unit of length, "
-                             "or move the mesh closer to the origin");
+    refuse("OutOfRange",
+           "vertex " + std::to_string(found.farthest) +
+               " (counted from 0) lies more than 1e9 mm from the origin; check the unit of length, "
+               "or move the mesh closer to the origin");
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     if (a == b || b == c || c == a) {
-      refuseUnclosed("DegenerateTriangle",
-                     "triangle " + std::to_string(t) + " has the same vertex at two corners");
+      refuseUnclosed(
+          "DegenerateTriangle",
+          "triangle " + std::to_string(t) + " (counted from 0) has the same vertex at two corners");
     }
   }
 }
 
-void refuseFaults(const EdgeFaults& faults) {
+/// Returns the text of a place: the middle of the first edge that isBad(ascending, descending), the
+/// numbers of its half-edges in both directions. There must be one.
+template <class IsBad>
+std::string firstPlace(const TriMesh& mesh, const IsBad& isBad) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  bool found = false;
+  EdgeTable(mesh).forEachEdge([&](std::int32_t low, std::int32_t high, const std::uint64_t* first,
+                                  const std::uint64_t* last) {
+    if (found) return;
+    const std::int64_t ascending = std::count_if(first, last, EdgeTable::ascending);
+    if (!isBad(ascending, last - first - ascending)) return;
+    middle = 0.5 * (mesh.vertices[low] + mesh.vertices[high]);
+    found = true;
+  });
+  return textOf(4, " (the first near x = ", middle.x(), ", y = ", middle.y(), ", z = ", middle.z(),
+                " mm)");
+}
+
+void refuseFaults(const EdgeFaults& faults, const TriMesh& mesh) {
   if (faults.open > 0) {
     refuseUnclosed("OpenMesh",
-                   counted(faults.open, "edge belongs", "edges belong") + " to only one triangle");
+                   counted(faults.open, "edge belongs", "edges belong") + " to only one triangle" +
+                       firstPlace(mesh, [](auto up, auto down) { return up + down == 1; }));
   }
   if (faults.nonManifold > 0) {
-    refuseUnclosed("NonManifold", counted(faults.nonManifold, "edge belongs", "edges belong") +
-                                      " to more than two triangles");
+    refuseUnclosed("NonManifold",
+                   counted(faults.nonManifold, "edge belongs", "edges belong") +
+                       " to more than two triangles" +
+                       firstPlace(mesh, [](auto up, auto down) { return up + down > 2; }));
   }
   if (faults.misoriented > 0) {
-    refuseUnclosed("MixedOrientation", counted(faults.misoriented, "edge lies", "edges lie") +
-                                           " between triangles that face opposite ways");
+    refuseUnclosed("MixedOrientation",
+                   counted(faults.misoriented, "edge lies", "edges lie") +
+                       " between triangles that face opposite ways" +
+                       firstPlace(mesh, [](auto up, auto down) { return up != down; }));
   }
 }
 
@@ -109,7 +134,7 @@ void findOwners(const TriMesh& mesh, const Shells& shells, const std::vector<She
     if (best < 0) {
       const auto& of = shells.ofTriangle;
       refuse("InvertedShell",
-             "shell " + std::to_string(s) + " with " +
+             "shell " + std::to_string(s) + " (counted from 0) with " +
                  std::to_string(std::count(of.begin(), of.end(), s)) +
                  " triangles faces inwards, but does not lie inside another shell; reverse its "
                  "triangles, or export a mesh file");
@@ -139,7 +164,7 @@ HalfEdgeMesh buildHalfEdges(const TriMesh& mesh, RunContext& run) {
   result.points = mesh.vertices;
   result.triangles = mesh.triangles;
   const Adjacency adjacency = findAdjacency(mesh);
-  refuseFaults(adjacency.faults);
+  refuseFaults(adjacency.faults, mesh);
   const RawArray<std::uint32_t>& across = adjacency.across;
   result.opposite.assign(across.data(), across.data() + across.size());
   run.checkpoint(Phase::Export);

@@ -127,7 +127,8 @@ class Finder {
     }
   }
 
-  // Keeps the farthest vertex between `from` and the next kept one; returns false if there is none.
+  // Looks at the vertices of a chain between its vertex `from` and its next kept vertex, and keeps
+  // the one farthest from the straight line between these two. Returns false if there is none.
   bool keepWithin(std::size_t c, std::size_t from) {
     std::size_t to = from + 1;
     while (!kept_[vertexAt(chains_[c], to)]) ++to;
@@ -137,8 +138,9 @@ class Finder {
     return true;
   }
 
-  // Marks a chain between two recognised surfaces as curved if at least one of them is curved. Such
-  // a chain follows the curve in which they intersect.
+  // Marks a chain between two recognised surfaces: as curved if at least one of them is curved, and
+  // as straight if both are planes that are not nearly parallel. The chain then becomes a piece of
+  // the curve, or of the straight line, in which the two surfaces intersect.
   void classify(Chain& chain) {
     const Patch& left = partition_.patches[borders_.patchOf(chain.halfEdges[0])];
     const Patch& right = partition_.patches[borders_.patchOf(mesh_.opposite[chain.halfEdges[0]])];

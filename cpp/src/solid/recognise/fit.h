@@ -28,9 +28,9 @@ struct PointSpread {
 };
 PointSpread spreadOf(const Samples& samples);
 
-/// The line that the normals meet most nearly: the eigenvector of their linear complex with the
-/// smallest eigenvalue. It is not normalised; if the direction is much shorter than 1, there is no
-/// such line.
+/// The axis that comes nearest to meeting all normals. Each normal is a line (Pluecker
+/// coordinates), and the axis is the eigenvector with the smallest eigenvalue of their sum. It is
+/// not normalised; if the direction is much shorter than 1, there is no such axis.
 struct NormalsAxis {
   Eigen::Vector3d direction, moment;  ///< the moment about the mean, in units of the spread
   Eigen::Vector3d point;              ///< point of the line nearest to the mean
