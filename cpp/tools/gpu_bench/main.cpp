@@ -1,11 +1,16 @@
 // Prints a table of GPU against CPU sampling on this machine: seconds by stage, memory, equality.
-// Usage: swept-gpu-bench DATA [RESOLUTION...], where DATA is the folder of cases.json with its
-// meshes and motions.
+// Usage: swept-gpu-bench DATA [RESOLUTION...] [--only PART_OF_NAME] [--limit SECONDS], where DATA is
+// the folder of cases.json with its meshes and motions. A run that takes longer than the limit
+// (default 60 s) is ended.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "swept/compute.h"
@@ -57,17 +62,39 @@ void row(const std::string& name, int resolution, const char* backend, const Res
   std::fflush(stdout);
 }
 
+/// Computes the envelope, but not for longer than `limit` seconds.
+Result computeWithin(double limit, const TriMesh& mesh, const Trajectory& motion,
+                     const Options& options) {
+  RunContext run;
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool isDone = false;
+  std::thread watch([&] {
+    std::unique_lock lock(mutex);
+    if (!changed.wait_for(lock, std::chrono::duration<double>(limit), [&] { return isDone; })) {
+      run.cancel();
+    }
+  });
+  Result result = compute(mesh, motion, options, run);
+  {
+    const std::lock_guard lock(mutex);
+    isDone = true;
+  }
+  changed.notify_one();
+  watch.join();
+  return result;
+}
+
 /// Prints two rows of the table. Returns the name of the device; empty if there is none.
 std::string compareBackends(const std::string& name, const TriMesh& mesh, const Trajectory& motion,
-                            int resolution) {
+                            int resolution, double limit) {
   Options options;
   options.resolution = resolution;
-  RunContext run;
   options.backend = Backend::Cpu;
-  const Result cpu = compute(mesh, motion, options, run);
+  const Result cpu = computeWithin(limit, mesh, motion, options);
   row(name, resolution, "cpu", cpu, statusName(cpu.report.status));
   options.backend = Backend::Gpu;
-  const Result gpu = compute(mesh, motion, options, run);
+  const Result gpu = computeWithin(limit, mesh, motion, options);
   if (gpu.report.status != Status::Ok) {
     row(name, resolution, "gpu", gpu, gpu.report.message);
     return {};
@@ -82,15 +109,19 @@ std::string compareBackends(const std::string& name, const TriMesh& mesh, const 
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "use: %s DATA [resolution ...] [--only PART_OF_NAME]\n", argv[0]);
+    std::fprintf(stderr, "use: %s DATA [resolution ...] [--only PART_OF_NAME] [--limit SECONDS]\n",
+                 argv[0]);
     return 2;
   }
   const std::string data = argv[1];
   std::string only;
+  double limit = 60;
   std::vector<int> resolutions;
   for (int n = 2; n < argc; ++n) {
     if (std::string(argv[n]) == "--only" && n + 1 < argc) {
       only = argv[++n];
+    } else if (std::string(argv[n]) == "--limit" && n + 1 < argc) {
+      limit = std::atof(argv[++n]);
     } else {
       resolutions.push_back(std::atoi(argv[n]));
     }
@@ -110,7 +141,8 @@ int main(int argc, char** argv) {
         for (const int resolution : resolutions) {
           // A software rasteriser would take hours for long motions, and its times are not useful.
           if (device.find("llvmpipe") != std::string::npos && motion.poses.size() > 1000) continue;
-          const std::string found = compareBackends(name, mesh, motion, resolution);
+          const std::string found =
+              compareBackends(name, mesh, motion, resolution, limit);
           if (!found.empty()) device = found;
         }
       }

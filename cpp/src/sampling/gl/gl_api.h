@@ -53,9 +53,6 @@ std::shared_ptr<GlLoader> systemLoader(const std::string& library = "libEGL.so.1
   X(PFNGLGETINTEGER64VPROC, GetInteger64v)                           \
   X(PFNGLGETERRORPROC, GetError)                                     \
   X(PFNGLGETGRAPHICSRESETSTATUSPROC, GetGraphicsResetStatus)         \
-  X(PFNGLDISABLEPROC, Disable)                                       \
-  X(PFNGLFINISHPROC, Finish)                                         \
-  X(PFNGLFLUSHPROC, Flush)                                           \
   X(PFNGLCREATESHADERPROC, CreateShader)                             \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                             \
   X(PFNGLCOMPILESHADERPROC, CompileShader)                           \
@@ -77,23 +74,7 @@ std::shared_ptr<GlLoader> systemLoader(const std::string& library = "libEGL.so.1
   X(PFNGLCLEARNAMEDBUFFERDATAPROC, ClearNamedBufferData)             \
   X(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData)           \
   X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                         \
-  X(PFNGLCREATETEXTURESPROC, CreateTextures)                         \
-  X(PFNGLDELETETEXTURESPROC, DeleteTextures)                         \
-  X(PFNGLTEXTURESTORAGE3DPROC, TextureStorage3D)                     \
-  X(PFNGLCLEARTEXIMAGEPROC, ClearTexImage)                           \
-  X(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage)                       \
-  X(PFNGLPIXELSTOREIPROC, PixelStorei)                               \
-  X(PFNGLBINDIMAGETEXTUREPROC, BindImageTexture)                     \
-  X(PFNGLCREATEFRAMEBUFFERSPROC, CreateFramebuffers)                 \
-  X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                 \
-  X(PFNGLNAMEDFRAMEBUFFERPARAMETERIPROC, NamedFramebufferParameteri) \
-  X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                       \
-  X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)         \
-  X(PFNGLCREATEVERTEXARRAYSPROC, CreateVertexArrays)                 \
-  X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                 \
-  X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                       \
-  X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)                     \
-  X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)               \
+  X(PFNGLDISPATCHCOMPUTEPROC, DispatchCompute)               \
   X(PFNGLMEMORYBARRIERPROC, MemoryBarrier)                           \
   X(PFNGLFENCESYNCPROC, FenceSync)                                   \
   X(PFNGLCLIENTWAITSYNCPROC, ClientWaitSync)                         \

@@ -59,7 +59,7 @@ double probe(const std::shared_ptr<GlDevice>& device, const GlSetup& setup, RunC
   const BodyTopology topology = buildTopology(p.body);
   const SamplerInput input{p.body, topology, p.motion, p.grid, true, false};
   GlSampler sampler(
-      input, [&] { return device; }, setup.settings, run);
+      input, [&] { return device; }, setup.settings);
   const auto onGpu = [&] {
     MarkedEdges marked = sampler.mark(run);
     sampler.resolve(marked, findOutside(marked, p.grid, run), run);
@@ -126,11 +126,11 @@ SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup, bool
   // The first call gives the device that was just tested. After a loss, a new one is opened and
   // tested.
   const auto next = [&] { return device ? std::move(device) : openTested(setup, run); };
-  GlSampler sampler(input, next, setup.settings, run);
+  GlSampler sampler(input, next, setup.settings);
   SampledSurface out;
   out.backend = "gpu";
   out.marked = sampler.mark(run);
-  verifyMarks(input, sampler.elements(), out.marked, sampler.device(), setup.verifiedElements);
+  verifyMarks(input, out.marked, sampler.device(), setup.verifiedElements);
   out.signs = findSigns(out.marked);
   verifySigns(input, out.marked, out.signs, sampler.device());
   sampler.resolve(out.marked, out.signs, run);
