@@ -32,7 +32,8 @@ const Body kBodies[] = {
     {"bunny", "bunny_stanford_70k.ply", 1e3, "keyposes_16_arc_for_bunny.csv", 1e3},
     {"fandisk", "fandisk_13k.ply", 1e3, "keyposes_16_arc_for_fandisk.csv", 1e3},
     {"gripper", "gripper_robotiq_2f140_30k.ply", 1, "keyposes_16_arc_for_fandisk.csv", 100},
-    {"housing", "housing_two_halves_360k_thin.ply", 1, "keyposes_16_arc_for_fandisk.csv", 100}};
+    {"housing", "housing_two_halves_360k_thin.ply", 1, "keyposes_16_arc_for_fandisk.csv", 100},
+    {"gear", "differential_ring_gear_58k.ply", 1, "keyposes_16_arc_for_fandisk.csv", 100}};
 
 struct Path {
   const char *name, *file;
@@ -43,7 +44,8 @@ std::vector<Path> pathsOf(const Body& body) {
   return {{"still", "static_1_pose.csv", 1, kNone},
           {"keys16", body.arc, body.arcUnit, kLinear},
           {"path34", "installation_34_from_baxter_left.csv", 1e3, kLinear},
-          {"vibration", "vibration_sensor_193200.csv.xz", 1, kNone}};
+          {"vibration", "vibration_sensor_193200.csv.xz", 1, kNone},
+          {"recording", "vibration_sensor_193200.csv.xz", 1, kLinear}};
 }
 
 double stageSeconds(const Report& report, const std::string& name) {
