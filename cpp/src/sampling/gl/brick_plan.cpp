@@ -18,12 +18,13 @@ std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
                 "no GPU can be used: its limits are too small (storage block " +
                     std::to_string(limits.storageBytes) + " bytes, budget " +
-                    std::to_string(budgetBytes) + " bytes; at least 12 are needed); use --backend cpu or auto");
+                    std::to_string(budgetBytes) +
+                    " bytes; at least 12 are needed); use --backend cpu or auto");
   }
   const std::int32_t nx = grid.points[0], ny = grid.points[1], nz = grid.points[2];
   const auto atMost = [](std::int32_t points, std::uint64_t fitting) {
-    return static_cast<std::int32_t>(
-        std::min<std::uint64_t>(static_cast<std::uint64_t>(points), std::max<std::uint64_t>(1, fitting)));
+    return static_cast<std::int32_t>(std::min<std::uint64_t>(static_cast<std::uint64_t>(points),
+                                                             std::max<std::uint64_t>(1, fitting)));
   };
   const std::int32_t words = atMost((nz + 31) / 32, most / 3), sizeZ = std::min(nz, 32 * words);
   const std::uint64_t row = 3 * static_cast<std::uint64_t>(words);

@@ -1,9 +1,10 @@
 // Numbers the elements of the swept surface for the device, and prepares what culling needs.
 //
-// Numbers run placement by placement: at each placement all faces and then, for a continuous motion,
-// the side patches of all edges in the step that starts there. Faces and edges have the order in
-// which the CPU sampler visits them, so that equal crossings get the same winner. The shader derives
-// the elements from their numbers and decides itself which of them are enclosed (docs/gpu.md).
+// Numbers run placement by placement: at each placement all faces and then, for a continuous
+// motion, the side patches of all edges in the step that starts there. Faces and edges have the
+// order in which the CPU sampler visits them, so that equal crossings get the same winner. The
+// shader derives the elements from their numbers and decides itself which of them are enclosed
+// (docs/gpu.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -39,14 +40,14 @@ struct ElementSource {
 
 /// Consecutive placements whose data are on the device at the same time.
 struct ElementChunk {
-  std::uint64_t first = 0, count = 0;  ///< elements
+  std::uint64_t first = 0, count = 0;                   ///< elements
   std::uint32_t placementBase = 0, placementCount = 0;  ///< the placements that the chunk needs
 };
 
 ElementSource planElements(const SamplerInput& input);
 
-/// Returns the steps that a chunk needs for culling, as rows of shaders/element.glsl. The first step
-/// ends at the first placement of the chunk.
+/// Returns the steps that a chunk needs for culling, as rows of shaders/element.glsl. The first
+/// step ends at the first placement of the chunk.
 std::vector<double> stepRows(const SamplerInput& input, const ElementChunk& chunk);
 
 /// Returns chunks with at most `bytes` of placements and steps.

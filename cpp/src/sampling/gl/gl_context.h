@@ -22,7 +22,7 @@ struct DeviceWish {
 
 struct Limits {
   std::int64_t storageBytes = 0;  ///< largest size of one shader storage block
-  int storageBlocks = 0;           ///< storage blocks of a compute shader
+  int storageBlocks = 0;          ///< storage blocks of a compute shader
 };
 
 /// Throws Error(DeviceLost, "DeviceGarbage"): the device gave a wrong answer.

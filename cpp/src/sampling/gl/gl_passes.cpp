@@ -15,8 +15,8 @@ namespace swept::gl {
 namespace {
 
 /// Longest and shortest time of a dispatch, in seconds. The batch grows or shrinks to keep
-/// dispatches between them. The promised limit is 0.050 s, so a dispatch may take four times as long
-/// as the one before.
+/// dispatches between them. The promised limit is 0.050 s, so a dispatch may take four times as
+/// long as the one before.
 constexpr double kMaxSeconds = 0.012, kMinSeconds = 0.004;
 // Limits of the batch, so that a single odd measurement cannot make it far too small or too large.
 constexpr std::uint64_t kMinBatch = 64, kMaxBatch = std::uint64_t{1} << 26;
@@ -55,15 +55,16 @@ GlPasses::GlPasses(const GlDevice& device, const SamplerInput& input, const Elem
   std::uint64_t chunkBytes = settings.chunkBytes != 0 ? settings.chunkBytes : budget / 4;
   chunkBytes = std::min(chunkBytes, storage);
   chunks_ = planChunks(source, chunkBytes);
-  maxTargets_ = static_cast<std::size_t>(std::max<std::uint64_t>(
-      1, std::min(budget / 2 / (sizeof(std::uint32_t) + sizeof(EdgeWinner)),
-                  storage / sizeof(EdgeWinner))));
+  maxTargets_ = static_cast<std::size_t>(
+      std::max<std::uint64_t>(1, std::min(budget / 2 / (sizeof(std::uint32_t) + sizeof(EdgeWinner)),
+                                          storage / sizeof(EdgeWinner))));
   context_.gl().CreateBuffers(kBuffers, buffers_);
   upload(kVertices, input_.body.vertices.data(),
          input_.body.vertices.size() * sizeof(Eigen::Vector3d));
   upload(kTopology, source_.topology.data(), source_.topology.size() * sizeof(std::int32_t));
   upload(kBalls, source_.balls.data(), source_.balls.size() * sizeof(float));
-  for (const Binding b : {kPlacements, kSteps, kExactSteps, kMarks, kWinners}) upload(b, nullptr, 0);
+  for (const Binding b : {kPlacements, kSteps, kExactSteps, kMarks, kWinners})
+    upload(b, nullptr, 0);
 }
 
 GlPasses::~GlPasses() {
@@ -82,10 +83,9 @@ void GlPasses::requireLimits() const {
                     "; use --backend cpu or auto");
   };
   need("storage blocks in a compute shader", limits.storageBlocks, kBuffers);
-  const auto body = static_cast<std::int64_t>(
-      std::max({input_.body.vertices.size() * 3 * sizeof(double),
-                source_.topology.size() * sizeof(std::int32_t),
-                source_.balls.size() * sizeof(float)}));
+  const auto body = static_cast<std::int64_t>(std::max(
+      {input_.body.vertices.size() * 3 * sizeof(double),
+       source_.topology.size() * sizeof(std::int32_t), source_.balls.size() * sizeof(float)}));
   need("bytes in a storage block", limits.storageBytes, std::max<std::int64_t>(body, 4096));
 }
 
@@ -138,14 +138,14 @@ void GlPasses::useBrick(const Brick& brick) {
   gl.Uniform1ui(kCulling, source_.culling);
 }
 
-/// Runs the current program on all elements of the chunk.
-void GlPasses::run(const ElementChunk& chunk, std::uint64_t epochFirst,
-                   const std::function<void()>& afterDispatch) {
+/// Runs the current program on the elements [first, end) of the chunk, counted from its first one.
+void GlPasses::run(const ElementChunk& chunk, std::uint64_t first, std::uint64_t end,
+                   std::uint64_t epochFirst, const std::function<void()>& afterDispatch) {
   const GlApi& gl = context_.gl();
   gl.Uniform1ui(kPlacementBase, chunk.placementBase);
   gl.Uniform1ui(kIdBase, static_cast<GLuint>(chunk.first - epochFirst));
-  for (std::uint64_t first = 0; first < chunk.count;) {
-    const auto count = static_cast<std::uint32_t>(std::min(batch_, chunk.count - first));
+  while (first < end) {
+    const auto count = static_cast<std::uint32_t>(std::min(batch_, end - first));
     const std::uint32_t groups = (count + kGroup - 1) / kGroup;
     const Timer timer;  // some drivers do the work within the call
     gl.Uniform1ui(kFirstElement, static_cast<GLuint>(first));
@@ -169,8 +169,8 @@ void GlPasses::run(const ElementChunk& chunk, std::uint64_t epochFirst,
   }
 }
 
-std::vector<std::uint32_t> GlPasses::mark(const Brick& brick,
-                                          const std::function<void()>& afterDispatch) {
+/// Makes pass 1 ready for the brick, with no marks set.
+void GlPasses::startMarks(const Brick& brick) {
   const GlApi& gl = context_.gl();
   gl.UseProgram(device_.mark.id());
   useBrick(brick);
@@ -178,10 +178,44 @@ std::vector<std::uint32_t> GlPasses::mark(const Brick& brick,
   upload(kMarks, nullptr, bytes);
   const std::uint32_t zero = 0;
   gl.ClearNamedBufferData(buffers_[kMarks], GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-  context_.finish(settings_.fenceTimeoutSeconds);  // reports where memory is lacking
+  context_.finish(settings_.fenceTimeoutSeconds);  // notices a lack of memory
+}
+
+double GlPasses::expectedSeconds(const Brick& brick, const std::function<void()>& afterDispatch) {
+  // A window must be long enough to keep the device busy; all together are 1/64 of the elements.
+  constexpr std::uint64_t kWindows = 16, kFraction = 64, kMinWindow = std::uint64_t{1} << 17;
+  startMarks(brick);
+  const std::uint64_t total = source_.count();
+  const std::uint64_t window =
+      std::min(total, std::max(kMinWindow, total / (kWindows * kFraction)));
+  std::uint64_t sampled = 0;
+  double seconds = 0;
+  std::size_t c = 0;
+  for (std::uint64_t n = 0; n < kWindows; ++n) {
+    const std::uint64_t begin = total / kWindows * n;
+    while (begin >= chunks_[c].first + chunks_[c].count) ++c;
+    const std::uint64_t first = begin - chunks_[c].first;
+    const std::uint64_t end = std::min(first + window, chunks_[c].count);
+    uploadChunk(c);
+    // Drivers finish compiling at the first use, and the batch adapts: that is not timed.
+    if (n == 0) run(chunks_[c], first, end, chunks_[c].first, afterDispatch);
+    const Timer timer;
+    run(chunks_[c], first, end, chunks_[c].first, afterDispatch);
+    seconds += timer.seconds();
+    sampled += end - first;
+  }
+  return seconds * static_cast<double>(total) /
+         static_cast<double>(std::max<std::uint64_t>(1, sampled));
+}
+
+std::vector<std::uint32_t> GlPasses::mark(const Brick& brick,
+                                          const std::function<void()>& afterDispatch) {
+  const GlApi& gl = context_.gl();
+  startMarks(brick);
+  const auto bytes = static_cast<std::size_t>(brick.markWords()) * sizeof(std::uint32_t);
   for (std::size_t c = 0; c < chunks_.size(); ++c) {
     uploadChunk(c);
-    run(chunks_[c], chunks_[c].first, afterDispatch);
+    run(chunks_[c], 0, chunks_[c].count, chunks_[c].first, afterDispatch);
   }
   gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
   std::vector<std::uint32_t> marks(static_cast<std::size_t>(brick.markWords()));
@@ -198,8 +232,8 @@ std::vector<EdgeWinner> GlPasses::findWinners(const Brick& brick,
   gl.UseProgram(device_.winner.id());
   useBrick(brick);
   const std::size_t n = targets.size();
-  const std::size_t rows = 3 * static_cast<std::size_t>(brick.size[0]) *
-                           static_cast<std::size_t>(brick.size[1]);
+  const std::size_t rows =
+      3 * static_cast<std::size_t>(brick.size[0]) * static_cast<std::size_t>(brick.size[1]);
   std::vector<std::uint32_t> listed(rows + 1 + n, 0);
   for (std::size_t i = 0; i < n; ++i) {
     ++listed[targets[i].row + 1];
@@ -215,7 +249,7 @@ std::vector<EdgeWinner> GlPasses::findWinners(const Brick& brick,
     for (std::size_t c = 0; c < chunks_.size(); ++c) {
       if (chunks_[c].first < first || chunks_[c].first >= end) continue;
       uploadChunk(c);
-      run(chunks_[c], first, afterDispatch);
+      run(chunks_[c], 0, chunks_[c].count, first, afterDispatch);
     }
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
   }

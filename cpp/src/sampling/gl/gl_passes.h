@@ -51,11 +51,14 @@ class GlPasses {
 
   /// Pass 1: returns the marks of the brick, (3 * size[0]) x size[1] rows of words() words.
   std::vector<std::uint32_t> mark(const Brick& brick, const std::function<void()>& afterDispatch);
-  /// Pass 2 over the elements [first, end). `targets` must be sorted by row, then k. Element numbers
-  /// in the result count from `first`.
+  /// Pass 2 over the elements [first, end). `targets` must be sorted by row, then k. Element
+  /// numbers in the result count from `first`.
   std::vector<EdgeWinner> findWinners(const Brick& brick, const std::vector<Target>& targets,
                                       std::uint64_t first, std::uint64_t end,
                                       const std::function<void()>& afterDispatch);
+  /// Returns the seconds that pass 1 is expected to take on the brick, from a sample of the
+  /// elements.
+  double expectedSeconds(const Brick& brick, const std::function<void()>& afterDispatch);
   /// Returns the chunks. An epoch may end between two of them.
   const std::vector<ElementChunk>& chunks() const { return chunks_; }
   /// Returns the largest number of targets for one call of findWinners().
@@ -67,24 +70,16 @@ class GlPasses {
 
  private:
   /// Bindings of the buffers in shaders/*. Marks and targets share one.
-  enum Binding {
-    kVertices,
-    kTopology,
-    kPlacements,
-    kSteps,
-    kExactSteps,
-    kBalls,
-    kMarks,
-    kWinners
-  };
+  enum Binding { kVertices, kTopology, kPlacements, kSteps, kExactSteps, kBalls, kMarks, kWinners };
   static constexpr int kBuffers = kWinners + 1;
 
   void requireLimits() const;
   void upload(Binding binding, const void* data, std::size_t bytes);
   void uploadChunk(std::size_t chunk);
   void useBrick(const Brick& brick);
-  void run(const ElementChunk& chunk, std::uint64_t epochFirst,
-           const std::function<void()>& afterDispatch);
+  void startMarks(const Brick& brick);
+  void run(const ElementChunk& chunk, std::uint64_t first, std::uint64_t end,
+           std::uint64_t epochFirst, const std::function<void()>& afterDispatch);
 
   const GlDevice& device_;
   const GlContext& context_;

@@ -22,6 +22,9 @@ class GlSampler {
   GlSampler(const SamplerInput& input, OpenDevice open, const GlSettings& settings);
   ~GlSampler();
 
+  /// Returns the seconds that both passes are expected to take, from a sample of the elements that
+  /// takes about 1/200 of this time.
+  double expectedSeconds(RunContext& run);
   /// Pass 1. After a first loss of the device, repeats the brick on a new context; after a second
   /// loss throws Error(DeviceLost).
   MarkedEdges mark(RunContext& run);

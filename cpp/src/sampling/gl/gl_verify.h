@@ -27,8 +27,8 @@ void verifyMarks(const SamplerInput& input, const MarkedEdges& marked, const std
 void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
                  const std::string& device);
 
-/// Checks that the winners of about `samples` contributing edges, in at most 16 random layers, cross
-/// them at the given fractions.
+/// Checks that the winners of about `samples` contributing edges, in at most 16 random layers,
+/// cross them at the given fractions.
 void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
                    const std::string& device, int samples);
 

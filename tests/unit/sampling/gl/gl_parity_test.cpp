@@ -198,10 +198,10 @@ TEST(GlParity, DispatchesStayShort) {
   const Scene scene(makeTorus(3, 1, 96, 48), turningPath(5, Interpolation::None), 64);
   RunContext run;
   const SamplerInput input = scene.input();
-  gl::GlSampler sampler(
-      input, [&] { return device; }, {});
+  gl::GlSampler sampler(input, [&] { return device; }, {});
   sampler.mark(run);
-  RecordProperty("longest_dispatch_ms", static_cast<int>(1000 * sampler.passes().longestDispatchSeconds()));
+  RecordProperty("longest_dispatch_ms",
+                 static_cast<int>(1000 * sampler.passes().longestDispatchSeconds()));
   std::printf("  longest of %llu dispatches: %.1f ms\n",
               static_cast<unsigned long long>(sampler.passes().dispatches()),
               1000 * sampler.passes().longestDispatchSeconds());

@@ -32,7 +32,8 @@ struct Difference {
   std::int64_t contributing = 0;
   double longestDispatch = 0;  ///< s, of the GPU
 };
-/// Compares the contributing edges, and their crossings next to outside ends. `signs`: those of `a`.
+/// Compares the contributing edges, and their crossings next to outside ends. `signs`: those of
+/// `a`.
 Difference compare(const Scene& scene, const MarkedEdges& a, const MarkedEdges& b,
                    const SignRuns& signs);
 
