@@ -1,13 +1,13 @@
-// Decides whether this fragment's lattice line intersects the triangle, and where. The decision is
-// the same exact one as in grid/rasterise.h, in 32-bit integers (products in 64 and 96 bits), with
+// Decides whether a lattice line intersects a triangle, and where. The decision is the same exact
+// one as in grid/rasterise.h, in 32-bit integers (products in 64 and 96 bits), with
 // the same simulation of simplicity for ties. So GPU and CPU find the same lattice edge for every
 // triangle and line.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-flat in ivec3 a;
-flat in ivec3 b;
-flat in ivec3 c;
-flat in uvec2 idAndAxis;
+struct Triangle {
+  ivec3 a, b, c;  // counter-clockwise in (U, V), third coordinate along the axis
+  int axis;
+};
 
 struct Crossing {
   ivec3 edge;     // first lattice point, relative to the brick's corner
@@ -46,15 +46,16 @@ int normalSign(ivec3 p, ivec3 q, int axis) {
 }
 
 // Returns whether the crossing lies above the shifted lattice point k of the line.
-bool isAbove(uvec2 e0, uvec2 e1, uvec2 e2, uvec2 area2, int k, int axis) {
-  uvec3 numerator = sum(sum(times(e0, uint(a.z)), times(e1, uint(b.z))), times(e2, uint(c.z)));
+bool isAbove(Triangle t, uvec2 e0, uvec2 e1, uvec2 e2, uvec2 area2, int k) {
+  int axis = t.axis;
+  uvec3 numerator = sum(sum(times(e0, uint(t.a.z)), times(e1, uint(t.b.z))), times(e2, uint(t.c.z)));
   uvec3 point = times(area2, uint(k) << kSubBits);
   for (int i = 2; i >= 0; --i) {
     if (numerator[i] != point[i]) return numerator[i] > point[i];
   }
   // The lattice point lies on the plane. The first axis along which a shift leaves the plane
   // decides.
-  ivec3 p = unordered(b - a, axis), q = unordered(c - a, axis);
+  ivec3 p = unordered(t.b - t.a, axis), q = unordered(t.c - t.a, axis);
   int along = normalSign(p, q, axis);
   for (int i = 0; i < 3; ++i) {
     if (i == axis) return false;
@@ -69,10 +70,9 @@ double asDouble(uvec2 x) {
   return value;
 }
 
-bool findCrossing(out Crossing crossing) {
-  int axis = int(idAndAxis.y);
-  ivec3 low = ordered(brickLow, axis), size = ordered(brickSize, axis);
-  ivec2 line = ivec2(gl_FragCoord.xy) + low.xy;
+bool findCrossing(Triangle t, ivec2 line, out Crossing crossing) {
+  ivec3 a = t.a, b = t.b, c = t.c;
+  ivec3 low = ordered(brickLow, t.axis), size = ordered(brickSize, t.axis);
   ivec2 at = line << kSubBits;
   ivec2 d0 = c.xy - b.xy, d1 = a.xy - c.xy, d2 = b.xy - a.xy;
   uvec2 e0 = crossOf(d0, at - b.xy), e1 = crossOf(d1, at - c.xy), e2 = crossOf(d2, at - a.xy);
@@ -86,19 +86,19 @@ bool findCrossing(out Crossing crossing) {
   precise double fraction = g - double(k);
   const double kNear = 1e-6LF;  // far above the rounding of g
   if (fraction < kNear) {
-    if (!isAbove(e0, e1, e2, area2, k, axis)) {
+    if (!isAbove(t, e0, e1, e2, area2, k)) {
       --k;
       fraction = 1.0LF;
     }
   } else if (fraction > 1.0LF - kNear) {
-    if (isAbove(e0, e1, e2, area2, k + 1, axis)) {
+    if (isAbove(t, e0, e1, e2, area2, k + 1)) {
       ++k;
       fraction = 0.0LF;
     }
   }
   ivec3 edge = ivec3(line, k) - low;
   if (any(lessThan(edge, ivec3(0))) || any(greaterThanEqual(edge, size))) return false;
-  crossing.edge = unordered(edge, axis);
+  crossing.edge = unordered(edge, t.axis);
   crossing.fraction = uint(fraction * 8388607.0LF);
   return true;
 }

@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/threads.h"
+#include "pipeline/sampling_trial.h"
 #include "sampling/cpu/deep_inside.h"
 #include "sampling/dense/dense_sampler.h"
 
@@ -41,14 +43,15 @@ SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double c
   }
 #ifdef SWEPT_WITH_GL
   if (wanted == Backend::Gpu) {
-    return gl::sampleOnGpu(input, gl::currentSetup(), false, findSigns, run);
+    return gl::sampleOnGpu(input, gl::currentSetup(), {}, findSigns, run);
   }
   if (wanted == Backend::Auto && cpuSeconds >= kMinAutoSeconds) {
     std::string why;
     try {
       gl::GlSetup setup = gl::currentSetup();
       setup.wish.hardwareOnly = true;
-      return gl::sampleOnGpu(input, setup, true, findSigns, run);
+      const auto sampling = [&] { return cpuSamplingSeconds(input, threadsOf(run), run); };
+      return gl::sampleOnGpu(input, setup, sampling, findSigns, run);
     } catch (const Error& error) {
       if (error.status() != Status::DeviceUnavailable && error.status() != Status::DeviceLost) {
         throw;

@@ -3,8 +3,8 @@
 // Backend cpu: never touches GL.
 // Backend gpu: throws Error(DeviceUnavailable) or Error(DeviceLost) with the reason on failure.
 // Backend auto: uses the GPU only if the run is long, and if a real GPU (no software rasteriser)
-//        passes the self-test and beats the CPU in a short probe. Else the CPU samples, and one
-//        note says which step failed.
+//        passes the self-test and, by short samples of this run on both, is expected to beat the
+//        CPU. Else the CPU samples, and one note says which step failed.
 // Promise: CPU and GPU give the same marks, so the result does not depend on the choice.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/sampling_trial.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -220,6 +222,21 @@ SamplingCost SamplingTrial::of(const SamplerInput& part) const {
   SamplingCost cost;
   sampleCounted(part, cost, run_);
   return cost;
+}
+
+double cpuSamplingSeconds(const SamplerInput& whole, int threads, RunContext& run) {
+  SamplerInput input = whole;
+  FaceClusters own;
+  if (input.clusters == nullptr) {
+    own = buildClusters(input.body, input.topology);
+    input.clusters = &own;
+  }
+  double seconds = 0;
+  tbb::task_arena(1).execute([&] {
+    const SamplingTrial trial(input, run);
+    seconds = trial.insideSeconds() + trial.whole().cost.seconds;
+  });
+  return seconds / threads;
 }
 
 }  // namespace swept

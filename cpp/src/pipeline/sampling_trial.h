@@ -69,4 +69,8 @@ class SamplingTrial {
   std::uint64_t insideCrossings_ = 0;
 };
 
+/// Returns the seconds that the CPU is expected to take for sampling the whole motion on `threads`
+/// threads. `whole` may lack clusters.
+double cpuSamplingSeconds(const SamplerInput& whole, int threads, RunContext& run);
+
 }  // namespace swept

@@ -33,6 +33,22 @@ class LineReader {
   const MarkedEdge* end_;
 };
 
+/// Calls use(first, last) for each run of outside points k of a lattice line. `points`: the number
+/// of points on the line.
+template <class Use>
+void forOutsideRuns(const MarkedEdges& marked, const SignRuns& signs, std::int32_t points,
+                    std::int32_t i, std::int32_t j, const Use& use) {
+  const LayerEdges& layer = marked.layers[i];
+  const std::uint8_t* run = signs.outside.data() + signs.firstRun[signs.line(i, j)];
+  std::int32_t first = 0;
+  for (std::uint32_t n = layer.columnStart[2][j]; n < layer.columnStart[2][j + 1]; ++n, ++run) {
+    const std::int32_t last = layer.edges[2][n].k;
+    if (*run != 0) use(first, last);
+    first = last + 1;
+  }
+  if (*run != 0) use(first, points - 1);
+}
+
 /// Calls use(j, edge, sides) for the marked edges of a layer and axis that have an outside end.
 /// `sides` has the bits of HermiteEdge::sides. Marked is MarkedEdges or const MarkedEdges.
 template <class Marked, class Use>

@@ -83,27 +83,25 @@ InsideMap::InsideMap(const MarkedEdges& marked, const SignRuns& signs, const Gri
   while (count() > kMaxBlocks) ++shift_;
   for (int axis = 0; axis < 3; ++axis) limit_[axis] = grid.points[axis] - 1;
   depth_.assign(count(), kDeepest);
-  const auto clear = [&](std::int32_t i, std::int32_t j, std::int32_t k) {
-    depth_[(static_cast<std::size_t>(i >> shift_) * blocks_[1] +
-            static_cast<std::size_t>(j >> shift_)) *
-               blocks_[2] +
-           static_cast<std::size_t>(k >> shift_)] = 0;
-  };
-  for (std::int32_t i = 0; i < grid.points[0]; ++i) {
-    for (std::int32_t j = 0; j < grid.points[1]; ++j) {
-      LineReader line(marked, signs, i, j);
-      for (std::int32_t k = 0; k < grid.points[2]; ++k) {
-        if (!line.outside(k)) continue;
-        // The eight cells around this point are not deep inside.
-        for (std::int32_t i0 = std::max(i - 1, 0); i0 <= i; ++i0) {
-          for (std::int32_t j0 = std::max(j - 1, 0); j0 <= j; ++j0) {
-            clear(i0, j0, std::max(k - 1, 0));
-            clear(i0, j0, k);
-          }
-        }
+  // The eight cells around a point outside are not deep inside.
+  const std::int32_t edge = std::int32_t{1} << shift_;
+  parallelFor(blocks_[0], [&](std::size_t slab) {
+    const std::int32_t begin = static_cast<std::int32_t>(slab) * edge;
+    for (std::int32_t i = begin; i <= std::min(begin + edge, grid.points[0] - 1); ++i) {
+      for (std::int32_t j = 0; j < grid.points[1]; ++j) {
+        forOutsideRuns(
+            marked, signs, grid.points[2], i, j, [&](std::int32_t first, std::int32_t last) {
+              for (std::int32_t j0 = std::max(j - 1, 0); j0 <= j; ++j0) {
+                std::uint8_t* row =
+                    depth_.data() +
+                    (slab * blocks_[1] + static_cast<std::size_t>(j0 >> shift_)) * blocks_[2];
+                std::fill(row + (std::max(first - 1, 0) >> shift_), row + (last >> shift_) + 1,
+                          std::uint8_t{0});
+              }
+            });
       }
     }
-  }
+  });
   Distances(depth_, blocks_).find();
   if (shift_ == 0) findFronts(marked, signs, grid);
 }

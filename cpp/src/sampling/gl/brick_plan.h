@@ -1,6 +1,6 @@
-// Cuts the grid into bricks. The marks of a brick (one bit per edge) fit into one 3D image of the
-// device and into a memory budget. Bricks are slabs of whole layers if these fit; else layers are
-// cut along y, then along z. The cuts do not change the result. Cost: O(bricks).
+// Cuts the grid into bricks. The marks of a brick (one bit per edge) fit into one storage block of
+// the device and into a memory budget. Bricks are slabs of whole layers if these fit; else layers
+// are cut along y, then along z. The cuts do not change the result. Cost: O(bricks).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,8 +16,8 @@ namespace swept::gl {
 struct Brick {
   std::array<std::int32_t, 3> low{0, 0, 0}, size{0, 0, 0};  ///< lattice points
 
-  std::int32_t words() const { return (size[2] + 31) / 32; }  ///< texels along z, 32 edges each
-  std::uint64_t texels() const {
+  std::int32_t words() const { return (size[2] + 31) / 32; }  ///< words along z, 32 edges each
+  std::uint64_t markWords() const {
     return std::uint64_t{3} * size[0] * size[1] * static_cast<std::uint64_t>(words());
   }
 };

@@ -3,72 +3,113 @@
 
 #include <algorithm>
 
-#include "base/parallel.h"
-#include "sampling/culling/kept_elements.h"
+#include "sampling/culling/swept_elements.h"
 
 namespace swept::gl {
 namespace {
 
-constexpr std::uint64_t kPlacementBytes = 12 * sizeof(double);
+constexpr std::size_t kStepNumbers = 6 * 4;
+/// Placements and steps are uploaded in double precision, steps in single precision, too.
+constexpr std::uint64_t kPlacementBytes =
+    (12 + kStepNumbers) * sizeof(double) + kStepNumbers * sizeof(float);
 
-std::vector<SweptElement> listKept(const SamplerInput& input, RunContext& run) {
-  const FaceClusters clusters = buildClusters(input.body, input.topology);
-  const ShownClusters all = allClusters(clusters);
-  const std::size_t placements = input.motion.placements.size();
-  const std::size_t group = std::max<std::size_t>(1, placements / 128);
-  const std::size_t items = (placements + group - 1) / group;
-  return gather<SweptElement>(items, 1, [&](std::size_t item, std::vector<SweptElement>& part) {
-    const std::size_t begin = item * group, end = std::min(begin + group, placements);
-    KeptElements kept(input, clusters);
-    for (std::size_t k = begin; k < end; ++k) {
-      run.checkpoint(Phase::Sampling);
-      kept.goTo(k);
-      const auto placement = static_cast<std::uint32_t>(k);
-      kept.forFaces(all, [&](std::uint32_t f) { part.push_back({f, placement}); });
-      if (k == input.motion.steps()) break;
-      kept.forPatches(all, [&](std::uint32_t e, const FaceClusters::EdgeEnds&) {
-        part.push_back({e | SweptElement::kSidePatchBit, placement});
-      });
+/// Appends an edge to the buffer of the topology. `right`: as in shaders/element.glsl.
+void addEdge(const BodyEdge& edge, std::uint32_t left, std::int32_t right,
+             std::vector<std::int32_t>& topology) {
+  topology.insert(topology.end(), {edge.a, edge.b, static_cast<std::int32_t>(left), right});
+}
+
+/// Orders faces and edges by the clusters of the body, as KeptElements visits them.
+void addClusters(const SamplerInput& input, const FaceClusters& clusters, ElementSource& source) {
+  const auto& edges = input.topology.edges;
+  source.faceOrder = clusters.faces;
+  source.edgeOrder = clusters.innerEdges;
+  source.edgeOrder.insert(source.edgeOrder.end(), clusters.borderEdges.begin(),
+                          clusters.borderEdges.end());
+  for (const std::uint32_t f : source.faceOrder) {
+    const auto& t = input.body.triangles[f];
+    source.topology.insert(source.topology.end(), t.begin(), t.end());
+  }
+  for (std::size_t n = 0; n < clusters.innerEdges.size(); ++n) {
+    const FaceClusters::EdgeEnds& ends = clusters.innerEnds[n];
+    addEdge(edges[clusters.innerEdges[n]], ends.left, static_cast<std::int32_t>(2 * ends.right),
+            source.topology);
+  }
+  for (const FaceClusters::Border& border : clusters.borders) {
+    for (std::uint32_t n = border.firstEdge; n < border.firstEdge + border.edgeCount; ++n) {
+      const FaceClusters::EdgeEnds& ends = clusters.borderEnds[n];
+      const auto right = static_cast<std::int32_t>(2 * ends.right + (border.opposed ? 1 : 0));
+      addEdge(edges[clusters.borderEdges[n]], ends.left, border.right >= 0 ? right : -1,
+              source.topology);
     }
-  });
+  }
 }
 
 }  // namespace
 
-ElementSource planElements(const SamplerInput& input, RunContext& run) {
+ElementSource planElements(const SamplerInput& input) {
   ElementSource source;
   source.faces = static_cast<std::uint32_t>(input.body.triangles.size());
   source.perPlacement = source.faces;
   source.placements = static_cast<std::uint32_t>(input.motion.placements.size());
-  if (input.motion.continuous) {
-    source.perPlacement += static_cast<std::uint32_t>(input.topology.edges.size());
-    source.listed = input.cull;
-    if (source.listed) source.list = listKept(input, run);
+  if (!input.motion.continuous) {
+    for (const auto& t : input.body.triangles) {
+      source.topology.insert(source.topology.end(), t.begin(), t.end());
+    }
+    return source;
+  }
+  source.perPlacement += static_cast<std::uint32_t>(input.topology.edges.size());
+  FaceClusters own;
+  if (input.clusters == nullptr) own = buildClusters(input.body, input.topology);
+  const FaceClusters& clusters = input.clusters != nullptr ? *input.clusters : own;
+  addClusters(input, clusters, source);
+  if (!input.cull) return source;
+  source.culling = input.orientable ? ElementSource::kClosedBody : ElementSource::kOpenBody;
+  source.balls.reserve(8 * clusters.balls.size());
+  for (const FaceClusters::FaceBall& ball : clusters.balls) {
+    const Eigen::Vector3f &c = ball.centre, &n = ball.normal;
+    const auto snap = static_cast<float>(snapAngle(ball.height, input.grid.cell));
+    source.balls.insert(source.balls.end(),
+                        {c[0], c[1], c[2], ball.radius, n[0], n[1], n[2], snap});
   }
   return source;
 }
 
+std::vector<double> stepRows(const SamplerInput& input, const ElementChunk& chunk) {
+  std::vector<double> rows;
+  rows.reserve(kStepNumbers * (std::size_t{chunk.placementCount} + 1));
+  double farthest = 0;
+  for (const auto& v : input.body.vertices) farthest = std::max(farthest, v.norm());
+  const std::size_t steps = input.motion.steps();
+  for (std::size_t n = 0; n <= chunk.placementCount; ++n) {
+    const std::size_t end = chunk.placementBase + n;  // the step ends at this placement
+    if (end == 0 || end > steps) {
+      rows.resize(rows.size() + kStepNumbers);
+      continue;
+    }
+    const MotionStep step(input, end - 1);
+    const double rounding = 1e-6 * (step.shift.norm() + step.angle * farthest);
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        rows.push_back(step.bend(row, column));
+      }
+      rows.push_back(step.shift[row]);
+    }
+    const double last[3] = {step.angle, step.snap, rounding};
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        rows.push_back(step.turnBack(row, column));
+      }
+      rows.push_back(last[row]);
+    }
+  }
+  return rows;
+}
+
 std::vector<ElementChunk> planChunks(const ElementSource& source, std::uint64_t bytes) {
   std::vector<ElementChunk> chunks;
-  // Element numbers within a chunk have 32 bits. A side patch also needs the placement after its
-  // own.
+  // A side patch also needs the placement after its own. Numbers within a chunk have 32 bits.
   const std::uint64_t window = std::max<std::uint64_t>(2, bytes / kPlacementBytes);
-  if (source.listed) {
-    const std::uint64_t maxCount = std::max<std::uint64_t>(1, bytes / sizeof(SweptElement));
-    for (std::uint64_t first = 0; first < source.list.size();) {
-      const std::uint32_t base = source.list[first].placement;
-      std::uint64_t end = first;
-      while (end < source.list.size() && end - first < maxCount &&
-             source.list[end].placement + 2 <= base + window) {
-        ++end;
-      }
-      const std::uint32_t last =
-          std::min(source.list[end - 1].placement + 1, source.placements - 1);
-      chunks.push_back({first, end - first, base, last - base + 1});
-      first = end;
-    }
-    return chunks;
-  }
   const std::uint64_t maxCount = std::max<std::uint64_t>(
       1, std::min<std::uint64_t>(window - 1, 0xfffffff0u / std::max(1u, source.perPlacement)));
   for (std::uint64_t base = 0; base < source.placements; base += maxCount) {

@@ -1,50 +1,56 @@
-// Decides which elements of the swept surface are drawn, and numbers them.
+// Numbers the elements of the swept surface for the device, and prepares what culling needs.
 //
-// A continuous motion with culling has a list: the elements that culling keeps, one by one, in the
-// order of the CPU sampler. Dense motions, and motions without culling, have no list. Then every
-// face is drawn at every placement and, if the motion is continuous, every edge in every step. The
-// shader derives these elements from their numbers.
+// Numbers run placement by placement: at each placement all faces and then, for a continuous
+// motion, the side patches of all edges in the step that starts there. Faces and edges have the
+// order in which the CPU sampler visits them, so that equal crossings get the same winner. The
+// shader derives the elements from their numbers and decides itself which of them are enclosed
+// (docs/gpu.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "sampling/culling/face_clusters.h"
 #include "sampling/sampler.h"
 
 namespace swept::gl {
 
 struct ElementSource {
-  bool listed = false;
-  std::vector<SweptElement> list;
+  /// Values of the uniform `culling` in shaders/element.glsl.
+  enum Culling : std::uint32_t { kNone, kOpenBody, kClosedBody };
+
+  Culling culling = kNone;
   std::uint32_t faces = 0;         ///< number of faces of the body
   std::uint32_t perPlacement = 0;  ///< faces, or faces and edges
   std::uint32_t placements = 0;
+  std::vector<std::uint32_t> faceOrder, edgeOrder;  ///< empty: the order of the body
+  std::vector<std::int32_t> topology;               ///< buffer of shaders/element.glsl
+  std::vector<float> balls;                         ///< likewise; empty without culling
 
-  std::uint64_t count() const {
-    return listed ? list.size() : std::uint64_t{perPlacement} * placements;
-  }
+  std::uint64_t count() const { return std::uint64_t{perPlacement} * placements; }
   SweptElement at(std::uint64_t number) const {
-    if (listed) return list[number];
     const auto local = static_cast<std::uint32_t>(number % perPlacement);
     const auto placement = static_cast<std::uint32_t>(number / perPlacement);
-    return {local < faces ? local : (local - faces) | SweptElement::kSidePatchBit, placement};
-  }
-  /// Returns false for side patches at the last placement, where no step starts.
-  bool exists(const SweptElement& element) const {
-    return !element.isSidePatch() || element.placement + 1 < placements;
+    if (local < faces) return {faceOrder.empty() ? local : faceOrder[local], placement};
+    const std::uint32_t edge = local - faces;
+    return {(edgeOrder.empty() ? edge : edgeOrder[edge]) | SweptElement::kSidePatchBit, placement};
   }
 };
 
-/// Consecutive elements whose data are on the device at the same time.
+/// Consecutive placements whose data are on the device at the same time.
 struct ElementChunk {
-  std::uint64_t first = 0, count = 0;
+  std::uint64_t first = 0, count = 0;                   ///< elements
   std::uint32_t placementBase = 0, placementCount = 0;  ///< the placements that the chunk needs
 };
 
-ElementSource planElements(const SamplerInput& input, RunContext& run);
+ElementSource planElements(const SamplerInput& input);
 
-/// Returns chunks with at most `bytes` of placements, and at most `bytes` of listed elements.
+/// Returns the steps that a chunk needs for culling, as rows of shaders/element.glsl. The first
+/// step ends at the first placement of the chunk.
+std::vector<double> stepRows(const SamplerInput& input, const ElementChunk& chunk);
+
+/// Returns chunks with at most `bytes` of placements and steps.
 std::vector<ElementChunk> planChunks(const ElementSource& source, std::uint64_t bytes);
 
 }  // namespace swept::gl

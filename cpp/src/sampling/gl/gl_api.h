@@ -47,56 +47,37 @@ std::shared_ptr<GlLoader> systemLoader(const std::string& library = "libEGL.so.1
   X(PFNEGLQUERYDEVICESTRINGEXTPROC, QueryDeviceStringEXT) \
   X(PFNEGLGETPLATFORMDISPLAYEXTPROC, GetPlatformDisplayEXT)
 
-#define SWEPT_GL_FUNCTIONS(X)                                        \
-  X(PFNGLGETSTRINGPROC, GetString)                                   \
-  X(PFNGLGETINTEGERVPROC, GetIntegerv)                               \
-  X(PFNGLGETINTEGER64VPROC, GetInteger64v)                           \
-  X(PFNGLGETERRORPROC, GetError)                                     \
-  X(PFNGLGETGRAPHICSRESETSTATUSPROC, GetGraphicsResetStatus)         \
-  X(PFNGLDISABLEPROC, Disable)                                       \
-  X(PFNGLFINISHPROC, Finish)                                         \
-  X(PFNGLFLUSHPROC, Flush)                                           \
-  X(PFNGLCREATESHADERPROC, CreateShader)                             \
-  X(PFNGLSHADERSOURCEPROC, ShaderSource)                             \
-  X(PFNGLCOMPILESHADERPROC, CompileShader)                           \
-  X(PFNGLGETSHADERIVPROC, GetShaderiv)                               \
-  X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                     \
-  X(PFNGLDELETESHADERPROC, DeleteShader)                             \
-  X(PFNGLCREATEPROGRAMPROC, CreateProgram)                           \
-  X(PFNGLATTACHSHADERPROC, AttachShader)                             \
-  X(PFNGLLINKPROGRAMPROC, LinkProgram)                               \
-  X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                             \
-  X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                   \
-  X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                           \
-  X(PFNGLUSEPROGRAMPROC, UseProgram)                                 \
-  X(PFNGLUNIFORM1UIPROC, Uniform1ui)                                 \
-  X(PFNGLUNIFORM3IPROC, Uniform3i)                                   \
-  X(PFNGLCREATEBUFFERSPROC, CreateBuffers)                           \
-  X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                           \
-  X(PFNGLNAMEDBUFFERDATAPROC, NamedBufferData)                       \
-  X(PFNGLCLEARNAMEDBUFFERDATAPROC, ClearNamedBufferData)             \
-  X(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData)           \
-  X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                         \
-  X(PFNGLCREATETEXTURESPROC, CreateTextures)                         \
-  X(PFNGLDELETETEXTURESPROC, DeleteTextures)                         \
-  X(PFNGLTEXTURESTORAGE3DPROC, TextureStorage3D)                     \
-  X(PFNGLCLEARTEXIMAGEPROC, ClearTexImage)                           \
-  X(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage)                       \
-  X(PFNGLPIXELSTOREIPROC, PixelStorei)                               \
-  X(PFNGLBINDIMAGETEXTUREPROC, BindImageTexture)                     \
-  X(PFNGLCREATEFRAMEBUFFERSPROC, CreateFramebuffers)                 \
-  X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                 \
-  X(PFNGLNAMEDFRAMEBUFFERPARAMETERIPROC, NamedFramebufferParameteri) \
-  X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                       \
-  X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)         \
-  X(PFNGLCREATEVERTEXARRAYSPROC, CreateVertexArrays)                 \
-  X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                 \
-  X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                       \
-  X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)                     \
-  X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)               \
-  X(PFNGLMEMORYBARRIERPROC, MemoryBarrier)                           \
-  X(PFNGLFENCESYNCPROC, FenceSync)                                   \
-  X(PFNGLCLIENTWAITSYNCPROC, ClientWaitSync)                         \
+#define SWEPT_GL_FUNCTIONS(X)                                \
+  X(PFNGLGETSTRINGPROC, GetString)                           \
+  X(PFNGLGETINTEGERVPROC, GetIntegerv)                       \
+  X(PFNGLGETINTEGER64VPROC, GetInteger64v)                   \
+  X(PFNGLGETERRORPROC, GetError)                             \
+  X(PFNGLGETGRAPHICSRESETSTATUSPROC, GetGraphicsResetStatus) \
+  X(PFNGLCREATESHADERPROC, CreateShader)                     \
+  X(PFNGLSHADERSOURCEPROC, ShaderSource)                     \
+  X(PFNGLCOMPILESHADERPROC, CompileShader)                   \
+  X(PFNGLGETSHADERIVPROC, GetShaderiv)                       \
+  X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)             \
+  X(PFNGLDELETESHADERPROC, DeleteShader)                     \
+  X(PFNGLCREATEPROGRAMPROC, CreateProgram)                   \
+  X(PFNGLATTACHSHADERPROC, AttachShader)                     \
+  X(PFNGLLINKPROGRAMPROC, LinkProgram)                       \
+  X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                     \
+  X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)           \
+  X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                   \
+  X(PFNGLUSEPROGRAMPROC, UseProgram)                         \
+  X(PFNGLUNIFORM1UIPROC, Uniform1ui)                         \
+  X(PFNGLUNIFORM3IPROC, Uniform3i)                           \
+  X(PFNGLCREATEBUFFERSPROC, CreateBuffers)                   \
+  X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                   \
+  X(PFNGLNAMEDBUFFERDATAPROC, NamedBufferData)               \
+  X(PFNGLCLEARNAMEDBUFFERDATAPROC, ClearNamedBufferData)     \
+  X(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData)   \
+  X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                 \
+  X(PFNGLDISPATCHCOMPUTEPROC, DispatchCompute)               \
+  X(PFNGLMEMORYBARRIERPROC, MemoryBarrier)                   \
+  X(PFNGLFENCESYNCPROC, FenceSync)                           \
+  X(PFNGLCLIENTWAITSYNCPROC, ClientWaitSync)                 \
   X(PFNGLDELETESYNCPROC, DeleteSync)
 
 struct EglApi {

@@ -2,14 +2,11 @@
 #include "sampling/gl/gl_backend.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <map>
 #include <mutex>
 #include <optional>
 
 #include "base/number_text.h"
-#include "base/timer.h"
 #include "sampling/gl/gl_sampler.h"
 #include "sampling/gl/gl_verify.h"
 #include "swept/types.h"
@@ -20,70 +17,14 @@ namespace {
 std::mutex setupMutex;
 std::optional<GlSetup> testSetup;
 
-/// A bumpy disc that turns and moves: enough work to show whether GPU or CPU is faster.
-struct Probe {
-  TriMesh body;
-  Motion motion;
-  GridPlan grid;
-
-  Probe() {
-    constexpr int kAround = 192, kRings = 48;
-    for (int ring = 0; ring <= kRings; ++ring) {
-      for (int n = 0; n < kAround; ++n) {
-        const double polar = M_PI * (ring + 0.5) / (kRings + 1), turn = 2 * M_PI * n / kAround;
-        const double r = 30 + 2 * std::sin(9 * turn) * std::sin(polar);
-        body.vertices.emplace_back(r * std::sin(polar) * std::cos(turn),
-                                   r * std::sin(polar) * std::sin(turn), 0.4 * r * std::cos(polar));
-      }
-    }
-    for (int ring = 0; ring < kRings; ++ring) {
-      for (int n = 0; n < kAround; ++n) {
-        const std::int32_t a = ring * kAround + n, b = ring * kAround + (n + 1) % kAround;
-        body.triangles.push_back({a, a + kAround, b});
-        body.triangles.push_back({b, a + kAround, b + kAround});
-      }
-    }
-    for (int step = 0; step < 24; ++step) {
-      Placement p;
-      p.rotation = Eigen::AngleAxisd(0.05 * step, Eigen::Vector3d(2, 1, 2) / 3).toRotationMatrix();
-      p.translation = Eigen::Vector3d(64, 64, 64 + 0.5 * step);
-      motion.placements.push_back(p);
-    }
-    grid.points = {128, 128, 144};
-  }
-};
-
-/// Returns GPU seconds divided by CPU seconds.
-double probe(const std::shared_ptr<GlDevice>& device, const GlSetup& setup, RunContext& run) {
-  const Probe p;
-  const BodyTopology topology = buildTopology(p.body);
-  const SamplerInput input{p.body, topology, p.motion, p.grid, true, false};
-  GlSampler sampler(
-      input, [&] { return device; }, setup.settings, run);
-  const auto onGpu = [&] {
-    MarkedEdges marked = sampler.mark(run);
-    sampler.resolve(marked, findOutside(marked, p.grid, run), run);
-  };
-  onGpu();  // drivers finish compiling their shaders at first use
-  Timer timer;
-  onGpu();
-  const double gpu = timer.lap();
-  findOutside(sampleCpu(input, run), p.grid, run);
-  return gpu / timer.lap();
-}
-
-void requireFaster(const std::shared_ptr<GlDevice>& device, const GlSetup& setup, RunContext& run) {
-  static std::map<std::string, double> known;  // only one run at a time gets here
-  const std::string& name = device->context->device();
-  double ratio = setup.assumedProbe;
-  if (!(ratio > 0)) {
-    auto found = known.find(name);
-    if (found == known.end()) found = known.emplace(name, probe(device, setup, run)).first;
-    ratio = found->second;
-  }
+void requireFaster(GlSampler& sampler, const GlSetup& setup,
+                   const std::function<double()>& cpuSeconds, RunContext& run) {
+  const double gpu = sampler.expectedSeconds(run), cpu = cpuSeconds();
+  const double ratio = setup.assumedRatio > 0 ? setup.assumedRatio : gpu / cpu;
   if (ratio < 1) return;
   throw Error(Status::DeviceUnavailable, "DeviceSlower",
-              textOf(3, name, " took ", ratio, " times as long as the CPU in a short test"));
+              textOf(2, sampler.device(), " would take ", ratio,
+                     " times as long as the CPU, by a sample of this run"));
 }
 
 }  // namespace
@@ -117,20 +58,21 @@ std::shared_ptr<GlDevice> openTested(const GlSetup& setup, RunContext& run) {
   return device;
 }
 
-SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup, bool mustBeFaster,
-                           const FindSigns& findSigns, RunContext& run) {
+SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup,
+                           const std::function<double()>& cpuSeconds, const FindSigns& findSigns,
+                           RunContext& run) {
   static std::mutex oneAtATime;
   const std::lock_guard lock(oneAtATime);
   std::shared_ptr<GlDevice> device = openTested(setup, run);
-  if (mustBeFaster) requireFaster(device, setup, run);
   // The first call gives the device that was just tested. After a loss, a new one is opened and
   // tested.
   const auto next = [&] { return device ? std::move(device) : openTested(setup, run); };
-  GlSampler sampler(input, next, setup.settings, run);
+  GlSampler sampler(input, next, setup.settings);
+  if (cpuSeconds) requireFaster(sampler, setup, cpuSeconds, run);
   SampledSurface out;
   out.backend = "gpu";
   out.marked = sampler.mark(run);
-  verifyMarks(input, sampler.elements(), out.marked, sampler.device(), setup.verifiedElements);
+  verifyMarks(input, out.marked, sampler.device(), setup.verifiedElements);
   out.signs = findSigns(out.marked);
   verifySigns(input, out.marked, out.signs, sampler.device());
   sampler.resolve(out.marked, out.signs, run);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "sampling/gl/gl_passes.h"
@@ -14,16 +15,18 @@ struct GlSetup {
   DeviceWish wish;
   GlSettings settings;
   int verifiedElements = 512, verifiedEdges = 512;
-  double assumedProbe = 0;  ///< testing hook: ratio of GPU to CPU seconds; 0: measure it by a probe
+  double assumedRatio = 0;  ///< testing hook: ratio of GPU to CPU seconds; 0: measure it
 };
 
 /// Opens a device and tests it. Throws Error(DeviceUnavailable) or Error(DeviceLost).
 std::shared_ptr<GlDevice> openTested(const GlSetup& setup, RunContext& run);
 
-/// Runs the sampler on the GPU. With mustBeFaster, throws Error(DeviceUnavailable) if a probe of
-/// about 0.1 s finds the CPU faster. The ratio is remembered per device.
-SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup, bool mustBeFaster,
-                           const FindSigns& findSigns, RunContext& run);
+/// Runs the sampler on the GPU. If `cpuSeconds` is given, throws Error(DeviceUnavailable) if the
+/// device is expected, by a sample of this input, to take at least as long as the CPU.
+/// cpuSeconds() is called only if there is a device.
+SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup,
+                           const std::function<double()>& cpuSeconds, const FindSigns& findSigns,
+                           RunContext& run);
 
 /// Returns the settings from the environment variables in docs/gpu.md, else the system's defaults.
 /// Nothing else in this folder reads these variables.

@@ -173,18 +173,8 @@ std::string GlContext::describe(const DeviceWish& wish) {
   if (wish.hardwareOnly && software_) return "(" + device_ + ") is a software rasteriser";
   GLint64 storage = 0;
   gl_.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storage);
-  GLint viewport[2] = {0, 0};
-  gl_.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
   limits_.storageBytes = storage;
-  limits_.texture3d = integer(GL_MAX_3D_TEXTURE_SIZE);
-  limits_.viewport = std::min(viewport[0], viewport[1]);
-  limits_.framebuffer =
-      std::min(integer(GL_MAX_FRAMEBUFFER_WIDTH), integer(GL_MAX_FRAMEBUFFER_HEIGHT));
-  limits_.vertexStorageBlocks = integer(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS);
-  limits_.fragmentStorageBlocks = integer(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS);
-  limits_.fragmentImages = integer(GL_MAX_FRAGMENT_IMAGE_UNIFORMS);
-  limits_.geometryInvocations = integer(GL_MAX_GEOMETRY_SHADER_INVOCATIONS);
-  limits_.viewports = integer(GL_MAX_VIEWPORTS);
+  limits_.storageBlocks = integer(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS);
   return {};
 }
 

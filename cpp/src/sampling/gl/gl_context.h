@@ -22,9 +22,7 @@ struct DeviceWish {
 
 struct Limits {
   std::int64_t storageBytes = 0;  ///< largest size of one shader storage block
-  int texture3d = 0, viewport = 0, framebuffer = 0;
-  int vertexStorageBlocks = 0, fragmentStorageBlocks = 0, fragmentImages = 0;
-  int geometryInvocations = 0, viewports = 0;
+  int storageBlocks = 0;          ///< storage blocks of a compute shader
 };
 
 /// Throws Error(DeviceLost, "DeviceGarbage"): the device gave a wrong answer.

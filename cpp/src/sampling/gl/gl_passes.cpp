@@ -5,35 +5,37 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <string>
 
+#include "base/timer.h"
 #include "swept/types.h"
 
 namespace swept::gl {
 namespace {
 
-/// Longest and shortest time of a draw, in seconds. The batch grows or shrinks to keep draws
-/// between them. The promised limit is 0.050 s, so a draw may take four times as long as the one
-/// before.
-constexpr double kMaxDraw = 0.012, kMinDraw = 0.004;
+/// Longest and shortest time of a dispatch, in seconds. The batch grows or shrinks to keep
+/// dispatches between them. The promised limit is 0.050 s, so a dispatch may take four times as
+/// long as the one before.
+constexpr double kMaxSeconds = 0.012, kMinSeconds = 0.004;
 // Limits of the batch, so that a single odd measurement cannot make it far too small or too large.
-constexpr std::uint64_t kMinBatch = 64, kMaxBatch = std::uint64_t{1} << 22;
+constexpr std::uint64_t kMinBatch = 64, kMaxBatch = std::uint64_t{1} << 26;
+/// Elements of a group of the shader (kGroup), and the groups in a row of a dispatch. OpenGL
+/// guarantees 65,535 groups a row.
+constexpr std::uint32_t kGroup = 64, kGroupsInRow = 32768;
 
 /// Locations of the uniforms in shaders/*.
 enum Uniform {
   kBrickLow,
   kBrickSize,
-  kListed,
-  kFirstElement,
-  kFirstPlacement,
   kPlacementBase,
   kPlacementCount,
   kFaceCount,
   kElementCount,
+  kCulling,
+  kFirstElement,
+  kDrawCount,
   kIdBase,
-  kCodeCount,
   kSecondRound
 };
 
@@ -53,25 +55,21 @@ GlPasses::GlPasses(const GlDevice& device, const SamplerInput& input, const Elem
   std::uint64_t chunkBytes = settings.chunkBytes != 0 ? settings.chunkBytes : budget / 4;
   chunkBytes = std::min(chunkBytes, storage);
   chunks_ = planChunks(source, chunkBytes);
-  maxCodes_ = static_cast<std::size_t>(
-      std::max<std::uint64_t>(1, std::min(budget / 2 / 20, storage / sizeof(glm::uvec2))));
-  const GlApi& gl = context_.gl();
-  gl.CreateBuffers(kBuffers, buffers_);
-  gl.CreateFramebuffers(1, &framebuffer_);
-  gl.CreateVertexArrays(1, &vertexArray_);
-  gl.BindVertexArray(vertexArray_);
-  gl.Disable(GL_DEPTH_TEST);
-  gl.Disable(GL_CULL_FACE);
-  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  uploadBody();
+  maxTargets_ = static_cast<std::size_t>(
+      std::max<std::uint64_t>(1, std::min(budget / 2 / (sizeof(std::uint32_t) + sizeof(EdgeWinner)),
+                                          storage / sizeof(EdgeWinner))));
+  context_.gl().CreateBuffers(kBuffers, buffers_);
+  upload(kVertices, input_.body.vertices.data(),
+         input_.body.vertices.size() * sizeof(Eigen::Vector3d));
+  upload(kTopology, source_.topology.data(), source_.topology.size() * sizeof(std::int32_t));
+  upload(kBalls, source_.balls.data(), source_.balls.size() * sizeof(float));
+  for (const Binding b : {kPlacements, kSteps, kExactSteps, kMarks, kWinners})
+    upload(b, nullptr, 0);
 }
 
 GlPasses::~GlPasses() {
   const GlApi& gl = context_.gl();
   gl.UseProgram(0);
-  gl.DeleteTextures(1, &texture_);
-  gl.DeleteFramebuffers(1, &framebuffer_);
-  gl.DeleteVertexArrays(1, &vertexArray_);
   gl.DeleteBuffers(kBuffers, buffers_);
 }
 
@@ -84,15 +82,10 @@ void GlPasses::requireLimits() const {
                     " " + what + ", but at least " + std::to_string(minCount) +
                     "; use --backend cpu or auto");
   };
-  need("storage blocks in the vertex stage", limits.vertexStorageBlocks, 5);
-  need("storage blocks in the fragment stage", limits.fragmentStorageBlocks, 3);
-  need("images in the fragment stage", limits.fragmentImages, 1);
-  need("geometry invocations", limits.geometryInvocations, 3);
-  need("viewports", limits.viewports, 3);
-  const auto body = static_cast<std::int64_t>(
-      std::max({input_.body.vertices.size() * 3 * sizeof(double),
-                input_.body.triangles.size() * 3 * sizeof(std::int32_t),
-                input_.topology.edges.size() * 2 * sizeof(std::int32_t)}));
+  need("storage blocks in a compute shader", limits.storageBlocks, kBuffers);
+  const auto body = static_cast<std::int64_t>(std::max(
+      {input_.body.vertices.size() * 3 * sizeof(double),
+       source_.topology.size() * sizeof(std::int32_t), source_.balls.size() * sizeof(float)}));
   need("bytes in a storage block", limits.storageBytes, std::max<std::int64_t>(body, 4096));
 }
 
@@ -108,25 +101,9 @@ void GlPasses::upload(Binding binding, const void* data, std::size_t bytes) {
                      GL_DYNAMIC_DRAW);
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers_[binding]);
   bufferBytes_[binding] = std::max(bytes, kMin);
-  std::uint64_t sum = imageBrick_.texels() * 4;
+  std::uint64_t sum = 0;
   for (const std::size_t b : bufferBytes_) sum += b;
   bytes_ = std::max(bytes_, sum);
-}
-
-void GlPasses::uploadBody() {
-  upload(kVertices, input_.body.vertices.data(),
-         input_.body.vertices.size() * sizeof(Eigen::Vector3d));
-  upload(kFaces, input_.body.triangles.data(),
-         input_.body.triangles.size() * 3 * sizeof(std::int32_t));
-  std::vector<std::int32_t> edges;
-  if (input_.motion.continuous) {
-    edges.reserve(2 * input_.topology.edges.size());
-    for (const BodyEdge& e : input_.topology.edges) edges.insert(edges.end(), {e.a, e.b});
-  }
-  upload(kEdges, edges.data(), edges.size() * sizeof(std::int32_t));
-  for (const Binding b : {kPlacements, kElements, kCodes, kExtremes, kWinners}) {
-    upload(b, nullptr, 0);
-  }
 }
 
 void GlPasses::uploadChunk(std::size_t index) {
@@ -144,159 +121,142 @@ void GlPasses::uploadChunk(std::size_t index) {
     }
   }
   upload(kPlacements, rows.data(), rows.size() * sizeof(glm::dvec4));
-  if (source_.listed) {
-    static_assert(sizeof(SweptElement) == sizeof(glm::uvec2));
-    upload(kElements, source_.list.data() + chunk.first,
-           static_cast<std::size_t>(chunk.count) * sizeof(SweptElement));
-  }
+  if (source_.culling == ElementSource::kNone) return;
+  const std::vector<double> exact = stepRows(input_, chunk);
+  const std::vector<float> steps(exact.begin(), exact.end());
+  upload(kSteps, steps.data(), steps.size() * sizeof(float));
+  upload(kExactSteps, exact.data(), exact.size() * sizeof(double));
 }
 
 void GlPasses::useBrick(const Brick& brick) {
   const GlApi& gl = context_.gl();
-  const auto& s = brick.size;
-  const std::int32_t view[3][2] = {{s[1], s[2]}, {s[0], s[2]}, {s[0], s[1]}};
-  std::int32_t width = 1, height = 1;
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    width = std::max(width, view[axis][0]);
-    height = std::max(height, view[axis][1]);
-    gl.ViewportIndexedf(axis, 0, 0, static_cast<float>(view[axis][0]),
-                        static_cast<float>(view[axis][1]));
-  }
-  gl.NamedFramebufferParameteri(framebuffer_, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
-  gl.NamedFramebufferParameteri(framebuffer_, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    context_.lost("a frame of " + std::to_string(width) + " x " + std::to_string(height) +
-                  " lines is refused");
-  }
   gl.Uniform3i(kBrickLow, brick.low[0], brick.low[1], brick.low[2]);
-  gl.Uniform3i(kBrickSize, s[0], s[1], s[2]);
-  gl.Uniform1ui(kListed, source_.listed ? 1 : 0);
+  gl.Uniform3i(kBrickSize, brick.size[0], brick.size[1], brick.size[2]);
   gl.Uniform1ui(kPlacementCount, source_.placements);
   gl.Uniform1ui(kFaceCount, source_.faces);
   gl.Uniform1ui(kElementCount, source_.perPlacement);
+  gl.Uniform1ui(kCulling, source_.culling);
 }
 
-void GlPasses::drawAndWait(std::uint32_t elements, std::uint32_t instances,
-                           const std::function<void()>& afterDraw) {
-  const GlApi& gl = context_.gl();
-  gl.DrawArraysInstanced(GL_LINES_ADJACENCY, 0, static_cast<GLsizei>(4 * elements),
-                         static_cast<GLsizei>(instances));
-  const double seconds = context_.finish(settings_.fenceTimeoutSeconds);
-  ++draws_;
-  longestDraw_ = std::max(longestDraw_, seconds);
-  if (settings_.adaptBatch) {
-    const std::uint64_t drawn = std::uint64_t{elements} * instances;
-    if (seconds > kMaxDraw) {
-      const double share = std::min(0.5, 0.5 * (kMaxDraw + kMinDraw) / seconds);
-      const auto fewer = static_cast<std::uint64_t>(share * static_cast<double>(drawn));
-      batch_ = std::max(kMinBatch, std::min(batch_, fewer));
-    }
-    if (seconds < kMinDraw && drawn * 2 > batch_) batch_ = std::min(kMaxBatch, batch_ * 2);
-  }
-  afterDraw();
-}
-
-void GlPasses::drawChunk(const ElementChunk& chunk, std::uint64_t epochFirst,
-                         const std::function<void()>& afterDraw) {
+/// Runs the current program on the elements [first, end) of the chunk, counted from its first one.
+void GlPasses::run(const ElementChunk& chunk, std::uint64_t first, std::uint64_t end,
+                   std::uint64_t epochFirst, const std::function<void()>& afterDispatch) {
   const GlApi& gl = context_.gl();
   gl.Uniform1ui(kPlacementBase, chunk.placementBase);
-  if (source_.listed) {
-    gl.Uniform1ui(kFirstPlacement, 0);
-    gl.Uniform1ui(kIdBase, static_cast<GLuint>(chunk.first - epochFirst));
-    for (std::uint64_t first = 0; first < chunk.count;) {
-      const auto n = static_cast<std::uint32_t>(std::min(batch_, chunk.count - first));
-      gl.Uniform1ui(kFirstElement, static_cast<GLuint>(first));
-      drawAndWait(n, 1, afterDraw);
-      first += n;
+  gl.Uniform1ui(kIdBase, static_cast<GLuint>(chunk.first - epochFirst));
+  while (first < end) {
+    const auto count = static_cast<std::uint32_t>(std::min(batch_, end - first));
+    const std::uint32_t groups = (count + kGroup - 1) / kGroup;
+    const Timer timer;  // some drivers do the work within the call
+    gl.Uniform1ui(kFirstElement, static_cast<GLuint>(first));
+    gl.Uniform1ui(kDrawCount, count);
+    gl.DispatchCompute(std::min(groups, kGroupsInRow), (groups + kGroupsInRow - 1) / kGroupsInRow,
+                       1);
+    context_.finish(settings_.fenceTimeoutSeconds);
+    const double seconds = timer.seconds();
+    first += count;
+    ++dispatches_;
+    longestDispatch_ = std::max(longestDispatch_, seconds);
+    if (settings_.adaptBatch) {
+      if (seconds > kMaxSeconds) {
+        const double fraction = std::min(0.5, 0.5 * (kMaxSeconds + kMinSeconds) / seconds);
+        const auto fewer = static_cast<std::uint64_t>(fraction * count);
+        batch_ = std::max(kMinBatch, std::min(batch_, fewer));
+      }
+      if (seconds < kMinSeconds && count == batch_) batch_ = std::min(kMaxBatch, batch_ * 2);
     }
-    return;
-  }
-  const std::uint64_t each = source_.perPlacement;
-  gl.Uniform1ui(kIdBase, static_cast<GLuint>(epochFirst / each));
-  const std::uint64_t begin = chunk.first / each, end = begin + chunk.count / each;
-  for (std::uint64_t placement = begin; placement < end;) {
-    const std::uint64_t together = std::clamp<std::uint64_t>(batch_ / each, 1, end - placement);
-    gl.Uniform1ui(kFirstPlacement, static_cast<GLuint>(placement));
-    for (std::uint64_t first = 0; first < each;) {
-      const auto n =
-          static_cast<std::uint32_t>(together > 1 ? each : std::min(batch_, each - first));
-      gl.Uniform1ui(kFirstElement, static_cast<GLuint>(first));
-      drawAndWait(n, static_cast<std::uint32_t>(together), afterDraw);
-      first += n;
-    }
-    placement += together;
+    afterDispatch();
   }
 }
 
-void GlPasses::makeImage(const Brick& brick) {
+/// Makes pass 1 ready for the brick, with no marks set.
+void GlPasses::startMarks(const Brick& brick) {
   const GlApi& gl = context_.gl();
-  if (imageBrick_.size != brick.size) {
-    gl.DeleteTextures(1, &texture_);
-    gl.CreateTextures(GL_TEXTURE_3D, 1, &texture_);
-    gl.TextureStorage3D(texture_, 1, GL_R32UI, brick.words(), brick.size[1], 3 * brick.size[0]);
-    if (gl.GetError() != GL_NO_ERROR) {
-      context_.lost("no memory for an image of " + std::to_string(brick.texels() * 4) + " bytes");
-    }
-    imageBrick_ = brick;
-  }
+  gl.UseProgram(device_.mark.id());
+  useBrick(brick);
+  const auto bytes = static_cast<std::size_t>(brick.markWords()) * sizeof(std::uint32_t);
+  upload(kMarks, nullptr, bytes);
   const std::uint32_t zero = 0;
-  gl.ClearTexImage(texture_, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-  gl.BindImageTexture(0, texture_, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
+  gl.ClearNamedBufferData(buffers_[kMarks], GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  context_.finish(settings_.fenceTimeoutSeconds);  // notices a lack of memory
+}
+
+double GlPasses::expectedSeconds(const Brick& brick, const std::function<void()>& afterDispatch) {
+  // A window must be long enough to keep the device busy; all together are 1/64 of the elements.
+  constexpr std::uint64_t kWindows = 16, kFraction = 64, kMinWindow = std::uint64_t{1} << 17;
+  startMarks(brick);
+  const std::uint64_t total = source_.count();
+  const std::uint64_t window =
+      std::min(total, std::max(kMinWindow, total / (kWindows * kFraction)));
+  std::uint64_t sampled = 0;
+  double seconds = 0;
+  std::size_t c = 0;
+  for (std::uint64_t n = 0; n < kWindows; ++n) {
+    const std::uint64_t begin = total / kWindows * n;
+    while (begin >= chunks_[c].first + chunks_[c].count) ++c;
+    const std::uint64_t first = begin - chunks_[c].first;
+    const std::uint64_t end = std::min(first + window, chunks_[c].count);
+    uploadChunk(c);
+    // Drivers finish compiling at the first use, and the batch adapts: that is not timed.
+    if (n == 0) run(chunks_[c], first, end, chunks_[c].first, afterDispatch);
+    const Timer timer;
+    run(chunks_[c], first, end, chunks_[c].first, afterDispatch);
+    seconds += timer.seconds();
+    sampled += end - first;
+  }
+  return seconds * static_cast<double>(total) /
+         static_cast<double>(std::max<std::uint64_t>(1, sampled));
 }
 
 std::vector<std::uint32_t> GlPasses::mark(const Brick& brick,
-                                          const std::function<void()>& afterDraw) {
+                                          const std::function<void()>& afterDispatch) {
   const GlApi& gl = context_.gl();
-  makeImage(brick);
-  gl.UseProgram(device_.mark.id());
-  useBrick(brick);
+  startMarks(brick);
+  const auto bytes = static_cast<std::size_t>(brick.markWords()) * sizeof(std::uint32_t);
   for (std::size_t c = 0; c < chunks_.size(); ++c) {
     uploadChunk(c);
-    drawChunk(chunks_[c], chunks_[c].first, afterDraw);
+    run(chunks_[c], 0, chunks_[c].count, chunks_[c].first, afterDispatch);
   }
   gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-  std::vector<std::uint32_t> marks(brick.texels());
-  gl.GetTextureImage(texture_, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                     static_cast<GLsizei>(marks.size() * 4), marks.data());
+  std::vector<std::uint32_t> marks(static_cast<std::size_t>(brick.markWords()));
+  gl.GetNamedBufferSubData(buffers_[kMarks], 0, static_cast<GLsizeiptr>(bytes), marks.data());
   context_.finish(settings_.fenceTimeoutSeconds);
   return marks;
 }
 
 std::vector<EdgeWinner> GlPasses::findWinners(const Brick& brick,
-                                              const std::vector<std::uint32_t>& codes,
+                                              const std::vector<Target>& targets,
                                               std::uint64_t first, std::uint64_t end,
-                                              const std::function<void()>& afterDraw) {
+                                              const std::function<void()>& afterDispatch) {
   const GlApi& gl = context_.gl();
   gl.UseProgram(device_.winner.id());
   useBrick(brick);
-  const std::size_t n = codes.size(), bytes = n * sizeof(glm::uvec2);
-  upload(kCodes, codes.data(), n * sizeof(std::uint32_t));
-  upload(kExtremes, nullptr, bytes);
-  upload(kWinners, nullptr, bytes);
-  const glm::uvec2 noExtreme(0xffffffffu, 0), noWinner(EdgeWinner::kNone, EdgeWinner::kNone);
-  gl.ClearNamedBufferData(buffers_[kExtremes], GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT,
-                          &noExtreme);
-  gl.ClearNamedBufferData(buffers_[kWinners], GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, &noWinner);
-  gl.Uniform1ui(kCodeCount, static_cast<GLuint>(n));
+  const std::size_t n = targets.size();
+  const std::size_t rows =
+      3 * static_cast<std::size_t>(brick.size[0]) * static_cast<std::size_t>(brick.size[1]);
+  std::vector<std::uint32_t> listed(rows + 1 + n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    ++listed[targets[i].row + 1];
+    listed[rows + 1 + i] = targets[i].k;
+  }
+  for (std::size_t row = 0; row < rows; ++row) listed[row + 1] += listed[row];
+  upload(kMarks, listed.data(), listed.size() * sizeof(std::uint32_t));
+  std::vector<EdgeWinner> winners(n);
+  static_assert(sizeof(EdgeWinner) == 4 * sizeof(std::uint32_t));
+  upload(kWinners, winners.data(), n * sizeof(EdgeWinner));
   for (unsigned round = 0; round < 2; ++round) {
     gl.Uniform1ui(kSecondRound, round);
     for (std::size_t c = 0; c < chunks_.size(); ++c) {
       if (chunks_[c].first < first || chunks_[c].first >= end) continue;
       uploadChunk(c);
-      drawChunk(chunks_[c], first, afterDraw);
+      run(chunks_[c], 0, chunks_[c].count, first, afterDispatch);
     }
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
   }
-  std::vector<glm::uvec2> extremes(n), winners(n);
-  gl.GetNamedBufferSubData(buffers_[kExtremes], 0, static_cast<GLsizeiptr>(bytes), extremes.data());
-  gl.GetNamedBufferSubData(buffers_[kWinners], 0, static_cast<GLsizeiptr>(bytes), winners.data());
+  gl.GetNamedBufferSubData(buffers_[kWinners], 0, static_cast<GLsizeiptr>(n * sizeof(EdgeWinner)),
+                           winners.data());
   context_.finish(settings_.fenceTimeoutSeconds);
-  std::vector<EdgeWinner> out(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    out[i] = {extremes[i].x, extremes[i].y, winners[i].x, winners[i].y};
-  }
-  return out;
+  return winners;
 }
 
 }  // namespace swept::gl

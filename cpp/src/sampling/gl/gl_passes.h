@@ -1,9 +1,10 @@
 // The two passes on the device, brick by brick. Owns all buffers in the device's memory.
 //
-// Cost: O(elements) vertices per pass and brick, plus fragments. A draw takes less than 50 ms, so
-// that a cancel is noticed and no watchdog of the driver ends it. Positions are doubles in cells of
-// the grid. The device snaps them to 2^-17 cell by the same operations as the CPU.
-// Source: J. Brummer, bachelor's thesis, Mainz 2017, chapter 3; docs/gpu.md.
+// Cost: O(elements) per pass and brick, plus crossings. A dispatch takes less than 50 ms, so that a
+// cancel is noticed and no watchdog of the driver ends it. Positions are doubles in cells of the
+// grid. The device snaps them to 2^-17 cell by the same operations as the CPU.
+// Source: J. Brummer, bachelor's thesis, Mainz 2017, chapter 3 (there by rasterisation);
+// docs/gpu.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,16 +19,21 @@
 namespace swept::gl {
 
 struct GlSettings {
-  std::uint64_t budgetBytes = std::uint64_t{192} << 20;  ///< memory for marks, lists and chunks
-  std::uint64_t chunkBytes = 0;  ///< placements or elements per chunk; 0: from the limits
+  std::uint64_t budgetBytes = std::uint64_t{192} << 20;  ///< memory for marks, targets and chunks
+  std::uint64_t chunkBytes = 0;  ///< placements and steps of a chunk; 0: from the limits
   double fenceTimeoutSeconds = 10;
-  std::uint32_t firstBatch = 1024;  ///< elements in the first draw; later draws adapt
+  std::uint32_t firstBatch = 1024;  ///< elements in the first dispatch; later ones adapt
   bool adaptBatch = true;
   std::uint64_t epochElements = 0xfffffff0u;  ///< limit for 32-bit element numbers
 };
 
-/// Result of pass 2 for a contributing edge. Element numbers count from the first element of the
-/// epoch (a run of chunks with few enough elements for 32-bit numbers).
+/// An edge that contributes, for pass 2: its row in the marks of the brick, and its k in the brick.
+struct Target {
+  std::uint32_t row = 0, k = 0;
+};
+
+/// Result of pass 2 for a target. Element numbers count from the first element of the epoch (a run
+/// of chunks with few enough elements for 32-bit numbers).
 struct EdgeWinner {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t lowFraction = kNone, highFraction = 0;  ///< in units of 1 / (2^23 - 1)
@@ -43,36 +49,37 @@ class GlPasses {
   GlPasses(const GlPasses&) = delete;
   GlPasses& operator=(const GlPasses&) = delete;
 
-  /// Pass 1: returns the marks of the brick, (3 * size[0]) x size[1] x words() texels.
-  std::vector<std::uint32_t> mark(const Brick& brick, const std::function<void()>& afterDraw);
-  /// Pass 2 over the elements [first, end). `codes`: sorted codes of edges, i.e. indices of their
-  /// bits in the marks of the brick. Element numbers in the result count from `first`.
-  std::vector<EdgeWinner> findWinners(const Brick& brick, const std::vector<std::uint32_t>& codes,
+  /// Pass 1: returns the marks of the brick, (3 * size[0]) x size[1] rows of words() words.
+  std::vector<std::uint32_t> mark(const Brick& brick, const std::function<void()>& afterDispatch);
+  /// Pass 2 over the elements [first, end). `targets` must be sorted by row, then k. Element
+  /// numbers in the result count from `first`.
+  std::vector<EdgeWinner> findWinners(const Brick& brick, const std::vector<Target>& targets,
                                       std::uint64_t first, std::uint64_t end,
-                                      const std::function<void()>& afterDraw);
+                                      const std::function<void()>& afterDispatch);
+  /// Returns the seconds that pass 1 is expected to take on the brick, from a sample of the
+  /// elements.
+  double expectedSeconds(const Brick& brick, const std::function<void()>& afterDispatch);
   /// Returns the chunks. An epoch may end between two of them.
   const std::vector<ElementChunk>& chunks() const { return chunks_; }
-  /// Returns the largest number of codes for one call of findWinners().
-  std::size_t maxCodes() const { return maxCodes_; }
-  double longestDrawSeconds() const { return longestDraw_; }
-  std::uint64_t draws() const { return draws_; }
+  /// Returns the largest number of targets for one call of findWinners().
+  std::size_t maxTargets() const { return maxTargets_; }
+  double longestDispatchSeconds() const { return longestDispatch_; }
+  std::uint64_t dispatches() const { return dispatches_; }
   /// Returns the peak of the device memory allocated so far, in bytes.
   std::uint64_t bytes() const { return bytes_; }
 
  private:
-  enum Binding { kVertices, kFaces, kEdges, kPlacements, kElements, kCodes, kExtremes, kWinners };
+  /// Bindings of the buffers in shaders/*. Marks and targets share one.
+  enum Binding { kVertices, kTopology, kPlacements, kSteps, kExactSteps, kBalls, kMarks, kWinners };
   static constexpr int kBuffers = kWinners + 1;
 
   void requireLimits() const;
   void upload(Binding binding, const void* data, std::size_t bytes);
-  void uploadBody();
   void uploadChunk(std::size_t chunk);
   void useBrick(const Brick& brick);
-  void drawChunk(const ElementChunk& chunk, std::uint64_t epochFirst,
-                 const std::function<void()>& afterDraw);
-  void drawAndWait(std::uint32_t elements, std::uint32_t instances,
-                   const std::function<void()>& afterDraw);
-  void makeImage(const Brick& brick);
+  void startMarks(const Brick& brick);
+  void run(const ElementChunk& chunk, std::uint64_t first, std::uint64_t end,
+           std::uint64_t epochFirst, const std::function<void()>& afterDispatch);
 
   const GlDevice& device_;
   const GlContext& context_;
@@ -80,13 +87,12 @@ class GlPasses {
   const ElementSource& source_;
   GlSettings settings_;
   std::vector<ElementChunk> chunks_;
-  std::size_t maxCodes_ = 0;
-  unsigned buffers_[kBuffers] = {}, texture_ = 0, framebuffer_ = 0, vertexArray_ = 0;
+  std::size_t maxTargets_ = 0;
+  unsigned buffers_[kBuffers] = {};
   std::size_t bufferBytes_[kBuffers] = {};
-  Brick imageBrick_;
   std::size_t uploadedChunk_ = ~std::size_t{0};
-  std::uint64_t batch_, draws_ = 0, bytes_ = 0;
-  double longestDraw_ = 0;
+  std::uint64_t batch_, dispatches_ = 0, bytes_ = 0;
+  double longestDispatch_ = 0;
 };
 
 }  // namespace swept::gl

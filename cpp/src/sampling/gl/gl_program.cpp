@@ -28,7 +28,8 @@ std::string logOf(GetNumber getNumber, GetLog getLog, unsigned id) {
   return log.c_str();  // drops the zero bytes at the end
 }
 
-unsigned compile(const GlContext& context, GLenum stage, const std::vector<std::string>& files) {
+/// Compiles the compute shader made of these files.
+unsigned compile(const GlContext& context, const std::vector<std::string>& files) {
   const GlApi& gl = context.gl();
   std::vector<const char*> parts{"#version 450 core\n"};
   for (const std::string& file : files) {
@@ -36,7 +37,7 @@ unsigned compile(const GlContext& context, GLenum stage, const std::vector<std::
     if (!text) throw Error(Status::InternalError, "InternalError", "no shader " + file);
     parts.push_back(text);
   }
-  const unsigned shader = gl.CreateShader(stage);
+  const unsigned shader = gl.CreateShader(GL_COMPUTE_SHADER);
   gl.ShaderSource(shader, static_cast<GLsizei>(parts.size()), parts.data(), nullptr);
   gl.CompileShader(shader);
   GLint done = 0;
@@ -44,32 +45,26 @@ unsigned compile(const GlContext& context, GLenum stage, const std::vector<std::
   if (done) return shader;
   const std::string log = logOf(gl.GetShaderiv, gl.GetShaderInfoLog, shader);
   gl.DeleteShader(shader);
-  failed(context, "shader " + files.back() + " does not compile", log);
+  std::string names;
+  for (const std::string& file : files) names += (names.empty() ? "" : " + ") + file;
+  failed(context, "shader " + names + " does not compile", log);
 }
 
 }  // namespace
 
-Program::Program(const GlContext& context, const std::string& fragment) : context_(context) {
+Program::Program(const GlContext& context, const std::string& keep) : context_(context) {
   const GlApi& gl = context.gl();
-  struct Stage {
-    GLenum kind;
-    std::vector<std::string> files;
-  };
-  const Stage stages[] = {{GL_VERTEX_SHADER, {"common.glsl", "element.vert"}},
-                          {GL_GEOMETRY_SHADER, {"common.glsl", "prism.geom"}},
-                          {GL_FRAGMENT_SHADER, {"common.glsl", "exact.glsl", fragment}}};
   id_ = gl.CreateProgram();
   try {
-    for (const Stage& stage : stages) {
-      const unsigned shader = compile(context, stage.kind, stage.files);
-      gl.AttachShader(id_, shader);
-      gl.DeleteShader(shader);  // the program keeps it alive
-    }
+    const unsigned shader =
+        compile(context, {"common.glsl", "element.glsl", "exact.glsl", keep, "sample.comp"});
+    gl.AttachShader(id_, shader);
+    gl.DeleteShader(shader);  // the program keeps it alive
     gl.LinkProgram(id_);
     GLint done = 0;
     gl.GetProgramiv(id_, GL_LINK_STATUS, &done);
     if (done) return;
-    failed(context, "the program of " + fragment + " does not link",
+    failed(context, "the program of " + keep + " does not link",
            logOf(gl.GetProgramiv, gl.GetProgramInfoLog, id_));
   } catch (...) {
     gl.DeleteProgram(id_);

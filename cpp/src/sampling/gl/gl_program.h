@@ -13,8 +13,8 @@ namespace swept::gl {
 /// A linked program. Throws Error(DeviceUnavailable, "ShaderFailed") with the driver's log.
 class Program {
  public:
-  /// Compiles and links the program. `fragment` is "mark.frag" or "winner.frag".
-  Program(const GlContext& context, const std::string& fragment);
+  /// Compiles and links the program. `keep` is "mark.glsl" or "winner.glsl".
+  Program(const GlContext& context, const std::string& keep);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -31,7 +31,7 @@ struct GlDevice {
   Program mark, winner;
 
   explicit GlDevice(std::unique_ptr<GlContext> opened)
-      : context(std::move(opened)), mark(*context, "mark.frag"), winner(*context, "winner.frag") {}
+      : context(std::move(opened)), mark(*context, "mark.glsl"), winner(*context, "winner.glsl") {}
 };
 
 }  // namespace swept::gl

@@ -1,7 +1,7 @@
 // Sampling on the GPU: two passes. The CPU computes the signs in between.
 // In: body, motion, grid. Out: the marked edges of sampleCpu(), bit for bit. Elements and fractions
 // are set for contributing edges only.
-// Cost: time O(elements x bricks + fragments), device memory within a budget.
+// Cost: time O(elements x bricks + crossings), device memory within a budget.
 // Source: J. Brummer, bachelor's thesis, Mainz 2017, chapter 3; docs/gpu.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -19,10 +19,12 @@ class GlSampler {
   using OpenDevice = std::function<std::shared_ptr<GlDevice>()>;
 
   /// Opens a device. Throws Error(DeviceUnavailable). `input` must outlive the sampler.
-  GlSampler(const SamplerInput& input, OpenDevice open, const GlSettings& settings,
-            RunContext& run);
+  GlSampler(const SamplerInput& input, OpenDevice open, const GlSettings& settings);
   ~GlSampler();
 
+  /// Returns the seconds that both passes are expected to take, from a sample of the elements that
+  /// takes about 1/200 of this time.
+  double expectedSeconds(RunContext& run);
   /// Pass 1. After a first loss of the device, repeats the brick on a new context; after a second
   /// loss throws Error(DeviceLost).
   MarkedEdges mark(RunContext& run);
@@ -36,12 +38,11 @@ class GlSampler {
   int reopened() const { return reopened_; }
 
  private:
-  struct Target;
   void open();
   template <class Work>
   auto withDevice(const Work& work);
   void resolveBrick(const Brick& brick, MarkedEdges& marked, const SignRuns& signs,
-                    const std::function<void()>& afterDraw);
+                    const std::function<void()>& afterDispatch);
 
   const SamplerInput& input_;
   OpenDevice openDevice_;

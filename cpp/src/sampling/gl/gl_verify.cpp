@@ -6,6 +6,7 @@
 
 #include "base/number_text.h"
 #include "grid/crossing_records.h"
+#include "sampling/culling/kept_elements.h"
 #include "sampling/exact_element.h"
 #include "signs/contributing_edges.h"
 #include "swept/types.h"
@@ -70,68 +71,118 @@ struct KnownField {
 
 }  // namespace
 
-void selfTest(const std::shared_ptr<GlDevice>& device, double fenceTimeoutSeconds,
-              RunContext& run) {
+namespace {
+
+/// A contributing edge with the crossings next to its outside ends, for comparison.
+struct KnownEdge {
+  int axis;
+  std::int32_t i, j, k;
+  float lowFraction, highFraction;
+};
+std::vector<KnownEdge> contributingEdges(const MarkedEdges& marked, const GridPlan& grid,
+                                         const SignRuns& signs) {
+  std::vector<KnownEdge> edges;
+  for (std::int32_t i = 0; i < grid.points[0]; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      forContributing(marked, signs, grid, i, axis,
+                      [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t sides) {
+                        const bool low = (sides & HermiteEdge::kLow) != 0,
+                                   high = (sides & HermiteEdge::kHigh) != 0;
+                        edges.push_back({axis, i, j, edge.k, low ? edge.lowFraction : 0,
+                                         high ? edge.highFraction : 0});
+                      });
+    }
+  }
+  return edges;
+}
+
+/// Without culling, the marks must be the known ones. With culling, the device may keep more
+/// elements than the CPU; the edges that contribute must be the same.
+void testKnownField(const std::shared_ptr<GlDevice>& device, bool cull, double fenceTimeoutSeconds,
+                    RunContext& run) {
   const KnownField field;
   const BodyTopology topology = buildTopology(field.body);
-  const SamplerInput input{field.body, topology, field.motion, field.grid, true, true};
+  const SamplerInput input{field.body, topology, field.motion, field.grid, cull, true};
   GlSettings settings;
   // Half of the layers fit into one brick.
   settings.budgetBytes = 2 * 12 * 23 * 3 * 2 * sizeof(std::uint32_t);
   settings.chunkBytes = 4096;
   settings.fenceTimeoutSeconds = fenceTimeoutSeconds;
   GlSampler sampler(
-      input, [&] { return device; }, settings, run);
+      input, [&] { return device; }, settings);
   MarkedEdges seen = sampler.mark(run);
   const MarkedEdges known = sampleCpu(input, run);
   const std::string name = sampler.device();
-  const auto forAll = [&](const auto& use) {
-    for (std::size_t i = 0; i < known.layers.size(); ++i) {
-      for (int axis = 0; axis < 3; ++axis) use(known.layers[i], seen.layers[i], axis);
+  for (std::size_t i = 0; i < known.layers.size() && !cull; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const LayerEdges &expected = known.layers[i], &got = seen.layers[i];
+      const bool same =
+          expected.columnStart[axis] == got.columnStart[axis] &&
+          std::equal(expected.edges[axis].begin(), expected.edges[axis].end(),
+                     got.edges[axis].begin(), got.edges[axis].end(),
+                     [](const MarkedEdge& a, const MarkedEdge& b) { return a.k == b.k; });
+      if (!same) reportGarbage(name, "self-test: marks differ from the known ones");
     }
-  };
-  forAll([&](const LayerEdges& expected, const LayerEdges& got, int axis) {
-    const bool same =
-        expected.columnStart[axis] == got.columnStart[axis] &&
-        std::equal(expected.edges[axis].begin(), expected.edges[axis].end(),
-                   got.edges[axis].begin(), got.edges[axis].end(),
-                   [](const MarkedEdge& a, const MarkedEdge& b) { return a.k == b.k; });
-    if (!same) reportGarbage(name, "self-test: marks differ from the known ones");
-  });
+  }
   const SignRuns signs = findOutside(seen, field.grid, run);
   sampler.resolve(seen, signs, run);
+  const auto expected = contributingEdges(known, field.grid, findOutside(known, field.grid, run));
+  const auto got = contributingEdges(seen, field.grid, signs);
   constexpr float kStep = 2.0f / (1 << CrossingRecord::kFractionBits);
-  for (std::int32_t i = 0; i < field.grid.points[0]; ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto& expected = known.layers[static_cast<std::size_t>(i)].edges[axis];
-      const auto& got = seen.layers[static_cast<std::size_t>(i)].edges[axis];
-      forContributing(
-          seen, signs, field.grid, i, axis,
-          [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t) {
-            const MarkedEdge& truth = expected[static_cast<std::size_t>(&edge - got.data())];
-            const bool same = std::abs(edge.lowFraction - truth.lowFraction) <= kStep &&
-                              std::abs(edge.highFraction - truth.highFraction) <= kStep;
-            if (!same) {
-              reportGarbage(name, "self-test: crossing on " + edgeName(axis, i, j, edge.k));
-            }
-          });
-    }
+  if (expected.size() != got.size()) {
+    reportGarbage(name, "self-test: other edges contribute than the known ones");
+  }
+  for (std::size_t n = 0; n < got.size(); ++n) {
+    const KnownEdge &a = expected[n], &b = got[n];
+    const bool same = a.axis == b.axis && a.i == b.i && a.j == b.j && a.k == b.k &&
+                      std::abs(a.lowFraction - b.lowFraction) <= kStep &&
+                      std::abs(a.highFraction - b.highFraction) <= kStep;
+    if (!same) reportGarbage(name, "self-test: crossing on " + edgeName(b.axis, b.i, b.j, b.k));
   }
   verifyWinners(input, seen, signs, name, 1 << 20);
 }
 
-void verifyMarks(const SamplerInput& input, const ElementSource& source, const MarkedEdges& marked,
-                 const std::string& device, int samples) {
-  if (source.count() == 0) return;
+}  // namespace
+
+void selfTest(const std::shared_ptr<GlDevice>& device, double fenceTimeoutSeconds,
+              RunContext& run) {
+  for (const bool cull : {false, true}) testKnownField(device, cull, fenceTimeoutSeconds, run);
+}
+
+void verifyMarks(const SamplerInput& input, const MarkedEdges& marked, const std::string& device,
+                 int samples) {
   Random random(1);
-  for (int n = 0; n < samples; ++n) {
-    const SweptElement element = source.at(random.below(source.count()));
-    if (!source.exists(element)) continue;
-    elementCrossings(input, element,
-                     [&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double) {
-                       if (marked.isMarked(axis, i, j, k)) return;
-                       reportGarbage(device, "no mark on " + edgeName(axis, i, j, k));
-                     });
+  const std::size_t placements = input.motion.placements.size();
+  constexpr int kPlacements = 16;
+  FaceClusters own;
+  if (input.clusters == nullptr) own = buildClusters(input.body, input.topology);
+  const FaceClusters& clusters = input.clusters != nullptr ? *input.clusters : own;
+  const ShownClusters all = allClusters(clusters);
+  KeptElements kept(input, clusters);
+  std::vector<SweptElement> elements;
+  for (int n = 0; n < kPlacements; ++n) {
+    const auto k = static_cast<std::uint32_t>(random.below(placements));
+    elements.clear();
+    if (input.motion.continuous) {
+      // What the CPU keeps, the device must keep, too.
+      kept.goTo(k);
+      kept.forFaces(all, [&](std::uint32_t f) { elements.push_back({f, k}); });
+      if (k < input.motion.steps()) {
+        kept.forPatches(all, [&](std::uint32_t e, const FaceClusters::EdgeEnds&) {
+          elements.push_back({e | SweptElement::kSidePatchBit, k});
+        });
+      }
+    } else {
+      for (std::uint32_t f = 0; f < input.body.triangles.size(); ++f) elements.push_back({f, k});
+    }
+    if (elements.empty()) continue;
+    for (int sample = 0; sample < samples / kPlacements; ++sample) {
+      elementCrossings(input, elements[random.below(elements.size())],
+                       [&](int axis, std::int32_t i, std::int32_t j, std::int32_t edge, double) {
+                         if (marked.isMarked(axis, i, j, edge)) return;
+                         reportGarbage(device, "no mark on " + edgeName(axis, i, j, edge));
+                       });
+    }
   }
 }
 
@@ -192,34 +243,44 @@ void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const Sig
 void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
                    const std::string& device, int samples) {
   Random random(3);
+  constexpr std::uint64_t kLayers = 16;
+  const auto all = static_cast<std::uint64_t>(input.grid.points[0]);
+  std::vector<std::int32_t> layers;
   std::uint64_t total = 0;
-  for (const LayerEdges& layer : marked.layers) {
-    for (const auto& edges : layer.edges) total += edges.size();
+  for (std::uint64_t n = 0; n < std::min(kLayers, all); ++n) {
+    // One layer in each of the equal parts of the grid.
+    const std::uint64_t begin = n * all / std::min(kLayers, all),
+                        end = (n + 1) * all / std::min(kLayers, all);
+    layers.push_back(static_cast<std::int32_t>(begin + random.below(end - begin)));
+    for (const auto& edges : marked.layers[static_cast<std::size_t>(layers.back())].edges) {
+      total += edges.size();
+    }
   }
   const std::uint64_t stride = std::max<std::uint64_t>(1, total / static_cast<unsigned>(samples));
   std::uint64_t wait = random.below(stride);
   constexpr double kStep = 2.0 / (1 << CrossingRecord::kFractionBits);
-  for (std::int32_t i = 0; i < input.grid.points[0]; ++i) {
+  const auto verify = [&](int axis, std::int32_t i, std::int32_t j, const MarkedEdge& edge) {
+    for (const bool low : {true, false}) {
+      const std::uint32_t winner = low ? edge.lowElement : edge.highElement;
+      const double fraction = low ? edge.lowFraction : edge.highFraction;
+      bool found = false;
+      elementCrossings(input, marked.elements[winner],
+                       [&](int x, std::int32_t p, std::int32_t q, std::int32_t r, double f) {
+                         found |= x == axis && p == i && q == j && r == edge.k &&
+                                  std::abs(f - fraction) <= kStep;
+                       });
+      if (found) continue;
+      reportGarbage(device,
+                    "the surface said to cross " + edgeName(axis, i, j, edge.k) + " does not");
+    }
+  };
+  for (const std::int32_t i : layers) {
     for (int axis = 0; axis < 3; ++axis) {
       forContributing(marked, signs, input.grid, i, axis,
                       [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t) {
                         if (wait-- != 0) return;
                         wait = random.below(2 * stride - 1);
-                        for (const bool low : {true, false}) {
-                          const std::uint32_t winner = low ? edge.lowElement : edge.highElement;
-                          const double fraction = low ? edge.lowFraction : edge.highFraction;
-                          bool found = false;
-                          elementCrossings(
-                              input, marked.elements[winner],
-                              [&](int x, std::int32_t p, std::int32_t q, std::int32_t r, double f) {
-                                found |= x == axis && p == i && q == j && r == edge.k &&
-                                         std::abs(f - fraction) <= kStep;
-                              });
-                          if (!found) {
-                            reportGarbage(device, "the surface said to cross " +
-                                                      edgeName(axis, i, j, edge.k) + " does not");
-                          }
-                        }
+                        verify(axis, i, j, edge);
                       });
     }
   }

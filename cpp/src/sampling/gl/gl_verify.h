@@ -8,25 +8,27 @@
 
 #include <string>
 
-#include "sampling/gl/element_source.h"
 #include "sampling/gl/gl_sampler.h"
 #include "signs/signs.h"
 
 namespace swept::gl {
 
-/// Samples a small turning body on the device and compares every mark, fraction and element.
+/// Samples a small turning body on the device, without and with culling, and compares every mark,
+/// fraction and element with the CPU's.
 void selfTest(const std::shared_ptr<GlDevice>& device, double fenceTimeoutSeconds, RunContext& run);
 
-/// Checks that every crossing of `samples` random elements is marked.
-void verifyMarks(const SamplerInput& input, const ElementSource& source, const MarkedEdges& marked,
-                 const std::string& device, int samples);
+/// Checks that every crossing of about `samples` random elements is marked. The elements are among
+/// those that culling on the CPU keeps, at 16 random placements.
+void verifyMarks(const SamplerInput& input, const MarkedEdges& marked, const std::string& device,
+                 int samples);
 
 /// Checks that lattice points inside the body at a random placement are not outside. Only for
 /// closed bodies. Cost: one pass over the faces.
 void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
                  const std::string& device);
 
-/// Checks that the winners of about `samples` contributing edges cross them at the given fractions.
+/// Checks that the winners of about `samples` contributing edges, in at most 16 random layers,
+/// cross them at the given fractions.
 void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
                    const std::string& device, int samples);
 

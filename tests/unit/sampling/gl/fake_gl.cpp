@@ -11,6 +11,9 @@
 namespace swept::test {
 namespace {
 
+/// Bindings of the buffers in shaders/*.
+enum Binding { kVertices, kTopology, kPlacements, kSteps, kExactSteps, kBalls, kMarks, kWinners };
+
 struct State {
   FakeFaults faults;
   FakeCounts counts;
@@ -20,8 +23,6 @@ struct State {
   std::map<unsigned, bool> findsWinners;    // program
   std::map<unsigned, std::vector<std::byte>> buffers;
   std::map<unsigned, unsigned> bound;  // binding -> buffer
-  std::vector<std::uint32_t> texture;
-  int textureSize[3] = {0, 0, 0};
   std::uint32_t uniforms[16] = {};
   int low[3] = {0, 0, 0}, size[3] = {0, 0, 0};
 } state;
@@ -83,18 +84,8 @@ void getIntegerv(GLenum what, GLint* value) {
     case GL_MINOR_VERSION:
       *value = state.faults.minor;
       break;
-    case GL_MAX_3D_TEXTURE_SIZE:
-      *value = state.faults.texture3d;
-      break;
-    case GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS:
-      *value = state.faults.vertexBlocks;
-      break;
-    case GL_MAX_VIEWPORT_DIMS:
-      value[0] = value[1] = 16384;
-      break;
-    case GL_MAX_FRAMEBUFFER_WIDTH:
-    case GL_MAX_FRAMEBUFFER_HEIGHT:
-      *value = 16384;
+    case GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS:
+      *value = state.faults.storageBlocks;
       break;
     default:
       *value = 32;
@@ -152,58 +143,42 @@ template <int FakeCounts::*Counter>
 void destroy(GLsizei n, const GLuint* names) {
   for (GLsizei i = 0; i < n; ++i) state.counts.*Counter -= names[i] != 0;
 }
-void createNothing(GLsizei n, GLuint* names) { std::fill(names, names + n, 1u); }
-void deleteNothing(GLsizei, const GLuint*) {}
-void createTexture(GLenum, GLsizei n, GLuint* names) { create<&FakeCounts::textures>(n, names); }
 void bufferData(GLuint name, GLsizeiptr bytes, const void* data, GLenum) {
   auto& buffer = state.buffers[name];
   buffer.assign(static_cast<std::size_t>(bytes), std::byte{0});
   if (data) std::memcpy(buffer.data(), data, buffer.size());
 }
-void clearBuffer(GLuint name, GLenum, GLenum, GLenum, const void* data) {
+void clearBuffer(GLuint name, GLenum, GLenum, GLenum, const void*) {
   auto& buffer = state.buffers[name];
-  for (std::size_t at = 0; at + 8 <= buffer.size(); at += 8) std::memcpy(&buffer[at], data, 8);
+  std::fill(buffer.begin(), buffer.end(), std::byte{0});
+}
+/// Applies the faults of marks that come back.
+void spoilMarks(std::uint32_t* marks, std::size_t count) {
+  const int nth = ++state.counts.markReadbacks;
+  if (nth == state.faults.setOneBitAtReadback) {
+    const auto words = static_cast<std::size_t>(state.size[2] + 31) / 32;
+    marks[(static_cast<std::size_t>(state.size[1]) + 1) * words] |= 2u;
+  }
+  for (std::size_t n = 0; n < count; ++n) {
+    if (from(state.faults.setBitsFromReadback, nth) && n % 97 == 0) marks[n] |= 2u;
+    if (from(state.faults.clearBitsFromReadback, nth) && n % 7 == 0) marks[n] = 0;
+  }
 }
 void readBuffer(GLuint name, GLintptr, GLsizeiptr bytes, void* data) {
   std::memcpy(data, state.buffers[name].data(), static_cast<std::size_t>(bytes));
-  if (name != state.bound[7]) return;  // winners
+  auto* words = static_cast<std::uint32_t*>(data);
+  const auto count = static_cast<std::size_t>(bytes) / 4;
+  if (name == state.bound[kMarks]) spoilMarks(words, count);
+  if (name != state.bound[kWinners]) return;
   if (from(state.faults.wrongWinnerFromReadback, ++state.counts.winnerReadbacks)) {
-    auto* ids = static_cast<std::uint32_t*>(data);
-    for (GLsizeiptr n = 0; n < bytes / 4; ++n) ids[n] ^= 1u;
+    for (std::size_t n = 0; n < count; ++n) {
+      if (n % 4 >= 2) words[n] ^= 1u;  // elements, not fractions
+    }
   }
 }
 void bindBase(GLenum, GLuint binding, GLuint name) { state.bound[binding] = name; }
-void textureStorage(GLuint, GLsizei, GLenum, GLsizei x, GLsizei y, GLsizei z) {
-  state.textureSize[0] = x;
-  state.textureSize[1] = y;
-  state.textureSize[2] = z;
-  state.texture.assign(static_cast<std::size_t>(x) * y * z, 0);
-}
-void clearTexture(GLuint, GLint, GLenum, GLenum, const void*) {
-  std::fill(state.texture.begin(), state.texture.end(), 0u);
-}
-void readTexture(GLuint, GLint, GLenum, GLenum, GLsizei, void* data) {
-  const int nth = ++state.counts.markReadbacks;
-  auto* out = static_cast<std::uint32_t*>(data);
-  std::copy(state.texture.begin(), state.texture.end(), out);
-  if (nth == state.faults.setOneBitAtReadback) {
-    out[(1 * state.textureSize[1] + 1) * state.textureSize[0]] |= 2u;
-  }
-  for (std::size_t n = 0; n < state.texture.size(); ++n) {
-    if (from(state.faults.setBitsFromReadback, nth) && n % 97 == 0) out[n] |= 2u;
-    if (from(state.faults.clearBitsFromReadback, nth) && n % 7 == 0) out[n] = 0;
-  }
-}
-void bindImage(GLuint, GLuint, GLint, GLboolean, GLint, GLenum, GLenum) {}
-void framebufferParameter(GLuint, GLenum, GLint) {}
-void bindFramebuffer(GLenum, GLuint) {}
-GLenum framebufferStatus(GLenum) { return GL_FRAMEBUFFER_COMPLETE; }
-void viewport(GLuint, GLfloat, GLfloat, GLfloat, GLfloat) {}
-void pixelStore(GLenum, GLint) {}
 void ignoreName(GLuint) {}
-void ignoreEnum(GLenum) {}
 void ignoreBits(GLbitfield) {}
-void ignore() {}
 
 // --- fences
 GLsync fenceSync(GLenum, GLbitfield) {
@@ -217,32 +192,35 @@ GLenum waitSync(GLsync, GLbitfield, GLuint64) {
 }
 void deleteSync(GLsync) {}
 
-// --- the work of shaders/
+// --- the work of shaders/, without culling
 SnappedPoint corner(std::uint32_t placement, std::int32_t vertex) {
-  const double* rows = bufferAs<double>(3) + 12 * std::size_t{placement - state.uniforms[5]};
-  const double* v = bufferAs<double>(0) + 3 * vertex;
+  const double* rows =
+      bufferAs<double>(kPlacements) + 12 * std::size_t{placement - state.uniforms[2]};
+  const double* v = bufferAs<double>(kVertices) + 3 * vertex;
   SnappedPoint p;
   for (int axis = 0; axis < 3; ++axis, rows += 4) {
     p[axis] = snapCoordinate(((rows[0] * v[0] + rows[1] * v[1]) + rows[2] * v[2]) + rows[3]);
   }
   return p;
 }
-void keepWinner(std::uint32_t code, std::uint32_t fraction, std::uint32_t id) {
-  const auto* codes = bufferAs<std::uint32_t>(5);
-  const std::uint32_t n = state.uniforms[10];
-  const auto* at = std::lower_bound(codes, codes + n, code);
-  if (at == codes + n || *at != code) return;
-  std::uint32_t* extremes = bufferAs<std::uint32_t>(6) + 2 * (at - codes);
-  std::uint32_t* winners = bufferAs<std::uint32_t>(7) + 2 * (at - codes);
-  if (state.uniforms[11] == 0) {
-    extremes[0] = std::min(extremes[0], fraction);
-    extremes[1] = std::max(extremes[1], fraction);
+void keepWinner(std::uint32_t row, std::uint32_t k, std::uint32_t fraction, std::uint32_t id) {
+  const auto* starts = bufferAs<std::uint32_t>(kMarks);
+  const std::uint32_t* targets = starts + 3 * state.size[0] * state.size[1] + 1;
+  const auto* end = targets + starts[row + 1];
+  const auto* at = std::lower_bound(targets + starts[row], end, k);
+  if (at == end || *at != k) return;
+  std::uint32_t* winner = bufferAs<std::uint32_t>(kWinners) + 4 * (at - targets);
+  if (state.uniforms[10] == 0) {
+    winner[0] = std::min(winner[0], fraction);
+    winner[1] = std::max(winner[1], fraction);
   } else {
-    if (fraction == extremes[0]) winners[0] = std::min(winners[0], id);
-    if (fraction == extremes[1]) winners[1] = std::min(winners[1], id);
+    if (fraction == winner[0]) winner[2] = std::min(winner[2], id);
+    if (fraction == winner[1]) winner[3] = std::min(winner[3], id);
   }
 }
-void drawElement(std::uint32_t code, std::uint32_t placement, std::uint32_t id) {
+void sampleElement(std::uint32_t number) {
+  const std::uint32_t* u = state.uniforms;
+  const std::uint32_t placement = u[2] + number / u[5], local = number % u[5], id = u[9] + number;
   const auto emit = [&](int axis, std::int32_t i, std::int32_t j, std::int32_t k, double f) {
     const std::int32_t p[3] = {i - state.low[0], j - state.low[1], k - state.low[2]};
     for (int x = 0; x < 3; ++x) {
@@ -252,43 +230,30 @@ void drawElement(std::uint32_t code, std::uint32_t placement, std::uint32_t id) 
     const auto row =
         static_cast<std::uint32_t>((axis * state.size[0] + p[0]) * state.size[1] + p[1]);
     if (state.findsWinners[state.program]) {
-      keepWinner(row * 32 * words + static_cast<std::uint32_t>(p[2]),
-                 static_cast<std::uint32_t>(f * 8388607.0), id);
+      keepWinner(row, static_cast<std::uint32_t>(p[2]), static_cast<std::uint32_t>(f * 8388607.0),
+                 id);
     } else {
-      state.texture[row * words + static_cast<std::uint32_t>(p[2]) / 32] |= 1u << (p[2] & 31);
+      bufferAs<std::uint32_t>(kMarks)[row * words + static_cast<std::uint32_t>(p[2]) / 32] |=
+          1u << (p[2] & 31);
     }
   };
-  if (code & SweptElement::kSidePatchBit) {
-    if (placement + 1 >= state.uniforms[6]) return;
-    const std::int32_t* edge =
-        bufferAs<std::int32_t>(2) + 2 * (code & ~SweptElement::kSidePatchBit);
+  const auto* topology = bufferAs<std::int32_t>(kTopology);
+  if (local >= u[4]) {
+    if (placement + 1 >= u[3]) return;
+    const std::int32_t* edge = topology + 3 * u[4] + 4 * (local - u[4]);
     const SnappedPoint a = corner(placement, edge[0]), b = corner(placement, edge[1]),
                        c = corner(placement + 1, edge[1]), d = corner(placement + 1, edge[0]);
     rasteriseAllAxes(a, b, c, emit);
     rasteriseAllAxes(a, c, d, emit);
   } else {
-    const std::int32_t* t = bufferAs<std::int32_t>(1) + 3 * code;
+    const std::int32_t* t = topology + 3 * local;
     rasteriseAllAxes(corner(placement, t[0]), corner(placement, t[1]), corner(placement, t[2]),
                      emit);
   }
 }
-void draw(GLenum, GLint, GLsizei vertices, GLsizei instances) {
-  ++state.counts.draws;
-  const std::uint32_t* u = state.uniforms;
-  for (std::uint32_t instance = 0; instance < static_cast<std::uint32_t>(instances); ++instance) {
-    for (std::uint32_t which = 0; which < static_cast<std::uint32_t>(vertices) / 4; ++which) {
-      const std::uint32_t local = u[3] + which;
-      if (u[2] != 0) {
-        const std::uint32_t* element = bufferAs<std::uint32_t>(4) + 2 * local;
-        drawElement(element[0], element[1], u[9] + local);
-      } else {
-        const std::uint32_t placement = u[4] + instance;
-        const std::uint32_t code =
-            local < u[7] ? local : (local - u[7]) | SweptElement::kSidePatchBit;
-        drawElement(code, placement, (placement - u[9]) * u[8] + local);
-      }
-    }
-  }
+void dispatch(GLuint, GLuint, GLuint) {
+  ++state.counts.dispatches;
+  for (std::uint32_t n = 0; n < state.uniforms[8]; ++n) sampleElement(state.uniforms[7] + n);
 }
 
 template <class F>
@@ -316,9 +281,6 @@ const std::map<std::string, void*>& functions() {
       {"glGetInteger64v", address(getInteger64v)},
       {"glGetError", address(noError)},
       {"glGetGraphicsResetStatus", address(resetStatus)},
-      {"glDisable", address(ignoreEnum)},
-      {"glFinish", address(ignore)},
-      {"glFlush", address(ignore)},
       {"glCreateShader", address(createShader)},
       {"glShaderSource", address(shaderSource)},
       {"glCompileShader", address(ignoreName)},
@@ -340,23 +302,7 @@ const std::map<std::string, void*>& functions() {
       {"glClearNamedBufferData", address(clearBuffer)},
       {"glGetNamedBufferSubData", address(readBuffer)},
       {"glBindBufferBase", address(bindBase)},
-      {"glCreateTextures", address(createTexture)},
-      {"glDeleteTextures", address(destroy<&FakeCounts::textures>)},
-      {"glTextureStorage3D", address(textureStorage)},
-      {"glClearTexImage", address(clearTexture)},
-      {"glGetTextureImage", address(readTexture)},
-      {"glPixelStorei", address(pixelStore)},
-      {"glBindImageTexture", address(bindImage)},
-      {"glCreateFramebuffers", address(createNothing)},
-      {"glDeleteFramebuffers", address(deleteNothing)},
-      {"glNamedFramebufferParameteri", address(framebufferParameter)},
-      {"glBindFramebuffer", address(bindFramebuffer)},
-      {"glCheckFramebufferStatus", address(framebufferStatus)},
-      {"glCreateVertexArrays", address(createNothing)},
-      {"glDeleteVertexArrays", address(deleteNothing)},
-      {"glBindVertexArray", address(ignoreName)},
-      {"glViewportIndexedf", address(viewport)},
-      {"glDrawArraysInstanced", address(draw)},
+      {"glDispatchCompute", address(dispatch)},
       {"glMemoryBarrier", address(ignoreBits)},
       {"glFenceSync", address(fenceSync)},
       {"glClientWaitSync", address(waitSync)},

@@ -16,22 +16,22 @@ struct FakeFaults {
   std::string missingFunction;  ///< e.g. "glFenceSync"
   int major = 4, minor = 5;
   std::string renderer = "Imaginary 9000";
-  int texture3d = 2048, vertexBlocks = 16;
+  int storageBlocks = 16;
   long long storageBytes = 1 << 27;
   std::string brokenShader;  ///< a word of the source that does not compile
   bool linkFails = false;
   int resetFromFence = 0;         ///< contexts report a reset from this fence of theirs on
   int silentFromFence = 0;        ///< fences never signal from this one on
   int faultyContexts = 1000;      ///< the two above hold for so many contexts
-  int setBitsFromReadback = 0;    ///< marks appear all over the image
+  int setBitsFromReadback = 0;    ///< marks appear all over the brick
   int setOneBitAtReadback = 0;    ///< one mark appears, well within the empty border of the grid
   int clearBitsFromReadback = 0;  ///< a share of the marks disappears
   int wrongWinnerFromReadback = 0;
 };
 
 struct FakeCounts {
-  int contexts = 0, alive = 0, fences = 0, draws = 0, markReadbacks = 0, winnerReadbacks = 0;
-  int buffers = 0, textures = 0, programs = 0;  ///< not yet deleted
+  int contexts = 0, alive = 0, fences = 0, dispatches = 0, markReadbacks = 0, winnerReadbacks = 0;
+  int buffers = 0, programs = 0;  ///< not yet deleted
 };
 
 std::shared_ptr<gl::GlLoader> makeFakeGl(const FakeFaults& faults);

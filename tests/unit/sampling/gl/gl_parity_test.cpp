@@ -38,13 +38,13 @@ Difference expectSame(const std::shared_ptr<gl::GlDevice>& device, const Scene& 
   const SamplerInput input = scene.input();
   const MarkedEdges truth = sampleCpu(input, run);
   gl::GlSampler sampler(
-      input, [&] { return device; }, settings, run);
+      input, [&] { return device; }, settings);
   MarkedEdges marked = sampler.mark(run);
   const SignRuns signs = findOutside(marked, scene.grid, run);
   sampler.resolve(marked, signs, run);
   Difference d = compare(scene, marked, truth, signs);
-  d.longestDraw = sampler.passes().longestDrawSeconds();
-  EXPECT_EQ(d.edges, 0);  // band of 0: the two agree at every lattice point
+  d.longestDispatch = sampler.passes().longestDispatchSeconds();
+  EXPECT_EQ(d.edges, 0);  // the signs agree at every lattice point
   EXPECT_EQ(d.elements, 0);
   EXPECT_LE(d.largestFraction, 1e-6);
   EXPECT_GT(d.contributing, 100);
@@ -184,28 +184,28 @@ TEST(GlParity, SharedMeshes) {
       const Difference d = expectSame(device, scene);
       std::printf(
           "  %s, motion %d, %d: %lld crossings, %lld edges, %lld fractions, %lld elements "
-          "differ; longest draw %.0f ms\n",
+          "differ; longest dispatch %.0f ms\n",
           name.c_str(), kind, resolution, static_cast<long long>(d.contributing),
           static_cast<long long>(d.edges), static_cast<long long>(d.fractions),
-          static_cast<long long>(d.elements), 1000 * d.longestDraw);
+          static_cast<long long>(d.elements), 1000 * d.longestDispatch);
       std::fflush(stdout);
     }
   }
 }
 
-TEST(GlParity, DrawsStayShort) {
+TEST(GlParity, DispatchesStayShort) {
   NEED_DEVICE(device);
   const Scene scene(makeTorus(3, 1, 96, 48), turningPath(5, Interpolation::None), 64);
   RunContext run;
   const SamplerInput input = scene.input();
-  gl::GlSampler sampler(
-      input, [&] { return device; }, {}, run);
+  gl::GlSampler sampler(input, [&] { return device; }, {});
   sampler.mark(run);
-  RecordProperty("longest_draw_ms", static_cast<int>(1000 * sampler.passes().longestDrawSeconds()));
-  std::printf("  longest of %llu draws: %.1f ms\n",
-              static_cast<unsigned long long>(sampler.passes().draws()),
-              1000 * sampler.passes().longestDrawSeconds());
-  EXPECT_GE(sampler.passes().draws(), 2u);
+  RecordProperty("longest_dispatch_ms",
+                 static_cast<int>(1000 * sampler.passes().longestDispatchSeconds()));
+  std::printf("  longest of %llu dispatches: %.1f ms\n",
+              static_cast<unsigned long long>(sampler.passes().dispatches()),
+              1000 * sampler.passes().longestDispatchSeconds());
+  EXPECT_GE(sampler.passes().dispatches(), 2u);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 
 #include "grid/plan_grid.h"
 #include "motion/refine_motion.h"
@@ -33,43 +35,60 @@ Trajectory turningPath(int poses, Interpolation interpolation) {
   return path;
 }
 
+namespace {
+
+struct Contributing {
+  std::int32_t i, j, k;
+  int axis;
+  std::uint8_t sides;
+  const MarkedEdge* edge;
+
+  bool operator<(const Contributing& b) const {
+    return std::tie(i, axis, j, k, sides) < std::tie(b.i, b.axis, b.j, b.k, b.sides);
+  }
+};
+
+std::vector<Contributing> contributing(const MarkedEdges& marked, const GridPlan& grid,
+                                       const SignRuns& signs) {
+  std::vector<Contributing> all;
+  for (std::int32_t i = 0; i < grid.points[0]; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      forContributing(marked, signs, grid, i, axis,
+                      [&](std::int32_t j, const MarkedEdge& e, std::uint8_t sides) {
+                        all.push_back({i, j, e.k, axis, sides, &e});
+                      });
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
 Difference compare(const Scene& scene, const MarkedEdges& a, const MarkedEdges& b,
                    const SignRuns& signs) {
   Difference out;
-  for (std::int32_t i = 0; i < scene.grid.points[0]; ++i) {
-    const LayerEdges &p = a.layers[i], &q = b.layers[i];
-    for (int axis = 0; axis < 3; ++axis) {
-      for (std::int32_t j = 0; j < scene.grid.points[1]; ++j) {
-        std::vector<std::uint16_t> left, right, only;
-        for (auto n = p.columnStart[axis][j]; n < p.columnStart[axis][j + 1]; ++n) {
-          left.push_back(p.edges[axis][n].k);
-        }
-        for (auto n = q.columnStart[axis][j]; n < q.columnStart[axis][j + 1]; ++n) {
-          right.push_back(q.edges[axis][n].k);
-        }
-        std::set_symmetric_difference(left.begin(), left.end(), right.begin(), right.end(),
-                                      std::back_inserter(only));
-        out.edges += static_cast<std::int64_t>(only.size());
-      }
-    }
-  }
+  RunContext run;
+  const auto left = contributing(a, scene.grid, signs);
+  const auto right = contributing(b, scene.grid, findOutside(b, scene.grid, run));
+  std::vector<Contributing> only;
+  std::set_symmetric_difference(left.begin(), left.end(), right.begin(), right.end(),
+                                std::back_inserter(only));
+  out.edges = static_cast<std::int64_t>(only.size());
   if (out.edges != 0) return out;
-  for (std::int32_t i = 0; i < scene.grid.points[0]; ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto* first = a.layers[i].edges[axis].data();
-      forContributing(
-          a, signs, scene.grid, i, axis, [&](std::int32_t, const MarkedEdge& e, std::uint8_t) {
-            const MarkedEdge& f = b.layers[i].edges[axis][&e - first];
-            const auto side = [&](float x, float y, std::uint32_t s, std::uint32_t t) {
-              ++out.contributing;
-              out.fractions += x != y;
-              out.largestFraction = std::max(out.largestFraction, std::abs(double{x} - double{y}));
-              const SweptElement &u = a.elements[s], &v = b.elements[t];
-              out.elements += u.code != v.code || u.placement != v.placement;
-            };
-            side(e.lowFraction, f.lowFraction, e.lowElement, f.lowElement);
-            side(e.highFraction, f.highFraction, e.highElement, f.highElement);
-          });
+  for (std::size_t n = 0; n < left.size(); ++n) {
+    const MarkedEdge &e = *left[n].edge, &f = *right[n].edge;
+    const auto side = [&](float x, float y, std::uint32_t s, std::uint32_t t) {
+      ++out.contributing;
+      out.fractions += x != y;
+      out.largestFraction = std::max(out.largestFraction, std::abs(double{x} - double{y}));
+      const SweptElement &u = a.elements[s], &v = b.elements[t];
+      out.elements += u.code != v.code || u.placement != v.placement;
+    };
+    if ((left[n].sides & HermiteEdge::kLow) != 0) {
+      side(e.lowFraction, f.lowFraction, e.lowElement, f.lowElement);
+    }
+    if ((left[n].sides & HermiteEdge::kHigh) != 0) {
+      side(e.highFraction, f.highFraction, e.highElement, f.highElement);
     }
   }
   return out;

@@ -25,14 +25,15 @@ struct Scene {
 Trajectory turningPath(int poses, Interpolation interpolation);
 
 struct Difference {
-  std::int64_t edges = 0;      ///< marked by one only
+  std::int64_t edges = 0;      ///< contributing edges of one only, or with other signs
   std::int64_t fractions = 0;  ///< contributing crossings that differ at all
   std::int64_t elements = 0;   ///< contributing crossings won by different elements
   double largestFraction = 0;  ///< cells
   std::int64_t contributing = 0;
-  double longestDraw = 0;  ///< s, of the GPU
+  double longestDispatch = 0;  ///< s, of the GPU
 };
-/// Compares marks everywhere, crossings where an end is outside.
+/// Compares the contributing edges, and their crossings next to outside ends. `signs`: those of
+/// `a`.
 Difference compare(const Scene& scene, const MarkedEdges& a, const MarkedEdges& b,
                    const SignRuns& signs);
 
