@@ -179,7 +179,8 @@ void EnvelopeRun::envelope(const BodyTopology& topology) {
   Surface surface = contourUniform(hermite, options_, run_, probe ? &*probe : nullptr);
   if (options_.sources) {
     result_.sources.rows = std::make_shared<const std::vector<SurfaceSource>>(sourcesOfCrossings(
-        input, elements_, hermite, prepared_.body.namedFaces, prepared_.trajectory.given));
+        input, elements_, hermite, prepared_.body.namedFaces, prepared_.trajectory.trajectory,
+        prepared_.trajectory.given));
     std::vector<double>().swap(hermite.exactSeconds);
   }
   std::vector<SweptElement>().swap(elements_);
