@@ -1,0 +1,114 @@
+// Finds the faces and side patches of a continuous motion that a segment may meet.
+//
+// In:    body, motion, placements in grid coordinates. A segment in the same coordinates.
+// Out:   all elements near the segment, each once.
+// Units: mm in the body, cells in the grid.
+// Cost:  O(n log n) to build, for n faces and placements. A search takes time for the elements near
+//        the segment, hardly for all others.
+// Promise: no element that meets the segment is missed. The order is fixed.
+// Source: own method; docs/contouring.md, "Rims".
+//
+// There are two trees: one of balls around faces, one of blocks of successive steps. A block bounds
+// where its placements carry the body: an affine map and the largest deviation from it. The map
+// takes a ball to a ball that contains all copies and side patches of its faces in the block. A
+// search descends both trees at once. It divides the ball or the block, whichever contributes more
+// to the size of the bound.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "sampling/sampler.h"
+
+namespace swept {
+
+class SweepTree {
+ public:
+  /// `placements`: the placements of the motion, from body coordinates to grid coordinates. The
+  /// arguments must outlive the tree.
+  SweepTree(const SamplerInput& input, const std::vector<Placement>& placements);
+
+  /// Calls use(element) for each element that may meet the segment from `from` to `from` + `reach`
+  /// * `way`. `use` may lower `reach`; the search then leaves out what lies beyond.
+  template <class Use>
+  void along(const Eigen::Vector3d& from, const Eigen::Vector3d& way, const double& reach,
+             const Use& use) const {
+    const Search<Use> search{*this, from, way, way.squaredNorm(), reach, use};
+    search.visit(levels_.size() - 1, 0, 0);
+  }
+
+ private:
+  /// A ball around the faces [begin, end) of faces_. `left` and `right` are its halves, or 0.
+  struct Ball {
+    Eigen::Vector3d arm;  // from the centre of the body to the centre of the ball, mm
+    double radius = 0, distance = 0;  // mm; distance: length of the arm
+    std::uint32_t begin = 0, end = 0, left = 0, right = 0;
+  };
+  /// The placements of some successive steps: x -> turn * (x - centre of the body) + place.
+  struct Block {
+    Eigen::Matrix3d turn;
+    Eigen::Vector3d place;
+    double placeSpread = 0;  // cells, largest deviation at the centre of the body
+    double turnSpread = 0;   // further deviation per mm of distance from the centre
+  };
+
+  template <class Use>
+  struct Search {
+    const SweepTree& tree;
+    const Eigen::Vector3d &from, &way;
+    double square;
+    const double& reach;
+    const Use& use;
+
+    void visit(std::size_t level, std::size_t at, std::uint32_t number) const {
+      const Ball& ball = tree.balls_[number];
+      const Block& block = tree.levels_[level][at];
+      const double spread = block.placeSpread + block.turnSpread * (ball.distance + ball.radius);
+      const double own = ball.radius / tree.input_.grid.cell, radius = own + spread + kSlack;
+      const Eigen::Vector3d off = block.turn * ball.arm + block.place - from;
+      const double along =
+          square > 0 ? std::clamp(off.dot(way) / square, 0.0, std::min(reach, 1.0)) : 0;
+      if ((off - along * way).squaredNorm() > radius * radius) return;
+      if (level > 0 && (ball.left == 0 || spread > own)) {
+        const std::size_t end = std::min(2 * at + 2, tree.levels_[level - 1].size());
+        for (std::size_t child = 2 * at; child < end; ++child) visit(level - 1, child, number);
+      } else if (ball.left != 0) {
+        visit(level, at, ball.left);
+        visit(level, at, ball.right);
+      } else {
+        tree.elementsOf(ball, static_cast<std::uint32_t>(at), use);
+      }
+    }
+  };
+  static constexpr double kSlack = 1e-6;  // cells; covers rounding and widened triangles
+
+  /// Calls use(element) for the faces at a placement and the side patches of the step that starts
+  /// there.
+  template <class Use>
+  void elementsOf(const Ball& ball, std::uint32_t placement, const Use& use) const {
+    for (std::uint32_t n = ball.begin; n < ball.end; ++n) {
+      const std::uint32_t face = faces_[n];
+      use(SweptElement{face, placement});
+      if (placement >= input_.motion.steps()) continue;
+      for (std::uint32_t e = firstEdge_[face]; e < firstEdge_[face + 1]; ++e) {
+        use(SweptElement{edges_[e] | SweptElement::kSidePatchBit, placement});
+      }
+    }
+  }
+
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+  void buildBlocks(const std::vector<Placement>& placements);
+
+  const SamplerInput& input_;
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();  // of the body, mm
+  std::vector<std::uint32_t> faces_;      // in the order of the leaves
+  std::vector<std::uint32_t> firstEdge_;  // by face: its range in edges_
+  std::vector<std::uint32_t> edges_;      // each edge belongs to the face on its left
+  std::vector<Ball> balls_;
+  std::vector<std::vector<Block>> levels_;  // blocks of 1, 2, 4, ... steps
+};
+
+}  // namespace swept
