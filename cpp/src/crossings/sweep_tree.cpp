@@ -7,13 +7,13 @@
 namespace swept {
 namespace {
 
-constexpr std::uint32_t kLeafFaces = 2;
+constexpr std::uint32_t kLeafFaces = 1;
 constexpr double kRoom = 1 + 1e-9;  ///< covers the rounding of the bounds
 
 }  // namespace
 
 SweepTree::SweepTree(const SamplerInput& input, const std::vector<Placement>& placements)
-    : input_(input) {
+    : input_(input), scale_(1 / input.grid.cell) {
   Eigen::AlignedBox3d box;
   for (const auto& v : input.body.vertices) box.extend(v);
   centre_ = box.center();

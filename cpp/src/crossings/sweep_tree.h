@@ -37,7 +37,8 @@ class SweepTree {
   void along(const Eigen::Vector3d& from, const Eigen::Vector3d& way, const double& reach,
              const Use& use) const {
     const Search<Use> search{*this, from, way, way.squaredNorm(), reach, use};
-    search.visit(levels_.size() - 1, 0, 0);
+    typename Search<Use>::Pair whole{levels_.size() - 1, 0, 0};
+    if (search.meets(whole)) search.visit(whole);
   }
 
  private:
@@ -63,23 +64,51 @@ class SweepTree {
     const double& reach;
     const Use& use;
 
-    void visit(std::size_t level, std::size_t at, std::uint32_t number) const {
-      const Ball& ball = tree.balls_[number];
-      const Block& block = tree.levels_[level][at];
+    /// A pair of a block and a ball, and the fraction of the segment at which it comes nearest.
+    struct Pair {
+      std::size_t level, at;
+      std::uint32_t ball;
+      double along = 0;
+      bool divideBlock = false;
+    };
+
+    /// Returns whether the bound of the pair meets the segment.
+    bool meets(Pair& pair) const {
+      const Ball& ball = tree.balls_[pair.ball];
+      const Block& block = tree.levels_[pair.level][pair.at];
       const double spread = block.placeSpread + block.turnSpread * (ball.distance + ball.radius);
-      const double own = ball.radius / tree.input_.grid.cell, radius = own + spread + kSlack;
+      const double own = ball.radius * tree.scale_, radius = own + spread + kSlack;
       const Eigen::Vector3d off = block.turn * ball.arm + block.place - from;
-      const double along =
-          square > 0 ? std::clamp(off.dot(way) / square, 0.0, std::min(reach, 1.0)) : 0;
-      if ((off - along * way).squaredNorm() > radius * radius) return;
-      if (level > 0 && (ball.left == 0 || spread > own)) {
-        const std::size_t end = std::min(2 * at + 2, tree.levels_[level - 1].size());
-        for (std::size_t child = 2 * at; child < end; ++child) visit(level - 1, child, number);
+      pair.along = square > 0 ? std::clamp(off.dot(way) / square, 0.0, std::min(reach, 1.0)) : 0;
+      pair.divideBlock = pair.level > 0 && (ball.left == 0 || spread > own);
+      return (off - pair.along * way).squaredNorm() <= radius * radius;
+    }
+
+    void visit(const Pair& pair) const {
+      const Ball& ball = tree.balls_[pair.ball];
+      Pair first = pair, second = pair;
+      bool hasSecond = true;
+      if (pair.divideBlock) {
+        first.level = second.level = pair.level - 1;
+        first.at = 2 * pair.at;
+        second.at = first.at + 1;
+        hasSecond = second.at < tree.levels_[first.level].size();
       } else if (ball.left != 0) {
-        visit(level, at, ball.left);
-        visit(level, at, ball.right);
+        first.ball = ball.left;
+        second.ball = ball.right;
       } else {
-        tree.elementsOf(ball, static_cast<std::uint32_t>(at), use);
+        tree.elementsOf(ball, static_cast<std::uint32_t>(pair.at), use);
+        return;
+      }
+      const bool one = meets(first), two = hasSecond && meets(second);
+      // The nearer one first: its hits may end the segment before the other one.
+      const bool swap = two && second.along < first.along;
+      if (swap) {
+        visit(second);
+        if (one && meets(first)) visit(first);
+      } else {
+        if (one) visit(first);
+        if (two && (!one || meets(second))) visit(second);
       }
     }
   };
@@ -103,6 +132,7 @@ class SweepTree {
   void buildBlocks(const std::vector<Placement>& placements);
 
   const SamplerInput& input_;
+  double scale_;                                        // cells per mm
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();  // of the body, mm
   std::vector<std::uint32_t> faces_;      // in the order of the leaves
   std::vector<std::uint32_t> firstEdge_;  // by face: its range in edges_
