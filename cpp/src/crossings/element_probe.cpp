@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMaxPieces = 20000;
 /// In a continuous motion, a cell with more pieces than this is not searched from neighbour to
 /// neighbour. Its lines are cast at the pieces near them, which a tree finds among all pieces.
-constexpr std::size_t kMostByNeighbours = 1000;
+constexpr std::size_t kMostByNeighbours = 600;
 /// After this many pieces in a cell, the search leaves out pieces that isPassed() shows to be
 /// covered. Measured on a gripper along 16 keys with cells of 30 mm, and with limits of 100, 300,
 /// 1,000 and none: the mean deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cells. Contouring takes

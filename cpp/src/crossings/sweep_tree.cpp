@@ -13,7 +13,7 @@ constexpr double kRoom = 1 + 1e-9;  ///< covers the rounding of the bounds
 }  // namespace
 
 SweepTree::SweepTree(const SamplerInput& input, const std::vector<Placement>& placements)
-    : input_(input), scale_(1 / input.grid.cell) {
+    : input_(input), placements_(placements), scale_(1 / input.grid.cell) {
   Eigen::AlignedBox3d box;
   for (const auto& v : input.body.vertices) box.extend(v);
   centre_ = box.center();
@@ -30,6 +30,17 @@ SweepTree::SweepTree(const SamplerInput& input, const std::vector<Placement>& pl
   }
   build(0, count);
   buildBlocks(placements);
+}
+
+double SweepTree::squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                  const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
+  const Eigen::Vector3d u = b - a, v = d - c, w = a - c;
+  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), uw = u.dot(w),
+               vw = v.dot(w), det = uu * vv - uv * uv;
+  double s = det > 1e-12 * uu * vv ? std::clamp((uv * vw - vv * uw) / det, 0.0, 1.0) : 0;
+  const double t = vv > 0 ? std::clamp((vw + s * uv) / vv, 0.0, 1.0) : 0;
+  s = uu > 0 ? std::clamp((t * uv - uw) / uu, 0.0, 1.0) : 0;
+  return (w + s * u - t * v).squaredNorm();
 }
 
 std::uint32_t SweepTree::build(std::uint32_t begin, std::uint32_t end) {

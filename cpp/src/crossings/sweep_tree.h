@@ -84,6 +84,27 @@ class SweepTree {
       return (off - pair.along * way).squaredNorm() <= radius * radius;
     }
 
+    /// Calls use(element) for the faces of a ball at a placement, and for the side patches of the
+    /// step that starts there. First tests the ball at the placement, and its way during the step.
+    void elements(const Ball& ball, std::uint32_t placement) const {
+      const Eigen::Vector3d centre = tree.centre_ + ball.arm;
+      const Eigen::Vector3d start = tree.placements_[placement].apply(centre);
+      const double radius = ball.radius * tree.scale_ + kSlack, most = radius * radius;
+      const Eigen::Vector3d end = from + std::min(reach, 1.0) * way;
+      const bool face = squaredDistance(from, end, start, start) <= most;
+      const bool patches =
+          placement < tree.input_.motion.steps() &&
+          squaredDistance(from, end, start, tree.placements_[placement + 1].apply(centre)) <= most;
+      for (std::uint32_t n = ball.begin; n < ball.end; ++n) {
+        const std::uint32_t number = tree.faces_[n];
+        if (face) use(SweptElement{number, placement});
+        if (!patches) continue;
+        for (std::uint32_t e = tree.firstEdge_[number]; e < tree.firstEdge_[number + 1]; ++e) {
+          use(SweptElement{tree.edges_[e] | SweptElement::kSidePatchBit, placement});
+        }
+      }
+    }
+
     void visit(const Pair& pair) const {
       const Ball& ball = tree.balls_[pair.ball];
       Pair first = pair, second = pair;
@@ -97,7 +118,7 @@ class SweepTree {
         first.ball = ball.left;
         second.ball = ball.right;
       } else {
-        tree.elementsOf(ball, static_cast<std::uint32_t>(pair.at), use);
+        elements(ball, static_cast<std::uint32_t>(pair.at));
         return;
       }
       const bool one = meets(first), two = hasSecond && meets(second);
@@ -114,24 +135,14 @@ class SweepTree {
   };
   static constexpr double kSlack = 1e-6;  // cells; covers rounding and widened triangles
 
-  /// Calls use(element) for the faces at a placement and the side patches of the step that starts
-  /// there.
-  template <class Use>
-  void elementsOf(const Ball& ball, std::uint32_t placement, const Use& use) const {
-    for (std::uint32_t n = ball.begin; n < ball.end; ++n) {
-      const std::uint32_t face = faces_[n];
-      use(SweptElement{face, placement});
-      if (placement >= input_.motion.steps()) continue;
-      for (std::uint32_t e = firstEdge_[face]; e < firstEdge_[face + 1]; ++e) {
-        use(SweptElement{edges_[e] | SweptElement::kSidePatchBit, placement});
-      }
-    }
-  }
-
+  /// Returns the squared distance of two segments.
+  static double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                const Eigen::Vector3d& c, const Eigen::Vector3d& d);
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
   void buildBlocks(const std::vector<Placement>& placements);
 
   const SamplerInput& input_;
+  const std::vector<Placement>& placements_;
   double scale_;                                        // cells per mm
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();  // of the body, mm
   std::vector<std::uint32_t> faces_;      // in the order of the leaves
