@@ -14,9 +14,6 @@ namespace {
 /// In a cell with more pieces (see the header) than this, the probe finds no hits: the cell holds
 /// more than a single wall, and the search would take too long.
 constexpr std::size_t kMaxPieces = 20000;
-/// In a continuous motion, a cell with more pieces than this is not searched from neighbour to
-/// neighbour. Its lines are cast at the pieces near them, which a tree finds among all pieces.
-constexpr std::size_t kMostByNeighbours = 600;
 /// After this many pieces in a cell, the search leaves out pieces that isPassed() shows to be
 /// covered. Measured on a gripper along 16 keys with cells of 30 mm, and with limits of 100, 300,
 /// 1,000 and none: the mean deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cells. Contouring takes
@@ -282,9 +279,8 @@ bool ElementProbe::isPassed(const SweptElement& element, Directions& directions)
   return left == (edge.opposed ? -right : right);
 }
 
-std::vector<ElementProbe::Piece> ElementProbe::gather(const Eigen::AlignedBox3d& region,
-                                                      const std::vector<std::uint32_t>& crossings,
-                                                      bool& tooMany) const {
+std::vector<ElementProbe::Piece> ElementProbe::gather(
+    const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings) const {
   const Eigen::Vector3d centre = region.center();
   const Eigen::Vector3d half = region.sizes().array() / 2 + kSearchMargin;
   std::vector<std::pair<SweptElement, std::size_t>> waiting;  // each with the index of its piece
@@ -307,14 +303,13 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(const Eigen::AlignedBox3d&
   const auto inside = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
     return intersectsBox(p - centre, q - centre, half);
   };
-  const std::size_t most = mayPass() ? kMostByNeighbours : kMaxPieces;
-  while (!waiting.empty() && pieces.size() <= most) {
+  while (!waiting.empty() && pieces.size() <= kMaxPieces) {
     const auto [element, at] = waiting.back();
     waiting.pop_back();
     const Piece piece = pieces[at];
     forNeighbours(element, piece, inside, visit);
   }
-  tooMany = pieces.size() > most;
+  if (pieces.size() > kMaxPieces) pieces.clear();
   return pieces;
 }
 
@@ -337,34 +332,11 @@ void ElementProbe::castOne(const Piece& piece, ProbeLine& line, double& first) {
   if (piece.isSidePatch && intersects(line, a, c, d, at)) take(at, at.u, at.u + at.v);
 }
 
-/// Casts the lines at all pieces of the motion.
-void ElementProbe::castAtAll(std::vector<ProbeLine>& lines, std::vector<double>& first) const {
-  std::call_once(treeBuilt_, [this] { tree_.emplace(input_, placements_); });
-  Directions directions(input_);
-  for (std::size_t l = 0; l < lines.size(); ++l) {
-    ProbeLine& line = lines[l];
-    tree_->along(line.from, line.to - line.from, first[l], [&](const SweptElement& element) {
-      ProbeLine trial = line;
-      double at = first[l];
-      castOne(pieceOf(element), trial, at);
-      if (!(at < first[l]) || isPassed(element, directions)) return;
-      line = trial;
-      first[l] = at;
-    });
-  }
-}
-
 void ElementProbe::cast(const Eigen::AlignedBox3d& region,
                         const std::vector<std::uint32_t>& crossings,
                         std::vector<ProbeLine>& lines) const {
   std::vector<double> first(lines.size(), 2);  // fraction along each line; 2: no hit
-  bool tooMany = false;
-  std::vector<Piece> pieces = gather(region, crossings, tooMany);
-  if (tooMany) {
-    pieces.clear();
-    if (mayPass()) castAtAll(lines, first);
-  }
-  for (const Piece& piece : pieces) {
+  for (const Piece& piece : gather(region, crossings)) {
     const auto& [a, b, c, d] = piece.corner;
     const Eigen::Vector3d n = (b - a).cross(c - a);
     // A line wholly above or below the piece cannot hit it. Heights are measured from the plane of

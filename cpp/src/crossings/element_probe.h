@@ -15,11 +15,8 @@
 #pragma once
 
 #include <array>
-#include <mutex>
-#include <optional>
 #include <vector>
 
-#include "crossings/sweep_tree.h"
 #include "grid/hermite_grid.h"
 #include "grid/marked_edges.h"
 #include "grid/surface_probe.h"
@@ -48,11 +45,8 @@ class ElementProbe : public SurfaceProbe {
   bool mayPass() const { return input_.cull && input_.motion.continuous; }
   bool isPassed(const SweptElement& element, Directions& directions) const;
   Piece pieceOf(const SweptElement& element) const;
-  /// Returns the pieces in the region that are connected there with the crossings. If there are
-  /// too many, returns some of them and sets `tooMany`.
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
-                            const std::vector<std::uint32_t>& crossings, bool& tooMany) const;
-  void castAtAll(std::vector<ProbeLine>& lines, std::vector<double>& first) const;
+                            const std::vector<std::uint32_t>& crossings) const;
   /// Calls use(other) for the neighbours of an element. These are the elements that share an edge
   /// or the path of a vertex with it, if inside(p, q) is true for the shared segment; and the
   /// copies of a face at the placements before and after.
@@ -67,8 +61,6 @@ class ElementProbe : public SurfaceProbe {
   std::vector<Placement> placements_;  // from body coordinates (mm) to grid coordinates (cells)
   // Edges of each face; -1 for an edge with more than two faces whose BodyEdge names another face.
   std::vector<std::array<std::int32_t, 3>> faceEdges_;
-  mutable std::once_flag treeBuilt_;
-  mutable std::optional<SweepTree> tree_;  // built when a cell first needs it
 };
 
 }  // namespace swept
