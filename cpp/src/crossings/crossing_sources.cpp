@@ -109,12 +109,11 @@ std::int32_t slidingFace(const SamplerInput& input, const SweptElement& patch,
 /// step has several poses.
 std::size_t lastPose(const Motion& motion, const Trajectory& trajectory, std::uint32_t placement,
                      double seconds) {
-  const auto [first, end] =
-      std::equal_range(motion.poses.begin(), motion.poses.end(), placement);
+  const auto [first, end] = std::equal_range(motion.poses.begin(), motion.poses.end(), placement);
   const auto inStep = trajectory.poses.begin() + (first - motion.poses.begin());
-  const auto after = std::upper_bound(
-      inStep, inStep + (end - first), seconds,
-      [](double time, const Pose& pose) { return time < pose.timeSeconds; });
+  const auto after =
+      std::upper_bound(inStep, inStep + (end - first), seconds,
+                       [](double time, const Pose& pose) { return time < pose.timeSeconds; });
   return static_cast<std::size_t>(after - trajectory.poses.begin()) - 1;
 }
 
@@ -132,8 +131,7 @@ std::vector<SurfaceSource> sourcesOfCrossings(const SamplerInput& input,
     SurfaceSource& row = rows[crossing];
     row.point = grid.plan.origin + grid.plan.cell * at;
     row.timeSeconds = grid.exactSeconds[crossing];
-    const std::size_t last =
-        lastPose(input.motion, trajectory, element.placement, row.timeSeconds);
+    const std::size_t last = lastPose(input.motion, trajectory, element.placement, row.timeSeconds);
     row.step = pose[last];
     if (element.isSidePatch()) {
       row.faces = edges[element.index()].faces;

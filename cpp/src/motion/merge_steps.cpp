@@ -30,8 +30,8 @@ struct Frame {
       const Eigen::Vector3d axes = columns.col(1) + (corner & 1 ? -1 : 1) * columns.col(2) +
                                    (corner & 2 ? -1 : 1) * columns.col(3);
       // The opposite corner has the other sign.
-      most = std::max({most, (columns.col(0) + axes).squaredNorm(),
-                       (columns.col(0) - axes).squaredNorm()});
+      most = std::max(
+          {most, (columns.col(0) + axes).squaredNorm(), (columns.col(0) - axes).squaredNorm()});
     }
     return std::sqrt(most);
   }
@@ -121,9 +121,8 @@ Placement middleOf(const Motion& motion, std::size_t begin, std::size_t end) {
   const auto last = motion.placements.begin() + static_cast<std::ptrdiff_t>(end);
   const double time = (first->timeSeconds + last->timeSeconds) / 2;
   // The first placement at or after this time; neither of the two ends.
-  const auto after =
-      std::lower_bound(first + 1, last, time,
-                       [](const Placement& p, double at) { return p.timeSeconds < at; });
+  const auto after = std::lower_bound(
+      first + 1, last, time, [](const Placement& p, double at) { return p.timeSeconds < at; });
   const Placement &p = *(after - 1), &q = *after;
   const double duration = q.timeSeconds - p.timeSeconds;
   return between(p, q, duration > 0 ? (time - p.timeSeconds) / duration : 1);

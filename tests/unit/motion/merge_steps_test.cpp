@@ -135,8 +135,7 @@ TEST(MergeSteps, MidpointsAndPosesBelongToTheMergedSteps) {
     }
   }
   for (std::size_t k = 0; k < found.steps(); ++k) {
-    const Placement &p = found.placements[k], &q = found.placements[k + 1],
-                    &m = found.midpoints[k];
+    const Placement &p = found.placements[k], &q = found.placements[k + 1], &m = found.midpoints[k];
     EXPECT_NEAR(m.timeSeconds, (p.timeSeconds + q.timeSeconds) / 2, 1e-9);
     for (const Vector3d& v : body.vertices) {
       EXPECT_LE((m.apply(v) - (p.apply(v) + q.apply(v)) / 2).norm(), found.chordError + 1e-9);
