@@ -48,8 +48,8 @@ constexpr double kBytesPerCopy = 24;
 /// Largest number of triangle copies in a preview, so that it stays quick.
 constexpr double kPreviewCopies = 4e6;
 
-/// Refines the motion and merges steps that this accuracy does not need, so finely that it needs at
-/// most half of the memory limit. Splits the long edges of a turning body if `maySplit`.
+/// Refines the motion, so finely that it needs at most half of the memory limit. Then merges the
+/// steps that this accuracy does not need. Splits the long edges of a turning body if `maySplit`.
 Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, RunContext& run) {
   const Trajectory& trajectory = p.trajectory.trajectory;
   const double chord = options.chordTolerance * cell;
