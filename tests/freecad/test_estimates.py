@@ -33,6 +33,7 @@ class Estimate(Case):
         comb.Shape = Part.makeCompound([Part.makeBox(1, 40, 40, V(3 * k, 0, 0)) for k in range(30)])
         places = [turn(0.004 * k, V(0, 0, 1), V(0, 0, 2e-4 * k)) for k in range(3000)]
         path = motion.motion_from_poses(self.doc, [0.01 * k for k in range(3000)], places)
+        path.Interpolation = "None"  # with interpolation, steps are merged and no filter is named
         obj = self.envelope([comb], path, Resolution=64)
         plan, kept = envelope.Plan.of(obj), contents.KeptBodies()
         find = plan.closer_estimate(kept.read)

@@ -72,18 +72,28 @@ def wobble(poses):
 
 def test_a_filter_that_would_save_most_of_the_time_is_named_and_does(box):
     motion = wobble(3000)
-    foreseen = sv.estimate(box, motion, resolution=48)
+    foreseen = sv.estimate(box, motion, interpolation="none", resolution=48)
     useful = foreseen["useful_filter"]
-    plain = sv.compute(box, motion, resolution=48)
+    plain = sv.compute(box, motion, interpolation="none", resolution=48)
     (said,) = [w for w in plain.report["warnings"] if w["code"] == "FilterUseful"]
     assert f"{useful:.3g}" in said["text"]
-    filtered = sv.compute(box, motion, resolution=48, position_filter=useful)
+    filtered = sv.compute(box, motion, interpolation="none", resolution=48, position_filter=useful)
     assert filtered.report["refined_placements"] < plain.report["refined_placements"] / 3
     distances = np.abs(sv.distance_to_mesh(filtered.vertices, plain.mesh))
     # What the filter may change, what the chord may, and twice what an exact crossing is off by.
     assert distances.max() < 2 * useful + 0.05 * plain.report["cell"]
     assert not [w for w in filtered.report["warnings"] if w["code"] == "FilterUseful"]
-    assert "useful_filter" not in sv.estimate(box, motion, resolution=48, position_filter=useful)
+    assert "useful_filter" not in sv.estimate(
+        box, motion, interpolation="none", resolution=48, position_filter=useful
+    )
+
+
+def test_with_interpolation_steps_are_merged_and_no_filter_is_named(box):
+    report = sv.compute(box, wobble(3000), resolution=48).report
+    assert report["placements"] == 3000 and report["refined_placements"] < 1000
+    assert 0 < report["chord_error"] <= 0.02 * report["cell"] * 1.000001
+    assert not [w for w in report["warnings"] if w["code"] == "FilterUseful"]
+    assert "useful_filter" not in sv.estimate(box, wobble(3000), resolution=48)
 
 
 def test_no_filter_is_named_where_none_saves(box):

@@ -105,16 +105,16 @@ std::int32_t slidingFace(const SamplerInput& input, const SweptElement& patch,
   return -1;
 }
 
-/// Returns, for each placement, the last pose of the motion at or before it.
-std::vector<std::uint32_t> lastPoses(const Motion& motion) {
-  std::vector<std::uint32_t> last(motion.placements.size(), 0);
-  for (std::uint32_t pose = 0; pose < motion.poses.size(); ++pose) {
-    const std::size_t end =
-        pose + 1 < motion.poses.size() ? motion.poses[pose + 1] : motion.placements.size();
-    std::fill(last.begin() + motion.poses[pose], last.begin() + static_cast<std::ptrdiff_t>(end),
-              pose);
-  }
-  return last;
+/// Returns the last pose at or before a moment in the step that starts at a placement. A merged
+/// step has several poses.
+std::size_t lastPose(const Motion& motion, const Trajectory& trajectory, std::uint32_t placement,
+                     double seconds) {
+  const auto [first, end] = std::equal_range(motion.poses.begin(), motion.poses.end(), placement);
+  const auto inStep = trajectory.poses.begin() + (first - motion.poses.begin());
+  const auto after =
+      std::upper_bound(inStep, inStep + (end - first), seconds,
+                       [](double time, const Pose& pose) { return time < pose.timeSeconds; });
+  return static_cast<std::size_t>(after - trajectory.poses.begin()) - 1;
 }
 
 }  // namespace
@@ -122,16 +122,16 @@ std::vector<std::uint32_t> lastPoses(const Motion& motion) {
 std::vector<SurfaceSource> sourcesOfCrossings(const SamplerInput& input,
                                               const std::vector<SweptElement>& elements,
                                               const HermiteGrid& grid, bool namedFaces,
+                                              const Trajectory& trajectory,
                                               const std::vector<std::int32_t>& pose) {
   const EdgeSources edges(input.body, input.topology, namedFaces);
-  const std::vector<std::uint32_t> lastPose = lastPoses(input.motion);
   std::vector<SurfaceSource> rows(grid.crossings.size());
   const auto describe = [&](std::uint32_t crossing, const Eigen::Vector3d& at) {
     const SweptElement& element = elements[grid.winner[crossing]];
-    const std::uint32_t last = lastPose[element.placement];
     SurfaceSource& row = rows[crossing];
     row.point = grid.plan.origin + grid.plan.cell * at;
     row.timeSeconds = grid.exactSeconds[crossing];
+    const std::size_t last = lastPose(input.motion, trajectory, element.placement, row.timeSeconds);
     row.step = pose[last];
     if (element.isSidePatch()) {
       row.faces = edges[element.index()].faces;

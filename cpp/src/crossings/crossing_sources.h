@@ -26,11 +26,12 @@ namespace swept {
 constexpr double kSmoothAngle = 0.13962634;
 
 /// Returns a row for each crossing. `input.body.faceOf` must have an entry per triangle.
-/// `namedFaces` says that a face may have many triangles. `pose` lists, for each pose of the
-/// motion, its number in the given trajectory.
+/// `namedFaces` says that a face may have many triangles. `trajectory` holds the poses of the
+/// motion; `pose` lists, for each of them, its number in the given trajectory.
 std::vector<SurfaceSource> sourcesOfCrossings(const SamplerInput& input,
                                               const std::vector<SweptElement>& elements,
                                               const HermiteGrid& grid, bool namedFaces,
+                                              const Trajectory& trajectory,
                                               const std::vector<std::int32_t>& pose);
 
 }  // namespace swept

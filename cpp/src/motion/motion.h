@@ -24,12 +24,15 @@ struct Motion {
   /// True: the body moves continuously from placements[i] to placements[i + 1]. False: the
   /// placements are separate copies of the body.
   bool continuous = false;
-  /// Exact placement in the middle of each step (only if continuous). The distance of a point there
-  /// from its chord tells how far the true path deviates.
+  /// Exact placement in the middle (in time) of each step (only if continuous). The distance of a
+  /// point there from its chord tells how far the true path deviates.
   std::vector<Placement> midpoints;
-  std::vector<std::uint32_t> poses;  ///< per pose of the trajectory: index of its placement
-  double chordError = 0;             ///< mm, bound on the distance of any body point from its chord
-  double largestStepTravel = 0;      ///< mm, between successive poses of the trajectory
+  /// Per pose of the trajectory: index of its placement. If the pose lies inside a merged step
+  /// (merge_steps.h), index of the placement at the start of this step.
+  std::vector<std::uint32_t> poses;
+  double chordError = 0;         ///< mm, bound on the distance of any body point from its chord
+  double mergeError = 0;         ///< mm, the same for merged steps only
+  double largestStepTravel = 0;  ///< mm, between successive poses of the trajectory
 
   std::size_t steps() const { return continuous ? placements.size() - 1 : 0; }
 };

@@ -131,7 +131,7 @@ double chordOf(const SamplerInput& input) {
       most = std::max(most, (m.apply(x) - (p.apply(x) + q.apply(x)) / 2).norm());
     }
   }
-  return 1.02 * most / input.grid.cell;
+  return std::max(1.02 * most, input.motion.mergeError) / input.grid.cell;
 }
 
 void coverCopies(const SamplerInput& input, std::size_t k, CoverTriangle* out) {

@@ -178,8 +178,9 @@ void EnvelopeRun::envelope(const BodyTopology& topology) {
   if (warm_ == nullptr) probe.emplace(input, elements_, hermite.winner);
   Surface surface = contourUniform(hermite, options_, run_, probe ? &*probe : nullptr);
   if (options_.sources) {
-    result_.sources.rows = std::make_shared<const std::vector<SurfaceSource>>(sourcesOfCrossings(
-        input, elements_, hermite, prepared_.body.namedFaces, prepared_.trajectory.given));
+    result_.sources.rows = std::make_shared<const std::vector<SurfaceSource>>(
+        sourcesOfCrossings(input, elements_, hermite, prepared_.body.namedFaces,
+                           prepared_.trajectory.trajectory, prepared_.trajectory.given));
     std::vector<double>().swap(hermite.exactSeconds);
   }
   std::vector<SweptElement>().swap(elements_);

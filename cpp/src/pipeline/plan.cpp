@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "geometry/mesh_parts.h"
 #include "grid/plan_grid.h"
+#include "motion/merge_steps.h"
 #include "motion/pivot.h"
 #include "motion/position_filter.h"
 #include "motion/refine_motion.h"
@@ -47,8 +48,8 @@ constexpr double kBytesPerCopy = 24;
 /// Largest number of triangle copies in a preview, so that it stays quick.
 constexpr double kPreviewCopies = 4e6;
 
-/// Refines the motion, so finely that it needs at most half of the memory limit. Splits the long
-/// edges of a turning body if `maySplit`.
+/// Refines the motion, so finely that it needs at most half of the memory limit. Then merges the
+/// steps that this accuracy does not need. Splits the long edges of a turning body if `maySplit`.
 Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, RunContext& run) {
   const Trajectory& trajectory = p.trajectory.trajectory;
   const double chord = options.chordTolerance * cell;
@@ -59,14 +60,15 @@ Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, 
         planFollowing(p.body.mesh, trajectory, chord, cell,
                       p.keepRoom ? std::min(room, kPreviewCopies) : room, maySplit, run);
     if (std::isfinite(how.longestEdge)) p.body.mesh = splitEdges(p.body.mesh, how.longestEdge, run);
-    return refineMotion(p.body.mesh, trajectory, how.chord, run);
+    return mergeSteps(refineMotion(p.body.mesh, trajectory, how.chord, run), p.body.mesh, chord,
+                      run);
   }
   // The cover (offset/) flattens side patches itself. So only the chords of points count here, and
   // the body is replaced by its vertices. An offset is measured from the chords, a conservative
   // envelope from the true motion near them.
   TriMesh points;
   points.vertices = p.body.mesh.vertices;
-  return refineMotion(points, trajectory, chord / 2, run);
+  return mergeSteps(refineMotion(points, trajectory, chord / 2, run), points, chord / 2, run);
 }
 
 /// Plans the run on the grid of the last run. Returns false if the sweep leaves that grid or fills
@@ -189,7 +191,9 @@ double usefulFilterOf(const Prepared& p, const Options& options) {
   }
   const FilteredTrajectory kept =
       filterPositions(p.trajectory.trajectory, boxOf(p.body.mesh), distance);
-  return kLeftOut * kept.trajectory.poses.size() <= poses ? distance : 0;
+  // Merged steps (motion/merge_steps.h) may have saved the time already.
+  const std::size_t used = std::min(poses, p.motion.placements.size());
+  return kLeftOut * kept.trajectory.poses.size() <= used ? distance : 0;
 }
 
 bool fitsMemory(const Estimate& e, const RunContext& run, std::uint64_t times) {

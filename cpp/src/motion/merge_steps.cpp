@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "motion/merge_steps.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "motion/step_path.h"
+
+namespace swept {
+namespace {
+
+/// Motions of fewer placements are left as they are: their runs are short.
+constexpr std::size_t kFewestPlacements = 256;
+/// A merge must save at least this fraction of the steps. Otherwise it would cost accuracy for
+/// hardly any time.
+constexpr double kLeastSaved = 0.5;
+/// Part of the bound that dropped placements may take. The rest is for arcs and warped patches.
+constexpr double kShare = 0.5;
+
+/// A placement, or a difference of placements, by what it does with the bounding box of the body:
+/// the place of the centre, and the three half axes.
+struct Frame {
+  Eigen::Matrix<double, 3, 4> columns;
+
+  /// Returns the largest length over the corners of the box.
+  double atCorners() const {
+    double most = 0;
+    for (int corner = 0; corner < 4; ++corner) {
+      const Eigen::Vector3d axes = columns.col(1) + (corner & 1 ? -1 : 1) * columns.col(2) +
+                                   (corner & 2 ? -1 : 1) * columns.col(3);
+      // The opposite corner has the other sign.
+      most = std::max(
+          {most, (columns.col(0) + axes).squaredNorm(), (columns.col(0) - axes).squaredNorm()});
+    }
+    return std::sqrt(most);
+  }
+};
+
+class Merger {
+ public:
+  Merger(const Motion& motion, const TriMesh& body, double chord)
+      : motion_(motion), chord_(chord), longest_(longestEdge(body)) {
+    Eigen::AlignedBox3d box;
+    for (const auto& v : body.vertices) box.extend(v);
+    const Eigen::Vector3d half = box.sizes() / 2;
+    frames_.reserve(motion.placements.size());
+    for (const Placement& p : motion.placements) {
+      Frame frame;
+      frame.columns << p.apply(box.center()), p.rotation * half.asDiagonal();
+      frames_.push_back(frame);
+    }
+    for (std::size_t k = 0; k < motion.steps(); ++k) arcs_.push_back(arcOf(k, box.center(), half));
+  }
+
+  /// Returns the last placement up to which the steps from `begin` on can be merged, and the bound
+  /// of the merged step.
+  std::size_t farthestFrom(std::size_t begin, double& bound) const {
+    const std::size_t last = motion_.placements.size() - 1;
+    std::size_t end = begin + 1, reach = 1;
+    bound = 0;
+    const auto tryTo = [&](std::size_t to) {
+      if (to > last || !fits(begin, to, bound)) return false;
+      end = to;
+      return true;
+    };
+    while (tryTo(end + reach)) reach *= 2;
+    for (; reach > 0; reach /= 2) tryTo(end + reach);
+    return end;
+  }
+
+ private:
+  /// Returns how far the true motion leaves the chords of the step k. The true path of a point is
+  /// an arc of nearly constant curvature, so it is farthest from its chord in the middle.
+  double arcOf(std::size_t k, const Eigen::Vector3d& centre, const Eigen::Vector3d& half) const {
+    constexpr double kRoom = 1.02;  // covers the terms of fourth order
+    const Placement& middle = motion_.midpoints[k];
+    Frame frame;
+    frame.columns << middle.apply(centre), middle.rotation * half.asDiagonal();
+    frame.columns -= (frames_[k].columns + frames_[k + 1].columns) / 2;
+    return kRoom * frame.atCorners();
+  }
+
+  /// Returns whether the steps from `begin` to `end` can become one step. Then sets `bound`.
+  bool fits(std::size_t begin, std::size_t end, double& bound) const {
+    const Placement &p = motion_.placements[begin], &q = motion_.placements[end];
+    const double duration = q.timeSeconds - p.timeSeconds;
+    if (!(duration > 0)) return false;
+    // |R - S| = 2 sqrt(2) sin(turn / 2) in the Frobenius norm.
+    const double sine = (p.rotation - q.rotation).norm() / (2 * std::sqrt(2.0));
+    const double warp = warpOf(2 * std::asin(std::min(1.0, sine)), longest_);
+    if (warp > chord_) return false;
+    double farthest = 0, arc = arcs_[begin];
+    const Frame &from = frames_[begin], &to = frames_[end];
+    for (std::size_t k = begin + 1; k < end; ++k) {
+      const double s = (motion_.placements[k].timeSeconds - p.timeSeconds) / duration;
+      const Frame off{frames_[k].columns - (1 - s) * from.columns - s * to.columns};
+      farthest = std::max(farthest, off.atCorners());
+      arc = std::max(arc, arcs_[k]);
+      if (farthest > kShare * chord_ || farthest + arc + warp > chord_) return false;
+    }
+    bound = farthest + arc + warp;
+    return true;
+  }
+
+  const Motion& motion_;
+  double chord_, longest_;
+  std::vector<Frame> frames_;
+  std::vector<double> arcs_;  // mm, per step
+};
+
+Placement between(const Placement& p, const Placement& q, double s) {
+  return {(1 - s) * p.rotation + s * q.rotation, (1 - s) * p.translation + s * q.translation,
+          (1 - s) * p.timeSeconds + s * q.timeSeconds};
+}
+
+/// Returns where the motion is half way in time between two placements.
+Placement middleOf(const Motion& motion, std::size_t begin, std::size_t end) {
+  if (end == begin + 1) return motion.midpoints[begin];
+  const auto first = motion.placements.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto last = motion.placements.begin() + static_cast<std::ptrdiff_t>(end);
+  const double time = (first->timeSeconds + last->timeSeconds) / 2;
+  // The first placement at or after this time; neither of the two ends.
+  const auto after = std::lower_bound(
+      first + 1, last, time, [](const Placement& p, double at) { return p.timeSeconds < at; });
+  const Placement &p = *(after - 1), &q = *after;
+  const double duration = q.timeSeconds - p.timeSeconds;
+  return between(p, q, duration > 0 ? (time - p.timeSeconds) / duration : 1);
+}
+
+}  // namespace
+
+Motion mergeSteps(Motion motion, const TriMesh& body, double chord, RunContext& run) {
+  if (!motion.continuous || motion.placements.size() < kFewestPlacements) return motion;
+  const Merger merger(motion, body, chord);
+  const std::size_t last = motion.placements.size() - 1;
+  const auto most = static_cast<std::size_t>((1 - kLeastSaved) * static_cast<double>(last));
+  std::vector<std::size_t> kept{0};
+  double bound = 0;  // of all merged steps
+  while (kept.back() != last) {
+    run.checkpoint(Phase::Motion, kept.back(), last);
+    double here;
+    kept.push_back(merger.farthestFrom(kept.back(), here));
+    bound = std::max(bound, here);
+    if (kept.size() > most + 1) return motion;
+  }
+  Motion merged;
+  merged.continuous = true;
+  merged.largestStepTravel = motion.largestStepTravel;
+  merged.chordError = std::max(motion.chordError, bound);
+  merged.mergeError = bound;
+  merged.placements.reserve(kept.size());
+  for (std::size_t n = 0; n < kept.size(); ++n) {
+    merged.placements.push_back(motion.placements[kept[n]]);
+    if (n > 0) merged.midpoints.push_back(middleOf(motion, kept[n - 1], kept[n]));
+  }
+  std::size_t n = 0;
+  for (const std::uint32_t placement : motion.poses) {
+    while (n + 1 < kept.size() && kept[n + 1] <= placement) ++n;
+    merged.poses.push_back(static_cast<std::uint32_t>(n));
+  }
+  return merged;
+}
+
+}  // namespace swept
