@@ -7,6 +7,9 @@ import _swept
 import swept_volume as sv
 
 
+NOTHING = np.empty((0, 3)), np.empty((0, 3), np.int32)
+
+
 class Reader:
     """Gives the same solids for every file, and keeps what it was asked."""
 
@@ -51,7 +54,7 @@ def test_without_a_tolerance_the_size_is_read_first(box, step):
 
 
 def test_parts_keep_the_names_of_the_reader(box, step):
-    reader = Reader(("left", *box, None), ("empty", [], [], None), ("right", *box, None))
+    reader = Reader(("left", *box, None), ("empty", *NOTHING, None), ("right", *box, None))
     parts = sv.read_parts(step, deflection=0.2, reader=reader)
     assert [name for name, _ in parts] == ["left", "right"]
     assert reader.asked[0][1] == 0.2
@@ -66,7 +69,7 @@ def test_a_mesh_file_needs_no_reader(box, tmp_path):
 
 
 def test_what_a_reader_does_wrong_is_said(box, step):
-    for solids in ((), (("a", [], [], None),)):
+    for solids in ((), (("a", *NOTHING, None),)):
         with pytest.raises(sv.InvalidInput, match="gehäuse.step.*no face") as caught:
             sv.read_body(step, tolerance=0.1, reader=Reader(*solids))
         assert caught.value.code == "NoSurface"
