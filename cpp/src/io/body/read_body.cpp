@@ -36,8 +36,8 @@ bool beginsLikeSolid(const std::string& path) {
          head.find("CASCADE Topology V") != std::string::npos;
 }
 
-// Reads the solids of a file with a linear (mm) and an angular deflection (rad), by the kernel or by
-// the caller. `shape` may be null.
+// Reads the solids of a file with a linear (mm) and an angular deflection (rad), by the kernel or
+// by the caller. `shape` may be null.
 using Shape = std::shared_ptr<const BodyShape>;
 using Read = std::function<std::vector<ImportedSolid>(double linear, double angular, Shape* shape)>;
 
