@@ -35,6 +35,15 @@ set(CMAKE_CXX_COMPILER ${tools}/c++)
 set(CMAKE_AR ${tools}/ar)
 set(CMAKE_RANLIB ${tools}/ranlib)
 set(CMAKE_RC_COMPILER ${tools}/rc)
+# A compiler cache, if there is one: what it cannot know by itself is which compiler the scripts run.
+find_program(SWEPT_CCACHE ccache)
+if(SWEPT_CCACHE)
+  set(words env CCACHE_COMPILERTYPE=clang CCACHE_COMPILERCHECK=content
+    CCACHE_SLOPPINESS=pch_defines,time_macros ${SWEPT_CCACHE})
+  foreach(language C CXX)
+    set(CMAKE_${language}_COMPILER_LAUNCHER "${words}" CACHE STRING "compiler cache")
+  endforeach()
+endif()
 
 if(SWEPT_ZIG_TARGET MATCHES "windows")
   set(CMAKE_SYSTEM_NAME Windows)

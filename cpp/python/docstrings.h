@@ -116,22 +116,28 @@ Reads a PLY, STL, OBJ or OFF file. unit: the unit of the numbers in the file (mm
 InvalidInput (code BadFile); its message says where the fault is.)";
 
 constexpr const char* kReadBodyDoc =
-    R"(read_body(path, unit='mm', tolerance=None, cell=None, resolution=128, run=None, angle=0.2)
--> Mesh
+    R"(read_body(path, unit='mm', tolerance=None, cell=None, resolution=128, run=None, angle=0.2,
+reader=None) -> Mesh
 
 Reads a moving part: a PLY, STL, OBJ or OFF file, as read_mesh() does, or all solids of a STEP or BREP file
 as one body. The triangles of a solid deviate from it by at most tolerance (mm). If tolerance is None,
 0.02 of cell (mm) is used; if cell is None too, 0.02 of the smallest cell that resolution can give for
 such a body. angle: largest angle (rad) between adjacent triangles of a curved face.
-Mesh.chord_error and Mesh.findings describe the result.)";
+Mesh.chord_error and Mesh.findings describe the result.
+
+reader: reads STEP and BREP files instead of the module's own OpenCASCADE: a function that takes path, linear
+deflection (mm) and angular deflection (rad) and returns (name, vertices, triangles, faces) for each solid, in
+mm; faces has the index of its face for each triangle, or is None. Mesh.shape is None then. A module without
+OpenCASCADE needs it for such files.)";
 
 constexpr const char* kReadPartsDoc =
-    R"(read_parts(path, unit='mm', chord_error=0.0, deflection=0.05, run=None) -> [(name, Mesh), ...]
+    R"(read_parts(path, unit='mm', chord_error=0.0, deflection=0.05, run=None, reader=None)
+-> [(name, Mesh), ...]
 
 Reads parts with their names. A mesh file is one part with the name of the file. In a STEP or BREP file,
 each solid is a part with the name of its product; its triangles deviate from it by at most deflection (mm).
-chord_error: how far (mm) the triangles of a mesh file deviate from the exact surface. Raises InvalidInput,
-Cancelled.)";
+chord_error: how far (mm) the triangles of a mesh file deviate from the exact surface. reader: as for
+read_body(). Raises InvalidInput, Cancelled.)";
 
 constexpr const char* kWriteMeshDoc =
     R"(write_mesh(path, vertices, triangles, no_clobber=False)

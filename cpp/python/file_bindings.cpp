@@ -8,6 +8,7 @@
 #include "docstrings.h"
 #include "errors.h"
 #include "job.h"
+#include "readers.h"
 #include "swept/body.h"
 #include "swept/io.h"
 #include "swept/solid.h"
@@ -42,11 +43,15 @@ Mesh pyReadMesh(const py::object& path, const std::string& unit) {
 
 Mesh pyReadBody(const py::object& path, const std::string& unit,
                 const std::optional<double>& tolerance, const std::optional<double>& cell,
-                int resolution, const py::object& run, double angle) {
+                int resolution, const py::object& run, double angle, const py::object& reader) {
   const RunPointer context = runFromObject(run);
   const std::string name = pathFromObject(path);
   const BodyFileOptions options{parseLengthUnit(unit), tolerance, cell, resolution, angle};
-  Body body = runWithoutLock(*context, [&] { return readBody(name, options, *context); });
+  std::optional<PythonSolidReader> caller;
+  if (!reader.is_none()) caller.emplace(py::cast<py::function>(reader));
+  Body body = runWithoutLock(*context, [&] {
+    return caller ? readBody(name, options, *caller, *context) : readBody(name, options, *context);
+  });
   return {std::make_shared<const TriMesh>(std::move(body.mesh)), body.chordError,
           findingsToList(body.findings), std::move(body.shape)};
 }
@@ -62,12 +67,16 @@ py::object shapeOf(const Mesh& mesh) {
 
 /// Returns (name, mesh) for each part.
 py::list pyReadParts(const py::object& path, const std::string& unit, double chordError,
-                     double deflection, const py::object& run) {
+                     double deflection, const py::object& run, const py::object& reader) {
   const RunPointer context = runFromObject(run);
   const std::string name = pathFromObject(path);
   const PartFileOptions options{parseLengthUnit(unit), chordError, deflection};
-  std::vector<NamedPart> parts =
-      runWithoutLock(*context, [&] { return readParts(name, options, *context); });
+  std::optional<PythonSolidReader> caller;
+  if (!reader.is_none()) caller.emplace(py::cast<py::function>(reader));
+  std::vector<NamedPart> parts = runWithoutLock(*context, [&] {
+    return caller ? readParts(name, options, *caller, *context)
+                  : readParts(name, options, *context);
+  });
   py::list list;
   for (NamedPart& part : parts) {
     const auto mesh = std::make_shared<const TriMesh>(std::move(part.mesh));
@@ -153,41 +162,11 @@ StepOptions solidOptions(const py::dict& keywords) {
   return options;
 }
 
-/// A reader of STEP files in Python: a function that takes the text (bytes) and returns a
-/// dictionary with the figures of check_solid() and "bad_faces".
-class PythonReader : public StepReader {
- public:
-  explicit PythonReader(py::function read) : read_(std::move(read)) {}
-  Answer read(const std::string& text) override {
-    const py::gil_scoped_acquire acquire;
-    const py::dict said = read_(py::bytes(text));
-    Answer answer;
-    answer.badFaces = py::cast<std::vector<std::int32_t>>(said["bad_faces"]);
-    answer.check.solids = py::cast<std::int64_t>(said["solids"]);
-    answer.check.shells = py::cast<std::int64_t>(said["shells"]);
-    answer.check.faces = py::cast<std::int64_t>(said["faces"]);
-    answer.check.edges = py::cast<std::int64_t>(said["edges"]);
-    answer.check.valid = py::cast<bool>(said["valid"]);
-    answer.check.complaint = py::cast<std::string>(said["complaint"]);
-    answer.check.volume = py::cast<double>(said["volume"]);
-    answer.check.edgeTolerance = py::cast<double>(said["edge_tolerance"]);
-    for (const std::int32_t face : answer.badFaces) {
-      if (face < 0 || face >= answer.check.faces)
-        throw py::value_error("bad_faces of the reader names face " + std::to_string(face) +
-                              " of " + std::to_string(answer.check.faces));
-    }
-    return answer;
-  }
-
- private:
-  py::function read_;
-};
-
 /// Writes with the reader of the caller, else with the kernel of this module.
 StepReport writeWith(const py::object& reader, const TriMesh& mesh, const std::string& name,
                      const StepOptions& options, RunContext& run) {
   if (!reader.is_none()) {
-    PythonReader judge(py::cast<py::function>(reader));
+    PythonStepReader judge(py::cast<py::function>(reader));
     return runWithoutLock(run, [&] { return writeSolid(mesh, name, options, judge, run); });
   }
   return runWithoutLock(run, [&] { return writeSolid(mesh, name, options, run); });
@@ -240,10 +219,11 @@ void bindFiles(py::module_& module) {
   module.def("read_mesh", &pyReadMesh, kReadMeshDoc, py::arg("path"), py::arg("unit") = "mm");
   module.def("read_body", &pyReadBody, kReadBodyDoc, py::arg("path"), py::arg("unit") = "mm",
              py::arg("tolerance") = py::none(), py::arg("cell") = py::none(),
-             py::arg("resolution") = 128, py::arg("run") = py::none(), py::arg("angle") = 0.2);
+             py::arg("resolution") = 128, py::arg("run") = py::none(), py::arg("angle") = 0.2,
+             py::arg("reader") = py::none());
   module.def("read_parts", &pyReadParts, kReadPartsDoc, py::arg("path"), py::arg("unit") = "mm",
              py::arg("chord_error") = 0.0, py::arg("deflection") = 0.05,
-             py::arg("run") = py::none());
+             py::arg("run") = py::none(), py::arg("reader") = py::none());
   module.def("write_mesh", &pyWriteMesh, kWriteMeshDoc, py::arg("path"), py::arg("vertices"),
              py::arg("triangles"), py::arg("no_clobber") = false);
   module.def("read_trajectory_csv", &pyReadTrajectory, kReadTrajectoryDoc, py::arg("path"),

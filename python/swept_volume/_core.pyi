@@ -5,6 +5,11 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 import numpy as np
 import numpy.typing as npt
 
+#: path, linear (mm) and angular deflection (rad) -> (name, vertices, triangles, faces or None)
+SolidReader = Callable[
+    [str, float, float],
+    Sequence[Tuple[str, npt.ArrayLike, npt.ArrayLike, Optional[npt.ArrayLike]]],
+]
 HAS_SOLIDS: bool
 __version__: str
 
@@ -128,6 +133,7 @@ def read_body(
     resolution: int = 128,
     run: Optional[RunContext] = None,
     angle: float = 0.2,
+    reader: Optional[SolidReader] = None,
 ) -> Mesh: ...
 def read_parts(
     path: Any,
@@ -135,6 +141,7 @@ def read_parts(
     chord_error: float = 0.0,
     deflection: float = 0.05,
     run: Optional[RunContext] = None,
+    reader: Optional[SolidReader] = None,
 ) -> List[Tuple[str, Mesh]]: ...
 def write_mesh(
     path: Any, vertices: npt.ArrayLike, triangles: npt.ArrayLike, no_clobber: bool = False

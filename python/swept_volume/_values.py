@@ -342,26 +342,37 @@ def read_body(
     resolution: Optional[int] = None,
     accuracy: Optional[float] = None,
     angle: float = 0.2,
+    reader: Optional["_core.SolidReader"] = None,
 ) -> Mesh:
     """Reads a moving part: a mesh file as read_mesh(), or all solids of a STEP or BREP file as one
     body. Solids are approximated by triangles, with a deviation of at most tolerance (mm). Without a
     tolerance, give accuracy (mm), cell (mm) or resolution of the envelope that will be computed: the
     deviation is then 0.01 of the accuracy, 0.02 of the cell, or 0.02 of the smallest cell that the
-    resolution (default 128) can give. angle: largest angle (rad) between neighbouring triangles."""
+    resolution (default 128) can give. angle: largest angle (rad) between neighbouring triangles. reader:
+    reads STEP and BREP files in place of OpenCASCADE, which a core from a wheel does not have
+    (help(swept_volume._core.read_body))."""
     refuse_both(resolution, cell)
     require_file(path)
     if tolerance is None and accuracy is not None:
         tolerance = 0.01 * accuracy
     cells = 128 if resolution is None else resolution
-    return Mesh._of_core(_core.read_body(path, unit, tolerance, cell, cells, angle=angle))
+    return Mesh._of_core(
+        _core.read_body(path, unit, tolerance, cell, cells, angle=angle, reader=reader)
+    )
 
 
 def read_parts(
-    path: Path, *, unit: str = "mm", chord_error: float = 0.0, deflection: float = 0.05
+    path: Path,
+    *,
+    unit: str = "mm",
+    chord_error: float = 0.0,
+    deflection: float = 0.05,
+    reader: Optional["_core.SolidReader"] = None,
 ) -> List[Tuple[str, Mesh]]:
     """Reads parts that keep their names, as neighbours of clearance(): a mesh file is one, named after
     the file; of a STEP or BREP file each solid is one, named after its product and tessellated within
-    deflection (mm). chord_error: mm, how far a mesh file leaves its exact surface."""
+    deflection (mm). chord_error: mm, how far a mesh file leaves its exact surface. reader: as for
+    read_body()."""
     require_file(path)
-    parts = _core.read_parts(path, unit, chord_error, deflection)
+    parts = _core.read_parts(path, unit, chord_error, deflection, reader=reader)
     return [(name, Mesh._of_core(mesh)) for name, mesh in parts]

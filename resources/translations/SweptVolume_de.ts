@@ -1042,11 +1042,11 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>The shape could not be turned into triangles: check it with Part &gt; Check geometry.</source>
+        <extracomment>Angular deflection of meshed solids (rad). The linear deflection depends on the cell.</extracomment>
         <translation>Die Form konnte nicht in Dreiecke zerlegt werden: Prüfen Sie sie mit Part &gt; Geometrie überprüfen.</translation>
     </message>
     <message>
         <source>The shape has {0} faces but no solid: make it a solid with Part &gt; Convert to solid or Part &gt; Shape builder, or choose a closed mesh.</source>
-        <extracomment>Angular deflection of meshed solids (rad). The linear deflection depends on the cell.</extracomment>
         <translation>Die Form hat {0} Flächen, aber keinen Festkörper: Machen Sie sie mit Part &gt; In Festkörper umwandeln oder Part &gt; Form-Generator zum Festkörper, oder wählen Sie ein geschlossenes Netz.</translation>
     </message>
     <message>
@@ -3653,6 +3653,10 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>Moves the selected part one step later</source>
         <translation>Rückt das ausgewählte Teil um einen Schritt nach hinten</translation>
+    </message>
+    <message>
+        <source>FreeCAD cannot read &quot;{0}&quot;: {1}</source>
+        <translation>FreeCAD kann „{0}“ nicht lesen: {1}</translation>
     </message>
 </context>
 <context>

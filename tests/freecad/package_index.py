@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A package index on this machine, which serves the built core as the package swept-volume. Needs
-neither FreeCAD nor the core, and runs in FreeCAD's process as well."""
+"""A package index on this machine, which serves the built core as the package swept-volume, and other
+wheels beside it, as numpy, which pip fetches for it. Needs neither FreeCAD nor the core, and runs in
+FreeCAD's process as well."""
 import base64
 import hashlib
 import http.server
@@ -67,8 +68,9 @@ class _Handler(http.server.BaseHTTPRequestHandler):
         name = os.path.basename(self.path.rstrip("/"))
         whole = os.path.join(self.server.folder, name)
         if self.path.startswith("/simple/"):
-            names = sorted(os.listdir(self.server.folder)) if name == "swept-volume" else []
-            links = ['<a href="/{0}">{0}</a>'.format(n) for n in names if n.endswith(".whl")]
+            wheels = [n for n in sorted(os.listdir(self.server.folder)) if n.endswith(".whl")]
+            names = [n for n in wheels if n.split("-")[0].replace("_", "-") == name]
+            links = ['<a href="/{0}">{0}</a>'.format(n) for n in names]
             self._send("<html>{}</html>".format("\n".join(links)).encode(), "text/html")
         elif os.path.isfile(whole):
             self.server.held.wait(300)

@@ -92,10 +92,35 @@ def _read_by_core(shape, deflection):
         return None
 
 
-def _shape_reader(part, deflection):
-    """Returns the reader() of a shape."""
+def meshed(shape, deflection, angle):
+    """Returns the triangles of a shape, created by FreeCAD: vertices (n,3) mm, triangles (m,3) and the
+    index of the face of each triangle (m,), or None if the faces are not known. Raises
+    InputProblem."""
     import MeshPart
 
+    # The shape caches its triangulation, and FreeCAD would reuse a finer one for ever. So a copy is
+    # meshed.
+    local = shape.copy()
+    mesh = MeshPart.meshFromShape(
+        Shape=local,
+        LinearDeflection=float(deflection),
+        AngularDeflection=float(angle),
+        Relative=False,
+        Segments=True,
+    )
+    if mesh.CountFacets == 0:
+        raise InputProblem(
+            translate(
+                "SweptVolume",
+                "The shape could not be turned into triangles: check it with Part > "
+                "Check geometry.",
+            )
+        )
+    return arrays_from_mesh(mesh) + (_faces_of_facets(mesh, local),)
+
+
+def _shape_reader(part, deflection):
+    """Returns the reader() of a shape."""
     shape = part.shape
     if not shape.Solids and not any(s.isClosed() for s in shape.Shells):
         raise InputProblem(
@@ -112,25 +137,7 @@ def _shape_reader(part, deflection):
         found = _read_by_core(own, float(deflection))
         if found is not None:
             return found
-        # The shape caches its triangulation, and FreeCAD would reuse a finer one for ever. So a
-        # copy is meshed.
-        local = own.copy()
-        mesh = MeshPart.meshFromShape(
-            Shape=local,
-            LinearDeflection=float(deflection),
-            AngularDeflection=ANGULAR_DEFLECTION,
-            Relative=False,
-            Segments=True,
-        )
-        if mesh.CountFacets == 0:
-            raise InputProblem(
-                translate(
-                    "SweptVolume",
-                    "The shape could not be turned into triangles: check it with Part > "
-                    "Check geometry.",
-                )
-            )
-        return arrays_from_mesh(mesh) + (_faces_of_facets(mesh, local),)
+        return meshed(own, deflection, ANGULAR_DEFLECTION)
 
     return read
 

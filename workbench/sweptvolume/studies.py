@@ -61,22 +61,23 @@ def read(path, output=None):
         raise InputProblem(text.format(path, problem.strerror or problem)) from None
 
 
-def load(run):
+def load(run, reader):
     """Reads the inputs of a run of a study file: the part (with vertices (n,3) mm and triangles
     (m,3)), its motion (times s, translations mm, rotations as quaternions x, y, z, w), and for
-    each neighbour (name, shape, rule as text; "" for the common distance). Raises
-    core.CoreError, InputProblem."""
+    each neighbour (name, shape, rule as text; "" for the common distance). reader: reads STEP and BREP
+    files, as the core's read_body() describes; None: the core does. Raises core.CoreError,
+    InputProblem."""
     values, files = _package("_values"), run.options[""]
     deflection = run.options.get("clearance", {}).get("deflection", 0.05)
     try:
         with core.errors():
             unit = files.get("part_unit", "mm")
-            body = values.read_body(run.part, unit=unit, tolerance=deflection)
+            body = values.read_body(run.part, unit=unit, tolerance=deflection, reader=reader)
             unit = files.get("neighbour_unit", "mm")
             parts = [
                 part
                 for file in run.neighbours
-                for part in values.read_parts(file, unit=unit, deflection=deflection)
+                for part in values.read_parts(file, unit=unit, deflection=deflection, reader=reader)
             ]
             texts = _package("_clearance").rule_texts(run.rules)
             rules = core.module().rules_for(texts, [name for name, _ in parts])

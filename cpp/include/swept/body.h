@@ -27,6 +27,7 @@ struct BodyFileOptions {
 };
 
 struct BodyShape;  // see solid.h
+class SolidReader;
 
 struct Body {
   TriMesh mesh;  ///< for a solid, faceOf has the indices of its faces, in the order of the file
@@ -48,6 +49,9 @@ bool isSolidFile(const std::string& path);
 /// smallest cell that the sweep of such a body can have at this resolution. Throws
 /// Error(InvalidInput, "BadFile" | "NoSurface" | "BadFormat" | "BadOption"), Error(Cancelled).
 Body readBody(const std::string& path, const BodyFileOptions& options, RunContext& run);
+/// Does the same, but asks `reader` instead of a kernel for solids. Body::shape is null.
+Body readBody(const std::string& path, const BodyFileOptions& options, SolidReader& reader,
+              RunContext& run);
 
 struct PartFileOptions {
   /// Unit of the numbers in a mesh file; a solid file states its own unit.
@@ -68,5 +72,8 @@ struct NamedPart {
 /// | "NoSurface" | "BadFormat"), Error(Cancelled).
 std::vector<NamedPart> readParts(const std::string& path, const PartFileOptions& options,
                                  RunContext& run);
+/// Does the same, but asks `reader` instead of a kernel for solids.
+std::vector<NamedPart> readParts(const std::string& path, const PartFileOptions& options,
+                                 SolidReader& reader, RunContext& run);
 
 }  // namespace swept

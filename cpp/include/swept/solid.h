@@ -1,5 +1,6 @@
 // Converts an envelope mesh to a B-rep solid in a STEP or BREP file, and reads meshes from such
-// files. Without OpenCASCADE, only writeSolid() with a StepReader works.
+// files. Without OpenCASCADE, the caller reads them: writeSolid() needs a StepReader then, and
+// readBody() and readParts() (swept/body.h) need a SolidReader.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -168,12 +169,22 @@ struct ImportedSolid {
 /// null, receives the faces and edges of the whole file.
 /// linearDeflection: how far (mm) triangles may deviate from the surface. angularDeflection: angle
 /// (rad) between adjacent triangles. Throws Error(InvalidInput, "BadFile" | "NoSurface"),
-/// Error(Cancelled).
+/// Error(Cancelled). Without a kernel: Error(InvalidInput, "BadFormat").
 std::vector<ImportedSolid> readSolids(const std::string& path, double linearDeflection,
                                       double angularDeflection, RunContext& run,
                                       std::shared_ptr<const BodyShape>* shape = nullptr);
 
-/// Throws Error(InvalidInput, "BadFile"), Error(Cancelled).
+/// Reads STEP and BREP files outside this library, such as FreeCAD's Part: for readBody() and
+/// readParts() (swept/body.h) where the library was built without a geometry kernel.
+class SolidReader {
+ public:
+  virtual ~SolidReader() = default;
+  /// Does what readSolids() does. Called in the thread of the run. An exception ends the run.
+  virtual std::vector<ImportedSolid> read(const std::string& path, double linearDeflection,
+                                          double angularDeflection) = 0;
+};
+
+/// Throws Error(InvalidInput, "BadFile" | "BadFormat"), Error(Cancelled).
 SolidCheck checkSolidFile(const std::string& path, RunContext& run);
 
 }  // namespace swept

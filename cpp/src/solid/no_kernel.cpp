@@ -1,10 +1,12 @@
-// Stands for the kernel in a build without one: solids are then made only with a reader of the
-// caller (swept/solid.h).
+// Stands for the kernel in a build without one: solids are then made and read only with a reader of
+// the caller (swept/solid.h, swept/body.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/model/judge.h"
+#include "swept/solid.h"
 #include "swept/types.h"
 
-namespace swept::step {
+namespace swept {
+namespace step {
 
 std::unique_ptr<Judge> openJudge() {
   throw Error(Status::ExportFailed, "NoKernel",
@@ -12,4 +14,25 @@ std::unique_ptr<Judge> openJudge() {
               "program that was built with OpenCASCADE");
 }
 
-}  // namespace swept::step
+}  // namespace step
+
+namespace {
+
+[[noreturn]] void refuseToRead(const std::string& path) {
+  throw Error(Status::InvalidInput, "BadFormat",
+              "'" + path +
+                  "': this program was built without OpenCASCADE and cannot read solids; give a "
+                  "mesh (ply, stl, obj, off)");
+}
+
+}  // namespace
+
+std::vector<ImportedSolid> readSolids(const std::string& path, double /*linearDeflection*/,
+                                      double /*angularDeflection*/, RunContext& /*run*/,
+                                      std::shared_ptr<const BodyShape>* /*shape*/) {
+  refuseToRead(path);
+}
+
+SolidCheck checkSolidFile(const std::string& path, RunContext& /*run*/) { refuseToRead(path); }
+
+}  // namespace swept

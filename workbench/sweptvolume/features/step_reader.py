@@ -1,17 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads STEP files with FreeCAD for a core that was built without OpenCASCADE. The core makes the text
-of a solid and asks here whether its faces are valid after reading; faces that are not lose their
-surface, and the core makes the text again. So only FreeCAD's own OpenCASCADE is in the process.
+"""Reads STEP and BREP files with FreeCAD for a core that was built without OpenCASCADE. So only
+FreeCAD's own OpenCASCADE is in the process.
 
-In: the text of a STEP file (bytes). Out: a dict, as the core's write_solid() describes for `reader`.
-Runs in the thread of the run. Cost: as opening the file in FreeCAD.
+The core makes the text of a solid and asks here whether its faces are valid after reading; faces
+that are not lose their surface, and the core makes the text again. It also asks here for the
+triangles of a part that is such a file.
+
+All functions run in the thread of the run. Cost: as opening the file in FreeCAD.
 """
 import os
 
+from .. import convert, core
+from ..body import InputProblem
 from ..safe_file import passing
+from ..texts import translate
 
 
 def read(text):
+    """Judges the text of a STEP file (bytes). Returns a dict, as the core's write_solid() describes for
+    `reader`."""
     import Part
 
     with passing(".step") as path:
@@ -62,8 +69,6 @@ def write(vertices, triangles, path, control, **options):
     """Writes a solid as core.write_solid() does, also as BREP, with FreeCAD as the reader."""
     import Part
 
-    from .. import core
-
     if not path.lower().endswith((".brep", ".brp")):
         return core.write_solid(vertices, triangles, path, control, reader=read, **options)
     with passing(".step") as step:
@@ -71,3 +76,33 @@ def write(vertices, triangles, path, control, **options):
         Part.read(step).exportBrep(path)
     report["file_bytes"] = os.path.getsize(path)
     return report
+
+
+def solids(path, deflection, angle):
+    """Reads the solids of a file, or all faces if there is no solid, as the core's read_body() describes
+    for `reader`. FreeCAD does not tell the names of the products: the solids have the name of the
+    file, and numbers if there are several. Raises InputProblem."""
+    import Part
+
+    try:
+        shape = Part.read(path)
+    except (Part.OCCError, OSError, RuntimeError) as problem:
+        text = translate("SweptVolume", 'FreeCAD cannot read "{0}": {1}')
+        raise InputProblem(text.format(path, problem)) from None
+    name = os.path.splitext(os.path.basename(path))[0]
+    parts = shape.Solids or [shape]
+    # The faces of a file are numbered through, if no two solids share one.
+    whole = sum(len(part.Faces) for part in parts) == len(shape.Faces)
+    found, first = [], 0
+    for number, part in enumerate(parts, 1):
+        vertices, triangles, faces = convert.meshed(part, deflection, angle)
+        faces = None if faces is None or not whole else faces + first
+        first += len(part.Faces)
+        label = "{} {}".format(name, number) if len(parts) > 1 else name
+        found.append((label, vertices, triangles, faces))
+    return found
+
+
+def parts_reader():
+    """Returns solids() if the core was built without OpenCASCADE, else None."""
+    return None if core.has_solids() else solids

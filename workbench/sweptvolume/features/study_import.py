@@ -10,7 +10,7 @@ from .. import convert, studies
 from ..meshes import mesh_from_arrays
 from ..texts import translate
 from ..trajectory.poses import INTERPOLATIONS
-from . import clearance, envelope, motion, neighbour_rules
+from . import clearance, envelope, motion, neighbour_rules, step_reader
 
 #: Options of a run -> properties; lengths in mm.
 _CLEARANCE = {
@@ -36,7 +36,7 @@ class Taken:
 
     def __init__(self, run):
         self.run = run
-        body, self.motion, parts = studies.load(run)
+        body, self.motion, parts = studies.load(run, step_reader.parts_reader())
         self.mesh = mesh_from_arrays(body.vertices, body.triangles, beside=App.GuiUp)
         self.parts = [
             (name, mesh_from_arrays(part.vertices, part.triangles, beside=App.GuiUp), rule)

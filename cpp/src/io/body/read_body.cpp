@@ -3,14 +3,13 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <functional>
 
 #include "base/number_text.h"
 #include "base/safe_file.h"
 #include "swept/body.h"
 #include "swept/io.h"
-#ifdef HAVE_SWEPT_SOLID
 #include "swept/solid.h"
-#endif
 
 namespace swept {
 namespace {
@@ -37,7 +36,31 @@ bool beginsLikeSolid(const std::string& path) {
          head.find("CASCADE Topology V") != std::string::npos;
 }
 
-#ifdef HAVE_SWEPT_SOLID
+// Reads the solids of a file with a linear (mm) and an angular deflection (rad), by the kernel or
+// by the caller. `shape` may be null.
+using Shape = std::shared_ptr<const BodyShape>;
+using Read = std::function<std::vector<ImportedSolid>(double linear, double angular, Shape* shape)>;
+
+Read byKernel(const std::string& path, RunContext& run) {
+  return [&](double linear, double angular, Shape* shape) {
+    return readSolids(path, linear, angular, run, shape);
+  };
+}
+
+Read byCaller(const std::string& path, SolidReader& reader, RunContext& run) {
+  return [&](double linear, double angular, Shape* /*shape*/) {
+    run.checkpoint(Phase::Input);
+    std::vector<ImportedSolid> solids = reader.read(path, linear, angular);
+    run.checkpoint(Phase::Input);
+    const auto isEmpty = [](const ImportedSolid& solid) { return solid.mesh.triangles.empty(); };
+    solids.erase(std::remove_if(solids.begin(), solids.end(), isEmpty), solids.end());
+    if (solids.empty())
+      throw Error(
+          Status::InvalidInput, "NoSurface",
+          "'" + path + "' contains no face that can be turned into triangles; export a solid");
+    return solids;
+  };
+}
 
 double longestSide(const std::vector<ImportedSolid>& solids) {
   Eigen::AlignedBox3d box;
@@ -50,13 +73,13 @@ double longestSide(const std::vector<ImportedSolid>& solids) {
 /// Returns the tessellation tolerance for a run whose cell is not known yet. Derives it from the
 /// size of the body, measured on coarse triangles. However the body is turned, the longest side of
 /// the box of its sweep is at least the longest side of the body divided by the square root of 3.
-double toleranceFromSize(const std::string& path, const BodyFileOptions& options, RunContext& run) {
+double toleranceFromSize(const Read& read, int resolution) {
   constexpr double kCoarse = 1;  // mm; or half a radian, whichever gives the finer mesh
-  const double side = longestSide(readSolids(path, kCoarse, 0.5, run));
-  return kTessellationFraction * side / std::sqrt(3.0) / options.resolution;
+  const double side = longestSide(read(kCoarse, 0.5, nullptr));
+  return kTessellationFraction * side / std::sqrt(3.0) / resolution;
 }
 
-Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunContext& run) {
+Body readSolidBody(const std::string& path, const BodyFileOptions& options, const Read& read) {
   if (options.millimetresPerUnit != 1) {
     throw Error(
         Status::InvalidInput, "BadOption",
@@ -65,7 +88,7 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunC
   Body body;
   body.chordError = options.tolerance  ? *options.tolerance
                     : options.cellSize ? kTessellationFraction * *options.cellSize
-                                       : toleranceFromSize(path, options, run);
+                                       : toleranceFromSize(read, options.resolution);
   if (!(body.chordError > 0)) {
     throw Error(Status::InvalidInput, "BadOption",
                 "the tolerance for the triangles of '" + path + "' is " +
@@ -76,8 +99,10 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunC
                 "the angle between the triangles of '" + path + "' is " +
                     numberText(options.angle, kTellingDigits) + " rad, but must be above 0");
   }
-  const std::vector<ImportedSolid> solids =
-      readSolids(path, body.chordError, options.angle, run, &body.shape);
+  const std::vector<ImportedSolid> solids = read(body.chordError, options.angle, &body.shape);
+  const bool facesAreKnown =
+      std::none_of(solids.begin(), solids.end(),
+                   [](const ImportedSolid& solid) { return solid.mesh.faceOf.empty(); });
   for (const ImportedSolid& solid : solids) {
     const auto first = static_cast<std::int32_t>(body.mesh.vertices.size());
     body.mesh.vertices.insert(body.mesh.vertices.end(), solid.mesh.vertices.begin(),
@@ -85,8 +110,9 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunC
     for (const auto& t : solid.mesh.triangles) {
       body.mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
     }
-    body.mesh.faceOf.insert(body.mesh.faceOf.end(), solid.mesh.faceOf.begin(),
-                            solid.mesh.faceOf.end());
+    if (facesAreKnown)
+      body.mesh.faceOf.insert(body.mesh.faceOf.end(), solid.mesh.faceOf.begin(),
+                              solid.mesh.faceOf.end());
   }
   const auto count = static_cast<std::int64_t>(solids.size());
   body.findings.push_back({"Tessellated",
@@ -99,31 +125,24 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, RunC
   return body;
 }
 
-std::vector<NamedPart> readSolidParts(const std::string& path, double deflection, RunContext& run) {
+std::vector<NamedPart> readSolidParts(double deflection, const Read& read) {
   std::vector<NamedPart> parts;
-  for (ImportedSolid& solid : readSolids(path, deflection, 0.2, run))
+  for (ImportedSolid& solid : read(deflection, 0.2, nullptr))
     parts.push_back({solid.name, std::move(solid.mesh), deflection});
   return parts;
 }
 
-#else
-
-[[noreturn]] void refuseSolid(const std::string& path) {
-  throw Error(Status::InvalidInput, "BadFormat",
-              "'" + path +
-                  "': this program was built without OpenCASCADE and cannot read solids; give a "
-                  "mesh (ply, stl, obj, off)");
+Body readMeshBody(const std::string& path, const BodyFileOptions& options) {
+  return {readMesh(path, options.millimetresPerUnit), 0, {}};
 }
 
-Body readSolidBody(const std::string& path, const BodyFileOptions&, RunContext&) {
-  refuseSolid(path);
+std::vector<NamedPart> readMeshPart(const std::string& path, const PartFileOptions& options) {
+  std::vector<NamedPart> parts(1);
+  parts[0].name = utf8FromPath(pathFromUtf8(path).stem());
+  parts[0].mesh = readMesh(path, options.millimetresPerUnit);
+  parts[0].chordError = options.chordError;
+  return parts;
 }
-
-std::vector<NamedPart> readSolidParts(const std::string& path, double, RunContext&) {
-  refuseSolid(path);
-}
-
-#endif
 
 }  // namespace
 
@@ -134,18 +153,26 @@ bool isSolidFile(const std::string& path) {
 }
 
 Body readBody(const std::string& path, const BodyFileOptions& options, RunContext& run) {
-  if (isSolidFile(path)) return readSolidBody(path, options, run);
-  return {readMesh(path, options.millimetresPerUnit), 0, {}};
+  if (!isSolidFile(path)) return readMeshBody(path, options);
+  return readSolidBody(path, options, byKernel(path, run));
+}
+
+Body readBody(const std::string& path, const BodyFileOptions& options, SolidReader& reader,
+              RunContext& run) {
+  if (!isSolidFile(path)) return readMeshBody(path, options);
+  return readSolidBody(path, options, byCaller(path, reader, run));
 }
 
 std::vector<NamedPart> readParts(const std::string& path, const PartFileOptions& options,
                                  RunContext& run) {
-  if (isSolidFile(path)) return readSolidParts(path, options.deflection, run);
-  std::vector<NamedPart> parts(1);
-  parts[0].name = utf8FromPath(pathFromUtf8(path).stem());
-  parts[0].mesh = readMesh(path, options.millimetresPerUnit);
-  parts[0].chordError = options.chordError;
-  return parts;
+  if (!isSolidFile(path)) return readMeshPart(path, options);
+  return readSolidParts(options.deflection, byKernel(path, run));
+}
+
+std::vector<NamedPart> readParts(const std::string& path, const PartFileOptions& options,
+                                 SolidReader& reader, RunContext& run) {
+  if (!isSolidFile(path)) return readMeshPart(path, options);
+  return readSolidParts(options.deflection, byCaller(path, reader, run));
 }
 
 }  // namespace swept

@@ -1,0 +1,81 @@
+// Functions of Python that read solids in place of the module's own OpenCASCADE. They are called in
+// the thread of a run, and take the interpreter lock for that time.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "swept/solid.h"
+
+namespace swept::python {
+
+/// A reader of STEP files in Python: a function that takes the text (bytes) and returns a
+/// dictionary with the figures of check_solid() and "bad_faces".
+class PythonStepReader : public StepReader {
+ public:
+  explicit PythonStepReader(py::function read) : read_(std::move(read)) {}
+  Answer read(const std::string& text) override {
+    const py::gil_scoped_acquire acquire;
+    const py::dict said = read_(py::bytes(text));
+    Answer answer;
+    answer.badFaces = py::cast<std::vector<std::int32_t>>(said["bad_faces"]);
+    answer.check.solids = py::cast<std::int64_t>(said["solids"]);
+    answer.check.shells = py::cast<std::int64_t>(said["shells"]);
+    answer.check.faces = py::cast<std::int64_t>(said["faces"]);
+    answer.check.edges = py::cast<std::int64_t>(said["edges"]);
+    answer.check.valid = py::cast<bool>(said["valid"]);
+    answer.check.complaint = py::cast<std::string>(said["complaint"]);
+    answer.check.volume = py::cast<double>(said["volume"]);
+    answer.check.edgeTolerance = py::cast<double>(said["edge_tolerance"]);
+    for (const std::int32_t face : answer.badFaces) {
+      if (face < 0 || face >= answer.check.faces)
+        throw py::value_error("bad_faces of the reader names face " + std::to_string(face) +
+                              " of " + std::to_string(answer.check.faces));
+    }
+    return answer;
+  }
+
+ private:
+  py::function read_;
+};
+
+/// A function that takes the path of a STEP or BREP file, a linear (mm) and an angular deflection
+/// (rad), and returns (name, vertices, triangles, faces or None) for each solid.
+class PythonSolidReader : public SolidReader {
+ public:
+  explicit PythonSolidReader(py::function read) : read_(std::move(read)) {}
+  std::vector<ImportedSolid> read(const std::string& path, double linearDeflection,
+                                  double angularDeflection) override {
+    const py::gil_scoped_acquire acquire;
+    std::vector<ImportedSolid> solids;
+    const py::object native = py::module_::import("os").attr("fsdecode")(py::bytes(path));
+    for (const py::handle& item : read_(native, linearDeflection, angularDeflection))
+      solids.push_back(solidFrom(py::cast<py::tuple>(item)));
+    return solids;
+  }
+
+ private:
+  static ImportedSolid solidFrom(const py::tuple& item) {
+    if (item.size() != 4)
+      throw py::value_error(
+          "the reader must return (name, vertices, triangles, faces) for each solid");
+    ImportedSolid solid{py::cast<std::string>(item[0]), meshFromArrays(item[1], item[2])};
+    if (item[3].is_none()) return solid;
+    solid.mesh.faceOf = facesFromArray(item[3]);
+    if (solid.mesh.faceOf.size() != solid.mesh.triangles.size())
+      throw py::value_error("the reader gives " + std::to_string(solid.mesh.faceOf.size()) +
+                            " faces for " + std::to_string(solid.mesh.triangles.size()) +
+                            " triangles of '" + solid.name + "'");
+    return solid;
+  }
+
+  py::function read_;
+};
+
+}  // namespace swept::python
