@@ -68,6 +68,9 @@ struct Report {
   std::int64_t crossings = 0;     ///< crossings that contribute to the envelope
   double largestStepTravel = 0;   ///< mm
   double chordError = 0;  ///< mm: bound on the deviation of the refined motion from the true motion
+  /// mm: bound on the distance between the given body and the thinned one that was swept in its
+  /// place; 0: not thinned.
+  double bodyDeviation = 0;
   double simplificationDeviation = 0;  ///< mm, measured both ways; 0: not simplified
   /// mm: bound on the distance of the envelope from the volume it must contain; 0: not
   /// conservative.

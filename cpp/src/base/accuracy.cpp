@@ -15,9 +15,10 @@ namespace {
 /// surface. No point of these cells is farther from this edge's crossing than the diagonal of a
 /// cell.
 constexpr double kDiagonal = std::numbers::sqrt3;
-/// Shares of the accuracy. The cell takes 0.87 of it, the tolerance 0.1, and the chords 0.02.
+/// Shares of the accuracy. The cell takes 0.87 of it, the tolerance 0.1, the chords 0.02, and the
+/// thinned body half as much as the chords.
 constexpr double kCell = 0.5, kTolerance = 0.1, kChordCells = 0.04;
-static_assert(kDiagonal * kCell + kTolerance + kChordCells * kCell < 1);
+static_assert(kDiagonal * kCell + kTolerance + 1.5 * kChordCells * kCell < 1);
 
 }  // namespace
 
@@ -36,8 +37,8 @@ double accuracyBound(const Report& report) {
       std::any_of(report.warnings.begin(), report.warnings.end(),
                   [](const Finding& f) { return f.code == "Offset" || f.code == "Conservative"; });
   if (grown || report.crossings <= 0) return 0;
-  return kDiagonal * report.cellSize + report.chordError + report.positionFilterDistance +
-         report.simplificationDeviation;
+  return kDiagonal * report.cellSize + report.chordError + report.bodyDeviation +
+         report.positionFilterDistance + report.simplificationDeviation;
 }
 
 std::string cellOrAccuracy(double cell) {

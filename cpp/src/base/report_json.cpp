@@ -79,6 +79,7 @@ Json reportJson(const Report& report, const char* command) {
     json["refined_placements"] = report.refinedPlacements;
     json["largest_step_travel"] = report.largestStepTravel;
     json["chord_error"] = report.chordError;
+    if (report.bodyDeviation > 0) json["body_deviation"] = report.bodyDeviation;
   }
   if (report.crossings > 0) {
     json["swept_faces"] = report.sweptFaces;

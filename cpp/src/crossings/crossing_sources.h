@@ -2,8 +2,9 @@
 //
 // In: the elements that made the crossings, and the crossings with exact times. Out: a row per
 // crossing (swept/sources.h). Units: mm, seconds. Cost: O(crossings), some nanoseconds each; 48
-// bytes a crossing. Sampling stores the element of every crossing, so no search is needed, and the
-// mesh is the same with and without sources.
+// bytes a crossing. Sampling stores the element of every crossing, so no search is needed. The
+// mesh is the same with and without sources, unless the run without them thins the body
+// (pipeline/thinned_body.h).
 //
 // An edge of the body is sharp or smooth as a whole. Where two faces meet along a chain of edges,
 // the median of their angles decides, so that coarse triangles do not make some edges of the chain

@@ -130,6 +130,7 @@ void EnvelopeRun::describePlan() {
   report_.refinedPlacements = static_cast<std::int64_t>(prepared_.motion.placements.size());
   report_.largestStepTravel = prepared_.motion.largestStepTravel;
   report_.chordError = prepared_.motion.chordError;
+  report_.bodyDeviation = prepared_.bodyDeviation;
   constexpr double kRounding = 1 + 1e-6;
   const double asked = options_.chordTolerance * report_.cellSize;
   if (!sketch_ && report_.chordError > kRounding * asked) {

@@ -15,6 +15,7 @@
 #include "motion/position_filter.h"
 #include "motion/refine_motion.h"
 #include "motion/split_edges.h"
+#include "pipeline/thinned_body.h"
 #include "pipeline/trial_steps.h"
 #include "sampling/dense/dense_sampler.h"
 
@@ -135,6 +136,11 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
     planGrid(sweptBox(p.body.mesh, coarse, run), bodyBox, options);
   }
   p.motion = refined(p, options, cell, !p.keepBody, run);
+  if (std::optional<TriMesh> thin = thinnedBody(p, given, cell, options, run)) {
+    p.body.mesh = std::move(*thin);
+    p.bodyDeviation = bodyThinning(cell, options);
+    p.motion = refined(p, options, cell, !p.keepBody, run);
+  }
   const Eigen::AlignedBox3d box = grownBox(sweptBox(given, p.motion, run), cell, options);
   Options fixed = options;
   if (p.keepRoom) fixed.cellSize = cell;

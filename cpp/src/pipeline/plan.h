@@ -32,7 +32,8 @@ struct Prepared {
   /// has a margin for later sweeps.
   const GridPlan* lastGrid = nullptr;
   bool keepRoom = false;
-  bool keepBody = false;  ///< true: do not split long edges, since the topology is in use
+  bool keepBody = false;     ///< true: do not split long edges, since the topology is in use
+  double bodyDeviation = 0;  ///< mm, largest distance between the given body and the thinned one
   Motion motion;
   GridPlan grid;
 };

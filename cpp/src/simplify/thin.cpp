@@ -7,11 +7,12 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "geometry/half_edges.h"
 #include "geometry/nearest_triangle.h"
 #include "geometry/quadric.h"
 #include "geometry/self_intersections.h"
 #include "geometry/triangle_pairs.h"
+#include "simplify/mapped_move.h"
+#include "simplify/triangle_fans.h"
 
 namespace swept {
 namespace {
@@ -26,7 +27,8 @@ constexpr double kFirstFraction = 0.1;  // share of the limit in the first round
 // edge collapses gets a quarter of the triangles of the mesh for surface recognition. More rounds
 // do not make it smaller.
 struct Manner {
-  int rounds = 3;
+  int rounds = 3;           // with growing limits
+  int lastRounds = 0;       // further ones with the whole limit
   double meanFraction = 1;  // share of the limit: largest root mean square distance from the planes
   double minCosine = 0.5;   // a triangle may turn by less than 60 degrees
   double minShape = 0.03;   // area vector / longest side squared
@@ -35,16 +37,26 @@ struct Manner {
   // remained on a scanned body (the bunny test mesh moved over 16 keys, 2 mm). Surface recognition
   // does not need it: surfaces are fitted to the vertices, and the solid is measured in the end.
   bool looksBack = true;
+  bool proven = false;  // the limit holds at every point of the surface, in both directions
 };
 constexpr Manner kForCollapse;
-constexpr Manner kForSurfaces{6, 0.35, 0.5, 0.15, 8, false};
+constexpr Manner kForSurfaces{6, 0, 0.35, 0.5, 0.15, 8, false};
+// A body that is swept may have triangles of any shape.
+constexpr Manner kForSweep{8, 4, 1, 0.5, 1e-4, 1e9, false, true};
 
-constexpr int kMaxNeighbours = 40;
-using Corners = std::array<std::int32_t, 3>;
+constexpr double kStill = 1e-3;  // moves below this fraction of the limit do not count as moves
+
+Manner mannerOf(ThinFor purpose) {
+  if (purpose == ThinFor::Sweep) return kForSweep;
+  return purpose == ThinFor::Collapse ? kForCollapse : kForSurfaces;
+}
+
+using Corners = TriangleFans::Corners;
 
 // Buffers that a pass reuses.
 struct Scratch {
   std::vector<Corners> fresh, nearby;
+  std::vector<Vector3d> ring;
 };
 
 // Number of parallel parts; fixed, so that the result does not depend on the number of threads.
@@ -62,15 +74,14 @@ class Thinner {
         phase_(phase),
         run_(run),
         origin_(meanOf(mesh.vertices)),
-        opposite_(std::move(findAdjacency(mesh).across)) {
+        fans_(mesh) {
     const std::size_t count = mesh.vertices.size();
     points_.reserve(count);
     for (const Vector3d& p : mesh.vertices) points_.push_back(p - origin_);
-    vertex_.resize(opposite_.size());
     quadric_.resize(count);
-    fan_.assign(count, -1);
     off_.assign(count, 0);
     into_.assign(count, -1);
+    if (manner_.proven) moved_.assign(mesh.triangles.size(), 0);
     double sum = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto& tri = mesh.triangles[t];
@@ -80,14 +91,9 @@ class Thinner {
       const double twice = area.norm();
       Quadric plane;
       if (twice > 0) plane.addPlane(area / twice, a, twice);
-      for (int k = 0; k < 3; ++k) {
-        const auto h = static_cast<std::int32_t>(3 * t + k);
-        vertex_[h] = tri[k];
-        fan_[tri[k]] = h;
-        quadric_[tri[k]] += plane;
-      }
+      for (const std::int32_t v : tri) quadric_[v] += plane;
     }
-    const double longest = manner_.longest * sum / static_cast<double>(opposite_.size());
+    const double longest = manner_.longest * sum / static_cast<double>(3 * mesh.triangles.size());
     longest_ = longest * longest;
   }
 
@@ -96,11 +102,11 @@ class Thinner {
     for (std::size_t part = 0; part < kParts; ++part)
       std::fill(partOf_.begin() + firstOf(part), partOf_.begin() + firstOf(part + 1),
                 static_cast<char>(part));
-    for (int round = 0; round < manner_.rounds; ++round) {
-      const double fraction =
-          kFirstFraction * std::pow(1 / kFirstFraction, round / (manner_.rounds - 1.0));
-      const double limit = fraction * limit_;
+    for (int round = 0; round < manner_.rounds + manner_.lastRounds; ++round) {
+      const double progress = std::min(1.0, round / (manner_.rounds - 1.0));
+      const double limit = kFirstFraction * std::pow(1 / kFirstFraction, progress) * limit_;
       findInner();
+      if (manner_.proven) touched_.assign(moved_.size(), 0);
       parallelFor(kParts,
                   [&](std::size_t part) { pass(firstOf(part), firstOf(part + 1), limit, true); });
       pass(0, static_cast<std::int32_t>(points_.size()), limit, false);
@@ -111,11 +117,11 @@ class Thinner {
   Thinned result(const TriMesh& mesh) const {
     Thinned out;
     std::vector<std::int32_t> id(points_.size(), -1);
-    for (std::size_t t = 0; t < vertex_.size() / 3; ++t) {
-      if (vertex_[3 * t] < 0) continue;
+    for (std::size_t t = 0; t < fans_.triangles(); ++t) {
+      if (fans_.isGone(t)) continue;
       std::array<std::int32_t, 3> corners{};
       for (int k = 0; k < 3; ++k) {
-        const std::int32_t v = vertex_[3 * t + k];
+        const std::int32_t v = fans_.start(static_cast<std::int32_t>(3 * t + k));
         if (id[v] < 0) {
           id[v] = static_cast<std::int32_t>(out.source.size());
           out.source.push_back(v);
@@ -148,10 +154,11 @@ class Thinner {
   }
   void findInner() {
     inner_.assign(points_.size(), 1);
-    for (std::size_t h = 0; h < vertex_.size(); ++h) {
-      const std::int32_t v = vertex_[h];
+    for (std::size_t n = 0; n < 3 * fans_.triangles(); ++n) {
+      const auto h = static_cast<std::int32_t>(n);
+      const std::int32_t v = fans_.start(h);
       if (v < 0) continue;
-      const std::int32_t w = target(static_cast<std::int32_t>(h));
+      const std::int32_t w = fans_.target(h);
       if (partOf_[v] != partOf_[w]) inner_[v] = inner_[w] = 0;
     }
   }
@@ -161,79 +168,77 @@ class Thinner {
     Scratch scratch;
     for (std::int32_t v = begin; v < end; ++v) {
       if ((v & 8191) == 0) run_.checkpoint(phase_);
-      if (fan_[v] >= 0 && !kept_[v] && (inner_[v] != 0) == inner) removeIfClose(v, limit, scratch);
+      if (!fans_.wasMerged(v) && !kept_[v] && (inner_[v] != 0) == inner)
+        removeIfClose(v, limit, scratch);
     }
   }
-
-  // Returns the next half-edge that starts at the same vertex.
-  std::int32_t turn(std::int32_t h) const {
-    return static_cast<std::int32_t>(opposite_[previousHalfEdge(h)]);
-  }
-  std::int32_t target(std::int32_t h) const { return vertex_[nextHalfEdge(h)]; }
 
   // Merges vertex u into the neighbour with the smallest error, if that is within the limit.
   void removeIfClose(std::int32_t u, double limit, Scratch& scratch) {
     double best = manner_.meanFraction * manner_.meanFraction * limit * limit;
     std::int32_t chosen = -1;
     int neighbours = 0;
-    std::int32_t h = fan_[u];
+    std::int32_t h = fans_.first(u);
     do {
-      const std::int32_t v = target(h);
+      const std::int32_t v = fans_.target(h);
       const double mean = quadric_[u].mean(points_[v]);
       if (mean < best) {
         best = mean;
         chosen = h;
       }
-      if (++neighbours > kMaxNeighbours) return;
-      h = turn(h);
-    } while (h != fan_[u]);
+      if (++neighbours > TriangleFans::kMaxNeighbours) return;
+      h = fans_.turn(h);
+    } while (h != fans_.first(u));
     if (chosen >= 0 && mayCollapse(chosen, limit, scratch)) collapse(chosen);
   }
 
-  int valence(std::int32_t v) const {
-    int count = 0;
-    std::int32_t h = fan_[v];
-    do {
-      ++count;
-      h = turn(h);
-    } while (h != fan_[v]);
-    return count;
+  bool mayCollapse(std::int32_t edge, double limit, Scratch& scratch) {
+    if (!fans_.staysManifold(edge)) return false;
+    double off = 0;
+    if (!trianglesHold(edge, limit, off)) return false;
+    if (manner_.proven) off = provenMove(edge, scratch);
+    if (off > limit || meetsNeighbours(edge, scratch)) return false;
+    double& before = off_[fans_.target(edge)];
+    before = std::max(before, off);
+    if (manner_.proven) markMoved(edge, off);
+    return true;
   }
 
-  bool mayCollapse(std::int32_t edge, double limit, Scratch& scratch) {
-    const std::int32_t v = target(edge);
-    // The two ends must share exactly two neighbours. Each of these must keep three or more.
-    std::array<std::int32_t, kMaxNeighbours> ring;
-    std::int32_t h = fan_[v];
-    auto end = ring.begin();
+  void markMoved(std::int32_t edge, double off) {
+    std::int32_t h = edge;
     do {
-      if (end == ring.end()) return false;
-      *end++ = target(h);
-      h = turn(h);
-    } while (h != fan_[v]);
-    std::ptrdiff_t common = 0;
-    h = edge;
-    do {
-      common += std::count(ring.begin(), end, target(h));
-      h = turn(h);
+      if (off > moved_[h / 3] + kStill * limit_) touched_[h / 3] = 1;
+      moved_[h / 3] = off;
+      h = fans_.turn(h);
     } while (h != edge);
-    if (common != 2) return false;
-    if (valence(vertex_[previousHalfEdge(edge)]) <= 3) return false;
-    if (valence(vertex_[previousHalfEdge(opposite_[edge])]) <= 3) return false;
-    double off = 0;
-    if (!trianglesHold(edge, limit, off) || meetsNeighbours(edge, scratch)) return false;
-    off_[v] = std::max(off_[v], off);
-    return true;
+  }
+
+  // Returns how far the surface between the neighbours of u may deviate from the input mesh after
+  // the collapse.
+  double provenMove(std::int32_t edge, Scratch& scratch) const {
+    const Vector3d& from = points_[fans_.start(edge)];
+    scratch.ring.clear();
+    double before = 0;
+    bool touched = false;
+    std::int32_t h = edge;
+    do {
+      scratch.ring.push_back(points_[fans_.target(h)] - from);
+      before = std::max(before, moved_[h / 3]);
+      touched = touched || touched_[h / 3];
+      h = fans_.turn(h);
+    } while (h != edge);
+    const double move = mappedMove(scratch.ring);
+    return touched && move > kStill * limit_ ? HUGE_VAL : before + move;
   }
 
   // `off` receives how far the vertices merged into u may deviate from the new triangles.
   bool trianglesHold(std::int32_t edge, double limit, double& off) const {
-    const std::int32_t u = vertex_[edge];
-    const Vector3d &from = points_[u], &to = points_[target(edge)];
+    const std::int32_t u = fans_.start(edge);
+    const Vector3d &from = points_[u], &to = points_[fans_.target(edge)];
     double nearest = 1e300;
-    for (std::int32_t h = turn(edge); h != edge; h = turn(h)) {
-      const Vector3d &b = points_[target(h)], &c = points_[vertex_[previousHalfEdge(h)]];
-      if (vertex_[previousHalfEdge(h)] == target(edge)) continue;
+    for (std::int32_t h = fans_.turn(edge); h != edge; h = fans_.turn(h)) {
+      const Vector3d &b = points_[fans_.target(h)], &c = points_[fans_.third(h)];
+      if (fans_.third(h) == fans_.target(edge)) continue;
       const Vector3d before = (b - from).cross(c - from), after = (b - to).cross(c - to);
       const double area = after.norm();
       const double longest =
@@ -248,18 +253,6 @@ class Thinner {
     return off <= limit;
   }
 
-  // Returns whether visit(corners) is true for all triangles at v that do not touch u.
-  template <class Visit>
-  bool allAbout(std::int32_t v, std::int32_t u, const Visit& visit) const {
-    std::int32_t h = fan_[v];
-    do {
-      const Corners c{v, target(h), vertex_[previousHalfEdge(h)]};
-      if (c[1] != u && c[2] != u && !visit(c)) return false;
-      h = turn(h);
-    } while (h != fan_[v]);
-    return true;
-  }
-
   Vector3d areaOf(const Corners& c) const {
     return (points_[c[1]] - points_[c[0]]).cross(points_[c[2]] - points_[c[0]]);
   }
@@ -268,28 +261,29 @@ class Thinner {
   // with plane and curved faces, thinning produced only such pairs (50 to 90 per million
   // triangles). If all of them face the same way, no pair intersects.
   bool meetsNeighbours(std::int32_t edge, Scratch& scratch) const {
-    const std::int32_t u = vertex_[edge], v = target(edge);
+    const std::int32_t u = fans_.start(edge), v = fans_.target(edge);
     scratch.fresh.clear();
     Vector3d mean = Vector3d::Zero();
-    for (std::int32_t h = turn(edge); h != edge; h = turn(h)) {
-      const Corners c{v, target(h), vertex_[previousHalfEdge(h)]};
+    for (std::int32_t h = fans_.turn(edge); h != edge; h = fans_.turn(h)) {
+      const Corners c{v, fans_.target(h), fans_.third(h)};
       if (c[2] == v) continue;
       scratch.fresh.push_back(c);
       mean += areaOf(c);
     }
     const auto facesIt = [&](const Corners& c) { return areaOf(c).dot(mean) > 0; };
-    bool plain =
-        std::all_of(scratch.fresh.begin(), scratch.fresh.end(), facesIt) && allAbout(v, u, facesIt);
-    for (std::int32_t h = turn(edge); plain && h != edge; h = turn(h))
-      plain = allAbout(target(h), u, facesIt);
+    bool plain = std::all_of(scratch.fresh.begin(), scratch.fresh.end(), facesIt) &&
+                 fans_.allAbout(v, u, facesIt);
+    for (std::int32_t h = fans_.turn(edge); plain && h != edge; h = fans_.turn(h))
+      plain = fans_.allAbout(fans_.target(h), u, facesIt);
     if (plain) return false;
     scratch.nearby.clear();
     const auto take = [&](const Corners& c) {
       scratch.nearby.push_back(c);
       return true;
     };
-    allAbout(v, u, take);
-    for (std::int32_t h = turn(edge); h != edge; h = turn(h)) allAbout(target(h), u, take);
+    fans_.allAbout(v, u, take);
+    for (std::int32_t h = fans_.turn(edge); h != edge; h = fans_.turn(h))
+      fans_.allAbout(fans_.target(h), u, take);
     for (std::size_t i = 0; i < scratch.fresh.size(); ++i) {
       const Corners& c = scratch.fresh[i];
       const auto meets = [&](const Corners& other) { return meetWrongly(vertices_, c, other); };
@@ -302,17 +296,17 @@ class Thinner {
 
   // Returns the largest squared distance of the middle of a new edge from the old triangles at u.
   double squaredRise(std::int32_t edge, double limit) const {
-    const std::int32_t u = vertex_[edge];
-    const Vector3d &from = points_[u], &to = points_[target(edge)];
+    const std::int32_t u = fans_.start(edge);
+    const Vector3d &from = points_[u], &to = points_[fans_.target(edge)];
     double rise = 0;
-    for (std::int32_t h = turn(edge); h != edge && rise <= limit * limit; h = turn(h)) {
-      const Vector3d middle = 0.5 * (to + points_[target(h)]);
+    for (std::int32_t h = fans_.turn(edge); h != edge && rise <= limit * limit; h = fans_.turn(h)) {
+      const Vector3d middle = 0.5 * (to + points_[fans_.target(h)]);
       double least = 1e300;
       std::int32_t old = h;
       do {
-        least = std::min(least, squaredDistance(middle, from, points_[target(old)],
-                                                points_[vertex_[previousHalfEdge(old)]]));
-        old = turn(old);
+        least = std::min(least, squaredDistance(middle, from, points_[fans_.target(old)],
+                                                points_[fans_.third(old)]));
+        old = fans_.turn(old);
       } while (old != h && least > rise);
       rise = std::max(rise, least);
     }
@@ -320,28 +314,10 @@ class Thinner {
   }
 
   void collapse(std::int32_t edge) {
-    const std::int32_t u = vertex_[edge], v = target(edge),
-                       back = static_cast<std::int32_t>(opposite_[edge]);
+    const std::int32_t u = fans_.start(edge), v = fans_.target(edge);
     quadric_[v] += quadric_[u];
     into_[u] = v;
-    std::int32_t h = edge;
-    do {
-      const std::int32_t following = turn(h);
-      vertex_[h] = v;
-      h = following;
-    } while (h != edge);
-    for (const std::int32_t side : {edge, back}) {
-      const std::uint32_t a = opposite_[nextHalfEdge(side)], b = opposite_[previousHalfEdge(side)];
-      opposite_[a] = b;
-      opposite_[b] = a;
-      // Surviving half-edges replace those of the two removed triangles.
-      fan_[vertex_[a]] = static_cast<std::int32_t>(a);
-      fan_[vertex_[b]] = static_cast<std::int32_t>(b);
-    }
-    for (const std::int32_t side : {edge, back}) {
-      for (int k = 0; k < 3; ++k) vertex_[side / 3 * 3 + k] = -1;
-    }
-    fan_[u] = -1;
+    fans_.merge(edge);
   }
 
   const std::vector<Vector3d>& vertices_;
@@ -352,11 +328,13 @@ class Thinner {
   RunContext& run_;
   Vector3d origin_;
   std::vector<Vector3d> points_;
-  std::vector<std::int32_t> vertex_;  // by half-edge: its start vertex; -1: removed
-  RawArray<std::uint32_t> opposite_;
-  std::vector<std::int32_t> fan_;  // by vertex: a half-edge that starts there; -1: removed
+  TriangleFans fans_;
   std::vector<Quadric> quadric_;
-  std::vector<double> off_;         // by vertex: how far vertices merged into it may deviate
+  std::vector<double> off_;    // by vertex: how far vertices merged into it may deviate
+  std::vector<double> moved_;  // by triangle: bound on its distance from the input mesh; if proven
+  // By triangle: 1 if it moved in this round. It may not move again: the bounds of moves add up,
+  // and rise least if each round moves each place once.
+  Flags touched_;
   std::vector<std::int32_t> into_;  // by vertex: the vertex into which it was merged; -1: none
   double longest_ = 0;              // longest edge allowed, in mm^2
   Flags partOf_;
@@ -383,7 +361,7 @@ void keepAbout(const SelfIntersections& found, const Thinned& thinned, const Thi
 
 Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase, RunContext& run,
                 std::vector<char> kept) {
-  const Manner& manner = purpose == ThinFor::Collapse ? kForCollapse : kForSurfaces;
+  const Manner manner = mannerOf(purpose);
   kept.resize(mesh.vertices.size(), 0);
   std::int64_t before = std::numeric_limits<std::int64_t>::max();
   for (;;) {

@@ -25,8 +25,9 @@
 namespace swept {
 
 /// Purpose of the thinning. Surface recognition grows over triangles and needs many well-shaped
-/// ones. Edge collapses accept triangles of any shape.
-enum class ThinFor { Collapse, Surfaces };
+/// ones. Edge collapses accept triangles of any shape. For the body of a sweep, the limit holds
+/// everywhere: each mesh lies within it of the other (mapped_move.h).
+enum class ThinFor { Collapse, Surfaces, Sweep };
 
 struct Thinned {
   TriMesh mesh;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pipeline/thinned_body.h"
+
+#include "simplify/thin.h"
+
+namespace swept {
+namespace {
+
+/// With fewer placements, thinning costs more time than it saves.
+constexpr std::size_t kMinPlacements = 256;
+/// At least this fraction of the triangles must go. Otherwise thinning would cost accuracy for
+/// hardly any time.
+constexpr double kMinSaved = 0.5;
+
+}  // namespace
+
+double bodyThinning(double cell, const Options& options) {
+  return options.chordTolerance * cell / 2;
+}
+
+std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& given, double cell,
+                                   const Options& options, RunContext& run) {
+  const Motion& motion = prepared.motion;
+  if (!motion.continuous || motion.placements.size() < kMinPlacements) return {};
+  if (prepared.keepRoom || prepared.keepBody || !prepared.body.orientable) return {};
+  if (options.sources || options.offset > 0 || options.conservative) return {};
+  Thinned thinned = thinOut(given, bodyThinning(cell, options), ThinFor::Sweep, Phase::Motion, run);
+  const double left = static_cast<double>(thinned.mesh.triangles.size());
+  if (left > (1 - kMinSaved) * static_cast<double>(given.triangles.size())) return {};
+  return std::move(thinned.mesh);
+}
+
+}  // namespace swept

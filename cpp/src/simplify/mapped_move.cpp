@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "simplify/mapped_move.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+namespace swept {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kOverlap = std::numeric_limits<double>::infinity();
+/// Areas below this fraction of the squared size count as overlaps. It is far above the rounding.
+constexpr double kMinArea = 1e-12;
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// The ring, seen along the mean normal: positions in the plane, and heights.
+struct Seen {
+  std::vector<Vector2d> at;
+  std::vector<double> height;
+};
+
+Seen seenAlong(const Vector3d& normal, const std::vector<Vector3d>& ring) {
+  const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  Seen seen;
+  for (const Vector3d& p : ring) {
+    seen.at.emplace_back(u.dot(p), v.dot(p));
+    seen.height.push_back(normal.dot(p));
+  }
+  return seen;
+}
+
+/// Returns whether the triangles between the origin and the ring go round the origin exactly once,
+/// and those between ring[0] and the rest of the ring all face the same way.
+bool liesSideBySide(const std::vector<Vector2d>& at, double minArea) {
+  int rounds = 0;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const Vector2d &a = at[k], &b = at[(k + 1) % at.size()];
+    if (!(cross(a, b) > minArea)) return false;
+    if (a.y() < 0 && b.y() >= 0) ++rounds;
+    if (k == 0 || k + 1 == at.size()) continue;
+    if (!(cross(a - at[0], b - at[0]) > minArea)) return false;
+  }
+  return rounds == 1;
+}
+
+/// Returns the height of the new surface at the origin.
+double heightAtOrigin(const Seen& seen) {
+  const Vector2d& v = seen.at[0];
+  double best = -1, height = 0;
+  // The triangle that contains the origin. With rounding, it may lie in none: the nearest one.
+  for (std::size_t k = 1; k + 1 < seen.at.size(); ++k) {
+    const Vector2d &a = seen.at[k], &b = seen.at[k + 1];
+    const double ofV = cross(a, b), ofA = cross(b, v), ofB = cross(v, a), sum = ofV + ofA + ofB;
+    const double inside = std::min({ofV, ofA, ofB}) / sum;
+    if (best >= 0 || inside < best) continue;
+    best = inside;
+    height = (ofV * seen.height[0] + ofA * seen.height[k] + ofB * seen.height[k + 1]) / sum;
+  }
+  return height;
+}
+
+}  // namespace
+
+double mappedMove(const std::vector<Vector3d>& ring) {
+  const std::size_t count = ring.size();
+  Vector3d mean = Vector3d::Zero();
+  double size = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vector3d &a = ring[k], &b = ring[(k + 1) % count], area = a.cross(b);
+    const double twice = area.norm();
+    if (twice > 0) mean += std::atan2(twice, a.dot(b)) / twice * area;
+    size = std::max(size, ring[k].squaredNorm());
+  }
+  const double length = mean.norm();
+  if (!(length > 0)) return kOverlap;
+  const Seen seen = seenAlong(mean / length, ring);
+  if (!liesSideBySide(seen.at, kMinArea * size)) return kOverlap;
+  double farthest = std::abs(heightAtOrigin(seen));
+  // The new edges from ring[0] to ring[i] and the old ones from the origin to ring[j].
+  for (std::size_t i = 2; i + 1 < count; ++i) {
+    const Vector2d along = seen.at[i] - seen.at[0];
+    for (std::size_t j = 1; j < count; ++j) {
+      // s * at[j] = at[0] + t * along
+      const double area = cross(seen.at[j], along);
+      if (j == i || area == 0) continue;
+      const double s = cross(seen.at[0], along) / area, t = cross(seen.at[0], seen.at[j]) / area;
+      if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) continue;
+      const double after = seen.height[0] + t * (seen.height[i] - seen.height[0]);
+      farthest = std::max(farthest, std::abs(after - s * seen.height[j]));
+    }
+  }
+  return farthest;
+}
+
+}  // namespace swept

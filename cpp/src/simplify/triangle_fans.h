@@ -1,0 +1,122 @@
+// The triangles around each vertex of a closed manifold mesh whose vertices are merged one by one.
+// Half-edges of a removed triangle have no start.
+// Cost: O(n) to build; a merge costs O(k) for k neighbours.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "geometry/half_edges.h"
+#include "swept/types.h"
+
+namespace swept {
+
+class TriangleFans {
+ public:
+  /// Vertices with more neighbours are not merged.
+  static constexpr int kMaxNeighbours = 40;
+  using Corners = std::array<std::int32_t, 3>;
+
+  explicit TriangleFans(const TriMesh& mesh)
+      : opposite_(std::move(findAdjacency(mesh).across)),
+        start_(opposite_.size()),
+        fan_(mesh.vertices.size(), -1) {
+    for (std::size_t h = 0; h < start_.size(); ++h) {
+      start_[h] = mesh.triangles[h / 3][h % 3];
+      fan_[start_[h]] = static_cast<std::int32_t>(h);
+    }
+  }
+
+  std::size_t triangles() const { return start_.size() / 3; }
+  bool isGone(std::size_t triangle) const { return start_[3 * triangle] < 0; }
+  bool wasMerged(std::int32_t v) const { return fan_[v] < 0; }
+  std::int32_t start(std::int32_t h) const { return start_[h]; }
+  std::int32_t target(std::int32_t h) const { return start_[nextHalfEdge(h)]; }
+  /// Returns the third corner of the triangle of `h`.
+  std::int32_t third(std::int32_t h) const { return start_[previousHalfEdge(h)]; }
+  /// Returns a half-edge that starts at `v`.
+  std::int32_t first(std::int32_t v) const { return fan_[v]; }
+  /// Returns the next half-edge that starts at the same vertex, counter-clockwise.
+  std::int32_t turn(std::int32_t h) const {
+    return static_cast<std::int32_t>(opposite_[previousHalfEdge(h)]);
+  }
+
+  int valence(std::int32_t v) const {
+    int count = 0;
+    std::int32_t h = fan_[v];
+    do {
+      ++count;
+      h = turn(h);
+    } while (h != fan_[v]);
+    return count;
+  }
+
+  /// Returns whether the mesh stays a closed manifold if the start of `edge` is merged into its
+  /// target: the two must share exactly two neighbours, each of which must keep three or more.
+  bool staysManifold(std::int32_t edge) const {
+    const std::int32_t v = target(edge);
+    std::array<std::int32_t, kMaxNeighbours> ring;
+    auto end = ring.begin();
+    std::int32_t h = fan_[v];
+    do {
+      if (end == ring.end()) return false;
+      *end++ = target(h);
+      h = turn(h);
+    } while (h != fan_[v]);
+    std::ptrdiff_t common = 0;
+    h = edge;
+    do {
+      common += std::count(ring.begin(), end, target(h));
+      h = turn(h);
+    } while (h != edge);
+    return common == 2 && valence(third(edge)) > 3 &&
+           valence(third(static_cast<std::int32_t>(opposite_[edge]))) > 3;
+  }
+
+  /// Returns whether visit(corners) is true for all triangles at v that do not touch u.
+  template <class Visit>
+  bool allAbout(std::int32_t v, std::int32_t u, const Visit& visit) const {
+    std::int32_t h = fan_[v];
+    do {
+      const Corners c{v, target(h), third(h)};
+      if (c[1] != u && c[2] != u && !visit(c)) return false;
+      h = turn(h);
+    } while (h != fan_[v]);
+    return true;
+  }
+
+  /// Merges the start of `edge` into its target.
+  void merge(std::int32_t edge) {
+    const std::int32_t u = start_[edge], v = target(edge),
+                       back = static_cast<std::int32_t>(opposite_[edge]);
+    std::int32_t h = edge;
+    do {
+      const std::int32_t following = turn(h);
+      start_[h] = v;
+      h = following;
+    } while (h != edge);
+    for (const std::int32_t side : {edge, back}) {
+      const std::uint32_t a = opposite_[nextHalfEdge(side)], b = opposite_[previousHalfEdge(side)];
+      opposite_[a] = b;
+      opposite_[b] = a;
+      // Surviving half-edges replace those of the two removed triangles.
+      fan_[start_[a]] = static_cast<std::int32_t>(a);
+      fan_[start_[b]] = static_cast<std::int32_t>(b);
+    }
+    for (const std::int32_t side : {edge, back}) {
+      for (int k = 0; k < 3; ++k) start_[side / 3 * 3 + k] = -1;
+    }
+    fan_[u] = -1;
+  }
+
+ private:
+  RawArray<std::uint32_t> opposite_;
+  std::vector<std::int32_t> start_;  // by half-edge; -1: removed
+  std::vector<std::int32_t> fan_;    // by vertex: a half-edge that starts there; -1: removed
+};
+
+}  // namespace swept

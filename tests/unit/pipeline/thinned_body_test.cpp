@@ -1,0 +1,75 @@
+// Runs that sweep a thinned body: how far the envelope moves, what the report says, and which runs
+// keep the body as it is.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pipeline/thinned_body.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/checked_compute.h"
+#include "support/mesh_distance.h"
+#include "support/shapes.h"
+#include "swept/accuracy.h"
+
+namespace swept::test {
+namespace {
+
+using Eigen::Vector3d;
+
+/// To and fro along a bow, in so small steps that few of them are merged.
+Trajectory swing(int poses) {
+  Trajectory motion;
+  for (int n = 0; n < poses; ++n) {
+    const double s = 40.0 * n / poses;
+    motion.poses.push_back(poseOf(n, placement(Vector3d::UnitZ(), 40 * std::sin(s),
+                                               {20 * std::sin(s), 5 * std::cos(1.7 * s), 0})));
+  }
+  return motion;
+}
+
+Options cells(int resolution) {
+  Options options;
+  options.resolution = resolution;
+  return options;
+}
+
+TEST(ThinnedBody, TheEnvelopeMovesByNoMoreThanTheReportSays) {
+  const TriMesh ball = makeBall({8, 0, 0}, 6, 6);
+  const Result thin = checkedCompute(ball, swing(2000), cells(48));
+  ASSERT_GT(thin.report.bodyDeviation, 0);
+  EXPECT_NEAR(thin.report.bodyDeviation, 0.01 * thin.report.cellSize, 1e-3 * thin.report.cellSize);
+  EXPECT_NE(toJson(thin.report).find("\"body_deviation\""), std::string::npos);
+  EXPECT_GT(accuracyBound(thin.report),
+            thin.report.cellSize + thin.report.chordError + thin.report.bodyDeviation);
+  // With sources, the body stays as it is.
+  Options exact = cells(48);
+  exact.sources = true;
+  const Result whole = checkedCompute(ball, swing(2000), exact);
+  EXPECT_EQ(whole.report.bodyDeviation, 0);
+  EXPECT_LT(thin.report.sweptPatches, whole.report.sweptPatches);
+  // Vertices of the surface also depend on the normals, by much less than a tenth of a cell.
+  const MeshDistance distance(whole.mesh);
+  for (const Vector3d& v : thin.mesh.vertices)
+    ASSERT_LE(distance.distance(v), 0.1 * thin.report.cellSize);
+}
+
+TEST(ThinnedBody, StaysAsItIsIfTheRunNeedsIt) {
+  const TriMesh ball = makeBall({8, 0, 0}, 6, 5);
+  EXPECT_EQ(checkedCompute(ball, swing(20), cells(24)).report.bodyDeviation, 0);
+  EXPECT_GT(checkedCompute(ball, swing(2000), cells(24)).report.bodyDeviation, 0);
+  Options grown = cells(24);
+  grown.offset = 1;
+  EXPECT_EQ(checkedCompute(ball, swing(2000), grown).report.bodyDeviation, 0);
+  Options still = cells(24);
+  Trajectory poses = swing(2000);
+  poses.interpolation = Interpolation::None;
+  EXPECT_EQ(checkedCompute(ball, poses, still).report.bodyDeviation, 0);
+  // A body of large flat faces has nothing to lose.
+  EXPECT_EQ(
+      checkedCompute(makeBox({-3, -3, -3}, {3, 3, 3}), swing(2000), cells(24)).report.bodyDeviation,
+      0);
+}
+
+}  // namespace
+}  // namespace swept::test
