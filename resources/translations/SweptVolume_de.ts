@@ -2006,8 +2006,8 @@ Versucht:
         <translation>Wählen Sie das Objekt mit dem Wert aus, der geändert wird, dann das Teil, dem gefolgt wird.</translation>
     </message>
     <message>
-        <source>The value &quot;{0}&quot; of &quot;{1}&quot; is set by the expression {2}: choose a value in that expression instead.</source>
-        <translation>Der Wert „{0}“ von „{1}“ wird durch den Ausdruck {2} gesetzt: Wählen Sie stattdessen einen Wert in diesem Ausdruck.</translation>
+        <source>The value &quot;{0}&quot; of &quot;{1}&quot; cannot drive the motion, because the expression {2} computes it: choose a value that this expression uses.</source>
+        <translation>Der Wert „{0}“ von „{1}“ kann die Bewegung nicht steuern, weil ihn der Ausdruck {2} berechnet: Wählen Sie einen Wert, den dieser Ausdruck verwendet.</translation>
     </message>
     <message>
         <source>The clipboard has no rows of numbers: copy cells from a spreadsheet first.</source>

@@ -42,7 +42,7 @@ def figures(text):
 
 
 def scenario():
-    from sweptvolume import runner
+    from sweptvolume import core, runner
     from sweptvolume.features import envelope, motion
     from sweptvolume.panels import file_dialogs
 
@@ -136,6 +136,18 @@ def scenario():
     yield lambda: "the limit is 4 faces" in label.text()
     click(panel_button(Cancel))
     yield no_panel
+
+    # A core without OpenCASCADE makes no trial: the bounds stay, and no other figures are promised.
+    with answered(core, "has_solids", lambda: False):
+        select(hull)
+        Gui.runCommand("SweptVolume_Solid")
+        yield
+        label = find(QtWidgets.QLabel, "SweptVolumeSolidEstimate")
+        yield bound
+        yield lambda: not runner.running()
+        assert "Estimating" not in label.text(), label.text()
+        click(panel_button(Cancel))
+        yield no_panel
 
     # A file: its megabytes.
     target = os.path.join(tempfile.mkdtemp(), "ring.step")

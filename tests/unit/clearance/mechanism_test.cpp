@@ -211,9 +211,9 @@ TEST(Mechanism, PairsAreLeftOutAndFarOnesAreCounted) {
   for (const PairClearance& pair : less.pairs) EXPECT_NE(pair.parts, (PartPair{1, 2}));
 }
 
-/// Two balls that spin in place while one swings to and from the other: too near for a while, or
-/// deep in each other. The times are those of the formula, and a long clash takes few distances:
-/// one deep point is enough at a moment.
+/// Two balls spin, and one of them also swings to the other and back, twice. They come too near for
+/// a while, or overlap deeply. A formula gives the times. Even a long clash needs few measured
+/// distances: one deep point proves the clash at its moment.
 TEST(Mechanism, TimesOfSpinningBalls) {
   const double radius = 20, swing = 12, seconds = 4;
   const TriMesh ball = makeBall(Vector3d::Zero(), radius, 4);

@@ -103,7 +103,7 @@ TEST(PositionFilter, TheRunSaysWhatWasDroppedAndTheEnvelopeLosesNoMore) {
     if (finding.code == "PositionFiltered") said = finding.count;
   }
   EXPECT_EQ(said, 60 - filtered.report.refinedPlacements);
-  // Both are within the bars of the truth suite of what they stand for.
+  // Each envelope may be off by one cell (tests/unit/truth), so the two differ by two cells more.
   const double slack = 2 * options.cellSize;
   const MeshDistance tree(filtered.mesh);
   for (const auto& v : full.mesh.vertices) {

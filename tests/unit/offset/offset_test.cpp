@@ -1,5 +1,6 @@
 // Envelopes grown by a safety distance, against the exact distance to the body.
-// Bars as for envelopes: at most 1 cell everywhere, 0.25 cell at creases, typically 0.01 cell.
+// Limits of the distance, as for envelopes: 1 cell everywhere, 0.25 cell at creases; most points
+// are within 0.01 cell.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

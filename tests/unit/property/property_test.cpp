@@ -1,6 +1,6 @@
 // What must hold for any body and motion, on seeded random cases: more than 500 in all.
 // Lengths are in cells; volumes in units of area x cell. Where two results are compared, each may
-// be as far from the truth as the bars of the truth suite allow, so the bars here are twice those.
+// be as far from the exact surface as tests/unit/truth allows, so the limits here are twice those.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
