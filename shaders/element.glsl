@@ -12,9 +12,10 @@ layout(std430, binding = 0) readonly buffer Vertices { double vertices[]; };    
 // + (1 if the directions of the faces are opposed), or -1 if the side patch is never enclosed.
 layout(std430, binding = 1) readonly buffer Topology { int topology[]; };
 layout(std430, binding = 2) readonly buffer Placements { double placements[]; };  // 3 rows of 4
-// 6 rows per step: 3 rows of the bend with the shift, then 3 rows of the turn back, with the angle,
-// the effect of snapping (mm) and the rounding in single precision (mm). The first step ends at the
-// first placement.
+// 6 rows per step, as in MotionStep of sampling/culling/swept_elements.h. Seen from the body at the
+// start of the step, a point p moves by bend * p + shift: rows 0 to 2 are bend, with shift in w. Rows 3
+// to 5 are turnBack (the turn of the step, transposed); in w the angle (rad), the effect of snapping
+// (mm) and the rounding in single precision (mm). The first step ends at the first placement.
 layout(std430, binding = 3) readonly buffer Steps { vec4 steps[]; };
 layout(std430, binding = 4) readonly buffer ExactSteps { dvec4 exactSteps[]; };  // likewise
 // 2 rows per face: centre and radius of its ball; normal, and the angle by which snapping turns it.

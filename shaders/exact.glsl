@@ -14,8 +14,9 @@ struct Crossing {
   uint fraction;  // in units of 1 / (2^23 - 1)
 };
 
-// Breaks the tie for a line exactly on an edge with the direction d: returns whether the edge
-// function is positive at the shifted line.
+// Ties are decided as if the lattice were shifted by (e, e^2, e^3) with an infinitely small e, so that
+// no line meets an edge. Decides for a line exactly on an edge with the direction d: returns whether
+// the edge function is positive at the shifted line.
 bool tieIsInside(ivec2 d) {
   return d.y < 0 || (d.y == 0 && d.x > 0);
 }
@@ -24,7 +25,8 @@ bool isInside(uvec2 e, ivec2 d) {
   return s > 0 || (s == 0 && tieIsInside(d));
 }
 
-// Multiply and add 96-bit integers, which must not be negative.
+// Multiply and add 96-bit integers, which must not be negative. (They are not: all corners lie inside
+// the grid, so all coordinates are positive.)
 uvec3 times(uvec2 x, uint y) {
   uint h0, l0, h1, l1, carry;
   umulExtended(x.x, y, h0, l0);

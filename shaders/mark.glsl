@@ -1,8 +1,8 @@
 // Pass 1: marks crossed lattice edges, one bit per edge, 32 edges along z per word.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Words of an edge (i, j, k): row (axis * layers of the brick + i) * columns of the brick + j, then
-// k / 32.
+// Edge (axis, i, j, k) has bit k % 32 of word k / 32 in the row (axis * brickSize.x + i) *
+// brickSize.y + j.
 
 layout(std430, binding = 6) coherent buffer Marks { uint marks[]; };
 

@@ -1,4 +1,6 @@
 // Finds the crossings of the swept surface with the lattice lines along all three axes.
+// Compiled as one text: common.glsl, element.glsl, exact.glsl, then mark.glsl or winner.glsl, each of
+// which defines keep(), then this file (sampling/gl/gl_program.cpp).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Each invocation of a group takes one element. Its triangle (two for a side patch), seen along the
@@ -11,7 +13,7 @@ const uint kGroup = 64u, kTasks = 6u;
 layout(local_size_x = 64) in;
 
 layout(location = 7) uniform uint firstElement;  // of this dispatch, counted from placementBase
-layout(location = 8) uniform uint drawCount;     // elements of this dispatch
+layout(location = 8) uniform uint dispatchCount;  // elements of this dispatch
 layout(location = 9) uniform uint idBase;        // number of the first element of placementBase
 
 shared ivec3 corners[4u * kGroup];
@@ -87,7 +89,7 @@ void main() {
   uint local = group * kGroup + thread;
   Element element;
   element.kind = 0u;
-  if (local < drawCount) element = elementOf(firstElement + local);
+  if (local < dispatchCount) element = elementOf(firstElement + local);
   if (element.kind != 0u) {
     for (uint side = 0u; side < 4u; ++side) {
       corners[4u * thread + side] = cornerOf(element, side);

@@ -1,4 +1,5 @@
-// Pass 2: finds for every contributing edge the first and last crossing, and their elements.
+// Pass 2: finds for every contributing edge (a marked edge with at least one end outside) the first
+// and last crossing, and their elements.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Round 0 finds the lowest and the highest fraction; round 1 finds, for each of the two, the lowest

@@ -11,12 +11,12 @@ namespace swept {
 namespace {
 
 /// Motions of fewer placements are left as they are: their runs are short.
-constexpr std::size_t kFewestPlacements = 256;
+constexpr std::size_t kMinPlacements = 256;
 /// A merge must save at least this fraction of the steps. Otherwise it would cost accuracy for
 /// hardly any time.
-constexpr double kLeastSaved = 0.5;
+constexpr double kMinSaved = 0.5;
 /// Part of the bound that dropped placements may take. The rest is for arcs and warped patches.
-constexpr double kShare = 0.5;
+constexpr double kDropFraction = 0.5;
 
 /// A placement, or a difference of placements, by what it does with the bounding box of the body:
 /// the place of the centre, and the three half axes.
@@ -50,7 +50,7 @@ class Merger {
       frame.columns << p.apply(box.center()), p.rotation * half.asDiagonal();
       frames_.push_back(frame);
     }
-    for (std::size_t k = 0; k < motion.steps(); ++k) arcs_.push_back(arcOf(k, box.center(), half));
+    for (std::size_t k = 0; k < motion.steps(); ++k) arcs_.push_back(arcOf(motion, k, box));
   }
 
   /// Returns the last placement up to which the steps from `begin` on can be merged, and the bound
@@ -70,17 +70,6 @@ class Merger {
   }
 
  private:
-  /// Returns how far the true motion leaves the chords of the step k. The true path of a point is
-  /// an arc of nearly constant curvature, so it is farthest from its chord in the middle.
-  double arcOf(std::size_t k, const Eigen::Vector3d& centre, const Eigen::Vector3d& half) const {
-    constexpr double kRoom = 1.02;  // covers the terms of fourth order
-    const Placement& middle = motion_.midpoints[k];
-    Frame frame;
-    frame.columns << middle.apply(centre), middle.rotation * half.asDiagonal();
-    frame.columns -= (frames_[k].columns + frames_[k + 1].columns) / 2;
-    return kRoom * frame.atCorners();
-  }
-
   /// Returns whether the steps from `begin` to `end` can become one step. Then sets `bound`.
   bool fits(std::size_t begin, std::size_t end, double& bound) const {
     const Placement &p = motion_.placements[begin], &q = motion_.placements[end];
@@ -97,7 +86,7 @@ class Merger {
       const Frame off{frames_[k].columns - (1 - s) * from.columns - s * to.columns};
       farthest = std::max(farthest, off.atCorners());
       arc = std::max(arc, arcs_[k]);
-      if (farthest > kShare * chord_ || farthest + arc + warp > chord_) return false;
+      if (farthest > kDropFraction * chord_ || farthest + arc + warp > chord_) return false;
     }
     bound = farthest + arc + warp;
     return true;
@@ -131,10 +120,10 @@ Placement middleOf(const Motion& motion, std::size_t begin, std::size_t end) {
 }  // namespace
 
 Motion mergeSteps(Motion motion, const TriMesh& body, double chord, RunContext& run) {
-  if (!motion.continuous || motion.placements.size() < kFewestPlacements) return motion;
+  if (!motion.continuous || motion.placements.size() < kMinPlacements) return motion;
   const Merger merger(motion, body, chord);
   const std::size_t last = motion.placements.size() - 1;
-  const auto most = static_cast<std::size_t>((1 - kLeastSaved) * static_cast<double>(last));
+  const auto most = static_cast<std::size_t>((1 - kMinSaved) * static_cast<double>(last));
   std::vector<std::size_t> kept{0};
   double bound = 0;  // of all merged steps
   while (kept.back() != last) {

@@ -88,6 +88,17 @@ double longestEdge(const TriMesh& body) {
   return std::sqrt(longest);
 }
 
+double arcOf(const Motion& motion, std::size_t step, const Eigen::AlignedBox3d& box) {
+  const Placement &p = motion.placements[step], &q = motion.placements[step + 1],
+                  &m = motion.midpoints[step];
+  double most = 0;
+  for (int c = 0; c < 8; ++c) {
+    const Eigen::Vector3d x = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(c));
+    most = std::max(most, (m.apply(x) - (p.apply(x) + q.apply(x)) / 2).norm());
+  }
+  return 1.02 * most;
+}
+
 double piecesOf(double radius, double angle, double longest, double chord) {
   const double warp = warpOf(angle, longest);
   return (warp + std::sqrt(warp * warp + radius * angle * angle * chord / 2)) / (2 * chord);

@@ -5,7 +5,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <cstddef>
 
 #include "motion/motion.h"
 #include "swept/types.h"
@@ -77,6 +79,11 @@ double longestEdge(const TriMesh& body);
 /// from the patch at most. `turn` is in rad; `edge` is the length of the edge. Bounds on the chords
 /// of points do not cover this deviation.
 inline double warpOf(double turn, double edge) { return edge * turn / 4; }
+
+/// Returns how far (mm) the true motion leaves the chords during a step, for all points of the box.
+/// Up to terms of fourth order, for which 2 % are added, a point moves on an arc of constant
+/// curvature. So it is farthest from its chord in the middle of the step.
+double arcOf(const Motion& motion, std::size_t step, const Eigen::AlignedBox3d& box);
 
 /// Returns the number of pieces per step, not rounded, with which the chords of points and the side
 /// patches together deviate from the true motion by at most `chord`. With n pieces, the chords

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "base/sort_unique.h"
 #include "geometry/shells.h"
+#include "motion/step_path.h"
 #include "sampling/culling/face_clusters.h"
 #include "sampling/culling/swept_elements.h"
 
@@ -116,22 +117,15 @@ class MotionCover {
   Step stepBefore_, stepAfter_;
 };
 
-/// Returns how far the true motion deviates from the chords, in cells. Up to fourth-order terms, a
-/// point moves on an arc of constant curvature during a step, so its deviation is largest in the
-/// middle of the step.
+/// Returns how far the true motion deviates from the chords, in cells.
 double chordOf(const SamplerInput& input) {
   Eigen::AlignedBox3d box;
   for (const auto& v : input.body.vertices) box.extend(v);
-  double most = 0;
+  double most = input.motion.mergeError;
   for (std::size_t k = 0; k < input.motion.steps(); ++k) {
-    const Placement &p = input.motion.placements[k], &q = input.motion.placements[k + 1],
-                    &m = input.motion.midpoints[k];
-    for (int c = 0; c < 8; ++c) {
-      const Eigen::Vector3d x = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(c));
-      most = std::max(most, (m.apply(x) - (p.apply(x) + q.apply(x)) / 2).norm());
-    }
+    most = std::max(most, arcOf(input.motion, k, box));
   }
-  return std::max(1.02 * most, input.motion.mergeError) / input.grid.cell;
+  return most / input.grid.cell;
 }
 
 void coverCopies(const SamplerInput& input, std::size_t k, CoverTriangle* out) {

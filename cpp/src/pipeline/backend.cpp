@@ -50,7 +50,9 @@ SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double c
     try {
       gl::GlSetup setup = gl::currentSetup();
       setup.wish.hardwareOnly = true;
-      const auto sampling = [&] { return cpuSamplingSeconds(input, threadsOf(run), run); };
+      const auto sampling = [&](const SamplerInput& seen) {
+        return cpuSamplingSeconds(seen, threadsOf(run), run);
+      };
       return gl::sampleOnGpu(input, setup, sampling, findSigns, run);
     } catch (const Error& error) {
       if (error.status() != Status::DeviceUnavailable && error.status() != Status::DeviceLost) {

@@ -225,15 +225,9 @@ SamplingCost SamplingTrial::of(const SamplerInput& part) const {
 }
 
 double cpuSamplingSeconds(const SamplerInput& whole, int threads, RunContext& run) {
-  SamplerInput input = whole;
-  FaceClusters own;
-  if (input.clusters == nullptr) {
-    own = buildClusters(input.body, input.topology);
-    input.clusters = &own;
-  }
   double seconds = 0;
   tbb::task_arena(1).execute([&] {
-    const SamplingTrial trial(input, run);
+    const SamplingTrial trial(whole, run);
     seconds = trial.insideSeconds() + trial.whole().cost.seconds;
   });
   return seconds / threads;

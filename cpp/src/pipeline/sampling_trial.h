@@ -70,7 +70,7 @@ class SamplingTrial {
 };
 
 /// Returns the seconds that the CPU is expected to take for sampling the whole motion on `threads`
-/// threads. `whole` may lack clusters.
+/// threads. `whole` must have clusters.
 double cpuSamplingSeconds(const SamplerInput& whole, int threads, RunContext& run);
 
 }  // namespace swept

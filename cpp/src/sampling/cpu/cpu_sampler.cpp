@@ -15,6 +15,7 @@
 #include "sampling/cpu/work_items.h"
 #include "sampling/culling/inside_map.h"
 #include "sampling/culling/step_blocks.h"
+#include "sampling/culling/swept_elements.h"
 #include "sampling/sampler.h"
 
 namespace swept {
@@ -261,8 +262,8 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   std::vector<RecordChunk> chunks(items.size());
   FaceClusters own;
   const bool byClusters = input.motion.continuous || input.inside != nullptr;
-  if (byClusters && input.clusters == nullptr) own = buildClusters(input.body, input.topology);
-  const FaceClusters& clusters = input.clusters != nullptr ? *input.clusters : own;
+  const FaceClusters& clusters =
+      byClusters || input.clusters != nullptr ? clustersOf(input, own) : own;
   // Finds the steps that the last run sampled, too. The cache only keeps items of one placement.
   std::vector<SampleCache::Key> keys;
   std::vector<std::uint8_t> known(items.size(), 0);

@@ -6,6 +6,12 @@
 
 namespace swept {
 
+const FaceClusters& clustersOf(const SamplerInput& input, FaceClusters& own) {
+  if (input.clusters != nullptr) return *input.clusters;
+  own = buildClusters(input.body, input.topology);
+  return own;
+}
+
 double snapAngle(double height, double cell) {
   return 4 * kSnapCells * cell / std::max(height, 1e-300);
 }
@@ -88,12 +94,16 @@ MotionStep::MotionStep(const SamplerInput& input, std::size_t k) {
   snap = 4 * kSnapCells * input.grid.cell;
 }
 
+float displacementRounding(const MotionStep& step, double farthest) {
+  return 1e-6f * static_cast<float>(step.shift.norm() + step.angle * farthest);
+}
+
 void FaceDirections::setStep(std::size_t k) {
   step_ = MotionStep(*input_, k);
   bendFloat_ = step_.bend.cast<float>();
   turnBackFloat_ = step_.turnBack.cast<float>();
   shiftFloat_ = step_.shift.cast<float>();
-  rounding_ = 1e-6f * static_cast<float>(step_.shift.norm() + step_.angle * farthest_);
+  rounding_ = displacementRounding(step_, farthest_);
   ++stamp_;
 }
 

@@ -27,6 +27,9 @@
 
 namespace swept {
 
+/// Returns the clusters of the input. If it has none, builds them in `own`.
+const FaceClusters& clustersOf(const SamplerInput& input, FaceClusters& own);
+
 /// The step placements[k] -> placements[k + 1], seen from the body at its start: a point p moves by
 /// bend * p + shift.
 struct MotionStep {
@@ -38,6 +41,10 @@ struct MotionStep {
   double angle = 0;  ///< rad, upper bound of the turn
   double snap = 0;   ///< mm, bound on the effect of snapping
 };
+
+/// Returns a bound on the rounding of a displacement in single precision, in mm. `farthest`:
+/// largest distance (mm) of a point of the body from its origin.
+float displacementRounding(const MotionStep& step, double farthest);
 
 /// Returns the direction of one face during a step.
 int directionOf(const SamplerInput& input, const MotionStep& step, std::size_t face);

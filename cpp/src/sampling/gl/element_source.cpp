@@ -60,11 +60,11 @@ ElementSource planElements(const SamplerInput& input) {
   }
   source.perPlacement += static_cast<std::uint32_t>(input.topology.edges.size());
   FaceClusters own;
-  if (input.clusters == nullptr) own = buildClusters(input.body, input.topology);
-  const FaceClusters& clusters = input.clusters != nullptr ? *input.clusters : own;
+  const FaceClusters& clusters = clustersOf(input, own);
   addClusters(input, clusters, source);
   if (!input.cull) return source;
   source.culling = input.orientable ? ElementSource::kClosedBody : ElementSource::kOpenBody;
+  for (const auto& v : input.body.vertices) source.farthest = std::max(source.farthest, v.norm());
   source.balls.reserve(8 * clusters.balls.size());
   for (const FaceClusters::FaceBall& ball : clusters.balls) {
     const Eigen::Vector3f &c = ball.centre, &n = ball.normal;
@@ -75,11 +75,10 @@ ElementSource planElements(const SamplerInput& input) {
   return source;
 }
 
-std::vector<double> stepRows(const SamplerInput& input, const ElementChunk& chunk) {
+std::vector<double> stepRows(const SamplerInput& input, double farthest,
+                             const ElementChunk& chunk) {
   std::vector<double> rows;
   rows.reserve(kStepNumbers * (std::size_t{chunk.placementCount} + 1));
-  double farthest = 0;
-  for (const auto& v : input.body.vertices) farthest = std::max(farthest, v.norm());
   const std::size_t steps = input.motion.steps();
   for (std::size_t n = 0; n <= chunk.placementCount; ++n) {
     const std::size_t end = chunk.placementBase + n;  // the step ends at this placement
@@ -88,7 +87,7 @@ std::vector<double> stepRows(const SamplerInput& input, const ElementChunk& chun
       continue;
     }
     const MotionStep step(input, end - 1);
-    const double rounding = 1e-6 * (step.shift.norm() + step.angle * farthest);
+    const double rounding = displacementRounding(step, farthest);
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column) {
         rows.push_back(step.bend(row, column));

@@ -28,6 +28,8 @@ struct ElementSource {
   std::vector<std::int32_t> topology;               ///< buffer of shaders/element.glsl
   std::vector<float> balls;                         ///< likewise; empty without culling
 
+  double farthest = 0;  ///< mm, distance of the farthest vertex from the origin of the body
+
   std::uint64_t count() const { return std::uint64_t{perPlacement} * placements; }
   SweptElement at(std::uint64_t number) const {
     const auto local = static_cast<std::uint32_t>(number % perPlacement);
@@ -48,7 +50,7 @@ ElementSource planElements(const SamplerInput& input);
 
 /// Returns the steps that a chunk needs for culling, as rows of shaders/element.glsl. The first
 /// step ends at the first placement of the chunk.
-std::vector<double> stepRows(const SamplerInput& input, const ElementChunk& chunk);
+std::vector<double> stepRows(const SamplerInput& input, double farthest, const ElementChunk& chunk);
 
 /// Returns chunks with at most `bytes` of placements and steps.
 std::vector<ElementChunk> planChunks(const ElementSource& source, std::uint64_t bytes);

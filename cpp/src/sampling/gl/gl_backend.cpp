@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/number_text.h"
+#include "sampling/culling/swept_elements.h"
 #include "sampling/gl/gl_sampler.h"
 #include "sampling/gl/gl_verify.h"
 #include "swept/types.h"
@@ -17,9 +18,9 @@ namespace {
 std::mutex setupMutex;
 std::optional<GlSetup> testSetup;
 
-void requireFaster(GlSampler& sampler, const GlSetup& setup,
-                   const std::function<double()>& cpuSeconds, RunContext& run) {
-  const double gpu = sampler.expectedSeconds(run), cpu = cpuSeconds();
+void requireFaster(GlSampler& sampler, const GlSetup& setup, const SamplerInput& input,
+                   const CpuSeconds& cpuSeconds, RunContext& run) {
+  const double gpu = sampler.expectedSeconds(run), cpu = cpuSeconds(input);
   const double ratio = setup.assumedRatio > 0 ? setup.assumedRatio : gpu / cpu;
   if (ratio < 1) return;
   throw Error(Status::DeviceUnavailable, "DeviceSlower",
@@ -58,8 +59,8 @@ std::shared_ptr<GlDevice> openTested(const GlSetup& setup, RunContext& run) {
   return device;
 }
 
-SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup,
-                           const std::function<double()>& cpuSeconds, const FindSigns& findSigns,
+SampledSurface sampleOnGpu(const SamplerInput& whole, const GlSetup& setup,
+                           const CpuSeconds& cpuSeconds, const FindSigns& findSigns,
                            RunContext& run) {
   static std::mutex oneAtATime;
   const std::lock_guard lock(oneAtATime);
@@ -67,8 +68,11 @@ SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup,
   // The first call gives the device that was just tested. After a loss, a new one is opened and
   // tested.
   const auto next = [&] { return device ? std::move(device) : openTested(setup, run); };
+  SamplerInput input = whole;
+  FaceClusters own;  // for the device, the trial on the CPU, and the checks
+  if (input.motion.continuous || cpuSeconds) input.clusters = &clustersOf(whole, own);
   GlSampler sampler(input, next, setup.settings);
-  if (cpuSeconds) requireFaster(sampler, setup, cpuSeconds, run);
+  if (cpuSeconds) requireFaster(sampler, setup, input, cpuSeconds, run);
   SampledSurface out;
   out.backend = "gpu";
   out.marked = sampler.mark(run);

@@ -21,11 +21,14 @@ struct GlSetup {
 /// Opens a device and tests it. Throws Error(DeviceUnavailable) or Error(DeviceLost).
 std::shared_ptr<GlDevice> openTested(const GlSetup& setup, RunContext& run);
 
+/// Returns the seconds that the CPU is expected to take for sampling. The input has clusters.
+using CpuSeconds = std::function<double(const SamplerInput&)>;
+
 /// Runs the sampler on the GPU. If `cpuSeconds` is given, throws Error(DeviceUnavailable) if the
 /// device is expected, by a sample of this input, to take at least as long as the CPU.
 /// cpuSeconds() is called only if there is a device.
 SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup,
-                           const std::function<double()>& cpuSeconds, const FindSigns& findSigns,
+                           const CpuSeconds& cpuSeconds, const FindSigns& findSigns,
                            RunContext& run);
 
 /// Returns the settings from the environment variables in docs/gpu.md, else the system's defaults.

@@ -34,7 +34,7 @@ enum Uniform {
   kElementCount,
   kCulling,
   kFirstElement,
-  kDrawCount,
+  kDispatchCount,
   kIdBase,
   kSecondRound
 };
@@ -122,7 +122,7 @@ void GlPasses::uploadChunk(std::size_t index) {
   }
   upload(kPlacements, rows.data(), rows.size() * sizeof(glm::dvec4));
   if (source_.culling == ElementSource::kNone) return;
-  const std::vector<double> exact = stepRows(input_, chunk);
+  const std::vector<double> exact = stepRows(input_, source_.farthest, chunk);
   const std::vector<float> steps(exact.begin(), exact.end());
   upload(kSteps, steps.data(), steps.size() * sizeof(float));
   upload(kExactSteps, exact.data(), exact.size() * sizeof(double));
@@ -149,7 +149,7 @@ void GlPasses::run(const ElementChunk& chunk, std::uint64_t first, std::uint64_t
     const std::uint32_t groups = (count + kGroup - 1) / kGroup;
     const Timer timer;  // some drivers do the work within the call
     gl.Uniform1ui(kFirstElement, static_cast<GLuint>(first));
-    gl.Uniform1ui(kDrawCount, count);
+    gl.Uniform1ui(kDispatchCount, count);
     gl.DispatchCompute(std::min(groups, kGroupsInRow), (groups + kGroupsInRow - 1) / kGroupsInRow,
                        1);
     context_.finish(settings_.fenceTimeoutSeconds);

@@ -1,4 +1,6 @@
-// The two passes on the device, brick by brick. Owns all buffers in the device's memory.
+// The two passes on the device, brick by brick: pass 1 marks the crossed lattice edges, pass 2
+// finds for each contributing edge (with at least one end outside) the first and the last crossing
+// and their elements. Owns all buffers in the device's memory.
 //
 // Cost: O(elements) per pass and brick, plus crossings. A dispatch takes less than 50 ms, so that a
 // cancel is noticed and no watchdog of the driver ends it. Positions are doubles in cells of the

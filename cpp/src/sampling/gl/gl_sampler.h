@@ -1,4 +1,4 @@
-// Sampling on the GPU: two passes. The CPU computes the signs in between.
+// Sampling on the GPU: two passes (gl_passes.h). The CPU computes the signs in between.
 // In: body, motion, grid. Out: the marked edges of sampleCpu(), bit for bit. Elements and fractions
 // are set for contributing edges only.
 // Cost: time O(elements x bricks + crossings), device memory within a budget.

@@ -155,8 +155,7 @@ void verifyMarks(const SamplerInput& input, const MarkedEdges& marked, const std
   const std::size_t placements = input.motion.placements.size();
   constexpr int kPlacements = 16;
   FaceClusters own;
-  if (input.clusters == nullptr) own = buildClusters(input.body, input.topology);
-  const FaceClusters& clusters = input.clusters != nullptr ? *input.clusters : own;
+  const FaceClusters& clusters = clustersOf(input, own);
   const ShownClusters all = allClusters(clusters);
   KeptElements kept(input, clusters);
   std::vector<SweptElement> elements;

@@ -22,8 +22,8 @@ void selfTest(const std::shared_ptr<GlDevice>& device, double fenceTimeoutSecond
 void verifyMarks(const SamplerInput& input, const MarkedEdges& marked, const std::string& device,
                  int samples);
 
-/// Checks that lattice points inside the body at a random placement are not outside. Only for
-/// closed bodies. Cost: one pass over the faces.
+/// Checks that no lattice point inside the body at a random placement has the sign "outside". Only
+/// for closed bodies. Cost: one pass over the faces.
 void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
                  const std::string& device);
 
