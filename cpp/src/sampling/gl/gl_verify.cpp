@@ -269,8 +269,8 @@ void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const S
                                   std::abs(f - fraction) <= kStep;
                        });
       if (found) continue;
-      reportGarbage(device,
-                    "the surface said to cross " + edgeName(axis, i, j, edge.k) + " does not");
+      reportGarbage(device, "it named a part of the surface for " + edgeName(axis, i, j, edge.k) +
+                                " that does not cross it");
     }
   };
   for (const std::int32_t i : layers) {

@@ -236,7 +236,7 @@ TEST_F(GlFault, bad_input_32_garbage_after_the_self_test) {
   expectFallback(f, Status::DeviceLost, "no mark on lattice edge");
   f = {};
   f.wrongWinnerFromReadback = winners + 1;
-  expectFallback(f, Status::DeviceLost, "the surface said to cross");
+  expectFallback(f, Status::DeviceLost, "that does not cross it");
 }
 
 TEST_F(GlFault, bad_input_33_shader_does_not_compile_or_link) {
