@@ -1,4 +1,5 @@
-// operator new of this program, which fails on demand and counts what is outstanding.
+// operator new of this program, which fails on demand and counts the memory that has not been
+// freed.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

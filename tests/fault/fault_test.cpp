@@ -1,5 +1,6 @@
-// Every allocation, checkpoint and written byte of small runs fails once: one status, nothing
-// outstanding, the next run is fine. SWEPT_FAULTS=all takes each place, else a sample of them.
+// Lets each allocation, each checkpoint and each write of small runs fail once. Each time, the
+// run must end with the right status, free all memory, and not affect the next run.
+// SWEPT_FAULTS=all tries every place; otherwise a sample.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the tests of bad input share: refusals that change nothing, meshes that FreeCAD would mend."""
+"""Shared by the tests of bad input: checks that a refusal changes nothing, and meshes that FreeCAD would
+repair.
+"""
 import json
 
 import Mesh

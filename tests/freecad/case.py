@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the headless FreeCAD tests share: a fresh document each, small bodies, motions."""
+"""Shared by the FreeCAD tests without a window: a fresh document for each test, small bodies and motions."""
 import os
 import tempfile
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tables of states in which inputs stand in another document, named Elsewhere."""
+"""Shared by the tables of changes in which the inputs are in another document, named Elsewhere."""
 import FreeCAD as App
 
 from case import shift

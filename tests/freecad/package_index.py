@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A package index on this machine, which serves the built core as the package swept-volume, and other
-wheels beside it, as numpy, which pip fetches for it. Needs neither FreeCAD nor the core, and runs in
-FreeCAD's process as well."""
+"""A package index on this machine. It serves the built core as the package swept-volume, and other wheels
+such as numpy, which pip fetches for it. Needs neither FreeCAD nor the core, and also runs inside FreeCAD's
+process.
+"""
 import base64
 import hashlib
 import http.server

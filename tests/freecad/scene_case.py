@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What tests of several features share: a part with all that is computed of it."""
+"""Shared by the tests of several features: a part, and one result of each kind that is computed from it."""
 import Part
 
 from case import Case, V, shift

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two blocks that are let down into a shaft one after the other, for tests of sequences."""
+"""For tests of sequences: two blocks that are lowered into a shaft, one after the other."""
 from case import V
 from sweptvolume.features.sequence_plan import Plan
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A mechanism with a simulation, made by the classes of FreeCAD's own Assembly (from 1.1 on): a base that
-stands, an arm of 20 x 10 x 10 that turns about a corner, five frames in a second."""
+"""A mechanism with a simulation, made with the classes of FreeCAD's Assembly (FreeCAD 1.1 or later): a base
+that stands still, and an arm of 20 x 10 x 10 mm that turns about a corner, in five frames per second.
+"""
 import builtins
 import math
 

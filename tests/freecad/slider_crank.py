@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A slider-crank whose angle is a cell of a spreadsheet: the placements of crank, rod and slider are
-expressions, and so all distances are known by formula. The crank turns about z at the origin, the slider
-goes along x. Parts lie in layers above each other, so that none meets another but where it is meant."""
+"""A slider-crank whose angle is a cell of a spreadsheet. The placements of crank, rod and slider are
+expressions, so all distances follow from formulas. The crank turns about the z axis, the slider moves along
+x. The parts lie in layers above each other, so they meet only where a test wants it.
+"""
 import math
 
 import FreeCAD as App

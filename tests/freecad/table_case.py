@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table tests of states: every input of every feature, changed in every way."""
+"""Shared by the tests that change every input of a feature in every way, and check the state of the result
+after each change.
+"""
 import os
 import shutil
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A copy of the tree, installed by the code of FreeCAD's own Addon Manager into an empty home, with the core
-from an index on this machine: the workbench computes there."""
+"""FreeCAD's own Addon Manager installs a copy of this repository into an empty user folder, and the core
+from an index on this machine. The workbench then computes.
+"""
 import json
 import os
 import pathlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shapes that are handed to other threads: the same in every way, and not what FreeCAD draws into."""
+"""Copies of shapes for other threads: they equal the originals, and FreeCAD does not draw into them."""
 import threading
 import time
 from unittest import mock

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The motion of a part in a simulation of FreeCAD's own Assembly: what its solver says must come out."""
+"""The motion of a part in a simulation of FreeCAD's Assembly is the one that its solver computes."""
 from case import Case, shift
 from simulations import SPEED, Absent, arm_after, hinge
 from sweptvolume import core

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows of docs/bad_input.md about bodies, as a user of FreeCAD meets them: meshes and solids."""
+"""The rows of docs/bad_input.md about meshes and solids that a user of FreeCAD can reach."""
 import json
 
 import numpy as np

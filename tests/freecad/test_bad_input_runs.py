@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows of docs/bad_input.md about motions, options, devices and files, as a user of FreeCAD meets them."""
+"""The rows of docs/bad_input.md about motions, options, devices and files that a user of FreeCAD can reach.
+"""
 import contextlib
 import os
 import subprocess

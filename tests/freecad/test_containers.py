@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Our objects inside groups: no circle in the document, and what is moved with a group is noticed."""
+"""Objects of the workbench inside groups: they cause no circular dependency, and results become stale when
+their group is moved.
+"""
 import itertools
 
 import FreeCAD as App

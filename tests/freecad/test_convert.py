@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Geometry in and out: meshes, solids, placements through groups and links."""
+"""Geometry from and to FreeCAD: meshes, solids, and placements through groups and links."""
 import threading
 import time
 

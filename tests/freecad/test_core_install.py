@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Installing the core without a window: what pip is asked, what stays as it was when something fails. The
-scenario gui/install_core.py has the rest."""
+"""Installing the core without a window: which pip command runs, and what stays unchanged after a failure.
+The scenario gui/install_core.py has the rest.
+"""
 import os
 import sys
 import tempfile

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the core says in the user's language, by the codes of its findings."""
+"""Messages of the core in the user's language, by code."""
 import glob
 import os
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Documents whose values of ours are damaged, or linked to what does not belong there."""
+"""Documents in which properties of the workbench are damaged, or linked to objects of the wrong kind."""
 import os
 import random
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Envelope, solid, export: the main job in a document without a window."""
+"""The main workflow without a window: envelope, solid, export."""
 import json
 import os
 import zipfile

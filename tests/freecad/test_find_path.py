@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Paths found and improved from documents: what the core certifies is what the motion does, wherever parts
-and motions stand. Every path is checked again by the workbench's own clearance check."""
+"""Paths found and improved in documents: the motion keeps the clearance that the core guarantees, wherever
+the parts and motions are in the tree. The workbench's own clearance check confirms each path.
+"""
 import unittest
 
 import FreeCAD as App

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made each triangle of an envelope: faces of parts in groups and links, several motions, what is
-kept and what is stored."""
+"""What made each triangle of an envelope: for parts in groups and links, and for several motions; what is
+kept in memory and what is stored in the document.
+"""
 import json
 import os
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that move at the same time: their motions from one run of a driver, and the check of the mechanism
-against what a formula says."""
+"""Mechanisms: the motions of all parts from one run of a driven value, and the results of the check
+compared with formulas.
+"""
 import csv
 import math
 import os

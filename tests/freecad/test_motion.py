@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion objects: where poses come from, what they mean, what is refused."""
+"""Motion objects: where their poses come from, what a pose means, and which input is refused."""
 import os
 
 import FreeCAD as App

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Envelopes of parts with motions of their own, seen from a moving reference, and of smooth motions."""
+"""Envelopes of parts with motions of their own, relative to a moving reference, and with smooth motions."""
 import math
 
 import numpy as np

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pivot of a motion: the point that goes straight between two keys, the same for envelope, clearance,
-line and table, whatever a pose means and wherever the motion stands."""
+"""The pivot of a motion, the point that moves straight between two keys. Envelope, clearance check,
+displayed line and table use the same pivot, for every pose type and wherever the motion is in the tree.
+"""
 import math
 
 import FreeCAD as App

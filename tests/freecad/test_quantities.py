@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers as people read them, in every system of units of FreeCAD."""
+"""Numbers as users read them, in every unit system of FreeCAD."""
 import unittest
 
 import FreeCAD as App

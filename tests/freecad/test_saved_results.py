@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Results in documents that were saved: by this version, and as version 1 left them."""
+"""Results in saved documents: of this version, and of version 1."""
 import json
 import os
 import shutil

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sequences from documents: what is found is motions of ours, in the order of the sequence, each clear of all
-that is there by then; they are checked again when something changes."""
+"""Sequences in documents: the motions appear in the order of the sequence, and each is clear of all parts
+that are already in place. After a change they are checked again.
+"""
 import FreeCAD as App
 
 from case import Case, V, shift, turn

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Coarse runs of a body whose motion is edited: kept sessions, lighter bodies."""
+"""Coarse runs while a motion is edited: sessions of the core that are kept, and bodies with fewer
+triangles.
+"""
 import unittest
 
 import numpy as np

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shared volumes in the document: against formulas and OpenCASCADE's booleans, states, places, bad input."""
+"""Shared volumes in documents: compared with formulas and with OpenCASCADE's Boolean operations; states,
+placements and bad input.
+"""
 import Mesh
 
 from case import Case, V, shift, turn

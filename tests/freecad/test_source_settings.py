@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Settings of a motion's source: properties with types, driven by expressions; those of older documents."""
+"""Settings of a motion's source: properties with types, which expressions can drive; settings of older
+documents.
+"""
 import json
 
 import Part

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Each source of a motion on a real document of its kind; the path editor's operations."""
+"""Each kind of source on a real document, and the operations of the motion editor."""
 import math
 
 import FreeCAD as App

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: checks of several moving parts, installations, shared volumes, studies and records of what made an
-envelope, whose parts, obstacles and values stand in another document; changed there and here in every way.
-The state and what is shown afterwards are what a fresh computation justifies.
+"""States of mechanism checks, sequences, shared volumes, studies and records of what made an envelope, whose
+parts, neighbours and values are in another document. After each change, in either document, a result may be
+up to date, and show what it shows, only if a fresh computation gives the same.
 """
 import os
 

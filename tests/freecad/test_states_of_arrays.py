@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: link arrays, groups of links and plain groups as moving parts and neighbours, and what they hide,
-changed in every way; the state afterwards is what a fresh computation justifies.
-gui/shown.py compares what is taken with what FreeCAD draws.
+"""States of checks whose moving parts and neighbours are link arrays, groups of links and plain groups, with
+hidden members. After each change, a check may be up to date only if a fresh computation gives the same.
+gui/shown.py compares the parts that a check uses with those that FreeCAD draws.
 """
 import FreeCAD as App
 import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: what a page of a check tells and shows (names, verdicts, rules, inputs, colours of parts) after each
-change is what a page of a fresh computation would; where the result is not current there is no page.
+"""The page of a check after each change of the document: its names, verdicts, rules, inputs and colours are
+those of a page after a fresh computation. A result that is not up to date gives no page.
 """
 import os
 import sys

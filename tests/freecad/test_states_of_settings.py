@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: every setting of envelopes, solids and checks, changed by hand, by an expression and by Undo, and
-what is shown and hidden; with one motion, and with a motion for each part, whose envelopes are joined."""
+"""States after each change of a setting of envelopes, solids and checks: by hand, by an expression and by
+Undo, with parts shown and hidden. Once with one motion, and once with a motion for each part, whose
+envelopes are joined.
+"""
 from case import Case, shift, turn
 from sweptvolume import core
 from sweptvolume.features import clearance, envelope, motion, solid

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: volumes that two sides share, of parts, a moving part at a time, envelopes and links, changed in
-every way; the state afterwards is what a fresh computation justifies."""
+"""States of shared volumes: of parts, of a moving part at one time, of envelopes and links. After each
+change of the table, a result may be up to date only if a fresh computation gives the same.
+"""
 import FreeCAD as App
 
 from case import V, shift, turn

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: every input of a study, of the document and of a file, changed in every way; the state afterwards is
-what a fresh computation justifies."""
+"""States of studies. After each change of an input, in the document or in a file, a study may be up to date
+only if a fresh computation gives the same.
+"""
 import os
 import shutil
 

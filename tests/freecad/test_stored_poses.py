@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The poses of motions as arrays, which are kept for the same numbers: after each way in which a motion can
-change they are those that FreeCAD tells one by one. And checks of mechanisms that read them in pieces."""
+"""The poses of motions as arrays, which are kept as long as the numbers are the same. After each way to
+change a motion, they equal the poses that FreeCAD gives one by one. Also: checks of mechanisms that read
+them in pieces.
+"""
 import random
 import struct
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the document says of its results is what a fresh computation would justify."""
+"""A result says that it is up to date only if a fresh computation would give the same."""
 import FreeCAD as App
 
 from case import Case, V, shift, turn

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A keyboard whose keys the X server itself sends, for scenarios in FreeCAD's window."""
+"""A keyboard for the scenarios in gui/: the X server sends its keys."""
 import ctypes
 import os
 import sys

@@ -1,4 +1,4 @@
-// Bodies and motions out of fuzzer bytes, sound and damaged ones.
+// Makes bodies and motions, valid and damaged ones, from the bytes of a fuzzer.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

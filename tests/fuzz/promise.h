@@ -1,4 +1,4 @@
-// What the fuzzing programs hold a run to, and what they let it take.
+// What a run must keep to in the fuzzing programs, and the limits of its time and memory.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A small run of every command, for tests of what all of them hold to."""
+"""A small run of each command, for tests that apply to all of them."""
 import dataclasses
 import pathlib
 import shlex

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fixtures of the Python tests: where the build and the inputs are, small bodies, motions."""
+"""Fixtures of the Python tests: the build, the inputs, small bodies, motions."""
 import os
 import pathlib
 import signal

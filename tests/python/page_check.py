@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a page holds, and whether it is well-formed and needs nothing but itself."""
+"""Reads an HTML page: its content, whether it is well-formed, and whether it needs any other file."""
 import base64
 import html
 import json

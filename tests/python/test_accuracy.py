@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An accuracy in mm in place of cells, tolerance and chord: Python, program and studies."""
+"""An accuracy in mm, given instead of cell size, tolerance and chord error: in Python, program and studies.
+"""
 import numpy as np
 import pytest
 

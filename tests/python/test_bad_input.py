@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of docs/bad_input.md as a user meets it: through the module and through the program."""
+"""The rows of docs/bad_input.md through the Python module and the program."""
 import contextlib
 import gzip
 import json

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every call of the package that takes parts: arrays, masks, values that travel, processes, cancelling."""
+"""Every function of the package that takes parts: arrays, masked arrays, values that are sent to other
+processes, cancelling.
+"""
 import multiprocessing
 import pickle
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every command: standard output and pipes have the bytes of files, a signal ends each of them."""
+"""Every command: standard output and pipes get the same bytes as files, and a signal ends the command."""
 import json
 import os
 import shlex

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every command: nothing is lost, reports keep the schema and say how it ended, examples of the help run."""
+"""Every command: no file is lost, reports keep the schema and say how the run ended, and the examples in
+the help work.
+"""
 import json
 import lzma
 import os

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cmake --install --component development`: a project outside of the tree builds on what it gives."""
+"""`cmake --install --component development`: a project outside the repository can be built with the
+installed files.
+"""
 import os
 import pathlib
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that move at the same time, from Python and from the program."""
+"""Mechanisms (parts that move at the same time) from Python and from the program."""
 import csv
 import threading
 import time

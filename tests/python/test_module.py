@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The compiled module: arrays in and out, report, errors, cancel, signals."""
+"""The compiled module: arrays in and out, reports, errors, cancelling, signals."""
 import gc
 import os
 import signal

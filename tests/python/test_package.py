@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""package.xml: what FreeCAD reads in it, and what its manager of add-ons asks for."""
+"""package.xml: what FreeCAD reads from it, and what the Addon Manager requires."""
 import ast
 import functools
 import pathlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pages that tell what a report says: from Python and from the program."""
+"""HTML pages of reports, from Python and from the program."""
 import base64
 import hashlib
 import json

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line program: results, report, exit status, refusals, cancel, terminal."""
+"""The program `swept`: results, reports, exit codes, refused input, cancelling, output to a terminal."""
 import json
 import os
 import pty

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The program and its files: nothing is lost, pipes work, several files, help in every form."""
+"""The program and its files: no file is lost, pipes work, several files, all forms of the help."""
 import csv
 import io
 import json

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""STEP and BREP files that the caller reads, as FreeCAD does for a core without OpenCASCADE."""
+"""STEP and BREP files that a function of the caller reads, as in FreeCAD with a core without OpenCASCADE."""
 import numpy as np
 import pytest
 

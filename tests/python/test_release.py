@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`.ci/release`: its cheap part, the source archive. The same commit gives the same bytes."""
+"""The source archive of `.ci/release`, its quickest part: the same commit gives the same bytes."""
 import hashlib
 import os
 import re

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every report of every command keeps docs/report.schema.json; what should repeat itself does."""
+"""Every report of every command matches docs/report.schema.json. Keys that must be the same in every run
+are the same.
+"""
 import json
 
 import jsonschema

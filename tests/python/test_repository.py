@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The source tree itself: direction of dependencies, licences, sizes."""
+"""The source tree: which folder may depend on which, licences, sizes of files."""
 import importlib.util
 import re
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rules of neighbours: from the program and from Python they mean the same, wrong ones are named."""
+"""Rules of neighbours: they mean the same in the program and in Python, and wrong rules are named."""
 import csv
 import io
 import json

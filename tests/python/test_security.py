@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files are read without trust, nothing is run from them, temporary files are private, no network."""
+"""No file is trusted: nothing in it is executed. Temporary files are private, and nothing uses the network.
+"""
 import ast
 import gzip
 import re

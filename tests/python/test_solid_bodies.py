@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""STEP and BREP files as the moving part: program and module alike."""
+"""STEP and BREP files as the moving part, with the program and the module."""
 import json
 import shutil
 import subprocess

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made each triangle of an envelope, in Python and in the program, checked by arithmetic of its own."""
+"""What made each triangle of an envelope, in Python and in the program, checked with independent
+arithmetic.
+"""
 import csv
 import pickle
 import subprocess

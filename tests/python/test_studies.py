@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Studies: same bytes as single runs, what is done is kept, failures stay alone, clusters, bad files."""
+"""Studies: the same bytes as single runs; finished runs are kept; a failed run does not affect the others;
+clusters; bad files.
+"""
 import json
 import os
 import pathlib

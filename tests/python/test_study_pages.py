@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One page for all runs of a study; folders that are in use; rows of runs as they end."""
+"""One page for all runs of a study; folders in use by another study; rows that are written as runs end."""
 import csv
 import json
 import os

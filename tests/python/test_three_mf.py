@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""3MF files of the core: packed as ZIP, the mesh to the last digit."""
+"""3MF files of the core: valid ZIP archives that keep every digit of the mesh."""
 import xml.etree.ElementTree as Tree
 import zipfile
 

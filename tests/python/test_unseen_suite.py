@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool that runs the program on drawn inputs sees what it is there to see."""
+"""The tool unseen_suite.py finds the faults that it is made to find."""
 import pathlib
 import sys
 

@@ -1,4 +1,5 @@
-// Seeded mechanisms of small parts, and what stamping says of a report about one.
+// Random mechanisms of small parts from a seed, and the comparison of a report with distances at
+// sampled times.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a found path has to hold, checked from its keys alone.
+// Checks from its keys alone whether a path keeps what was promised.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,5 +1,5 @@
-// What tests ask of the operating system beyond base/system.h: the only file of the tests with
-// calls of POSIX. Where a system has no such thing, available() says so.
+// Functions of the operating system that tests need and base/system.h does not have. No other
+// file of the tests calls POSIX. available() says whether the system has them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

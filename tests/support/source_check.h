@@ -1,4 +1,4 @@
-// Checks what an envelope says of its sources against the body and the motion as given.
+// Checks the sources that an envelope reports against the body and the motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The field Accuracy of the envelope's panel: typed, computed, nonsense, too coarse, in inches."""
+"""The field Accuracy in the panel of an envelope: a typed value, a computed one, an invalid one, one that
+needs too many cells, and inches.
+"""
 import os
 import sys
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is seen at a glance: colours of envelope and solid, the only candidate taken, one motion for several
-envelopes, the player's loop and its slider, a dragger of the part's size, heads and names of the table."""
+"""Details of the window: colours of envelope and solid; a command without a selection takes the only
+possible object; one motion for several envelopes; loop and slider of the player; the size of the dragger;
+headings and names in the table.
+"""
 import os
 import sys
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A clearance check by real commands: envelope, check, table, row, colours, graph, spreadsheet."""
+"""A clearance check through the commands, as a user works: envelope, check, table, row, colours, graph,
+spreadsheet.
+"""
 import os
 import re
 import shutil

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The player of a clearance check: the moving part, the shortest line that follows it, the section through
-that place, and clashes as bodies; nothing is left in the view when the panel is closed."""
+"""The player of a clearance check: the moving part, the line of the shortest distance, the section through
+it, and clashes as solids. When the panel is closed, nothing of this remains in the view.
+"""
 import os
 import sys
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A path is found by real commands: the part is selected, the button pressed, the way seen while it is
-searched, the motion checked; refusals and searches without success are told and change nothing."""
+"""Find path, as a user works: select the part, press the button, watch the search, check the motion.
+Refused input and searches without success show a message and leave the document as it was.
+"""
 import os
 import sys
 

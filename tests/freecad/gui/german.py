@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The window in German: menu, demo and panels speak it; a document that is closed under an open panel."""
+"""The window in German: menu, demo and panels. Also: a document is closed while a panel is open."""
 import os
 import sys
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is to be told is told once: in the panel, in a message box where there is no panel, or as a plain line
-of the report view, which stays closed. And dialogs for files open in the folder of the document."""
+"""Each message appears in one place only: in the panel; in a message box, if there is no panel; or as a
+line of the report view, which stays closed. File dialogs open in the folder of the document.
+"""
 import os
 import sys
 import tempfile

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A FreeCAD without the core: the workbench offers to install it, says what is fetched, can be stopped,
-never holds the window up, and computes then, also after a restart."""
+"""FreeCAD without the core: the workbench offers to install it and says what it downloads. The installation
+can be stopped and does not freeze the window. Afterwards the workbench computes, also after a restart.
+"""
 import glob
 import os
 import subprocess

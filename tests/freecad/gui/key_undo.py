@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Undo in the path editor is of its keys, rows of a spreadsheet are pasted, FreeCAD's Transform is locked
-out, what was hidden stays hidden, and inches are inches."""
+"""The motion editor: Undo applies to its keys, rows of a spreadsheet can be pasted, FreeCAD's Transform is
+locked, hidden objects stay hidden, and lengths can be in inches.
+"""
 import os
 import sys
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A motion and its envelope with the keyboard alone: keys that the X server itself sends."""
+"""A motion and its envelope, made with the keyboard only. The X server sends the keys."""
 import os
 import sys
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every panel with the keyboard alone: objects are chosen in the tree, commands in the menu, fields by Tab,
-files in their dialogs; keys that the X server itself sends."""
+"""Every panel with the keyboard only: objects are selected in the tree, commands in the menu, fields with
+Tab, files in their dialogs. The X server sends the keys.
+"""
 import os
 import sys
 import tempfile

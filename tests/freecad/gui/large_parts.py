@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts of very many faces are read beside the window: in the panel, in runs, and when a document that was
-just opened is recomputed. Judged by what reading them at once takes here."""
+"""Parts with very many faces are read in the background: by a panel, by runs, and when a document is
+recomputed after opening. The longest pause of the window is compared with the time that reading them at
+once takes on this machine.
+"""
 import math
 import os
 import sys

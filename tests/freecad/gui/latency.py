@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How quickly the window answers: updates of the live preview while a key is dragged, at 128 cells, with
-the CPU time of one by threads, and the longest gap between ticks of the window's loop, then, during a
-compute and at its end. The figures are printed, not judged: they are those of the machine. Left out,
-with a line, where the data are absent."""
+"""Measures how quickly the window responds: the updates of the live preview at 128 cells while a key is
+dragged (with the CPU time of each), and the longest pause of the window then, during a run and at its end.
+The figures are printed and not tested, because they depend on the machine. Skipped, with a message, if the
+data are missing.
+"""
 import os
 import sys
 import time

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Live clearance in the path editor: a key is dragged with the mouse, the number follows, a clash is red, the
-key stops at contact; then how quickly answers come while the demo's starter motor is dragged."""
+"""The live clearance in the motion editor: the number follows a key that is dragged with the mouse, a clash
+is red, and the key stops at contact. Also measures how quickly the number follows while the demo's starter
+motor is dragged.
+"""
 import os
 import sys
 import time

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made this?: an envelope gets colours by what made it, a click on it names the face and takes the
-part there; the path editor's player follows as well; a recompute keeps the colours."""
+"""What made this?: an envelope is coloured by the faces that made it. A click on it names the face and
+shows the part at that moment, as the player of the motion editor does. The colours remain after a
+recompute.
+"""
 import os
 import sys
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The main job by real commands: motion, envelope, cancel, stale, light display, solid, export, another
-tolerance, save and open."""
+"""The main workflow: motion, envelope, cancel, stale result, display with fewer triangles, solid, export,
+another tolerance, save and open.
+"""
 import os
 import sys
 import tempfile

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A slider-crank by real commands: motions of all its parts from one run of the driver, the check, rules, a
-row with its line, the player, stop, undo."""
+"""Check mechanism on a slider-crank, as a user works: motions of all parts from one run of the driven
+value, the check, rules, a row with its line, the player, stop, undo.
+"""
 import os
 import sys
 import tempfile

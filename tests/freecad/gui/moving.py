@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The envelope panel beyond the main job: own motions, a moving reference, quality, preview, read-outs,
-and the states in the tree."""
+"""The panel of an envelope: motions of single parts, a moving reference, quality, preview, computed values,
+and the states in the tree.
+"""
 import os
 import sys
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A FreeCAD that has no compiled core: the workbench loads, motions are edited, and what cannot be done
-says how to build."""
+"""FreeCAD without a compiled core: the workbench loads and motions can be edited. What needs the core shows
+a message that says how to build it.
+"""
 import os
 import sys
 

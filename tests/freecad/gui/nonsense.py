@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Nonsense is typed into every field of every panel and confirmed: no traceback, the panel tells what is
-wrong and stays, or takes what it shows. test_gui.py fails on any traceback that is printed."""
+"""Invalid text is typed into every field of every panel and confirmed. The panel either shows a message and
+stays open, or uses the value that it shows. test_gui.py fails if a traceback is printed.
+"""
 import os
 import sys
 import tempfile

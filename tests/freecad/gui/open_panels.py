@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Panels that stay open while the document changes, is undone, or loses what they show: what they say of a
-result is true at each moment."""
+"""Panels that are open while the document changes, a change is undone, or their object is deleted: at each
+moment, they show the true state of a result.
+"""
 import os
 import sys
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The path editor by real clicks: capture, edit with units, insert, undo, cancel, play."""
+"""The motion editor with real mouse clicks: capture, edit with units, insert, undo, cancel, play."""
 import os
 import sys
 import time

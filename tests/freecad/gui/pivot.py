@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pivot in the path editor: a key that is turned in place does not make the part swing; the middle of
-the part, the origin of the poses or a selected point."""
+"""The pivot in the motion editor: with the pivot in the middle of the part, a key that only turns does not
+make the part swing out. The middle of the part, the origin of the poses and a selected point are tested.
+"""
 import os
 import sys
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reports by real commands: a mechanism as a page and as PDF, with a company's template for each; a study as
-PDF; the window goes on while pictures are taken; stopped before the file is written."""
+"""Export report, as a user works: a mechanism as a page and as PDF, with a custom template for each; a
+study as PDF. The window responds while pictures are taken, and an export can be stopped before the file is
+written.
+"""
 import os
 import re
 import shutil

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reserved spaces by real commands: two envelopes and a part, the table, the shared volume seen and kept,
-stale and computed again, undo; large ones with the window going on, stopped."""
+"""Check reserved spaces, as a user works: two envelopes and a part, the table, the shared volume shown and
+kept, a stale result computed again, undo. With large parts the window responds, and the check can be
+stopped.
+"""
 import os
 import sys
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A sequence by real commands: parts selected in the wrong order, which is told and changes nothing; an order
-is found, played as one, edited, stale and checked again; opened again; a search is stopped."""
+"""Sequence, as a user works: parts in the wrong order give a message and change nothing. An order is found,
+played and edited; the sequence becomes stale, is checked again and opened again. A search is stopped.
+"""
 import os
 import sys
 

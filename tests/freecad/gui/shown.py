@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What counts as visible is what FreeCAD draws: elements of link arrays and of groups of links, members of
-plain groups and of parts, each shown and hidden."""
+"""Parts count as visible if FreeCAD draws them: elements of link arrays and of groups of links, members of
+plain groups and of part containers, each shown and hidden.
+"""
 import os
 import sys
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every panel in a window of 1024 x 700 with the docks of a fresh profile: nothing is cut off at the side.
-And what panels say of unusual input, the player's real time, and what is left when an editor was closed."""
+"""Every panel in a window of 1024 x 700 pixels with the docks of a fresh profile: nothing is cut off at the
+sides. Also: messages about unusual input, the speed of the player in real time, and what remains after an
+editor is closed.
+"""
 import os
 import sys
 import tempfile

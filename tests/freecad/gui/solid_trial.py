@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of solids: upper bounds at once, then the figures of a trial, which are those of the solid and of
-its file; a change or Cancel ends a trial, OK does not wait for one."""
+"""The panel of a solid: upper bounds at once, then the figures of a trial, which are exactly those of the
+solid and its file. A change of a setting or Cancel ends the trial; OK does not wait for it.
+"""
 import os
 import re
 import sys

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A motion with a source: a changed key asks whether to cut the link, the settings are edited later, and the
-menus of the tree name nothing twice."""
+"""A motion with a source: when a key is changed, a question asks whether to remove the link to the source.
+The settings can be edited later. No entry of the menus in the tree occurs twice.
+"""
 import os
 import sys
 

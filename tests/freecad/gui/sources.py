@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every kind of source through its command and panel, on objects that FreeCAD's own tools make."""
+"""Every kind of source with its command and panel, on objects that FreeCAD's own tools make."""
 import os
 import sys
 import time

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stop in the middle of every stage of a heavy run answers at once; FreeCAD closed in the middle of one is
-gone within two seconds, or a watch outside ends it with an error."""
+"""Stop takes effect at once in every stage of a long run. If FreeCAD is closed during a run, it ends within
+two seconds; otherwise an outside process ends it with an error.
+"""
 import os
 import subprocess
 import sys

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A study by real commands: the document's checks and an envelope as runs, rows while they end, the worst one
-opened at its worst place, stop and go on, a study file, a run of it as objects, undo."""
+"""Study, as a user works: checks and an envelope of the document as runs, rows that appear as runs end, the
+worst run opened where the parts are closest, stop and continue, a study file, one of its runs as objects,
+undo.
+"""
 import os
 import sys
 import tempfile

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tree: envelopes below their motion, solids and checks below their envelope; a double click and
-FreeCAD's Edit open the panel of each; a clash is seen in the icon."""
+"""The tree: envelopes below their motion, solids and checks below their envelope. A double click and
+FreeCAD's Edit open the panel of each. The icon of a check shows a clash.
+"""
 import contextlib
 import os
 import sys

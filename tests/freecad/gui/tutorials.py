@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first tutorial of the handbook, an engine bay opened from its files; and a recorded path whose keys are
-edited (left out, with a line, where the recording is absent)."""
+"""The first tutorial of the handbook, an engine bay from its files, and a recorded path whose keys are
+edited (skipped, with a message, if the recording is missing).
+"""
 import json
 import os
 import sys

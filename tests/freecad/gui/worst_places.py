@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the panels of checks show besides their tables: the graph that shows the required distance beside far
-neighbours and names what is pointed at, the places from the worst on, parts in the colours of their verdicts.
+"""Panels of checks, besides their tables: the graph shows the required distance also beside far neighbours,
+and names the neighbour under the mouse; buttons go through the closest places, the worst first; parts have
+the colours of their verdicts.
 """
 import os
 import sys

@@ -1,4 +1,4 @@
-// The checker against planted faults of every kind.
+// The mesh check finds planted faults of every kind.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "check/mesh_check.h"
 

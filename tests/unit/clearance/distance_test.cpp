@@ -1,4 +1,4 @@
-// Mesh distance at a pose, inside test: against brute force and against FCL.
+// Distance of meshes at a pose, and the inside test, compared with brute force and with FCL.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// Mechanisms whose smallest distances are known in closed form, or by stamping.
+// Mechanisms whose smallest distances follow from formulas, or are compared with distances at
+// sampled times.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/mechanism.h"
 

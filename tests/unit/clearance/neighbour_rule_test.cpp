@@ -1,4 +1,5 @@
-// Rules of neighbours: their texts, whom they fit, and what they do to a check.
+// Rules of neighbours: how they are written, which neighbours they match, and how they change a
+// check.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/neighbour_rule.h"
 

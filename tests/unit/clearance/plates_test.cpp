@@ -1,4 +1,5 @@
-// Flat cylinders round groups of triangles: they hold what they should, and their gaps are gaps.
+// Flat cylinders around groups of triangles: they contain their triangles, and their distances
+// are lower bounds.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "clearance/plates.h"
 

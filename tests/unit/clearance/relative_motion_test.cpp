@@ -1,4 +1,4 @@
-// Bounds of a relative motion against where its points come.
+// Bounds of a relative motion, compared with the true positions of points.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "clearance/relative_motion.h"
 

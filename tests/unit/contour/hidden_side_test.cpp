@@ -1,5 +1,5 @@
-// A ledge lower than a cell: its riser lies between lattice planes, so that hardly a grid edge
-// meets it. Its upper edge is to be in the envelope all the same.
+// Ledges lower than a cell. Hardly any grid edge meets their riser, but the envelope must
+// contain their upper edge.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The methods that are there to be compared: what each does in cells where they differ.
+// The five methods of division into components, in cells in which they differ.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contour/methods/methods.h"
 

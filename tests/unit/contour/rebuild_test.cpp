@@ -1,5 +1,5 @@
-// Cells that are filled anew so that nothing in them meets: every configuration of one cell, and
-// grids of chance in which nearly every cell has to be rebuilt.
+// Cells whose triangles are replaced so that none intersect: every pattern of one cell, and
+// random grids in which nearly every cell has to be rebuilt.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contour/mend/rebuild.h"
 

@@ -1,4 +1,5 @@
-// Self-intersections found locally against the search over all pairs, before and after mending.
+// Intersecting triangles found cell by cell, compared with a search over all pairs, before and
+// after repair.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contour/mend/surface_intersections.h"
 

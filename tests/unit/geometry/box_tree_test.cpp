@@ -1,4 +1,4 @@
-// Searches in a hierarchy of boxes against looking at every box.
+// Searches in a tree of boxes, compared with a test of every box.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/box_tree.h"
 

@@ -1,4 +1,4 @@
-// The nearest triangle of a mesh against looking at every triangle.
+// The nearest triangle of a mesh, compared with a test of every triangle.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/nearest_triangle.h"
 

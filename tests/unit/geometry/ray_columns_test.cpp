@@ -1,4 +1,5 @@
-// Winding numbers by rays against the sum of solid angles (Van Oosterom and Strackee 1983).
+// Winding numbers from rays, compared with the sum of solid angles (Van Oosterom and Strackee
+// 1983).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/ray_columns.h"
 

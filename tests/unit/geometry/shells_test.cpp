@@ -1,4 +1,5 @@
-// Shells against a flood over the triangles, nesting against balls whose places are known.
+// Shells, compared with a flood fill over the triangles; nesting of shells, with balls at known
+// places.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/shells.h"
 

@@ -1,4 +1,5 @@
-// Distances of points and triangles: against sampling and against the definition in long double.
+// Distances of points and triangles, compared with sampling and with the definition in long
+// double.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/triangle_distance.h"
 

@@ -1,5 +1,6 @@
-// The rasteriser against an oracle that computes with the shifted lattice itself: every number is a
-// polynomial in the shift e with whole coefficients, and its sign is that of the lowest power.
+// The rasteriser, compared with a reference that computes with the shifted lattice itself.
+// There, every number is a polynomial in the shift e with integer coefficients; its sign is that
+// of the lowest power.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "grid/rasterise.h"
 

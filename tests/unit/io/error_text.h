@@ -1,4 +1,4 @@
-// What an error says, where one is due.
+// Returns the text of the error that a call must throw.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

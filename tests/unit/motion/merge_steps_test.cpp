@@ -1,5 +1,5 @@
-// Merged steps of recordings: brute force over the true motion says how far they are off, and what
-// cannot be merged stays as it is.
+// Merged steps of recordings: their deviation is measured on the true motion by brute force.
+// Motions that cannot be merged stay unchanged.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "motion/merge_steps.h"
 

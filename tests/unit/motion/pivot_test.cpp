@@ -1,4 +1,5 @@
-// The pivot of a trajectory: it goes straight, and what is seen from it is the same motion.
+// The pivot of a trajectory: it moves straight, and the motion in coordinates of the pivot is
+// the same motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "motion/pivot.h"
 

@@ -1,4 +1,4 @@
-// The position filter: what it drops, what it keeps, and what the run says about it.
+// The position filter: which poses it drops and keeps, and what the report says.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "motion/position_filter.h"
 

@@ -1,4 +1,4 @@
-// Long edges of bodies that turn are split; nothing else about the body changes.
+// Long edges of a turning body are divided; nothing else about the body changes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "motion/split_edges.h"
 

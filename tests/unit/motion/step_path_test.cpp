@@ -1,4 +1,5 @@
-// The motion of a step: its ends, its law in between, and that all parts take the same path.
+// The motion within a step: both ends, the positions between them, and that all functions give
+// the same path.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "motion/step_path.h"
 

@@ -1,4 +1,4 @@
-// Conservative envelopes: nothing of the sweep outside, and the bound that is printed holds.
+// Conservative envelopes: no point of the sweep lies outside, and the reported bound holds.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Shared volumes against formulas, against the clipping of half-spaces and against sampling.
+// Shared volumes, compared with formulas, with clipping by half-spaces, and with sampling.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/overlap.h"
 

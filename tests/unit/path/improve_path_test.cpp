@@ -1,4 +1,5 @@
-// Motions improved: certified, never worse than asked, the same for any threads; live distances.
+// Improved motions: they are proven clear, never have less clearance than requested, and are the
+// same for any number of threads. Also: live clearance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// Installation paths: found, certified, the same for any threads; honest where there are none.
+// Installation paths: they are found and proven clear, and are the same for any number of
+// threads. Where no path exists, none is reported.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Parts one after the other: each clear of what is there by then; orders that are found, and honest
-// ends where there is none.
+// Sequences: each part is clear of the parts already in place. An order is found, and where none
+// exists, none is reported.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/sequence.h"
 

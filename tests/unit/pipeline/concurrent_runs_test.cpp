@@ -1,4 +1,5 @@
-// Runs in one process at the same time: each gives the bytes and the report that it gives alone.
+// Several runs at the same time in one process: each gives the same bytes and report as it does
+// alone.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,4 +1,5 @@
-// The preview session gives what compute() gives at its chord, call after call.
+// A preview session gives the same results as compute() with the same chord error, call after
+// call.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/preview.h"
 

@@ -1,5 +1,5 @@
-// What trials foresee, in counts: surfaces, crossings that are sorted, probes of contouring.
-// Seconds are compared by tests/tools/estimate_suite.py.
+// Estimates from trials, compared as counts: surfaces, sorted crossings, probes of contouring.
+// tests/tools/estimate_suite.py compares seconds.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

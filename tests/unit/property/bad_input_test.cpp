@@ -1,4 +1,4 @@
-// The table of bad input (docs/bad_input.md) through compute(): every row ends as it says.
+// The rows of docs/bad_input.md through compute(): each run ends as the row says.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

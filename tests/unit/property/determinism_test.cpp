@@ -1,5 +1,5 @@
-// The same bytes for any number of threads, in any run, on any day: results against stored hashes.
-// After a change that is meant to change results, SWEPT_STORE_HASHES=1 writes the new ones.
+// The same bytes for any number of threads and in every run: results are compared with stored
+// hashes. After a change that is meant to change results, SWEPT_STORE_HASHES=1 stores new ones.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

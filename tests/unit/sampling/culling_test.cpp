@@ -1,5 +1,5 @@
-// Signs of the culled sampling against those of all faces and patches, and against the copies of
-// the body themselves, on 200 random motions.
+// Signs from sampling with culling, compared with those from all faces and side patches, and
+// with the copies of the body themselves, on 200 random motions.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Hollow spaces that a sweep seals off: kept where the user asks for it, and only where they are.
+// Cavities that a sweep encloses: they are kept if the user wants it, and only where they exist.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// Solids that have the faces of the sweep: a body from a STEP file, moved along straight lines.
+// Solids whose faces come from the faces and edges of the body: a body from a STEP file, moved
+// along straight lines.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

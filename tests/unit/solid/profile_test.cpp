@@ -1,4 +1,5 @@
-// Extrusions and revolutions: bodies of a profile that is no line and no circle, pushed or turned.
+// Extrusions and revolutions: bodies with profiles other than lines and circles, moved straight
+// or turned.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// Recognised surfaces: the right kinds, exact sizes, a valid solid; facets where nothing fits.
+// Recognised surfaces: the right kinds, exact sizes, a valid solid; facets where no surface
+// fits.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

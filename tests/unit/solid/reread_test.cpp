@@ -1,4 +1,5 @@
-// What is read back is compared with what was to be written: each planted fault is found and named.
+// A file that is read back is compared with what was to be written: each planted fault is found
+// and named.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/reread.h"
 

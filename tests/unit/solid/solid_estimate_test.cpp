@@ -1,5 +1,5 @@
-// What a trial says that a solid takes, beside what it takes: the same faces, the bytes of the
-// file.
+// The trial of a solid, compared with the solid: the same number of faces, and the same number
+// of bytes in the file.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// writeSolid(): what is written reads back as the right solid, and every failure leaves no trace.
+// writeSolid(): the file reads back as the right solid, and a failed run leaves no file.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

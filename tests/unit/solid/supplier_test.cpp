@@ -1,5 +1,5 @@
-// Solids as the one who receives them sees them: the geometry check with its BOP test, tolerances
-// of edges, cut and common with a block; and whether the judge of that finds what is wrong.
+// Solids as their recipient would test them: FreeCAD's geometry check with its BOP test,
+// tolerances of edges, cut and common with a block. Also tests that this check finds faults.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

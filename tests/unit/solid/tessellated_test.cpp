@@ -1,4 +1,4 @@
-// Tessellated solids of AP242: what stands in the file, what is read back, what is refused.
+// Tessellated solids (AP242): what the file contains, what is read back, what is refused.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/text/tessellated.h"
 

@@ -1,4 +1,4 @@
-// Closed meshes made by code for the tests of the solid export, and a motion.
+// Closed meshes and a motion for the tests of the solid export.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,4 +1,5 @@
-// A solid that a reader outside the library has judged is the one that the kernel gives.
+// A solid that a reader outside the library has checked is the same as one that the kernel has
+// checked.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/text_judge.h"
 

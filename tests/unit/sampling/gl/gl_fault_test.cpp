@@ -1,5 +1,4 @@
-// Rows 28 to 33 of the table of bad input (docs/bad_input.md), each provoked on a device that
-// exists nowhere.
+// Rows 28 to 33 of docs/bad_input.md: each fault is provoked on a simulated device.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

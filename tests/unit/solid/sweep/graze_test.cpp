@@ -1,5 +1,6 @@
-// Surfaces in which smooth faces of a moving body graze the envelope, against closed forms and
-// against the condition itself, with velocities from differences of an independent motion.
+// Surfaces along which smooth faces of a moving body touch the envelope. They are compared with
+// formulas, and with the condition that defines them, with velocities from an independent
+// motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

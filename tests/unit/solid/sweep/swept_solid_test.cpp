@@ -1,5 +1,5 @@
-// Swept solids put together by hand from their true faces, written as STEP and judged by the
-// kernel. The volume is that of the body plus what flows through its front, by quadrature.
+// Swept solids built from their exact faces, written as STEP and checked by the kernel. The
+// expected volume is that of the body plus the integral of what its front sweeps.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
