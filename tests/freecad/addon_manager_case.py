@@ -28,8 +28,7 @@ def new_addon():
 
 
 def needed(addon):
-    """The Python packages that the add-on asks for and that cannot be imported: those count as
-    missing."""
+    """Returns the Python packages that the add-on requires and that cannot be imported."""
     if hasattr(addon_module, "MissingDependencies"):  # FreeCAD 1.1 and 1.0
         kind = addon_module.MissingDependencies
         newer = hasattr(kind, "import_from_addon")
@@ -63,7 +62,8 @@ def install_of_0_20(addon, packages):
 
 
 def without_constraints(call):
-    """FreeCAD 1.1 has pip read the versions of allowed packages from the internet."""
+    """Makes FreeCAD 1.1 use the local index: it would have pip read the versions of allowed packages
+    from the internet."""
 
     def pip_call(args):
         words = call(args)

@@ -22,7 +22,8 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
 
 def _add_other_workbenches():
-    """FreeCAD as a module of Python does not look where Debian keeps its workbenches (CAM, Draft)."""
+    """Adds Debian's folders of workbenches (CAM, Draft) to the path: FreeCAD as a module of Python does
+    not look there."""
     for folder in ("/usr/share/freecad/Mod", "/usr/lib/freecad/Mod"):
         names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
         found = [os.path.join(folder, name) for name in names]

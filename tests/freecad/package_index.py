@@ -16,7 +16,7 @@ TAG = "cp{0}{1}-cp{0}{1}-linux_x86_64".format(*sys.version_info[:2])
 
 
 def make_wheel(build, version, folder):
-    """Packs the core in a folder of the build into a wheel; gives its path."""
+    """Packs the core from a folder of the build into a wheel. Returns its path."""
     path = os.path.join(folder, "swept_volume-{}-{}.whl".format(version, TAG))
     info = "swept_volume-{}.dist-info/".format(version)
     files = {}
@@ -55,7 +55,7 @@ class Index(http.server.ThreadingHTTPServer):
         threading.Thread(target=self.serve_forever, daemon=True).start()
 
     def environment(self):
-        """Variables with which pip knows this index and nothing else."""
+        """Returns the environment variables with which pip uses this index only."""
         gone = ("PIP_FIND_LINKS", "PIP_NO_INDEX", "PIP_EXTRA_INDEX_URL", "PYTHONPATH", "SWEPT_CORE")
         kept = {name: value for name, value in os.environ.items() if name not in gone}
         for name in ("no_proxy", "NO_PROXY"):

@@ -25,7 +25,8 @@ def shaft(doc, height=40):
 
 
 def stack(doc):
-    """Blocks in the shaft, given from the top: the lower one has to come first."""
+    """Returns the blocks in the shaft, from the top to the bottom. The lower one must be installed
+    first."""
     return [
         solid(doc, "Upper", (18, 18, 9), (-9, -9, 11)),
         solid(doc, "Lower", (18, 18, 9), (-9, -9, 1)),

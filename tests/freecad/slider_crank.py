@@ -14,7 +14,8 @@ PIN = 6.0  # mm: width of crank and rod
 
 
 def _box(doc, name, lengths, low):
-    """A box as a Part::Feature in a frame of its own: the corner `low` is where it begins there."""
+    """Returns a box as a Part::Feature with a coordinate system of its own, in which its corner is at
+    `low`."""
     import Part
 
     obj = doc.addObject("Part::Feature", name)
@@ -53,7 +54,7 @@ def make(doc):
 
 
 def at(degrees):
-    """(x of the pin, y of the pin, x of the slider) at an angle of the crank."""
+    """Returns (x of the pin, y of the pin, x of the slider) at an angle of the crank."""
     a = math.radians(degrees)
     x, y = CRANK * math.cos(a), CRANK * math.sin(a)
     return x, y, x + math.sqrt(ROD**2 - y**2)

@@ -14,7 +14,7 @@ from sweptvolume.convert import InputProblem
 
 
 def plate(holes):
-    """One solid of holes x holes + 6 faces."""
+    """Returns a solid with holes x holes + 6 faces."""
     side = 10.0 * holes
     outer = Part.makePolygon([V(), V(side), V(side, side), V(0, side), V()])
     places = [V(10 * i + 5, 10 * j + 5) for i in range(holes) for j in range(holes)]

@@ -308,7 +308,7 @@ class SolidAndFiles(Computed):
         self.assertEqual(solid.compute(body)["tolerance"], 0)
 
     def swept_pin(self):
-        """Returns the envelope of a cylinder on its way, and a solid of it with surfaces."""
+        """Returns the envelope of a moved cylinder, and a solid of it with recognised surfaces."""
         part = self.doc.addObject("Part::Cylinder", "Pin")
         part.Radius = 6
         self.doc.recompute()

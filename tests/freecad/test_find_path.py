@@ -16,7 +16,7 @@ class Paths(Case):
     NEEDS_CORE = True
 
     def channel(self, group=None, size=10.0):
-        """A cube between two walls, on a floor; more() of them below a group."""
+        """Makes a cube between two walls, on a floor. more() adds the same below a group."""
         part = self.box("Cube", size)
         walls = []
         for name, sizes, at in (
@@ -35,7 +35,7 @@ class Paths(Case):
         return part, walls
 
     def checked(self, path, pairs, required):
-        """Rows of the check by name."""
+        """Returns the rows of a check by name."""
         root, sub = pairs[0]
         obj = clearance.make_clearance(
             self.doc, Motion=path, AllVisible=True, RequiredDistance=required, MeshDeflection=0.05
@@ -164,7 +164,7 @@ class Paths(Case):
         self.assertEqual(len(self.doc.Objects), known)
 
     def wayward(self, **settings):
-        """A motion through a post that stands in the channel, by a detour."""
+        """A motion passes through a post that stands in the channel; the improved one goes around it."""
         part, walls = self.channel()
         post = self.doc.addObject("Part::Box", "Post")
         post.Length = post.Width = post.Height = 4
@@ -231,8 +231,8 @@ class Paths(Case):
 
 class Demo(unittest.TestCase):
     def test_the_starter_motor_finds_its_way(self):
-        """From its assembled place, with at least the clearance of the path made by hand: 1.37 mm beyond the
-        last 20 mm."""
+        """Finds a path out of the assembled position with at least the clearance of the path designed
+        by hand: 1.37 mm, except for the last 20 mm."""
         if not core.available():
             self.skipTest("the compiled core _swept is not built")
         from sweptvolume import demo

@@ -11,12 +11,14 @@ from sweptvolume.trajectory.poses import Poses
 
 
 class Frames(Case):
-    """Motions of mechanisms come as frames: what lies between them is said or right."""
+    """Motions of mechanisms are recorded as frames. Between frames the interpolated motion must be
+    right, or a message must say that it is not."""
 
     NEEDS_CORE = True
 
     def hinge(self, count, **values):
-        """A bar that turns by 90 degrees about z at the origin, driven by a cell of a sheet."""
+        """Returns a bar that turns by 90 degrees about z at the origin, driven by a cell of a
+        spreadsheet."""
         sheet = self.sheet("angle", "0")
         self.doc.recompute()
         self.bar = self.doc.addObject("Part::Box", "Bar")

@@ -22,7 +22,7 @@ REACH = 5 * math.sqrt(2)
 
 
 def about(point, degrees):
-    """A turn about the z axis through a point."""
+    """Returns a rotation about an axis parallel to z through a point."""
     return shift(*point).multiply(turn(degrees)).multiply(shift(*-point))
 
 
@@ -41,7 +41,7 @@ class Pivot(Case):
         return obj
 
     def assert_in_place(self, obj, middle):
-        """The envelope of the part that turned by 90 degrees about its middle."""
+        """Returns the envelope of the part, turned by 90 degrees about its middle."""
         box, slack = obj.Mesh.BoundBox, 2 * obj.UsedCellSize.Value
         for low, high, at in ((box.XMin, box.XMax, middle.x), (box.YMin, box.YMax, middle.y)):
             self.assertAlmostEqual(low, at - REACH, delta=slack)
@@ -145,7 +145,7 @@ class Pivot(Case):
 
 
 class Numbers(Case):
-    """What the table of keys shows and takes."""
+    """The numbers that the table of keys shows and accepts."""
 
     def test_a_typed_angle_turns_about_the_pivot(self):
         keys = Keys([0.0], [shift(1, 2, 3)], pivot=MIDDLE)

@@ -56,7 +56,7 @@ class Quantities(unittest.TestCase):
 
 
 class Background(unittest.TestCase):
-    """Letters in the 3D view are seen on the background of every theme."""
+    """Text in the 3D view is legible on the background of every theme."""
 
     def test_light_and_dark(self):
         from sweptvolume.views.live_distance import on_light

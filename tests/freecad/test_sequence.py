@@ -23,7 +23,7 @@ class Sequences(Case):
         self.doc.recompute()
 
     def assert_clear(self, obj):
-        """Each motion by the workbench's own check of clearances, with what is there by then."""
+        """Checks each motion with the workbench's clearance check against the parts already in place."""
         there = [(wall, "") for wall in self.walls]
         for (part, subs), path in zip(obj.MovingParts, obj.Motions):
             check = clearance.make_clearance(

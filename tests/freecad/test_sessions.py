@@ -11,7 +11,7 @@ from sweptvolume import core, core_previews
 
 
 def ball(rings):
-    """A sphere of radius 1 with about 4 rings squared triangles."""
+    """Returns a sphere of radius 1 with about 4 * rings * rings triangles."""
     u = np.linspace(0, np.pi, rings + 1)[1:-1]
     v = np.linspace(0, 2 * np.pi, 2 * rings, endpoint=False)
     u, v = np.meshgrid(u, v, indexing="ij")

@@ -41,7 +41,7 @@ class Shared(Case):
         self.assertEqual(obj.Status, UP_TO_DATE)
 
     def test_a_solid_of_what_is_shared(self):
-        """Make solid takes a shared volume; the solid is stale when the volume is another one."""
+        """Make solid accepts a shared volume. The solid is stale if the volume has changed."""
         left, right = self.sides(5)
         obj = self.make([left], [right])
         shared.compute(obj)
@@ -59,7 +59,7 @@ class Shared(Case):
         self.assertAlmostEqual(made.Shape.Volume, 4 * 9 * 9, 4)
 
     def test_flush_solids_share_a_clean_solid(self):
-        """Where faces lie on each other the mesh has triangles without area; its solid has none of them."""
+        """If faces lie on each other, the mesh has triangles without area. The solid has none of them."""
         leaning = turn(30, V(1, 2, 3))
         for k, (by, faces, volume) in enumerate((((5, 0, 0), 6, 500), ((5, 4, 0), 6, 300))):
             left, right = self.box("Flush{}".format(k)), self.box("Beside{}".format(k))

@@ -170,7 +170,7 @@ class AcrossDocuments(OtherDocumentTable):
         other.saveAs(os.path.join(self.folder, "Elsewhere.FCStd"))
 
     def content(self, obj):
-        """With the line that each check tells."""
+        """Includes the summary line of each check."""
         return super().content(obj) + [getattr(obj, "Summary", "")]
 
     def test_nothing_changes_nothing(self):

@@ -103,8 +103,8 @@ def a_group_is_hidden(doc):
 
 @rows
 class StatesOfArrays(Table):
-    """Three pins in a row move; around them stand a link of an array of two posts, two parts in a group of
-    links, one in a plain group, and one in a group with a plain group."""
+    """Three pins in a row move. Around them are a link to an array of two posts, two parts in a group
+    of links, one in a plain group, and one in a group with a plain group."""
 
     CHANGES = CHANGES
 
@@ -154,7 +154,7 @@ class StatesOfArrays(Table):
         self.look("nothing")
 
     def seen(self):
-        """The places that the check of all that is visible names, computed anew."""
+        """Computes again which parts the check with all visible parts names, and where they are."""
         clearance.compute(self.doc.Clearance)
         return {tuple(r["place"]) for r in clearance.report_of(self.doc.Clearance)["neighbours"]}
 
@@ -240,7 +240,7 @@ class Mirrored(Case):
 
 
 class PlainGroups(Case):
-    """A part in a plain group inside a group with a placement: FreeCAD counts it as a member of both."""
+    """A part in a plain group inside a group with a placement: FreeCAD lists it as a member of both."""
 
     NEEDS_CORE = True
 

@@ -255,7 +255,7 @@ class OtherDocuments(OtherDocumentTable):
         self.look("opened and recomputed")
 
     def opened_again(self):
-        """Both documents are closed; this one is opened, and brings the other with it."""
+        """Both documents are closed. This one is opened, and FreeCAD opens the other one with it."""
         for name in (self.doc.Name, "Elsewhere"):
             App.closeDocument(name)
         self.doc = App.openDocument(self.path)

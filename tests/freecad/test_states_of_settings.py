@@ -46,7 +46,7 @@ def accuracy_by_expression(doc):
 
 @change
 def accuracy_in_place_of_what_was_typed(doc):
-    """Resolution and tolerance say nothing where there is an accuracy."""
+    """Resolution and tolerance have no effect if there is an accuracy."""
     for obj in (doc.Envelope, doc.Envelope001):
         obj.Accuracy, obj.Resolution, obj.Tolerance, obj.CellSize = 1.5, 999, 5, 3
 
@@ -199,7 +199,7 @@ class Settings(Table):
 
 
 class OneAndTwo(Case):
-    """What the table cannot say, since it looks at one change at a time."""
+    """Cases that the table cannot contain, since it makes one change at a time."""
 
     NEEDS_CORE = True
 

@@ -230,7 +230,7 @@ class States(Table):
         doc.recompute()
 
     def results(self):
-        """The volumes: envelopes have tables of their own."""
+        """Tests the shared volumes only; envelopes have tables of their own."""
         return [obj for obj in super().results() if shared.is_shared(obj)]
 
     def test_nothing_changes_nothing(self):

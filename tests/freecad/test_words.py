@@ -42,14 +42,14 @@ OTHER_GERMAN = {"Swept volume"}
 
 
 def words(name):
-    """The words of a property, as FreeCAD's property editor shows them, in sentence case. The prefix
-    Source is dropped: SourceAccuracy is "Accuracy" in the panel of the source."""
+    """Returns the name of a property as FreeCAD's property editor shows it, in sentence case. The
+    prefix Source is dropped: SourceAccuracy is "Accuracy" in the panel of the source."""
     name = re.sub("^Source(?=[A-Z])", "", name)
     return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).capitalize()
 
 
 def inputs():
-    """Names of the properties that people set."""
+    """Returns the names of the properties that users set."""
     found = [row[1] for row in envelope_properties.INPUT + envelope_properties.ACCURACY]
     for module in (clearance_properties, mechanism_properties, sequence_properties):
         found += [row[1] for row in module.INPUT]
@@ -83,8 +83,8 @@ class Words(unittest.TestCase):
         self.assertEqual(wrong, [])
 
     def test_words_are_those_of_the_glossary(self):
-        """In English and German, for each term that is a text of the workbench too. Each label that
-        the glossary names in its last column is such a text."""
+        """Checks the terms that are also texts of the workbench, in English and German. Each label in
+        the last column of the glossary must be such a text."""
         path = os.path.join(ROOT, "docs", "handbook", "glossary.md")
         with open(path, encoding="utf-8") as file:
             page = file.read()
@@ -135,7 +135,7 @@ class Words(unittest.TestCase):
                 self.assertIn('Word{{"{}", "{}", "{}"}}'.format(code, name.lower(), german), source)
 
     def test_messages_on_the_page_for_troubleshooting_are_those_of_the_core(self):
-        """The column of messages has the beginning of each text of the core, in the row of its code."""
+        """The column of messages has the beginning of each message, in the row of its code."""
         from sweptvolume import core_texts
 
         path = os.path.join(ROOT, "docs", "handbook", "troubleshooting.md")

@@ -31,7 +31,7 @@ V = App.Vector
 
 
 def colour(obj):
-    """(red, green, blue) of what is drawn, as this FreeCAD keeps it."""
+    """Returns the colour (red, green, blue) that is drawn, however this FreeCAD stores it."""
     view = obj.ViewObject
     if hasattr(view, "ShapeColor"):
         return tuple(view.ShapeColor)[:3]

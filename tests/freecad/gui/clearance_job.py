@@ -29,7 +29,8 @@ from driver import (  # noqa: E402
 
 
 def check_pdf(content):
-    """A whole file of some pages with the pictures; its text where pdftotext is there."""
+    """Checks that a PDF file is complete: its pages, its pictures, and its text if pdftotext is
+    installed."""
     assert content.startswith(b"%PDF-") and content.rstrip().endswith(b"%%EOF")
     pages = len(re.findall(rb"/Type\s*/Page\b", content))
     pictures = len(re.findall(rb"/Subtype\s*/Image\b", content))
@@ -43,7 +44,7 @@ def check_pdf(content):
 
 
 def keep(path):
-    """A copy beside the pictures, to be looked at."""
+    """Keeps a copy beside the screenshots, to look at."""
     if os.environ.get("SWEPT_SHOTS"):
         shutil.copy(path, os.environ["SWEPT_SHOTS"])
 

@@ -29,8 +29,8 @@ from spaces import add_box, at, hidden_motion, swept_space  # noqa: E402
 
 
 def scene(doc):
-    """A slide that goes 100 mm along x: 3 mm into a bolt (clash), and past a wall 2 mm beside its way.
-    Returns the envelope of the slide."""
+    """Returns the envelope of a slide that moves 100 mm along x: 3 mm into a bolt (clash), and past a
+    wall at a distance of 2 mm."""
     slide = add_box(doc, "Slide", (10, 10, 10), (0, 0, 0))
     path = hidden_motion(doc, at(0), at(100), 2)
     bolt = doc.addObject("Part::Cylinder", "Bolt")
@@ -140,7 +140,8 @@ def scenario():
 
 
 def two_that_move():
-    """Two cubes that pass through each other, 3 mm deep: the line and the clash volume of both at a time."""
+    """Two cubes that pass through each other, 3 mm deep: the player shows the line between them and the
+    solid of the clash at each time."""
     from sweptvolume.features import mechanism, shared
 
     doc = new_document("Passing")

@@ -52,7 +52,7 @@ def mesh_object(doc, name, path, scale=1.0):
 
 
 def rows_of(path, unit):
-    """Rows of a table of poses, each with its Placement."""
+    """Returns the rows of a table of poses, each with its Placement."""
     with open(path, encoding="utf-8") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             base = V(*(unit * float(row[k]) for k in ("tx", "ty", "tz")))
@@ -66,7 +66,7 @@ def see_all():
 
 
 def type_row(keyboard, table, numbers):
-    """Types numbers into the current row, None: leaves a cell; a generator."""
+    """A generator that types numbers into the current row. None skips a cell."""
     row = table.currentRow()
     yield from keyboard.type("", *["Left"] * table.currentColumn())
     for column, number in enumerate(numbers):
@@ -79,7 +79,7 @@ def type_row(keyboard, table, numbers):
 
 
 def envelope_of(doc, part, motion):
-    """The envelope by its panel; a generator that returns it."""
+    """A generator that makes an envelope with its panel, and returns it."""
     from sweptvolume.features import envelope
 
     select(part, motion)
@@ -94,7 +94,7 @@ def envelope_of(doc, part, motion):
 
 
 def robot_arm(keyboard):
-    """34 keys where the arm was recorded, from an empty path."""
+    """Designs a motion from nothing: 34 keys at the placements where a robot arm was recorded."""
     from sweptvolume.features import envelope, motion
     from sweptvolume.trajectory.edit import as_numbers
 
@@ -151,7 +151,7 @@ def robot_arm(keyboard):
 
 
 def verdicts(doc, beam, path):
-    """What the check of the way says of each neighbour; a generator that returns it."""
+    """A generator that checks the clearance along the path, and returns the verdict for each neighbour."""
     select(beam, path)
     Gui.runCommand("SweptVolume_Clearance")
     yield 0.4
@@ -172,7 +172,8 @@ def verdicts(doc, beam, path):
 
 
 def beams(keyboard):
-    """Start and goal; keys are put between and lifted until nothing is in the way."""
+    """Designs a path from start and goal: adds keys between them and lifts these until nothing is in
+    the way."""
     places = {(row["part"], row["state"]): place for row, place in rows_of(POSES, CM)}
     doc = new_document("Beams")
     parts = {}

@@ -38,7 +38,7 @@ def motions(doc):
 
 
 def check(doc, part, path, required):
-    """The workbench's own check of a path: rows by the names of the neighbours."""
+    """Returns the rows of a clearance check of the path, by the names of the neighbours."""
     from sweptvolume.features import clearance
 
     obj = clearance.make_clearance(
@@ -49,7 +49,7 @@ def check(doc, part, path, required):
 
 
 def slot_scene(doc):
-    """A plate in a case with a slot that it passes only when it is turned."""
+    """A plate in a case with a slot. The plate fits through the slot only if it is turned."""
     import Part
 
     case = doc.addObject("Part::Feature", "Case")
@@ -64,7 +64,8 @@ def slot_scene(doc):
 
 
 def slot(doc):
-    """Found by typing the start; neighbours, clearance of one's own, undo, a second search."""
+    """A path is found from a typed start. Also: neighbours, a required distance for one of them, undo,
+    and a second search."""
     _, part = slot_scene(doc)
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
@@ -131,7 +132,8 @@ def slot(doc):
 
 
 def too_narrow(doc):
-    """A plate that fits nowhere: cancelled, then the time ends; how far it came is told and shown."""
+    """A plate that does not fit through: one search is stopped, another reaches its time limit. The
+    panel and the view show how far the plate came."""
     part = doc.getObject("Plate")
     part.Height = 18
     part.Placement.Base.z = -9
@@ -166,7 +168,8 @@ def too_narrow(doc):
 
 
 def just_out(doc):
-    """Without a start, in a moved group: the motion leads there all the same."""
+    """A part in a moved group, without a given start: the motion ends at its installed position all the
+    same."""
     from sweptvolume.features import motion
 
     group = doc.addObject("App::Part", "Bay")

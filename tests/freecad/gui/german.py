@@ -21,7 +21,7 @@ from driver import (  # noqa: E402
 
 
 def texts_of_panel():
-    """All that labels, buttons and titles of the open panel say."""
+    """Returns the texts of all labels, buttons and titles of the open panel."""
     found = []
     for kind, read in (
         (QtWidgets.QLabel, "text"),

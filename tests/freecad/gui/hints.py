@@ -32,7 +32,8 @@ V = App.Vector
 
 
 class Told:
-    """What FreeCAD tells beside the panels: message boxes (answered at once) and the report view."""
+    """Records messages outside the panels: message boxes, which are closed at once, and lines of the
+    report view."""
 
     def __init__(self):
         self.boxes, self.files, self._lines = [], [], 0
@@ -60,8 +61,8 @@ class Told:
                 widget.reject()
 
     def new(self):
-        """(message boxes, plain lines, coloured lines, whether the report view is open) since the last
-        call; closes it."""
+        """Returns (message boxes, plain lines, coloured lines, whether the report view is open) since
+        the last call, and closes the report view."""
         document = self.report.document()
         plain, coloured = [], []
         for number in range(self._lines, document.blockCount()):
@@ -77,7 +78,8 @@ class Told:
 
 
 def check(told, text, boxes=0, lines=0, panel=""):
-    """A text stands once: in so many boxes and lines, or in the panel; nothing in colour, nothing opened."""
+    """Checks that a text appeared in just these message boxes and lines, or in the panel. Nothing may
+    be coloured, and the report view must stay closed."""
     found, plain, coloured, seen = told.new()
     say("{!r}: boxes {}, lines {}, coloured {}, open {}".format(text, found, plain, coloured, seen))
     assert [text in box for box in found] == [True] * boxes, (text, found)

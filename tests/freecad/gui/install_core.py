@@ -50,7 +50,7 @@ def in_folder(folder):
 
 
 def start_again():
-    """The core that another FreeCAD with the same profile finds."""
+    """Returns the core that another FreeCAD with the same profile finds."""
     with tempfile.NamedTemporaryFile("w", suffix=".py") as script:
         script.write(AGAIN)
         script.flush()

@@ -30,7 +30,7 @@ HELD = QtCore.Qt.ControlModifier
 
 
 def undo_key(name):
-    """Presses the keys of Undo or Redo as the window gets them, if one shortcut alone has them."""
+    """Presses the keys of Undo or Redo. Checks first that they belong to one shortcut only."""
     from sweptvolume.panels import motion_panel
 
     panel = motion_panel.opened[-1]
@@ -43,7 +43,7 @@ def undo_key(name):
 
 
 def entries(kind):
-    """(holder, entry) of all that stands in menus or toolbars."""
+    """Returns (menu or toolbar, entry) for all entries."""
     for holder in Gui.getMainWindow().findChildren(kind):
         for action in holder.actions():
             yield holder, action

@@ -25,7 +25,7 @@ def column(table, number):
 
 
 def edit(keyboard, table):
-    """Every action of the path editor, and back to the path of before."""
+    """Uses each action of the motion editor with the keyboard, then restores the motion."""
     press, letter = keyboard.press, keyboard.letter
     panel = motion_panel.opened[-1]
     yield from keyboard.type("3", "Return")

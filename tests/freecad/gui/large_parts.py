@@ -62,7 +62,7 @@ def scene(folder):
 
 
 def measured(text, steps, limit):
-    """Carries out steps, and judges how long the window's own thread worked between two events."""
+    """Runs steps and checks how long the window's own thread worked between two events."""
     gaps = Gaps()
     yield from steps
     said = gaps.stop()
@@ -71,7 +71,7 @@ def measured(text, steps, limit):
 
 
 def by_panel(show, button, over):
-    """A panel is opened, its run started and awaited."""
+    """Opens a panel, starts its run and waits until it ends."""
     panel = show()
     yield 1.0
     click(button())
@@ -79,7 +79,8 @@ def by_panel(show, button, over):
 
 
 def marked(*objects):
-    """Marks objects by the entry of the tree's context menu: how a user has a result looked at again."""
+    """Marks objects for recompute with the entry of the tree's context menu, as a user does to have a
+    result checked again."""
     select(*objects)
     yield 0.5
     actions = tree().findChildren(getattr(QtWidgets, "QAction", None) or QtGui.QAction)
@@ -91,7 +92,7 @@ def marked(*objects):
 
 
 def judged(doc, hull, wanted):
-    """A change that is not seen at once, seen a little later."""
+    """Checks that a change which cannot be noticed at once is noticed a little later."""
     from sweptvolume.features import envelope
 
     doc.recompute()

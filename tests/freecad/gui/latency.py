@@ -37,8 +37,8 @@ CELLS, SECONDS, LEAST, LIMIT = 128, 4.0, 3, 100.0
 
 
 class Spent(QtCore.QObject):
-    """CPU seconds of the window's thread, of the software renderer's (if that draws) and of all others;
-    pictures that were drawn."""
+    """Returns the CPU seconds of the window's thread, of the software renderer's threads (if it draws)
+    and of all others, and the number of pictures drawn."""
 
     def __init__(self):
         super().__init__()
@@ -63,7 +63,7 @@ class Spent(QtCore.QObject):
         return found + [time.process_time() - sum(found)]
 
     def stop(self, updates):
-        """Text, for one of so many updates."""
+        """Returns these times as a text, divided by the number of updates."""
         self.view.removeEventFilter(self)
         spent = [1000 * (b - a) / max(updates, 1) for a, b in zip(self.before, self._now())]
         text = "{:.0f} ms of CPU a preview: window {:.0f}, drawing {:.0f}, core {:.0f}; {:.1f} pictures"
@@ -71,7 +71,8 @@ class Spent(QtCore.QObject):
 
 
 def dragging(panel, row):
-    """Moves a key as the mouse would, as often as the dragger's timer looks at it; a generator."""
+    """A generator that moves a key as the mouse would, as often as the dragger's timer reads its
+    position."""
     from sweptvolume.views import dragger
 
     began, n, home = time.perf_counter(), 0, App.Placement(panel.keys.placements[row])

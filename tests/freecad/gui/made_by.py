@@ -34,7 +34,7 @@ def scenario():
     from sweptvolume.panels import made_panel, motion_panel
 
     def colours(obj):
-        """Different colours of faces that are drawn of an envelope now."""
+        """Returns the number of different colours in which the envelope is drawn."""
         from pivy import coin
 
         search = coin.SoSearchAction()

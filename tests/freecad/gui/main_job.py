@@ -28,7 +28,7 @@ from driver import (  # noqa: E402
 
 
 def drawn_faces(obj):
-    """Triangles in the 3D view of a mesh object."""
+    """Returns the number of triangles with which a mesh object is drawn."""
     from pivy import coin
 
     search = coin.SoSearchAction()

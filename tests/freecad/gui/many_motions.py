@@ -50,7 +50,7 @@ def scene():
 
 
 def one_by_one(motions):
-    """s that the poses take, told one by one."""
+    """Returns the seconds that FreeCAD needs to read all poses one by one."""
     began = time.thread_time()
     for path in motions:
         [(tuple(p.Base), p.Rotation.Q, p.toMatrix().A) for p in path.Placements]

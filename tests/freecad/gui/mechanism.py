@@ -36,7 +36,8 @@ def rows_of(table):
 
 
 def motions_of_all_parts(doc, sheet):
-    """Only the driver is selected: every part that moves gets a motion, in one undo step."""
+    """Only the object with the driven value is selected: every part that moves gets a motion, in one
+    undo step."""
     undo = doc.UndoCount
     select(sheet)
     Gui.runCommand("SweptVolume_MotionDriven")

@@ -34,7 +34,7 @@ PATIENCE = 0.3
 
 
 def fields(form):
-    """Names are not enough: every field that takes text."""
+    """Returns every field that takes text, also those without a name."""
     spins = form.findChildren(QtWidgets.QAbstractSpinBox)
     inner = [edit for spin in spins for edit in spin.findChildren(QtWidgets.QLineEdit)]
     lines = [edit for edit in form.findChildren(QtWidgets.QLineEdit) if edit not in inner]
@@ -42,7 +42,7 @@ def fields(form):
 
 
 def settled():
-    """Whether no run is under way; stops one that takes long."""
+    """Returns whether no run is in progress; stops one that takes long."""
     from sweptvolume import runner
 
     for one in runner.running():
@@ -53,7 +53,7 @@ def settled():
 
 
 def storm(name, reopen, confirm):
-    """Every kind of nonsense in every field of a panel."""
+    """Types every kind of invalid text into every field of a panel."""
     panel = reopen()
     yield 0.4
     count, told = len(fields(panel.form)), 0
@@ -88,7 +88,7 @@ def storm(name, reopen, confirm):
 
 
 def table_storm(panel):
-    """The key table takes text by itself."""
+    """The table of keys, whose cells take text."""
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     for column in range(table.columnCount()):
         for text in NONSENSE:
@@ -100,7 +100,7 @@ def table_storm(panel):
 
 
 def counted_as_rows(doc, box):
-    """A message names the poses by the numbers that stand before their rows in the key table."""
+    """Messages name poses by the numbers before their rows in the table of keys."""
     from sweptvolume import core
     from sweptvolume.features import envelope, motion
     from sweptvolume.panels import motion_panel

@@ -39,7 +39,7 @@ TEMPLATE = (
 
 
 def text_of(path):
-    """The text of a PDF; "" where there is no pdftotext."""
+    """Returns the text of a PDF, or "" if pdftotext is not installed."""
     if shutil.which("pdftotext") is None:
         return ""
     done = subprocess.run(["pdftotext", "-layout", path, "-"], capture_output=True)
@@ -54,7 +54,8 @@ def pictures_in(path):
 
 
 def picture():
-    """s of CPU of the window's thread for one picture of FreeCAD's own: no call takes it in pieces."""
+    """Returns the CPU seconds of the window's thread for one picture of FreeCAD's own, which cannot be
+    divided into steps."""
     from sweptvolume.panels.page_pictures import SIZE
 
     view, took = Gui.activeDocument().activeView(), []
@@ -66,7 +67,7 @@ def picture():
 
 
 def exported(obj, name):
-    """Writes a report by the command; gives its path at the end."""
+    """A generator that writes a report with the command, and returns its path."""
     from sweptvolume.panels import file_dialogs
 
     path = os.path.join(FOLDER, name)
@@ -134,7 +135,7 @@ def make_study(doc):
 
 
 def stopped(obj):
-    """A run that is cancelled while pictures are taken leaves nothing."""
+    """A run that is cancelled while pictures are taken leaves no file."""
     from sweptvolume import runner
     from sweptvolume.panels import page_task
 

@@ -31,7 +31,7 @@ from spaces import add_box, at, hidden_motion, swept_space  # noqa: E402
 
 
 def envelopes(doc):
-    """Two that cross: one of 10 x 10 mm along x, and one along y that lies 4 mm higher."""
+    """Two envelopes that cross: one of 10 x 10 mm along x, and one along y that lies 4 mm higher."""
     found = []
     for name, start, end in (
         ("First", (0, 0, 0), (60, 0, 0)),
@@ -119,7 +119,7 @@ def scenario():
 
 
 def large(doc):
-    """Rings of 500,000 triangles: the window goes on, and a run is stopped at once."""
+    """Rings of 500,000 triangles: the window responds, and Stop takes effect at once."""
     import Mesh
 
     rings = []

@@ -26,7 +26,7 @@ V = App.Vector
 
 
 def area_of(form):
-    """The scroll area that shows a panel."""
+    """Returns the scroll area of a panel."""
     widget = form
     while widget is not None and not isinstance(widget, QtWidgets.QScrollArea):
         widget = widget.parentWidget()
@@ -35,7 +35,7 @@ def area_of(form):
 
 
 def cut_off(form):
-    """Names of what cannot be seen in full however far the panel is scrolled."""
+    """Returns the names of the widgets that are cut off, wherever the panel is scrolled to."""
     area, found = area_of(form), []
     if area.horizontalScrollBar().isVisible():
         found.append("the panel is wider than its dock")

@@ -35,7 +35,8 @@ FIGURES = re.compile(
 
 
 def figures(text):
-    """(faces, megabytes, whether they are bounds) that the panel shows; None: none yet."""
+    """Returns (faces, megabytes, whether they are upper bounds) that the panel shows; None if there are
+    none yet."""
     found = FIGURES.match(text)
     if found is None:
         return None

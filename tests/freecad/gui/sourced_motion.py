@@ -30,7 +30,7 @@ V = App.Vector
 
 
 def answering(button, picture=""):
-    """Answers the next question by a button, from the loop; gives what was asked."""
+    """Presses a button of the next question from the event loop. Returns the text of the question."""
     asked = []
 
     def answer():
@@ -48,7 +48,7 @@ def answering(button, picture=""):
 
 
 def menu_of(name):
-    """Texts of the context menu of an object in the tree."""
+    """Returns the texts of the context menu of an object in the tree."""
     view = tree()
     item = next(
         i for i in view.findItems(name, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0)

@@ -30,15 +30,15 @@ V = App.Vector
 
 
 def made(doc):
-    """The motion that was made last."""
+    """Returns the motion that was made last."""
     from sweptvolume.features.motion import is_motion
 
     return [o for o in doc.Objects if is_motion(o)][-1]
 
 
 def stops_early(doc):
-    """Frames that are missing are said in the panel before a motion is made; a second OK takes what is there:
-    with a part chosen, and with all parts that move."""
+    """If frames of a simulation are missing, the panel says so before a motion is made. A second OK
+    uses the frames that exist. Tested with one chosen part, and with all parts that move."""
     simulation, part = stuck(doc)
     for chosen in ((simulation, part), (simulation,)):
         before, undo = len(doc.Objects), doc.UndoCount

@@ -70,7 +70,7 @@ def scene():
 
 
 def heavy(doc, body, path):
-    """The panel with 0.12 mm cells and simplification, under way."""
+    """Opens the panel, sets cells of 0.12 mm and a simplification, and starts the run."""
     from sweptvolume import runner
     from sweptvolume.panels import envelope_panel
 
@@ -85,7 +85,7 @@ def heavy(doc, body, path):
 
 
 def stopped_while_meshing(doc, path):
-    """A plate with holes enough that its triangles take seconds."""
+    """Returns a plate with so many holes that its triangulation takes seconds."""
     import Part
 
     from sweptvolume.panels import envelope_panel
@@ -112,13 +112,13 @@ def stopped_while_meshing(doc, path):
 
 
 def reached(panel, part):
-    """Whether the bar has come so far, or the run to its end."""
+    """Returns whether the progress bar has come this far, or the run has ended."""
     bar = panel.box.bar
     return lambda: panel.run is None or bar.value() >= part * bar.maximum()
 
 
 def stopped_at(panel, part):
-    """Stops the run of a panel when its bar stands there; returns the stage."""
+    """Stops the run of a panel when the progress bar has come this far. Returns the stage."""
     from sweptvolume import runner
 
     yield reached(panel, part)
@@ -131,7 +131,7 @@ def stopped_at(panel, part):
 
 
 def discard():
-    """Answers FreeCAD's question about what is not saved; from then on the end is awaited."""
+    """Answers FreeCAD's question about unsaved changes. From then on, FreeCAD must end in time."""
     asked = QtWidgets.QApplication.activeModalWidget()
     if asked is None:
         return QtCore.QTimer.singleShot(50, discard)

@@ -24,7 +24,7 @@ V = App.Vector
 
 
 def items(document):
-    """Label -> label of the item above it, of the whole tree, as it is shown."""
+    """Returns {label: label of the item above it} for the whole tree."""
     view, found = tree(), {}
     walk = [view.topLevelItem(i) for i in range(view.topLevelItemCount())]
     for item in walk:  # it grows, and keeps all: PySide 6 forgets what is below an entry with it
@@ -35,7 +35,7 @@ def items(document):
 
 
 def drawn(label):
-    """What the tree draws before a name."""
+    """Returns the icon of an item of the tree."""
     (item,) = tree().findItems(label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0)
     return item.icon(0).pixmap(16, 16).toImage()
 

@@ -66,7 +66,7 @@ def bay():
 
 
 def robot_arm():
-    """A recorded path becomes a motion whose keys are edited: it stays what was recorded, but smooth."""
+    """A recorded motion becomes one with keys that can be edited: it follows the recording smoothly."""
     import Mesh
 
     from sweptvolume.features import envelope
