@@ -115,7 +115,7 @@ class Moving(Case):
             envelope.compute(obj)
 
     def test_smooth_motion(self):
-        """Returns three keys on a quarter of a circle, with the velocities of a motion along it."""
+        """Three keys on a quarter of a circle, with the velocities of a motion along it."""
         box = self.box(size=2.0)
         speed = 20 * math.pi / 2
         places = [shift(20), shift(20 * math.sqrt(0.5), 20 * math.sqrt(0.5)), shift(0, 20)]

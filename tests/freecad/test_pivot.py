@@ -41,7 +41,7 @@ class Pivot(Case):
         return obj
 
     def assert_in_place(self, obj, middle):
-        """Returns the envelope of the part, turned by 90 degrees about its middle."""
+        """Checks the envelope of the part, which turns by 90 degrees about its middle."""
         box, slack = obj.Mesh.BoundBox, 2 * obj.UsedCellSize.Value
         for low, high, at in ((box.XMin, box.XMax, middle.x), (box.YMin, box.YMax, middle.y)):
             self.assertAlmostEqual(low, at - REACH, delta=slack)

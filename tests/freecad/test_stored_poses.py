@@ -158,7 +158,7 @@ class KeptPoses(Case):
 
 
 class _ByLabel:
-    """Returns a document whose linked motion has this name."""
+    """A document whose linked motion has this name."""
 
     def __init__(self, doc, linked):
         self._doc, self.Linked = doc, linked

@@ -52,7 +52,7 @@ def mesh_object(doc, name, path, scale=1.0):
 
 
 def rows_of(path, unit):
-    """Returns the rows of a table of poses, each with its Placement."""
+    """A generator of the rows of a table of poses, each with its Placement."""
     with open(path, encoding="utf-8") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             base = V(*(unit * float(row[k]) for k in ("tx", "ty", "tz")))

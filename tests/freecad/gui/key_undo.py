@@ -43,7 +43,7 @@ def undo_key(name):
 
 
 def entries(kind):
-    """Returns (menu or toolbar, entry) for all entries."""
+    """A generator of (menu or toolbar, entry) for all entries."""
     for holder in Gui.getMainWindow().findChildren(kind):
         for action in holder.actions():
             yield holder, action

@@ -37,7 +37,7 @@ CELLS, SECONDS, LEAST, LIMIT = 128, 4.0, 3, 100.0
 
 
 class Spent(QtCore.QObject):
-    """Returns the CPU seconds of the window's thread, of the software renderer's threads (if it draws)
+    """Measures the CPU seconds of the window's thread, of the software renderer's threads (if it draws)
     and of all others, and the number of pictures drawn."""
 
     def __init__(self):

@@ -62,7 +62,7 @@ def hide(doc):
 
 
 def drawn(places):
-    """Returns the paths of the parts at whose corner something is drawn, seen from above."""
+    """A generator that returns the paths of the parts at whose corner something is drawn, seen from above."""
     view, half = view_from("Top"), SIZE / 2
     yield 1.0
     found = set()

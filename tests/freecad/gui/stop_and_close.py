@@ -85,7 +85,7 @@ def heavy(doc, body, path):
 
 
 def stopped_while_meshing(doc, path):
-    """Returns a plate with so many holes that its triangulation takes seconds."""
+    """A step: a run is stopped while a plate is meshed that has so many holes that this takes seconds."""
     import Part
 
     from sweptvolume.panels import envelope_panel
