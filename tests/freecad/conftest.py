@@ -36,6 +36,6 @@ try:
 
     _add_other_workbenches()
 except ImportError as error:
-    # Not a silent skip: pytest prints the reason with every file it leaves out.
+    # Not skipped silently: pytest prints the reason and every file that it leaves out.
     collect_ignore_glob = ["test_*.py"]
     print("tests/freecad skipped: FreeCAD cannot be imported ({})".format(error))

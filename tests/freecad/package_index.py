@@ -46,7 +46,8 @@ class Index(http.server.ThreadingHTTPServer):
 
     def __init__(self, folder):
         super().__init__(("127.0.0.1", 0), _Handler)
-        # FreeCAD ends at a broken pipe since 1.0: here, when pip is stopped in a download.
+        # Since 1.0, a broken pipe ends FreeCAD. This happens here when pip is stopped during a
+        # download.
         signal.signal(signal.SIGPIPE, signal.SIG_IGN)
         self.folder, self.asked, self.held = folder, [], threading.Event()
         self.held.set()

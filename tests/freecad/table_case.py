@@ -173,7 +173,7 @@ class Table(Case):
         self.look(name)
         if self.doc.UndoNames[0] == name:  # what is shown is not recorded at all
             self.doc.undo()
-        # FreeCAD's undo leaves what is shown as it is, and what an expression has set.
+        # FreeCAD's Undo changes neither the visibility of objects nor values set by an expression.
         for obj in self.doc.Objects:
             obj.Visibility = shown[obj.Name]
         self.doc.recompute()

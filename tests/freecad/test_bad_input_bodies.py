@@ -81,7 +81,8 @@ class BadBodies(BadCase):
 
         obj = self.accepted(self.box(), from_place(1e6, -2e6, 3e6))
         self.assertAlmostEqual(obj.Volume.Value, 4000, delta=40)
-        # FreeCAD keeps single precision, a quarter of a millimetre there: its mesh is local.
+        # FreeCAD stores single precision, a quarter of a millimetre there. So its mesh has local
+        # coordinates.
         self.assertAlmostEqual(obj.Mesh.Volume, 4000, delta=40)
         self.assertAlmostEqual(obj.Mesh.BoundBox.YMin, -2e6, delta=1)
         obj.Motion = from_place(4e9, 0, 0)

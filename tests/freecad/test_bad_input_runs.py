@@ -13,7 +13,7 @@ from sweptvolume import core, export
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import envelope, motion, solid
 
-#: A document with a moving box in a process of its own; `run` says what to do with the envelope.
+#: A document with a moving box, in a separate process; `run` is code that uses the envelope.
 SCRIPT = """
 import sys
 for folder in {folders!r}: sys.path.append(folder)

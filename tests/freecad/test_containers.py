@@ -130,7 +130,7 @@ class Containers(Case):
         obj = self.doc.getObject("Envelope")
         self.recompute()
         self.assert_seen(obj, self.doc.getObject("Outer"))
-        # A circle that an older version has left is opened.
+        # A document with a circular dependency, as an older version could leave it.
         obj.MovingParts = [(self.doc.getObject("Group"), "Slide.")]
         self.reopen()
         self.recompute()
@@ -151,7 +151,7 @@ class Computed(Case):
         envelope.compute(obj)
         self.assertEqual(obj.Status, envelope.UP_TO_DATE)
         self.assert_placement(obj.getGlobalPlacement(), App.Placement())
-        # FreeCAD gives the box as the group sees it.
+        # FreeCAD gives the box in the coordinates of the group.
         self.assertAlmostEqual(obj.Mesh.BoundBox.YMin + 50, 50, delta=obj.UsedCellSize.Value)
 
 
@@ -266,6 +266,6 @@ class Rule(Case):
         self.assertEqual(obj.Status, envelope.STALE)
         envelope.compute(obj)
         self.assertAlmostEqual(obj.Volume.Value, volume, delta=0.02 * volume)
-        # The group is turned by 90 degrees: so is the way, which went along x.
+        # The group is turned by 90 degrees, and so is the motion, which was along x.
         vertices = clearance_plan.envelope_arrays(obj)[0]
         self.assertGreater(float(np.ptp(vertices[:, 1])), float(np.ptp(vertices[:, 0])))

@@ -34,7 +34,7 @@ class CoreTexts(unittest.TestCase):
         self.assertIn("Blocked", found)  # with the name of the end before it: path/ends.cpp
         found.update(end + "Blocked" for end in ("Goal", "Start", "Via"))
         self.assertEqual(set(core_texts._TEXTS) - found, set())
-        #: What no object of FreeCAD can cause.
+        #: Codes that no object of FreeCAD can cause.
         refusals -= {"BadFaces", "BadIndex", "NothingKept", "NoSurface", "SameFile", "CheckFailed"}
         refusals -= {"BadReport", "NoPython", "UnknownPart", "NoParts", "PartTwice"}
         self.assertEqual(refusals - set(core_texts._TEXTS), set())

@@ -241,7 +241,7 @@ class Envelope(Computed):
         self.assertIsNone(kept._last)
 
     def test_position_filter(self):
-        # To and fro across the way, so that no steps are merged.
+        # To and fro across the direction of motion, so that no steps are merged.
         places = [shift(0.01 * k, 0.1 * (k % 2)) for k in range(2001)]
         self.part = self.box()
         path = motion.motion_from_poses(self.doc, range(2001), places)

@@ -43,7 +43,7 @@ class Frames(Case):
         self.assertEqual(path.Interpolation, "Screw")
         obj = self.envelope([self.bar], path, Resolution=100)
         envelope.compute(obj)
-        # A quarter of a disc, and the bar's own width before and behind it.
+        # A quarter of a disc, and the width of the bar before and behind it.
         exact = 5 * (math.pi / 4 * (60**2 + 5**2) + 2 * 60 * 5 / 2)
         self.assertAlmostEqual(obj.Volume.Value, exact, delta=0.01 * exact)
         self.assertNotIn("are large: near", obj.Message)

@@ -79,6 +79,6 @@ def _run(scenario, before=()):
     print(done.stdout[-4000:])
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
     assert scenario + " passed" in done.stdout.splitlines(), "another file's scenario was run"
-    # An error in a button's own code is only printed.
+    # An exception in the code of a button is only printed.
     for words in ("Traceback", "already deleted"):
         assert words not in done.stdout + done.stderr, done.stdout + done.stderr

@@ -8,7 +8,7 @@ import unittest
 import sweptvolume
 
 HERE = os.path.dirname(os.path.realpath(sweptvolume.__file__))
-#: From the bottom up; a module may import what stands before its own group.
+#: From the lowest layer up; a module may import what stands above its own group in this list.
 ORDER = [
     ["texts", "settings", "safe_file", "quantities", "interpreter"],
     ["core_texts", "core_search"],

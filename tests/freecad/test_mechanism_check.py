@@ -150,7 +150,7 @@ class Distances(SliderCrank):
         self.assertEqual(obj.Status, UP_TO_DATE)
         self.assertEqual((obj.Checked, obj.Verdict), (6, "below"))
         rows = self.rows(obj)
-        # The wall: nearest with the crank along x. The rod lies 1 mm over crank and slider.
+        # The wall is nearest when the crank points along x. The rod lies 1 mm above crank and slider.
         gap = STOP - (CRANK + ROD + HALF)
         row = rows["Slider", "Wall"]
         self.assertAlmostEqual(row["distance"], gap, delta=1e-3)

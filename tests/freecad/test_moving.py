@@ -128,7 +128,8 @@ class Moving(Case):
         ]
         obj = self.envelope([box], way, Resolution=100)
         envelope.compute(obj)
-        # Convex in x and y and only shifted: the area below the way of each corner is the circle's.
+        # The box is convex in x and y and does not turn: the area below the path of each corner is that
+        # of the circle.
         box = obj.Mesh.BoundBox
         self.assertAlmostEqual(box.XMax, 22, delta=obj.UsedCellSize.Value)
         points = convert.arrays_from_mesh(obj.Mesh)[0]

@@ -15,9 +15,9 @@ from sweptvolume.features.base import STALE, UP_TO_DATE
 from sweptvolume.trajectory.edit import Keys
 from sweptvolume.trajectory.poses import Poses, at_time
 
-#: Middle of the part in its own coordinates, far from their origin.
+#: Middle of the part in its own coordinates, far from its origin.
 MIDDLE = V(105, 5, 5)
-#: Half of the diagonal of its square: how far it reaches round the pivot when it turns about z.
+#: Half of the diagonal of its square: the largest distance from the pivot when it turns about z.
 REACH = 5 * math.sqrt(2)
 
 

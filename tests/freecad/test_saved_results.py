@@ -140,7 +140,8 @@ class Stored(Case):
                         self.assertEqual(one, other)
                         self.assertAlmostEqual(before, after, delta=0.02)
                 else:
-                    # Grown ones lay up to a cell too far out; now their vertices lie at the distance.
+                    # Vertices of grown envelopes used to lie up to a cell too far out; now they lie at
+                    # the distance.
                     near = 5e-3 if getattr(obj, "Offset", 0.0) else 2e-3
                     self.assertAlmostEqual(found[1], known[1], delta=near * known[1])
 

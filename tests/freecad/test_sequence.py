@@ -58,7 +58,7 @@ class Sequences(Case):
         report = sequence.compute(obj)
         self.assertEqual([step["method"] for step in report["steps"]], ["given", "given"])
         self.assertEqual((obj.Status, report["verdict"]), (UP_TO_DATE, "found"))
-        # The other order: the lower one has to pass the upper one.
+        # The other order: the lower block has to pass the upper one.
         obj.MovingParts = list(reversed([(part, "") for part, _ in obj.MovingParts]))
         obj.Motions = list(reversed(obj.Motions))
         self.doc.recompute()

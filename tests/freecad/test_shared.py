@@ -86,7 +86,8 @@ class Shared(Case):
             self.assertGreater(exact, 100)
             obj = self.make([one], [other], MeshDeflection=0.01)
             shared.compute(obj)
-            # A chord of height d in a circle of radius r: polygons lack 4/3 d/r of the area.
+            # A polygon in a circle of radius r, with chords of height d: its area is smaller by a share
+            # of 4/3 d/r.
             lacks = 1 - obj.Volume.Value / exact
             self.assertGreater(lacks, 0)
             self.assertLess(lacks, 4 / 3 * 0.01 * (1 / 5 + 1 / 6))
@@ -105,7 +106,7 @@ class Shared(Case):
         of_solid = self.make([made], [post])
         shared.compute(of_solid)
         self.assertAlmostEqual(of_solid.Volume.Value, 32, 4)
-        # What is made of a stale envelope is stale.
+        # Objects made from a stale envelope are stale.
         left.Length = 12
         self.doc.recompute()
         self.assertEqual((swept.Status, obj.Status), (STALE, STALE))

@@ -271,7 +271,7 @@ class PlainGroups(Case):
         places = [r["place"] for r in clearance.report_of(check)["neighbours"]]
         self.assertEqual(places, [["Link", path]])  # not the part itself
         self.assertEqual((swept.Status, swept.Message), (UP_TO_DATE, ""))
-        # A whole plain group that is chosen moves what is in it.
+        # A plain group chosen as the moving part moves its members.
         check.MovingParts = [(outer, "")]
         doc.recompute()
         clearance.compute(check)

@@ -213,7 +213,7 @@ class OtherDocuments(OtherDocumentTable):
         self.assertEqual(self.behind(), {})
         self.look("nothing")
 
-    # --- the other document goes and comes
+    # --- the other document is closed and opened
 
     def test_closed_and_opened_again(self):
         App.closeDocument("Elsewhere")

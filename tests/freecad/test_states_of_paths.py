@@ -102,7 +102,7 @@ class Paths(Table):
         doc = self.doc
         box, wall = self.box(), self.box("Wall")
         wall.Placement = shift(60)
-        # As a search writes it: poses of the middle of the part, seen from the document.
+        # As a search writes it: poses of the middle of the part, relative to the document.
         poses = Poses([0, 1, 2], [shift(), shift(15), turn(30, base=V(20, 0, 0))], pivot=V(5, 5, 5))
         path_plan.make(doc, [(box, "")], poses)
         frame, inner = doc.addObject("App::Part", "Frame"), self.box("Inner", 4)

@@ -35,7 +35,7 @@ class Wires(Case):
         of the wire."""
         fine = [np.array([tuple(p) for p in e.discretize(Number=3000)]) for e in wire.Shape.Edges]
         own = np.array([tuple(place.Base) for place in path.Placements])
-        # The fine pieces are chords themselves, of 1/3000 of an edge.
+        # The fine pieces are chords themselves, each 1/3000 of an edge.
         slack = 1e-4 + 1e-3 * accuracy
         at, end = course(motion.poses_of(path), path.Interpolation), path.Times[-1]
         for k in range(100):

@@ -19,7 +19,7 @@ from sweptvolume.features import (
 )
 from sweptvolume.features.renamed import RENAMED
 
-#: Input properties that no panel shows under a label: what shows them instead.
+#: Properties without a label of their own in a panel: the label of the field that shows them.
 NO_LABEL = {
     "CellSize": "its label is there, but the choice before it names it too",
     "Motions": "a column of the table of parts",
@@ -37,7 +37,7 @@ NO_LABEL = {
 }
 
 
-#: Terms whose German word differs from that of the text: the name of the workbench.
+#: Terms with another German word than the text: the name of the workbench.
 OTHER_GERMAN = {"Swept volume"}
 
 

@@ -33,7 +33,7 @@ def entry(name):
     return ["Alt_L+s"] + ["Down"] * len(steps) + ["Return"]
 
 
-#: s that a key may take to the window, on a machine that is busy.
+#: s in which a key must reach the window, also on a busy machine.
 LATE = 2.0
 
 

@@ -116,7 +116,8 @@ def scenario():
     shot("13_clearance_colours")
     yield 1.0
 
-    # Other borders of the bands colour it anew; a head sorts; the table is written.
+    # Other limits of the colour bands change the colours; a click on a heading sorts; the table is
+    # written to a file.
     def corners_in_contact():
         surface = view.colours.getChild(0)
         faces = surface.getChild(surface.getNumChildren() - 1)
@@ -158,7 +159,7 @@ def scenario():
         else:
             check_pdf(content)
             keep(target)
-    # Rules: one asks for more, one is ignored; what touches at the first pose is offered.
+    # Rules: one with a larger distance, one *Ignored*. Contacts at the first pose are offered as rules.
     bench = doc.addObject("Part::Box", "Bench")
     bench.Length, bench.Width, bench.Height = 60, 40, 4
     bench.Placement.Base = App.Vector(-15, -12, -4)

@@ -73,7 +73,7 @@ def scenario():
     keep = find(QtWidgets.QPushButton, "SweptVolumeKeepClash")
     cut = find(QtWidgets.QPushButton, "SweptVolumeKeepCut")
     assert not keep.isEnabled() and not cut.isEnabled()
-    # The player with a row: the line goes to that row's part, at every time.
+    # The player with a selected row: at every time, the line ends at the part of this row.
     table.selectRow(rows["Wall"])
     yield 0.3
     assert not keep.isEnabled()
@@ -81,7 +81,7 @@ def scenario():
     gaps = Gaps()
     for value, x in ((100, 10.0), (500, 50.0)):
         slider.setValue(value)
-        # The slide's corner at x + 10 to the wall's at x = 70.
+        # From the corner of the slide at x + 10 to that of the wall at x = 70.
         yield lambda x=x: (
             line_of(graph) is not None and abs(line_of(graph)[0][0] - (x + 10)) < 0.2
         )
@@ -99,7 +99,7 @@ def scenario():
     before = planes_of(graph)[0].plane.getValue().getDistanceFromOrigin()
     slider.setValue(600)
     yield lambda: planes_of(graph)[0].plane.getValue().getDistanceFromOrigin() != before
-    # The worst place: a clash; as a body, and what is to be cut away along the whole way.
+    # The worst place is a clash: its solid, and the volume to be cut away over the whole motion.
     table.selectRow(rows["Bolt"])
     yield 0.5
     Gui.SendMsgToActiveView("ViewFit")
@@ -118,7 +118,7 @@ def scenario():
         assert body.Status == shared.UP_TO_DATE, (body.Status, body.Message)
         assert body.Volume.Value > least, body.Volume
     assert doc.UndoCount == undo + 2, doc.UndoNames
-    # Segments of a circle of 6 mm: 3 mm of it lie in the way of the slide, 10 mm high.
+    # Segments of a circle of 6 mm: the slide passes through 3 mm of it, over a height of 10 mm.
     import math
 
     angle = 2 * math.acos(3 / 6)

@@ -200,7 +200,7 @@ def beams(keyboard):
     assert found["Beam2"] == "Clash", found
     say("beams, straight: {}".format(found))
 
-    # Two keys between: over the start, over the goal; higher until it is free.
+    # Two keys between start and goal, one above each; they are raised until the path is clear.
     for lift in (15, 30):
         select(beam, motion)
         Gui.runCommand("SweptVolume_EditMotion")

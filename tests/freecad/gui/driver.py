@@ -225,8 +225,8 @@ def viewport():
 def drag(start, end, steps=8):
     """Drags the left button in the 3D view between two points of the world; a generator."""
     view, widget = Gui.activeDocument().activeView(), viewport()
-    # Coin counts pixels of the screen, from below; Qt counts its own, from above.
-    # (Not by getViewer(): FreeCAD 1.1 then crashes when the view is closed.)
+    # Coin counts pixels from the bottom of the screen, Qt from the top of the widget. (getViewer() is
+    # not used: FreeCAD 1.1 then crashes when the view is closed.)
     ratio = view.getSize()[0] / widget.width()
     places = []
     for point in (start, end):

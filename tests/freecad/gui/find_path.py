@@ -99,7 +99,7 @@ def slot(doc):
     assert rows["Case"]["verdict"] == "clear" and rows["Case"]["guaranteed"] >= 0.489, rows
     assert (found.Placements[0].Base - V(80, -22, -3)).Length < 1e-9
     assert (found.Placements[-1].Base - part.Placement.Base).Length < 1e-9
-    # A clearance of its own for the case, and another seed: an alternative beside the first.
+    # A required distance for the case alone, and another seed: the path appears beside the first one.
     table.item(0, 1).setText("1 mm")
     find(QtWidgets.QSpinBox, "SweptVolumeSeed").setValue(2)
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))
@@ -111,7 +111,7 @@ def slot(doc):
     paths.selectRow(0)
     yield 0.2
     assert found.ViewObject.Visibility and not other.ViewObject.Visibility
-    # Refused: nothing in the document changes, nothing typed is lost.
+    # Refused: the document does not change, and no typed value is lost.
     count, undo = len(doc.Objects), doc.UndoCount
     table.item(0, 1).setText("80 mm")
     find(QtWidgets.QWidget, "SweptVolumeRelease").setProperty("rawValue", 0.0)

@@ -113,7 +113,8 @@ def scenario():
     click(panel_button(QtWidgets.QDialogButtonBox.Close))
     yield no_panel
 
-    # A refusal of the core: in German, with the core's own sentence and numbers behind it.
+    # Input that the core refuses: a German message, followed by the core's own sentence with the
+    # numbers.
     hull.CellSize = 5000
     doc.recompute()
     select(hull)
@@ -130,7 +131,7 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
 
-    # The document goes while the path editor is open and its preview runs.
+    # The document is closed while the motion editor is open and its preview runs.
     select(starter, path)
     Gui.runCommand("SweptVolume_EditMotion")
     yield 0.1

@@ -98,7 +98,7 @@ def scenario():
     for name in ("checkShowReportViewOnError", "checkShowReportViewOnWarning"):
         App.ParamGet("User parameter:BaseApp/Preferences/OutputWindow").SetBool(name, True)
     told = Told()
-    # The check would find what it looks for.
+    # This check finds a message that is shown twice.
     App.Console.PrintError("planted\n")
     yield 0.5
     _, _, coloured, seen = told.new()
@@ -116,14 +116,14 @@ def scenario():
     yield 0.3
     told.new()
 
-    # A command that cannot do what was asked: one box.
+    # A command that cannot do what was requested: one message box.
     with answered(file_dialogs, "ask_export", lambda name: "/nowhere/to/be/found/x.step"):
         select(hull)
         Gui.runCommand("SweptVolume_Export")
         yield 0.5
     check(told, "/nowhere/to/be/found", boxes=1)
 
-    # A run that the core refuses: in its panel.
+    # A run that the core refuses: a message in its panel.
     select(hull)
     Gui.runCommand("SweptVolume_Solid")
     yield
@@ -143,7 +143,7 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
 
-    # What a run has to say of its result: a plain line.
+    # A finding of a run: a plain line.
     hull.CellSize = 0
     hull.Tolerance = 0.5
     hull.Resolution = 24
@@ -154,7 +154,7 @@ def scenario():
     yield 0.3
     check(told, hull.Label + ": ", lines=1)
 
-    # An input that is gone: the object says so, FreeCAD nothing.
+    # A deleted input: the object has the message, and FreeCAD prints none.
     doc.openTransaction("Delete")
     doc.removeObject(path.Name)
     doc.commitTransaction()
@@ -165,7 +165,8 @@ def scenario():
     doc.undo()
     doc.recompute()
 
-    # Dialogs for files: beside the document; before it is saved where the last file went, else at home.
+    # File dialogs open in the folder of the document; for an unsaved document in the folder of the last
+    # file, otherwise in the home folder.
     select(hull)
     Gui.runCommand("SweptVolume_Clearance")
     yield 0.5

@@ -50,7 +50,7 @@ def from_file(keyboard, doc, folder):
     """Motion from file: the file, its unit, OK."""
     with open(os.path.join(folder, "path.csv"), "w") as out:
         out.write(CSV)
-    # The dialog runs a loop of its own: its keys are sent by a scenario beside this one.
+    # The dialog has its own event loop, so a second scenario sends its keys.
     beside(in_file_dialog(keyboard, os.path.join(folder, "path.csv")))
     yield from keyboard.press(*entry("MotionFromFile"))
     yield opened

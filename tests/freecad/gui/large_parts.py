@@ -141,17 +141,17 @@ def scenario():
         doc = App.openDocument(os.path.join(folder, "large.FCStd"))
         yield 0.5
         hull, check = doc.Envelope, doc.Clearance
-        # Looked at again, and still the same.
+        # Checked again, and still unchanged.
         yield from marked(hull, check)
         yield from measured("same", judged(doc, check, clearance.UP_TO_DATE), limit)
         yield lambda: hull.Status == envelope.UP_TO_DATE
         assert not [o.Name for o in doc.Objects if "Touched" in o.State]
-        # Another geometry that is as large.
+        # Another geometry of the same size.
         doc.Star0.Shape = doc.Star0.Shape.mirror(V(), V(1, 0, 0))
         yield from measured("other", judged(doc, hull, envelope.STALE), limit)
         yield lambda: "read" not in hull.Message
         assert (hull.Status, check.Status) == (envelope.STALE, clearance.STALE)
-        # Closed while parts are read; and what cannot be read is said, once.
+        # The panel is closed while parts are read. A part that cannot be read gives one message.
         apart._known.clear()
         yield from marked(check)
         doc.recompute()

@@ -32,7 +32,7 @@ from driver import (  # noqa: E402
 HERE = os.path.dirname(os.path.realpath(__file__))
 DATA = os.path.join(HERE, "..", "..", "..", "..", "shared", "data")
 CASES = (("fandisk", "fandisk_13k"), ("bunny", "bunny_stanford_70k"))
-#: A drag takes SECONDS, and longer if there were not LEAST previews yet.
+#: A drag takes SECONDS, or longer until there are LEAST previews.
 CELLS, SECONDS, LEAST, LIMIT = 128, 4.0, 3, 100.0
 
 

@@ -28,8 +28,8 @@ from driver import (  # noqa: E402
 )
 
 V = App.Vector
-#: A drag of the demo takes so many seconds at least, and until so many answers have come; the dragger is
-#: looked at every POLL.
+#: Shortest time of a drag in the demo, and the smallest number of answers; the position of the dragger
+#: is read every POLL.
 SECONDS, ANSWERS, POLL = 4.0, 8, 0.03
 
 
@@ -88,7 +88,7 @@ def box_before_a_wall():
     assert red[0] > 0.8 and red[1] < 0.2, red
     shot("81_live_clash")
     yield 0.7
-    # The same way again, and it stops.
+    # The same drag again, with *Stop at contact*.
     while panel.history.before:  # each pause of these mouse events counts as letting go
         panel.step_back(True)
     yield 0.3
@@ -129,7 +129,7 @@ def engine_bay():
     yield lambda: panel.live.live.answers
     say("prepared in {:.2f} s, gap {}".format(time.perf_counter() - began, gaps.stop()))
     gaps, began, answers, n = Gaps(), time.perf_counter(), panel.live.live.answers, 0
-    # Answers come while the drag goes on, not at its end alone; how many a second is said, not judged.
+    # Answers come during the drag, not only at its end. Their number per second is printed, not tested.
     while time.perf_counter() - began < SECONDS or panel.live.live.answers - answers < ANSWERS:
         n += 1
         place = App.Placement(home)

@@ -110,7 +110,7 @@ def scenario():
     wall_row = rows["Slider - Wall"]
     assert abs(float(table.item(wall_row, 2).text()) - 5) < 0.01, table.item(wall_row, 2).text()
     shot("81_mechanism")
-    # A row: the parts at its time, the line between the two.
+    # A selected row: the parts at its time, and the line between the two.
     drawn = graph.getNumChildren()
     table.selectRow(wall_row)
     yield lambda: graph.getNumChildren() == drawn + 2  # the parts, and the line
@@ -118,7 +118,7 @@ def scenario():
     yield 0.5
     shot("82_mechanism_row")
     yield 1.0
-    # The player goes on from there: every part at its own place.
+    # The player continues from there, with every part at its own place.
     player = find(QtWidgets.QSlider, "SweptVolumeTime")
     player.setValue(300)
     yield 0.3
@@ -135,7 +135,8 @@ def scenario():
     click(panel_button(Close))
     yield no_panel
     assert graph.getNumChildren() == drawn, graph.getNumChildren()
-    # Opened again by its row in the tree: rules and parts are there; another distance, stopped at once.
+    # Opened again from the tree: rules and parts are there. Another distance; the check is stopped at
+    # once.
     select(obj)
     Gui.runCommand("SweptVolume_Mechanism")
     yield 0.3

@@ -29,7 +29,7 @@ from driver import (  # noqa: E402
 V = App.Vector
 NONSENSE = ["abc", "-5", "0.000001", "5 kg", "999999999"]
 CSV = "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n"
-#: s that a run may take before it is stopped: a field may well have taken what was typed.
+#: s before a run is stopped: a field may have accepted what was typed.
 PATIENCE = 0.3
 
 

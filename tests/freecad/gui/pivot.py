@@ -73,7 +73,8 @@ def scenario():
     shot("60_pivot_middle")
     yield 0.5
 
-    # Round the origin of the poses the same keys swing, and the table shows the placements.
+    # With the pivot at the origin of the poses, the same keys make the part swing out, and the table
+    # shows the placements.
     choose("SweptVolumePivot", "Origin")
     yield panel.preview.settled
     assert swing(panel) > 14, swing(panel)
@@ -104,7 +105,8 @@ def scenario():
     assert (path.Pivot - MIDDLE).Length < 1e-6 and path.Label == "Motion of Cube", path.Label
     assert path.Parts == [(part, ("",))], path.Parts
 
-    # It opens as it was, without a selection, and a displacement means the same pivot.
+    # The editor opens again with the same pivot, without a selection. With relative poses the pivot is
+    # the same.
     select(path)
     Gui.runCommand("SweptVolume_EditMotion")
     yield
@@ -120,7 +122,7 @@ def scenario():
     click(panel_button(Ok))
     yield no_panel
 
-    # Another part, from the tree, while the editor is open: its keys stay.
+    # Another part is selected in the tree while the editor is open: the keys stay.
     other = doc.addObject("Part::Box", "Other")
     doc.recompute()
     select(path)

@@ -81,8 +81,9 @@ def exported(obj, name):
     assert os.path.exists(path), os.listdir(FOLDER)
     if os.environ.get("SWEPT_SHOTS"):
         shutil.copy(path, os.environ["SWEPT_SHOTS"])
-    # 50 ms are allowed, or two pictures of FreeCAD's own where they take longer here: the one that is taken,
-    # and the one that the window draws next. The rest of a gap the thread waits for a core.
+    # 50 ms are allowed, or the time of two pictures of FreeCAD's own if this is longer: the one that is
+    # taken, and the one that the window draws next. During the rest of a pause the thread waits for a
+    # processor core.
     assert gaps.busy < max(0.05, 2.5 * alone), (gaps.busy, alone)
     return path
 
@@ -180,7 +181,7 @@ def scenario():
     for word in ("Run 1", "not clear") if told else ():
         assert word in told, (word, told)
     assert pictures_in(whole) >= 2, "a graph for each run"
-    # Templates of a company, one for each kind of file.
+    # Custom templates, one for each kind of file.
     template = os.path.join(FOLDER, "acme.html")
     with open(template, "w") as file:
         file.write(TEMPLATE)

@@ -111,7 +111,7 @@ def scenario():
     path.Placements = [p.multiply(App.Placement(V(9, 0, 0), App.Rotation())) for p in
                        path.Placements[:1]] + path.Placements[1:]  # fmt: skip
     doc.commitTransaction()
-    # What a script may set, and no field shows.
+    # A setting that scripts can set, but no field shows.
     made[0].AllVisible, made[0].Neighbours, made[0].Accuracy = True, [], 0.02
     made[0].RuleParts, made[0].RuleKinds = [(block, ""), (lid, "")], ["Required"]
     made[0].RuleLengths = [0.5]
@@ -122,7 +122,7 @@ def scenario():
     yield 0.6
     assert names() == ["Block", "Lid"]
     panel = sequence_panel.opened[-1]
-    # What was found before the edit is neither told as true nor played.
+    # The result from before the edit is neither shown as valid nor played.
     assert "stale" in panel.message.text() and states() == ["", ""], panel.message.text()
     assert panel.player.isHidden()
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))

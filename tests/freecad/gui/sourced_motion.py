@@ -106,7 +106,7 @@ def scenario():
     yield no_panel
     assert path.SourceType == "Curve" and path.Placements[1].Base.x == 60
 
-    # "Yes" cuts it, once and for all keys; undo brings it back.
+    # "Yes" removes the link, once for all keys; Undo restores it.
     Gui.runCommand("SweptVolume_EditMotion")
     yield
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
@@ -122,7 +122,7 @@ def scenario():
     doc.recompute()
     assert path.SourceType == "Curve" and path.Placements[1].Base.x == 60
 
-    # The settings: shown as they are, changed, read again, in one step.
+    # The settings are shown and changed, and the source is read again, in one undo step.
     select(path)
     Gui.runCommand("SweptVolume_EditSource")
     yield

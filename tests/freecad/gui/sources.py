@@ -174,7 +174,7 @@ def scenario():
         turned = made(doc).Placements[-1].Base
         assert (turned - V(0, 20, 0)).Length < 1e-9, turned
 
-    # A simulation of FreeCAD's own Assembly, where it has them.
+    # A simulation of FreeCAD's Assembly, if this version has them.
     try:
         simulation, arm, drive = hinge(doc)
     except Absent as reason:
@@ -210,7 +210,7 @@ def scenario():
     yield
     assert made(doc).SourceType == "Placements" and made(doc).Count == 2
 
-    # Wrong selection: the commands are grey, and their tool tips say what to select or make.
+    # Wrong selection: the commands are disabled, and their tooltips say what to select or create.
     from sweptvolume.panels import widgets
 
     before = len(doc.Objects)

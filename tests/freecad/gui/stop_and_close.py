@@ -25,9 +25,10 @@ from driver import (  # noqa: E402
 )
 
 V = App.Vector
-#: s from closing the window to the end of the process, beside what its threads waited for a core.
+#: s from closing the window to the end of the process, without the time that its threads waited for a
+#: processor core.
 END = 2.0
-#: Ends a process that takes longer: a process of its own, with its number and the seconds.
+#: A process of its own that ends a slow process; gets its number and the seconds.
 WATCH = """
 import glob, os, sys, time
 pid, end, began, known = int(sys.argv[1]), float(sys.argv[2]), time.monotonic(), {}
@@ -46,7 +47,7 @@ os.kill(pid, 9)
 """
 #: Along a side of a plate.
 HOLES = 16
-#: Where the bar stands, as a fraction of its length, when the run is stopped.
+#: Progress, as a fraction of the bar, at which the run is stopped.
 PARTS = (0.05, 0.2, 0.4, 0.6, 0.7, 0.8, 0.86)
 
 
@@ -155,7 +156,7 @@ def scenario():
     shot("61_stopped")
     yield 0.3
     assert len(stages) > 1, stages
-    # The bar moves in a stage that tells nothing.
+    # The bar also moves in a stage that reports no progress.
     click(panel_button(Ok))
     for _ in range(8):
         yield 0.3

@@ -148,7 +148,7 @@ def of_the_document(doc):
     states = rows(table)
     assert states["Too far"] == "Not clear" and states["Space"] == "Done", states
     shot("91_study")
-    # The worst one: its check is computed, and shows its worst place.
+    # The worst run: its check is computed, and shows the closest place.
     click(find(QtWidgets.QPushButton, "SweptVolumeOpenRun"))
     yield lambda: Gui.Control.activeDialog() and checks[1].Status == study.UP_TO_DATE
     yield 0.7
@@ -192,7 +192,7 @@ def of_a_file(doc):
     again = [os.stat(os.path.join(FOLDER, "results", n)).st_mtime_ns for n in ("near", "into")]
     assert again == marks, "what was there is kept"
     shot("94_study_done")
-    # A run as objects of the document; the check finds what the run found.
+    # A run becomes objects of the document; their check has the result of the run.
     undo = doc.UndoCount
     click(find(QtWidgets.QPushButton, "SweptVolumeOpenRun"))
     yield lambda: any(o.Label == "into" and hasattr(o, "RequiredDistance") for o in doc.Objects)
@@ -222,14 +222,14 @@ def scenario():
     doc = new_document("Studies")
     yield from of_the_document(doc)
     yield from of_a_file(doc)
-    # A study that is opened again by its row in the tree shows its rows.
+    # A study that is opened again from the tree shows its rows.
     select(doc.getObject("Study"))
     Gui.runCommand("SweptVolume_Study")
     yield 0.3
     assert len(rows(find(QtWidgets.QTableView, "SweptVolumeStudyTable"))) == 4
     click(panel_button(Close))
     yield no_panel
-    # A file that has changed since makes the result stale, which FreeCAD itself does not notice.
+    # A changed file makes the result stale; FreeCAD itself does not notice this.
     obj = doc.getObject("Study001")
     assert obj.Status == study.UP_TO_DATE
     with open(obj.File, "a") as file:

@@ -69,7 +69,7 @@ def scenario():
     assert above["Envelope"] == ["Motion"], above
     assert above[body.Label] == ["Envelope"] and above[check.Label] == ["Envelope"], above
     assert not [o for o in doc.Objects if "Touched" in o.State], "the tree touched something"
-    # Icons: nothing wrong, below required, clash; a stale one says that first.
+    # Icons: clear, below required, clash; a stale result shows only that it is stale.
     assert check.Smallest.Value == 3 and check.ViewObject.Proxy.getIcon() == icon(
         "SweptVolume_Clearance_near"
     )
@@ -83,7 +83,7 @@ def scenario():
     clearance.compute(check)
     assert check.ViewObject.Proxy.getIcon() == icon("SweptVolume_Clearance")
     assert all(os.path.isfile(icon("SweptVolume_Clearance_" + k)) for k in ("near", "clash"))
-    # Each opens its panel, by a double click and by Edit; FreeCAD is not left in edit.
+    # A double click and Edit open the panel of each object; FreeCAD does not stay in edit mode.
     shown = Gui.getDocument(doc.Name)
     for obj in (path, hull, body, check):
         for begin in (
@@ -101,7 +101,7 @@ def scenario():
                     break
             yield no_panel
             yield 0.2
-    # What failed is drawn otherwise than what is current, and than what is stale.
+    # A failed result has another icon than one that is up to date or stale.
     made = ((hull, "Envelope"), (body, "Solid"), (check, "Clearance"))
     assert [obj.Status for obj, _ in made] == [envelope.UP_TO_DATE] * 3
     seen = {obj.Name: [drawn(obj.Label)] for obj, _ in made}

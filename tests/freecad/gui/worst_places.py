@@ -146,7 +146,7 @@ def scenario():
     shot("17_clearance_parts")
     yield 1.0
     check_graph(find(QtWidgets.QWidget, "SweptVolumeDistanceGraph"))
-    # From the worst on, whatever the table is sorted by.
+    # Begins with the worst place, whatever column sorts the table.
     table.sortItems(0)
     worse = find(QtWidgets.QPushButton, "SweptVolumeNextWorst")
     back = find(QtWidgets.QPushButton, "SweptVolumePlaceBefore")
@@ -160,7 +160,8 @@ def scenario():
     click(back)
     yield 0.2
     assert table.item(table.currentRow(), 0).text() == "Stop"
-    # A part that is deleted and brought back while it is painted; the rest gets its own look back.
+    # A part is deleted and restored while parts are coloured; the other parts get their own colours
+    # back.
     doc.openTransaction("Delete")
     doc.removeObject("Frame")
     doc.commitTransaction()
