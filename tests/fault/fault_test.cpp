@@ -21,14 +21,14 @@
 namespace swept::test {
 namespace {
 
-/// Distance between the places that are tried, so that about `sample` of `total` are.
+/// Returns the distance between places to try, so that about `sample` of `total` are tried.
 std::int64_t strideFor(std::int64_t total, std::int64_t sample) {
   const char* wish = std::getenv("SWEPT_FAULTS");
   if (wish != nullptr && std::string(wish) == "all") return 1;
   return std::max<std::int64_t>(1, total / sample);
 }
 
-/// Faults of one kind; says in the end how many were injected.
+/// Counts faults of one kind, and prints their number at the end.
 struct Injected {
   const char* what;
   std::int64_t count = 0;
@@ -125,7 +125,7 @@ TEST_P(EveryAllocation, bad_input_27_out_of_memory) {
         const Result result = compute(c, run);
         fault::disarm();
         if (result.report.status == Status::Ok) {
-          // A sort that can do without its buffer, or a run that never came to this allocation.
+          // The sort can do without its buffer, or the run never came to this allocation.
           ASSERT_EQ(fingerprint(result), expected) << "allocation " << n << " of " << total;
         } else {
           ASSERT_EQ(statusName(result.report.status), std::string("OutOfMemory")) << n;
@@ -171,10 +171,10 @@ TEST(Fault, bad_input_24_cancel_at_every_checkpoint_gives_all_back) {
   }
 }
 
-/// Calls `work`, which says whether its result is right, with each (or every so many-th) of its
-/// allocations failing. It must end in std::bad_alloc or Error, or have the right result all the
-/// same, and after the next good call as much is outstanding as before: OpenMesh's readers keep
-/// what they read last.
+/// Calls `work` with each of its allocations failing in turn, or with a sample of them. `work`
+/// returns whether its result is right. It must end with std::bad_alloc or Error, or return the
+/// right result all the same. After the next successful call, no more memory may be in use than
+/// before (OpenMesh's readers keep what they read last).
 template <class Work>
 void failEveryAllocation(const std::string& name, const Work& work) {
   SCOPED_TRACE(name);

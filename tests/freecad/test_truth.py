@@ -53,7 +53,7 @@ class Lost(Scene):
         self.assertIn('"Second"', self.swept.Message)
         with self.assertRaisesRegex(InputProblem, "Second"):
             envelope.compute(self.swept)
-        # A new choice of neighbours, although the same ones remain.
+        # The parts are chosen again, although the same one remains.
         self.swept.MovingParts = [(self.part, "")]
         self.doc.recompute()
         self.assertEqual(self.swept.Status, envelope.STALE)

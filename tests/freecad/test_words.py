@@ -19,7 +19,7 @@ from sweptvolume.features import (
 )
 from sweptvolume.features.renamed import RENAMED
 
-#: Properties without a label of their own in a panel: the label of the field that shows them.
+#: Properties that no panel shows under their label, and what shows them instead.
 NO_LABEL = {
     "CellSize": "its label is there, but the choice before it names it too",
     "Motions": "a column of the table of parts",

@@ -22,7 +22,7 @@ constexpr bool kUnderSanitizer = true;
 constexpr bool kUnderSanitizer = false;
 #endif
 
-/// `all`, or under a sanitizer one in `oneIn` of them (at least one).
+/// Returns `all`; under a sanitizer, one in `oneIn` of them, but at least one.
 constexpr int sampled(int all, int oneIn) {
   return kUnderSanitizer ? std::max(1, all / oneIn) : all;
 }

@@ -9,7 +9,7 @@
 namespace swept::test {
 namespace {
 
-/// The most threads that a test of determinism asks for.
+/// Largest number of threads that a test of determinism uses.
 constexpr std::size_t kMaxTestThreads = 8;
 
 class MoreThreads : public testing::Environment {

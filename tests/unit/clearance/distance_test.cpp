@@ -44,7 +44,7 @@ TEST(Part, InsideOfNestedAndOverlappingShells) {
 }
 
 TEST(Part, InsideHoldsForEveryLatticePointOfABox) {
-  // Triangle3d, edges and the diagonals of faces lie in the way of many of these rays.
+  // Many of these rays pass through edges and diagonals of faces.
   const Part tree(makeBox(Vector3d::Zero(), Vector3d::Constant(8)), "the box");
   for (int i = -1; i <= 9; ++i)
     for (int j = -1; j <= 9; ++j)

@@ -17,7 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using namespace swept::test;
 
-/// Curved, slanted, without area, and turned either way.
+/// Groups that are curved, slanted or without area, and with triangles of both orientations.
 TriMesh mixture() {
   TriMesh mesh = makeTorus(10, 3, 30, 16);
   append(mesh, makeBox({6, 6, -20}, {7, 7, 20}));

@@ -40,8 +40,9 @@ TriMesh stepped(double height) {
 
 constexpr double kCell = 0.25;
 
-/// The envelope of a block with a ledge so high, in cells, that stands still, turned about `axis`;
-/// use(distance): cells between a point, given in the block's coordinates, and the envelope.
+/// Computes the envelope of a block that stands still, turned about `axis`, with a ledge of this
+/// height in cells. use(distance): distance in cells of a point, given in the block's
+/// coordinates, from the envelope.
 template <class Use>
 void withLedge(double height, const V3& axis, double degrees, const Use& use) {
   const Eigen::Isometry3d place = placement(axis, degrees, {0.07, 0.11, 0.03});
@@ -99,8 +100,8 @@ TEST(HiddenSide, BothEdgesOfALedgeAcrossTheLattice) {
   }
 }
 
-/// Edges of the grid meet the rim of such a wall in some cells and pass it in others. All four
-/// edges of the rim along y are to be in the envelope.
+/// Edges of the grid meet the rim of such a wall in some cells only. The envelope must contain
+/// all four edges of the rim along y.
 TEST(KnownSide, RimOfAWallNearlyAsThickAsACell) {
   constexpr double kWidth = 4, kLength = 5;
   std::vector<double> edges;

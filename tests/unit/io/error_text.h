@@ -10,7 +10,7 @@
 
 namespace swept::test {
 
-/// Runs `call`, which must throw Error with this status and code; gives back its text.
+/// Runs `call`, which must throw Error with this status and code. Returns its text.
 template <class Call>
 std::string errorText(Status status, const std::string& code, Call call) {
   try {

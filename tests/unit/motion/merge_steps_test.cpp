@@ -21,7 +21,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A smooth way with a recorder's noise. Some poses repeat the time of the one before.
+/// A smooth path with the noise of a recording. Some poses have the time of the previous one.
 Trajectory recording(std::mt19937& random, int poses, double travel, double turn, double noise,
                      Interpolation kind = Interpolation::Linear) {
   std::normal_distribution<double> normal(0, 1);

@@ -13,7 +13,7 @@
 namespace swept::test {
 namespace {
 
-/// A walk in small steps, now and then a larger one.
+/// Small random steps, and some larger ones.
 Trajectory walk(std::mt19937& random, int poses, Interpolation interpolation) {
   std::normal_distribution<double> step(0, 1);
   Trajectory out;

@@ -33,9 +33,10 @@ void expectOk(const Result& result) {
   EXPECT_TRUE(result.report.check.passes());
 }
 
-/// Largest distance of the vertices of one mesh from the other, in cells. Vertices inside the other
-/// solid are left out: a gap narrower than a cell may be open on one grid and closed on the other,
-/// and what lies behind it is then a pocket of the one and solid in the other.
+/// Returns the largest distance, in cells, of the vertices of one mesh from the other. Vertices
+/// inside the other solid are left out. A gap narrower than a cell may be open on one grid and
+/// closed on the other; the space behind it is then a pocket in one result and solid in the
+/// other.
 double reach(const TriMesh& from, const TriMesh& to, double cell) {
   const MeshDistance tree(to);
   double most = 0;

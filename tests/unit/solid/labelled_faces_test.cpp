@@ -72,7 +72,7 @@ class LabelledFaces : public testing::Test {
     return report;
   }
 
-  // A solid of true faces has the exact volume, which no mesh has.
+  // A solid with exact faces has the exact volume, which no mesh has.
   void expectExact(double volume) {
     const StepOptions options = optionsWithOrigin();
     const StepReport report = write(options);
@@ -117,7 +117,7 @@ TEST_F(LabelledFaces, RodAlongALine) {
   readBodyFrom(file);
   const Vector3d way(9, 3, 11);
   sweep({{0, 0, 0}, way}, none_);
-  // The body, and its shadow times the way.
+  // The volume of the body, plus its shadow times the length of the motion.
   expectExact(M_PI * kRadius * kRadius * (kLength + way.z()) +
               2 * kRadius * kLength * std::hypot(way.x(), way.y()));
   EXPECT_EQ(kinds_["cylinder"], 2);

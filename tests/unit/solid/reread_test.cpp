@@ -50,7 +50,7 @@ TEST_F(Reread, AnEdgeWithALargerToleranceThanTheSolid) {
   EXPECT_EQ(complaint(box_),
             "an edge or vertex with a tolerance of 0.125 mm, more than the tolerance of the solid, "
             "0.1 mm");
-  // Facets keep what they are given: only recognised surfaces promise a tolerance.
+  // The tolerance applies to recognised surfaces only; facets keep their vertices.
   options_.recognise = false;
   EXPECT_EQ(complaint(box_), "");
 }

@@ -86,7 +86,7 @@ TEST_F(Tessellated, HoldsTheTrianglesOfTheMesh) {
 }
 
 TEST_F(Tessellated, HollowSpacesBelongToTheirSolid) {
-  // Two boxes of 3 x 3 x 3 cells, the first one hollow.
+  // Two boxes of 3 x 3 x 3 cells; the first one is hollow.
   const TriMesh mesh = voxelMesh(
       [](int x, int y, int z) { return x != 3 && !(x == 1 && y == 1 && z == 1); }, 7, 3, 3);
   const StepReport report = write(mesh, options());

@@ -126,7 +126,7 @@ inline double meshVolume(const TriMesh& mesh) {
   return volume;
 }
 
-/// Straight, from where the body stands.
+/// A straight motion from the present position of the body.
 inline Trajectory along(const Eigen::Vector3d& travel) {
   Trajectory trajectory;
   trajectory.poses.resize(2);

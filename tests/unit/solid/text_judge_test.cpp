@@ -23,7 +23,7 @@ namespace {
 
 using namespace test;
 
-/// Reads with OpenCASCADE, but knows nothing else of the library: as FreeCAD's Part does.
+/// Reads with OpenCASCADE, but uses nothing else of the library, like FreeCAD's Part.
 class Outside : public StepReader {
  public:
   Answer read(const std::string& text) override {
@@ -53,8 +53,8 @@ struct Case {
   const char* name;
   TriMesh mesh;
   double tolerance;
-  /// False: the kernel cuts edges that lie off their faces between the points at which a reader
-  /// measures them. A reader cannot tell, so the other solid has fewer vertices.
+  /// Returns false: the kernel cuts edges that lie off their faces between the points at which a
+  /// reader measures them. A reader cannot find these, so the other solid has fewer vertices.
   bool sameBytes = true;
 };
 
@@ -96,7 +96,7 @@ TEST(TextJudge, AFaceThatTheReaderRefusesLosesItsSurface) {
   StepOptions options;
   options.tolerance = 0.1;
   Outside reader;
-  // What is asked about curved faces alone has no solid.
+  // When only curved faces are checked, there is no solid.
   reader.refuses = [](const SolidCheck& check) { return check.faces < 10; };
   RunContext run;
   const StepReport report =

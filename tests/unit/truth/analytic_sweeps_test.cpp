@@ -126,7 +126,7 @@ TEST_P(AnalyticSweep, KeepsTheLimitsOnTheGpu) {
 INSTANTIATE_TEST_SUITE_P(All, AnalyticSweep, testing::Range(0, static_cast<int>(truths().size())),
                          [](const auto& chosen) { return truths()[chosen.param].name; });
 
-/// A plate of a tenth of a cell: both sides are there, volume within 1 %.
+/// A plate, a tenth of a cell thick: both sides exist, and the volume is right within 1 %.
 TEST(ThinPlate, OfATenthOfACell) {
   const double cell = 0.15;
   for (const Truth& plate : thinPlates(0.1 * cell)) {
@@ -196,7 +196,7 @@ TEST(AnalyticSweep, bad_input_18_one_pose_is_the_body) {
   expectTruth(truth, options, "one_pose");
 }
 
-/// There and back again sweeps what there sweeps.
+/// A motion forwards and back sweeps the same as the motion forwards.
 TEST(AnalyticSweep, BackAndForthEqualsForth) {
   for (const int index : {1, 2, 4}) {
     Truth truth = truths()[index];

@@ -52,7 +52,8 @@ class GlFault : public testing::Test {
     EXPECT_EQ(d.elements, 0);
     EXPECT_GT(d.contributing, 1000);
   }
-  /// gpu fails with this status and a text that has `part`; auto goes on, on the CPU, with a note.
+  /// With gpu, the run fails with this status and a text that contains `part`. With auto, it
+  /// continues on the CPU, with a finding.
   void expectFallback(const FakeFaults& faults, Status status, const std::string& part) {
     use(faults);
     try {
@@ -296,7 +297,7 @@ TEST_F(GlFault, a_whole_run_ends_with_the_named_status) {
   EXPECT_TRUE(result.report.check.passes());
 }
 
-/// A mark that is gone is found by looking into the body, however rare it is.
+/// A missing mark is found by tests inside the body, however rare it is.
 TEST_F(GlFault, signs_that_leak_into_the_body_are_noticed) {
   MarkedEdges leaking = truth_;
   for (auto& start : leaking.layers[scene_.grid.points[0] / 2].columnStart) {
