@@ -1050,8 +1050,8 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Die Form hat {0} Flächen, aber keinen Festkörper: Machen Sie sie mit Part &gt; In Festkörper umwandeln oder Part &gt; Form-Generator zum Festkörper, oder wählen Sie ein geschlossenes Netz.</translation>
     </message>
     <message>
-        <source>The path &quot;{0}&quot; no longer leads to an object: choose the part again.</source>
-        <translation>Der Pfad „{0}“ führt zu keinem Objekt mehr: Wählen Sie das Teil neu.</translation>
+        <source>The document has no object &quot;{0}&quot; any more: choose the part again.</source>
+        <translation>Das Dokument hat kein Objekt „{0}“ mehr: Wählen Sie das Teil neu.</translation>
     </message>
     <message>
         <source>The interpreter {0} has no pip. Install pip (on Debian and Ubuntu: the package python3-pip), or choose another interpreter in the preferences of the Addon Manager.</source>

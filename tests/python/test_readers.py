@@ -11,7 +11,7 @@ NOTHING = np.empty((0, 3)), np.empty((0, 3), np.int32)
 
 
 class Reader:
-    """Gives the same solids for every file, and keeps what it was asked."""
+    """A reader that returns the same solids for every file, and records its arguments."""
 
     def __init__(self, *solids):
         self.solids, self.asked = solids, []

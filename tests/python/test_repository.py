@@ -11,7 +11,7 @@ SPDX = "SPDX-License-Identifier: LGPL-2.1-or-later"
 
 
 def load(root, name):
-    """A script of tests/tools as a module."""
+    """Imports a script of tests/tools."""
     path = root / "tests" / "tools" / f"{name}.py"
     spec = importlib.util.spec_from_file_location(name, path)
     module = importlib.util.module_from_spec(spec)

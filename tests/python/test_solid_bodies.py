@@ -14,7 +14,7 @@ pytestmark = pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without Ope
 
 @pytest.fixture
 def part(box, tmp_path):
-    """The same box as a solid in a STEP and a BREP file and as a mesh, and a motion."""
+    """Makes the same box as a solid in a STEP and a BREP file and as a mesh, and a motion."""
     for name in ("part.step", "part.brep"):
         _swept.write_solid(tmp_path / name, *box)
     _swept.write_mesh(tmp_path / "part.ply", *box)

@@ -37,7 +37,7 @@ motion = "bad.csv"
 
 @pytest.fixture
 def light(study):  # noqa: F811
-    """Four runs of clearances: two that are done, one with a clash and a page, one that fails."""
+    """Four clearance runs: two that are done, one with a clash and a page, and one that fails."""
     (study / "bad.csv").write_text("0,0,0,0,0,0,0,1\n1,nan,0,0,0,0,0,1\n")
     (study / "study.toml").write_text(LIGHT + RUNS)
     return study

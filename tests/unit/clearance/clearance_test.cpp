@@ -371,8 +371,8 @@ TEST(Clearance, AgreesWithStampingEveryPose) {
       }
     } else {
       EXPECT_LE(row.distance, stamped.distance + options.tolerance) << round;
-      // Where sampled distances are below the required one, FCL must confirm the result at the
-      // reported pose.
+      // The result is at most the smallest sampled distance, up to the accuracy, and FCL finds the
+      // same distance at the reported pose.
       EXPECT_NEAR(clearance::stampEveryPose(body, {row.pose}, part, run).distance, row.distance,
                   1e-9);
     }
