@@ -204,8 +204,8 @@
         <translation>True: Alle anderen sichtbaren Teile sind stillstehende Nachbarn, und die Liste Neighbours wird nicht verwendet</translation>
     </message>
     <message>
-        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the size of the parts</source>
-        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der Größe der Teile</translation>
+        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the median size of the parts, or more if a rule needs it</source>
+        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es braucht</translation>
     </message>
     <message>
         <source>Parts or groups of each pair that has its own rule, two entries for each pair: first, second, first, second ...</source>
@@ -3591,8 +3591,8 @@ bis etwa {2}, {3}</translation>
         <translation>Die Bewegung „{0}“ legt Start und Ziel nicht fest: Das tut nur eine Bewegung mit der Art der Lage Absolut und mindestens zwei Lagen. Start und Ziel unten eingeben.</translation>
     </message>
     <message>
-        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the size of a medium part, or more if a rule needs it</source>
-        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der Größe eines mittleren Teils, oder mehr, wenn eine Regel es braucht</translation>
+        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the median size of the parts, or more if a rule needs it</source>
+        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es braucht</translation>
     </message>
     <message>
         <source>0: reserved spaces may lie close together, but must not touch</source>
