@@ -125,11 +125,13 @@ def say(text):
 
 
 def shot(name):
-    """Takes a screenshot of the whole screen if SWEPT_SHOTS names a folder. The window keeps responding
-    meanwhile."""
-    if SHOTS:
-        Gui.updateGui()
-        subprocess.Popen(["import", "-window", "root", os.path.join(SHOTS, name + ".png")])
+    """Takes a screenshot of the whole screen if SWEPT_SHOTS names a folder. Returns a function that
+    returns whether it is taken; the window keeps responding meanwhile."""
+    if not SHOTS:
+        return lambda: True
+    Gui.updateGui()
+    taking = subprocess.Popen(["import", "-window", "root", os.path.join(SHOTS, name + ".png")])
+    return lambda: taking.poll() is not None
 
 
 Ok, Cancel = QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Cancel
