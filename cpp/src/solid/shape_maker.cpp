@@ -25,8 +25,8 @@ namespace {
 // simplification before them may together exceed the tolerance. Then vertices are added to the mesh
 // at the end.
 constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
-// Share of the tolerance for thinning open ground (triangles without a patch). Without thinning, the
-// collapse of 500,000 such triangles took two thirds of a run.
+// Share of the tolerance for thinning open ground (triangles without a patch). Without thinning,
+// the collapse of 500,000 such triangles took two thirds of a run.
 constexpr double kThinFraction = 0.15;
 
 Built describe(Model model, double deviation) {
