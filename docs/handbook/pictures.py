@@ -55,8 +55,7 @@ def picture(name):
     if name not in ZOOMED and Gui.activeDocument():
         Gui.SendMsgToActiveView("ViewFit")
     yield 0.6
-    shot(name)
-    yield 0.8
+    yield shot(name)
 
 
 def place(name):
@@ -204,8 +203,13 @@ def in_dialog(name, action):
         QtCore.QTimer.singleShot(1000, take)
 
     def take():
-        shot(name)
-        QtCore.QTimer.singleShot(900, seen[0].reject)
+        close_after(shot(name))
+
+    def close_after(taken):
+        if taken():
+            seen[0].reject()
+        else:
+            QtCore.QTimer.singleShot(100, lambda: close_after(taken))
 
     QtCore.QTimer.singleShot(1500, look)
     action()

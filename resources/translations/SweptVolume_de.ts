@@ -204,8 +204,8 @@
         <translation>True: Alle anderen sichtbaren Teile sind stillstehende Nachbarn, und die Liste Neighbours wird nicht verwendet</translation>
     </message>
     <message>
-        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the size of the parts</source>
-        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der Größe der Teile</translation>
+        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the median size of the parts, or more if a rule needs it</source>
+        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es braucht</translation>
     </message>
     <message>
         <source>Parts or groups of each pair that has its own rule, two entries for each pair: first, second, first, second ...</source>
@@ -1050,8 +1050,8 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Die Form hat {0} Flächen, aber keinen Festkörper: Machen Sie sie mit Part &gt; In Festkörper umwandeln oder Part &gt; Form-Generator zum Festkörper, oder wählen Sie ein geschlossenes Netz.</translation>
     </message>
     <message>
-        <source>The path &quot;{0}&quot; no longer leads to an object: choose the part again.</source>
-        <translation>Der Pfad „{0}“ führt zu keinem Objekt mehr: Wählen Sie das Teil neu.</translation>
+        <source>The document has no object &quot;{0}&quot; any more: choose the part again.</source>
+        <translation>Das Dokument hat kein Objekt „{0}“ mehr: Wählen Sie das Teil neu.</translation>
     </message>
     <message>
         <source>The interpreter {0} has no pip. Install pip (on Debian and Ubuntu: the package python3-pip), or choose another interpreter in the preferences of the Addon Manager.</source>
@@ -2006,8 +2006,8 @@ Versucht:
         <translation>Wählen Sie das Objekt mit dem Wert aus, der geändert wird, dann das Teil, dem gefolgt wird.</translation>
     </message>
     <message>
-        <source>The value &quot;{0}&quot; of &quot;{1}&quot; is set by the expression {2}: choose a value in that expression instead.</source>
-        <translation>Der Wert „{0}“ von „{1}“ wird durch den Ausdruck {2} gesetzt: Wählen Sie stattdessen einen Wert in diesem Ausdruck.</translation>
+        <source>The value &quot;{0}&quot; of &quot;{1}&quot; cannot drive the motion, because the expression {2} computes it: choose a value that this expression uses.</source>
+        <translation>Der Wert „{0}“ von „{1}“ kann die Bewegung nicht steuern, weil ihn der Ausdruck {2} berechnet: Wählen Sie einen Wert, den dieser Ausdruck verwendet.</translation>
     </message>
     <message>
         <source>The clipboard has no rows of numbers: copy cells from a spreadsheet first.</source>
@@ -3591,8 +3591,8 @@ bis etwa {2}, {3}</translation>
         <translation>Die Bewegung „{0}“ legt Start und Ziel nicht fest: Das tut nur eine Bewegung mit der Art der Lage Absolut und mindestens zwei Lagen. Start und Ziel unten eingeben.</translation>
     </message>
     <message>
-        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the size of a medium part, or more if a rule needs it</source>
-        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der Größe eines mittleren Teils, oder mehr, wenn eine Regel es braucht</translation>
+        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the median size of the parts, or more if a rule needs it</source>
+        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es braucht</translation>
     </message>
     <message>
         <source>0: reserved spaces may lie close together, but must not touch</source>

@@ -20,7 +20,7 @@ bool mustFail() {
   return at != 0 && (now == at || (now > at && failLater.load(std::memory_order_relaxed)));
 }
 
-/// Stands before each block. No C library has a call for both, on every system.
+/// Header before each block. No C library has functions for both values on every system.
 struct Block {
   void* start;
   std::size_t size;

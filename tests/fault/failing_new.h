@@ -1,4 +1,5 @@
-// operator new of this program, which fails on demand and counts what is outstanding.
+// operator new of this program, which fails on demand and counts the memory that has not been
+// freed.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -8,10 +9,10 @@ namespace swept::fault {
 
 /// Allocations since the last arm() or count(), on all threads.
 std::int64_t allocations();
-/// Bytes that operator new gave out and that have not come back.
+/// Bytes that operator new has returned and that have not been freed.
 std::int64_t outstandingBytes();
-/// The n-th allocation from now (from 1) throws std::bad_alloc; with `andAllLater` so does every
-/// one after it until disarm(). 0: only counts.
+/// The n-th allocation from now (counted from 1) throws std::bad_alloc. With `andAllLater`, all
+/// later ones do too, until disarm(). 0: only counts.
 void arm(std::int64_t n, bool andAllLater = false);
 void disarm();
 

@@ -1,5 +1,6 @@
-// Every allocation, checkpoint and written byte of small runs fails once: one status, nothing
-// outstanding, the next run is fine. SWEPT_FAULTS=all takes each place, else a sample of them.
+// Lets each allocation, each checkpoint and each write of small runs fail once. Each time, the
+// run must end with the right status, free all memory, and not affect the next run.
+// SWEPT_FAULTS=all tries every place; otherwise a sample.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -20,14 +21,14 @@
 namespace swept::test {
 namespace {
 
-/// Distance between the places that are tried, so that about `sample` of `total` are.
+/// Returns the distance between places to try, so that about `sample` of `total` are tried.
 std::int64_t strideFor(std::int64_t total, std::int64_t sample) {
   const char* wish = std::getenv("SWEPT_FAULTS");
   if (wish != nullptr && std::string(wish) == "all") return 1;
   return std::max<std::int64_t>(1, total / sample);
 }
 
-/// Faults of one kind; says in the end how many were injected.
+/// Counts faults of one kind, and prints their number at the end.
 struct Injected {
   const char* what;
   std::int64_t count = 0;
@@ -124,7 +125,7 @@ TEST_P(EveryAllocation, bad_input_27_out_of_memory) {
         const Result result = compute(c, run);
         fault::disarm();
         if (result.report.status == Status::Ok) {
-          // A sort that can do without its buffer, or a run that never came to this allocation.
+          // The sort can do without its buffer, or the run never came to this allocation.
           ASSERT_EQ(fingerprint(result), expected) << "allocation " << n << " of " << total;
         } else {
           ASSERT_EQ(statusName(result.report.status), std::string("OutOfMemory")) << n;
@@ -170,10 +171,10 @@ TEST(Fault, bad_input_24_cancel_at_every_checkpoint_gives_all_back) {
   }
 }
 
-/// Calls `work`, which says whether its result is right, with each (or every so many-th) of its
-/// allocations failing. It must end in std::bad_alloc or Error, or have the right result all the
-/// same, and after the next good call as much is outstanding as before: OpenMesh's readers keep
-/// what they read last.
+/// Calls `work` with each of its allocations failing in turn, or with a sample of them. `work`
+/// returns whether its result is right. It must end with std::bad_alloc or Error, or return the
+/// right result all the same. After the next successful call, no more memory may be in use than
+/// before (OpenMesh's readers keep what they read last).
 template <class Work>
 void failEveryAllocation(const std::string& name, const Work& work) {
   SCOPED_TRACE(name);

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs in FreeCAD without a window: installs this add-on from an address and its Python packages, with
-the code of FreeCAD's own Addon Manager. ADDON_SOURCE is the address, a git repository with the branch
-main. Prints the packages that the Addon Manager finds that the add-on needs."""
+"""Run in FreeCAD without a window by test_addon_manager.py. Installs this add-on and its Python packages
+with the code of FreeCAD's own Addon Manager. ADDON_SOURCE is the address: a git repository with the branch
+main. Prints the packages that the Addon Manager finds the add-on needs.
+"""
 import json
 import os
 import sys
@@ -27,8 +28,7 @@ def new_addon():
 
 
 def needed(addon):
-    """The Python packages that the add-on asks for and that cannot be imported: those count as
-    missing."""
+    """Returns the Python packages that the add-on requires and that cannot be imported."""
     if hasattr(addon_module, "MissingDependencies"):  # FreeCAD 1.1 and 1.0
         kind = addon_module.MissingDependencies
         newer = hasattr(kind, "import_from_addon")
@@ -62,7 +62,8 @@ def install_of_0_20(addon, packages):
 
 
 def without_constraints(call):
-    """FreeCAD 1.1 has pip read the versions of allowed packages from the internet."""
+    """Makes FreeCAD 1.1 use the local index: it would have pip read the versions of allowed packages
+    from the internet."""
 
     def pip_call(args):
         words = call(args)

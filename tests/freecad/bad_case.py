@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the tests of bad input share: refusals that change nothing, meshes that FreeCAD would mend."""
+"""Shared by the tests of bad input: checks that a refusal changes nothing, and meshes that FreeCAD would
+repair.
+"""
 import json
 
 import Mesh
@@ -16,7 +18,8 @@ class BadCase(Case):
     NEEDS_CORE = True
 
     def refused(self, obj, *words):
-        """The run fails with a message of these words; the old mesh stays; the next run works."""
+        """Checks that the run fails with a message that contains these words, that the old mesh stays,
+        and that the next run works."""
         facets = obj.Mesh.CountFacets
         with self.assertRaises((core.CoreError, InputProblem)) as caught:
             envelope.compute(obj)
@@ -43,13 +46,13 @@ class BadCase(Case):
         return np.array(corners, float), np.array(triangles)
 
     def net(self, vertices, triangles):
-        """Mesh object with these arrays as they are: FreeCAD joins and mends nothing."""
+        """Returns a mesh object with exactly these arrays: FreeCAD joins and repairs nothing."""
         obj = self.doc.addObject("Mesh::Feature", "Net")
         obj.Mesh = mesh_from_arrays(np.asarray(vertices, float), np.asarray(triangles))
         return obj
 
     def accepted(self, part, path, *codes, **settings):
-        """The run ends with a closed mesh; these findings are in its report."""
+        """Checks that the run ends with a closed mesh and with these findings in its report."""
         obj = self.envelope([part], path, **settings)
         envelope.compute(obj)
         self.assertEqual(obj.Status, envelope.UP_TO_DATE)

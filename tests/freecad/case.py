@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the headless FreeCAD tests share: a fresh document each, small bodies, motions."""
+"""Shared by the FreeCAD tests without a window: a fresh document for each test, small bodies and motions."""
 import os
 import tempfile
 import unittest
@@ -28,7 +28,7 @@ def turn(degrees, axis=V(0, 0, 1), base=V(0, 0, 0)):
 
 
 class Case(unittest.TestCase):
-    """A document with undo; `folder` is removed afterwards."""
+    """A new document with undo for each test; `folder` is removed afterwards."""
 
     NEEDS_CORE = False
 
@@ -57,7 +57,7 @@ class Case(unittest.TestCase):
         return obj
 
     def sheet(self, alias, value):
-        """A spreadsheet with one value, which expressions find as Values.alias."""
+        """Returns a spreadsheet with one value, which expressions call Values.alias."""
         obj = self.doc.addObject("Spreadsheet::Sheet", "Values")
         obj.set("A1", value)
         obj.setAlias("A1", alias)
@@ -74,7 +74,7 @@ class Case(unittest.TestCase):
         return obj
 
     def grouped_envelope(self):
-        """A group with a box, and the computed envelope of the box, whose motion goes with it."""
+        """Returns a group with a box and its motion, and the computed envelope of the box."""
         group, box = self.doc.addObject("App::Part", "G"), self.box()
         group.addObject(box)
         path = self.line()
@@ -84,7 +84,7 @@ class Case(unittest.TestCase):
         return group, obj
 
     def reopen(self):
-        """Saves the document, closes it and opens it again; its objects have to be fetched anew."""
+        """Saves, closes and opens the document again. References to its objects must be fetched again."""
         path = os.path.join(self.folder, "saved.FCStd")
         self.doc.saveAs(path)
         App.closeDocument(self.doc.Name)

@@ -22,7 +22,8 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
 
 def _add_other_workbenches():
-    """FreeCAD as a module of Python does not look where Debian keeps its workbenches (CAM, Draft)."""
+    """Adds Debian's folders of workbenches (CAM, Draft) to the path: FreeCAD as a module of Python does
+    not look there."""
     for folder in ("/usr/share/freecad/Mod", "/usr/lib/freecad/Mod"):
         names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
         found = [os.path.join(folder, name) for name in names]
@@ -35,6 +36,6 @@ try:
 
     _add_other_workbenches()
 except ImportError as error:
-    # Not a silent skip: pytest prints the reason with every file it leaves out.
+    # Not skipped silently: pytest prints the reason and every file that it leaves out.
     collect_ignore_glob = ["test_*.py"]
     print("tests/freecad skipped: FreeCAD cannot be imported ({})".format(error))

@@ -12,14 +12,14 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__
 
 
 def _groups(names, settings):
-    """Settings in nested groups, as a tree that add() takes."""
+    """Returns settings in nested groups, as a tree for _add()."""
     opened = "".join('<FCParamGroup Name="{}">'.format(name) for name in ["Root"] + names)
     text = opened + settings + "</FCParamGroup>" * (len(names) + 1)
     return Tree.fromstring("<FCParameters>" + text + "</FCParameters>")
 
 
 def _theme(name):
-    """The settings of a theme of this FreeCAD: since 1.0 a pack of preferences, before a style sheet."""
+    """Returns the settings of a theme: a pack of preferences since FreeCAD 1.0, a style sheet before."""
     packs = glob.glob("/usr/share/freecad/**/FreeCAD {}.cfg".format(name), recursive=True)
     if packs:
         return Tree.parse(packs[0]).getroot()
@@ -28,13 +28,14 @@ def _theme(name):
 
 
 def _docked():
-    """The task panel beside the 3D view, not over it as in a fresh FreeCAD 1.1."""
+    """Returns the settings that put the task panel beside the 3D view. In a fresh FreeCAD 1.1 it covers
+    the view."""
     names = ["BaseApp", "MainWindow", "DockWindows", "OverlayRight"]
     return _groups(names, '<FCText Name="Widgets"></FCText><FCInt Name="Width" Value="400"/>')
 
 
 def _add(settings, others):
-    """Puts other settings into the tree of a profile."""
+    """Adds settings to the tree of a profile; existing ones are replaced."""
     for other in others:
         own = [e for e in settings if (e.tag, e.get("Name")) == (other.tag, other.get("Name"))]
         if own and other.tag == "FCParamGroup":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tables of states in which inputs stand in another document, named Elsewhere."""
+"""Shared by the tables of changes in which the inputs are in another document, named Elsewhere."""
 import FreeCAD as App
 
 from case import shift
@@ -8,7 +8,7 @@ from table_case import Table, add_box, changes
 
 
 def elsewhere():
-    """The other document."""
+    """Returns the other document."""
     return App.getDocument("Elsewhere")
 
 
@@ -90,7 +90,7 @@ class OtherDocumentTable(Table):
         return [obj for obj in super().results() if obj.Document is self.doc]
 
     def changed(self, name):
-        """A change in one of both documents or in both, and its undo."""
+        """Makes a change in one or both documents, and undoes it."""
         both = self.doc, elsewhere()
         before = [document.UndoCount for document in both]
         shown = [(o, o.Visibility) for document in both for o in document.Objects]

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A package index on this machine, which serves the built core as the package swept-volume, and other
-wheels beside it, as numpy, which pip fetches for it. Needs neither FreeCAD nor the core, and runs in
-FreeCAD's process as well."""
+"""A package index on this machine. It serves the built core as the package swept-volume, and other wheels
+such as numpy, which pip fetches for it. Needs neither FreeCAD nor the core, and also runs inside FreeCAD's
+process.
+"""
 import base64
 import hashlib
 import http.server
@@ -15,7 +16,7 @@ TAG = "cp{0}{1}-cp{0}{1}-linux_x86_64".format(*sys.version_info[:2])
 
 
 def make_wheel(build, version, folder):
-    """Packs the core in a folder of the build into a wheel; gives its path."""
+    """Packs the core from a folder of the build into a wheel. Returns its path."""
     path = os.path.join(folder, "swept_volume-{}-{}.whl".format(version, TAG))
     info = "swept_volume-{}.dist-info/".format(version)
     files = {}
@@ -45,7 +46,8 @@ class Index(http.server.ThreadingHTTPServer):
 
     def __init__(self, folder):
         super().__init__(("127.0.0.1", 0), _Handler)
-        # FreeCAD ends at a broken pipe since 1.0: here, when pip is stopped in a download.
+        # Since 1.0, a broken pipe ends FreeCAD. This happens here when pip is stopped during a
+        # download.
         signal.signal(signal.SIGPIPE, signal.SIG_IGN)
         self.folder, self.asked, self.held = folder, [], threading.Event()
         self.held.set()
@@ -54,7 +56,7 @@ class Index(http.server.ThreadingHTTPServer):
         threading.Thread(target=self.serve_forever, daemon=True).start()
 
     def environment(self):
-        """Variables with which pip knows this index and nothing else."""
+        """Returns the environment variables with which pip uses this index only."""
         gone = ("PIP_FIND_LINKS", "PIP_NO_INDEX", "PIP_EXTRA_INDEX_URL", "PYTHONPATH", "SWEPT_CORE")
         kept = {name: value for name, value in os.environ.items() if name not in gone}
         for name in ("no_proxy", "NO_PROXY"):

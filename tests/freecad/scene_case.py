@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What tests of several features share: a part with all that is computed of it."""
+"""Shared by the tests of several features: a part, and one result of each kind that is computed from it."""
 import Part
 
 from case import Case, V, shift
@@ -8,12 +8,13 @@ from sweptvolume.features.neighbour_rules import CONTACT, Rule
 
 
 def plate(hole):
-    """A plate with a round hole at x = hole: same counts, area, length, volume and box for any."""
+    """Returns a plate with a round hole at x = hole. Number of faces, area, lengths of edges, volume
+    and bounding box do not depend on x."""
     return Part.makeBox(40, 20, 4).cut(Part.makeCylinder(3, 4, V(hole, 10, 0)))
 
 
 class Slide(Case):
-    """A box that slides on a table, which it may touch, to 3.5 mm from a wall."""
+    """A box that slides on a table, which it may touch, up to a distance of 3.5 mm from a wall."""
 
     NEEDS_CORE = True
     WALL = "Wall"
@@ -43,7 +44,7 @@ class Slide(Case):
 
 
 class Scene(Case):
-    """A box that moves, its envelope and solid, a check of all that is visible; all computed."""
+    """A box that moves, its envelope and solid, and a check with all visible parts. All are computed."""
 
     NEEDS_CORE = True
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a user does to the document of test_states_of_sequences.py."""
+"""The changes of test_states_of_sequences.py: what a user can do to its document."""
 from case import V, shift, turn
 from table_case import add_box, changes, put_into
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two blocks that are let down into a shaft one after the other, for tests of sequences."""
+"""For tests of sequences: two blocks that are lowered into a shaft, one after the other."""
 from case import V
 from sweptvolume.features.sequence_plan import Plan
 
@@ -25,7 +25,8 @@ def shaft(doc, height=40):
 
 
 def stack(doc):
-    """Blocks in the shaft, given from the top: the lower one has to come first."""
+    """Returns the blocks in the shaft, from the top to the bottom. The lower one must be installed
+    first."""
     return [
         solid(doc, "Upper", (18, 18, 9), (-9, -9, 11)),
         solid(doc, "Lower", (18, 18, 9), (-9, -9, 1)),

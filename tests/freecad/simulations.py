@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A mechanism with a simulation, made by the classes of FreeCAD's own Assembly (from 1.1 on): a base that
-stands, an arm of 20 x 10 x 10 that turns about a corner, five frames in a second."""
+"""A mechanism with a simulation, made with the classes of FreeCAD's Assembly (FreeCAD 1.1 or later): a base
+that stands still, and an arm of 20 x 10 x 10 mm that turns about a corner, in five frames per second.
+"""
 import builtins
 import math
 
@@ -12,12 +13,12 @@ SPEED = 1.5  # radians a second
 
 
 class Absent(Exception):
-    """The running FreeCAD has no simulations; says why."""
+    """Raised if this FreeCAD has no simulations; says why."""
 
 
 def _simulations():
-    """FreeCAD's module of simulations. It names QtCore even without a window, where it has not
-    imported it."""
+    """Returns FreeCAD's module of simulations. Without a window the module uses QtCore without
+    importing it, so this does."""
     from PySide import QtCore
 
     builtins.QtCore = QtCore
@@ -29,7 +30,7 @@ def _simulations():
 
 
 def _python(parent, name, make, look, *values):
-    """An object of a class `make` of FreeCAD's, in a window with its view provider."""
+    """Makes an object with one of FreeCAD's classes; in a window also its view provider."""
     obj = parent.newObject("App::FeaturePython", name)
     make(obj, *values)
     if App.GuiUp:
@@ -38,7 +39,8 @@ def _python(parent, name, make, look, *values):
 
 
 def hinge(doc):
-    """(simulation, arm, drive): the arm is a link, as inserted parts are; the drive has the formula."""
+    """Returns (simulation, arm, drive). The arm is a link, as for inserted parts; the drive has the
+    formula."""
     try:
         import JointObject as joint
         import UtilsAssembly
@@ -88,9 +90,10 @@ def _show(assembly, frame):
 
 
 def stuck(doc):
-    """(simulation, part): an object with the calls of FreeCAD 1.1's Assembly, for any FreeCAD. Of one second
-    by 0.25 s its solver finds the first three quarters; that frames are missing at the end is all that says
-    so, as with FreeCAD's own solver, which gets stuck in different mechanisms in each version."""
+    """Returns (simulation, part): an object with the functions of FreeCAD 1.1's Assembly, for any
+    FreeCAD. For one second in steps of 0.25 s, its solver finds only the first three quarters. The
+    missing frames are the only sign of this, as with FreeCAD's own solver, which fails on different
+    mechanisms in each version."""
     part = doc.addObject("Part::Box", "Stuck")
     simulation = doc.addObject("App::FeaturePython", "StuckSimulation")
     for name, value in (("aTimeStart", 0.0), ("bTimeEnd", 1.0), ("cTimeStepOutput", 0.25)):
@@ -111,6 +114,6 @@ def stuck(doc):
 
 
 def arm_after(seconds, speed=SPEED):
-    """Where the arm is after so long: turned about the hinge."""
+    """Returns the placement of the arm after this time: turned about the hinge."""
     turned = App.Rotation(V(0, 0, 1), math.degrees(speed * seconds))
     return App.Placement(HINGE - turned.multVec(V(20, 10, 10)), turned)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A slider-crank whose angle is a cell of a spreadsheet: the placements of crank, rod and slider are
-expressions, and so all distances are known by formula. The crank turns about z at the origin, the slider
-goes along x. Parts lie in layers above each other, so that none meets another but where it is meant."""
+"""A slider-crank whose angle is a cell of a spreadsheet. The placements of crank, rod and slider are
+expressions, so all distances follow from formulas. The crank turns about the z axis, the slider moves along
+x. The parts lie in layers above each other, so they meet only where a test wants it.
+"""
 import math
 
 import FreeCAD as App
@@ -13,7 +14,8 @@ PIN = 6.0  # mm: width of crank and rod
 
 
 def _box(doc, name, lengths, low):
-    """A box as a Part::Feature in a frame of its own: the corner `low` is where it begins there."""
+    """Returns a box as a Part::Feature with a coordinate system of its own, in which its corner is at
+    `low`."""
     import Part
 
     obj = doc.addObject("Part::Feature", name)
@@ -52,7 +54,7 @@ def make(doc):
 
 
 def at(degrees):
-    """(x of the pin, y of the pin, x of the slider) at an angle of the crank."""
+    """Returns (x of the pin, y of the pin, x of the slider) at an angle of the crank."""
     a = math.radians(degrees)
     x, y = CRANK * math.cos(a), CRANK * math.sin(a)
     return x, y, x + math.sqrt(ROD**2 - y**2)

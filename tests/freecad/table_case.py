@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table tests of states: every input of every feature, changed in every way."""
+"""Shared by the tests that change every input of a feature in every way, and check the state of the result
+after each change.
+"""
 import os
 import shutil
 
@@ -14,8 +16,8 @@ from sweptvolume.features.base import FAILED, STALE, UP_TO_DATE, kind_of
 
 
 def changes(known=()):
-    """({name: what a user does to the document}, the decorator that adds to it). It begins with those
-    that are known."""
+    """Returns ({name: function that changes the document}, the decorator that adds such a function).
+    The dict begins with the given changes."""
     known = dict(known)
 
     def change(action):
@@ -26,7 +28,7 @@ def changes(known=()):
 
 
 def rows(case):
-    """Makes a test of each change."""
+    """Makes a test for each change."""
     for name in case.CHANGES:
         setattr(case, "test_" + name, lambda self, name=name: self.changed(name))
     return case
@@ -40,8 +42,8 @@ def add_box(doc, name, place):
 
 
 def hidden_link(doc, name, linked):
-    """A link where its object stands, for a change to use. FreeCAD 1.0 crashes when a document is closed in
-    which the making of a link was undone, so changes make none."""
+    """Returns a link at the place of its object, for a change to use. FreeCAD 1.0 crashes if a document
+    is closed after the creation of a link was undone, so changes create none."""
     link = doc.addObject("App::Link", name)
     link.LinkedObject, link.Placement = linked, linked.Placement
     link.Visibility = False
@@ -49,15 +51,15 @@ def hidden_link(doc, name, linked):
 
 
 def put_into(group, obj, place=shift(0, 3)):
-    """An object goes into a group that is moved first, and so stands elsewhere."""
+    """Puts an object into a moved group, so that the object is at another place."""
     group.Placement = place
     group.addObject(obj)
 
 
 class Table(Case):
-    """The state after each change and after its undo is what a fresh computation justifies, which is found
-    out by computing afresh in a copy of the document. Subclasses give the document, and rows() their tests.
-    """
+    """Checks the state after each change and after its undo: a result may be up to date only if a fresh
+    computation, in a copy of the document, gives the same. Subclasses provide the document, and rows()
+    their tests."""
 
     NEEDS_CORE = True
     #: name -> what a user does to the document.
@@ -67,7 +69,7 @@ class Table(Case):
         return [o for o in self.doc.Objects if kind_of(o) and "InputHash" in o.PropertiesList]
 
     def content(self, obj):
-        """What a result shows people, in numbers; None where a run is refused."""
+        """Returns what a result shows to users, as numbers; None if a run is refused."""
         if kind_of(obj) == clearance.Clearance.KIND:
             rows = clearance.report_of(obj)["neighbours"]
             return [obj.RequiredDistance.Value] + sorted(
@@ -107,13 +109,13 @@ class Table(Case):
         return [round(n, 4) + 0.0 for n in numbers] + told
 
     def record(self, obj):
-        """What the record of an envelope, if it is to have one, tells of some of its triangles."""
+        """Returns what the record of an envelope says about some of its triangles, if it must have one."""
         record = made_by.find(obj) if obj.MadeBy != "Off" else None
         answers = map(record.answer, range(0, len(record.kind), 40)) if record else []
         return [made_by.text_of(answer) for answer in answers if answer is not None]
 
     def modules(self):
-        """KIND of a result -> the module that computes it."""
+        """Maps the kind of a result to the module that computes it."""
         return {
             envelope.Envelope.KIND: envelope,
             solid.Solid.KIND: solid,
@@ -125,8 +127,9 @@ class Table(Case):
         }
 
     def fresh(self):
-        """{name: content} of the document computed anew, as it is now; None where that is refused, and the
-        code where only a run finds out: the state before that run is stale."""
+        """Returns {name: content} for the document computed again as it is now. The value is None for a
+        refused input, and a code if only a run finds the fault: before that run the state is stale.
+        """
         path = os.path.join(self.folder, "fresh.FCStd")
         self.doc.saveCopy(path)
         kept, self.doc = self.doc, App.openDocument(path)
@@ -161,7 +164,7 @@ class Table(Case):
                         self.assertTrue(obj.Message)
 
     def changed(self, name):
-        """A change, and its undo."""
+        """Makes a change, and undoes it."""
         shown = {obj.Name: obj.Visibility for obj in self.doc.Objects}
         self.doc.openTransaction(name)
         self.CHANGES[name](self.doc)
@@ -170,7 +173,7 @@ class Table(Case):
         self.look(name)
         if self.doc.UndoNames[0] == name:  # what is shown is not recorded at all
             self.doc.undo()
-        # FreeCAD's undo leaves what is shown as it is, and what an expression has set.
+        # FreeCAD's Undo changes neither the visibility of objects nor values set by an expression.
         for obj in self.doc.Objects:
             obj.Visibility = shown[obj.Name]
         self.doc.recompute()

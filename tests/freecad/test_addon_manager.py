@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A copy of the tree, installed by the code of FreeCAD's own Addon Manager into an empty home, with the core
-from an index on this machine: the workbench computes there."""
+"""FreeCAD's own Addon Manager installs a copy of this repository into an empty user folder, and the core
+from an index on this machine. The workbench then computes.
+"""
 import json
 import os
 import pathlib
@@ -60,7 +61,7 @@ def freecad():
 
 @pytest.fixture(scope="module")
 def tree(tmp_path_factory):
-    """What git knows of the tree, as a repository of its own with the branch main."""
+    """Returns the files that git knows, as a repository of its own with the branch main."""
     listed = ["git", "-C", ROOT, "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
     done = subprocess.run(listed, capture_output=True, text=True)
     if done.returncode != 0:
@@ -113,7 +114,7 @@ def told_by(freecad, script, environment):
 
 @pytest.fixture
 def home(index, tmp_path):
-    """The environment of FreeCAD in an empty home."""
+    """Returns the environment for FreeCAD with an empty user folder."""
     home = {**index.environment(), "HOME": str(tmp_path), "LC_ALL": "C.UTF-8"}
     for name in ("FREECAD_USER_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"):
         home.pop(name, None)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shapes that are handed to other threads: the same in every way, and not what FreeCAD draws into."""
+"""Copies of shapes for other threads: they equal the originals, and FreeCAD does not draw into them."""
 import threading
 import time
 from unittest import mock
@@ -14,7 +14,7 @@ from sweptvolume.convert import InputProblem
 
 
 def plate(holes):
-    """One solid of holes x holes + 6 faces."""
+    """Returns a solid with holes x holes + 6 faces."""
     side = 10.0 * holes
     outer = Part.makePolygon([V(), V(side), V(side, side), V(0, side), V()])
     places = [V(10 * i + 5, 10 * j + 5) for i in range(holes) for j in range(holes)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The motion of a part in a simulation of FreeCAD's own Assembly: what its solver says must come out."""
+"""The motion of a part in a simulation of FreeCAD's Assembly is the one that its solver computes."""
 from case import Case, shift
 from simulations import SPEED, Absent, arm_after, hinge
 from sweptvolume import core
@@ -70,7 +70,8 @@ class Simulated(Case):
         self.assert_placement(obj.Placements[-1], arm_after(1, 0.5), 1e-6)
 
     def test_all_parts_of_a_simulation(self):
-        """One run gives all that moves: the arm, not the base; it stays 0 mm from the base, hinged to it."""
+        """One run gives the motions of all parts that move: the arm, not the base. Their distance stays
+        0 mm, because a hinge joins them."""
         settings = sources.Settings("Simulation", objects=[self.simulation])
         self.assertEqual(sources.kind_for([self.simulation]), "Simulation")
         self.assertIn(self.simulation, [s.objects[0] for s in joint_motions.sources_in(self.doc)])

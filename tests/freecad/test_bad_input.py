@@ -20,7 +20,7 @@ from sweptvolume.panels import tasks
 
 
 class FailingTask(runner.Task):
-    """Adds an object, unless it fails at one place before; fail() only after work()."""
+    """Adds an object. Fails at one place before; calls fail() only after work()."""
 
     title = "Failing"
 
@@ -118,7 +118,8 @@ class BadInput(BadCase):
             self.assertIn(text.format(protected) + " write-protected", str(caught.exception))
 
     def test_exports_of_results_that_are_not_up_to_date_say_so(self):
-        """The same note for every kind of result and file; a current result has none."""
+        """Each kind of result and each kind of file gets the same note; a result that is up to date
+        gets none."""
         box = self.box()
         obj = self.envelope([box], self.line())
         envelope.compute(obj)
@@ -289,7 +290,8 @@ for attempt in range(2):
         self.assertEqual(obj.Status, envelope.UP_TO_DATE)
 
     def test_damaged_documents_open_without_code_or_crash(self):
-        """Bytes of the stored properties changed at random: opened or refused, never worse."""
+        """Changes bytes of the stored properties at random: the document is opened or refused, and
+        nothing worse happens."""
         name, _, path = self.saved()
         App.closeDocument(self.doc.Name)
         random = np.random.default_rng(5)

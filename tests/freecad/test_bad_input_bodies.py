@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows of docs/bad_input.md about bodies, as a user of FreeCAD meets them: meshes and solids."""
+"""The rows of docs/bad_input.md about meshes and solids that a user of FreeCAD can reach."""
 import json
 
 import numpy as np
@@ -81,7 +81,8 @@ class BadBodies(BadCase):
 
         obj = self.accepted(self.box(), from_place(1e6, -2e6, 3e6))
         self.assertAlmostEqual(obj.Volume.Value, 4000, delta=40)
-        # FreeCAD keeps single precision, a quarter of a millimetre there: its mesh is local.
+        # FreeCAD stores single precision, a quarter of a millimetre there. So its mesh has local
+        # coordinates.
         self.assertAlmostEqual(obj.Mesh.Volume, 4000, delta=40)
         self.assertAlmostEqual(obj.Mesh.BoundBox.YMin, -2e6, delta=1)
         obj.Motion = from_place(4e9, 0, 0)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows of docs/bad_input.md about motions, options, devices and files, as a user of FreeCAD meets them."""
+"""The rows of docs/bad_input.md about motions, options, devices and files that a user of FreeCAD can reach.
+"""
 import contextlib
 import os
 import subprocess
@@ -12,7 +13,7 @@ from sweptvolume import core, export
 from sweptvolume.convert import InputProblem
 from sweptvolume.features import envelope, motion, solid
 
-#: A document with a moving box in a process of its own; `run` says what to do with the envelope.
+#: A document with a moving box, in a separate process; `run` is code that uses the envelope.
 SCRIPT = """
 import sys
 for folder in {folders!r}: sys.path.append(folder)
@@ -202,7 +203,7 @@ with tempfile.TemporaryDirectory() as folder:
         self.assertIn(expected, said)
 
     def test_bad_input_37_solid_that_reads_back_wrong(self):
-        """Somebody damages the file between writing and reading back: it never becomes the target."""
+        """The file is damaged between writing and reading back: it must not replace the target."""
         path = motion.motion_from_poses(self.doc, [0, 1], [shift(), turn(50, base=shift(9).Base)])
         obj = self.envelope([self.box()], path)
         envelope.compute(obj)

@@ -28,7 +28,7 @@ class Clearance(Neighbours):
         self.assertEqual(rows["Wall"]["verdict"], "below")
         self.assertAlmostEqual(rows["Far"]["distance"], 15.0, places=6)
         self.assertEqual(rows["Far"]["verdict"], "clear")
-        # Both solids are meshed to 0.05 mm: that, and the tolerance, is not promised.
+        # Both solids are meshed with a deflection of 0.05 mm. This, and the accuracy, are subtracted.
         self.assertAlmostEqual(rows["Wall"]["guaranteed"], 3.5 - 0.1 - 0.01, places=6)
         self.assertTrue(
             obj.Summary.startswith(
@@ -39,7 +39,8 @@ class Clearance(Neighbours):
         )
 
     def test_parts_that_others_use_are_neighbours_too(self):
-        # By an expression, a second envelope, a link to it: still there, and in the way.
+        # An expression, a second envelope and a link refer to it: it still exists, and still is a
+        # neighbour.
         self.far.setExpression("Placement.Base.z", "Wall.Height - 10 mm")
         envelope.make_envelope(self.doc, [self.far], self.path)
         link = self.doc.addObject("App::Link", "Copy")

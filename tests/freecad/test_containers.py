@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Our objects inside groups: no circle in the document, and what is moved with a group is noticed."""
+"""Objects of the workbench inside groups: they cause no circular dependency, and results become stale when
+their group is moved.
+"""
 import itertools
 
 import FreeCAD as App
@@ -23,14 +25,15 @@ class Containers(Case):
         self.doc.recompute()
 
     def recompute(self):
-        """Recomputes; nothing stays touched, no circle in the graph (which FreeCAD only prints)."""
+        """Recomputes. No object may stay touched, and the graph may have no circle (FreeCAD only prints
+        a message about one)."""
         self.doc.recompute()
         for obj in self.doc.Objects:
             self.assertNotIn("Touched", obj.State, obj.Name)
             self.assertNotIn(obj, obj.OutListRecursive, obj.Name)
 
     def assert_seen(self, obj, root=None):
-        """The envelope's only part is seen from the outermost group."""
+        """Checks that the only part of the envelope is given with the outermost group."""
         root = root or self.outer
         self.assertEqual(convert.pairs_of(obj.MovingParts), [(root, "Group.Slide.")])
 
@@ -97,7 +100,7 @@ class Containers(Case):
         self.assert_placement(path.Placements[-1], shift(0, 20), 1e-9)
 
     def test_a_motion_keeps_its_place_in_the_world_where_its_source_does(self):
-        """Wherever a motion with a source is put: what is drawn lies on the source."""
+        """Wherever a motion with a source is placed in the tree, its drawn path lies on the source."""
         wire = self.straight_wire()
         path = motion.motion_from_source(self.doc, "Curve", [wire])
         self.outer.Placement = turn(90, base=V(1, 2, 3))
@@ -127,7 +130,7 @@ class Containers(Case):
         obj = self.doc.getObject("Envelope")
         self.recompute()
         self.assert_seen(obj, self.doc.getObject("Outer"))
-        # A circle that an older version has left is opened.
+        # A document with a circular dependency, as an older version could leave it.
         obj.MovingParts = [(self.doc.getObject("Group"), "Slide.")]
         self.reopen()
         self.recompute()
@@ -148,13 +151,13 @@ class Computed(Case):
         envelope.compute(obj)
         self.assertEqual(obj.Status, envelope.UP_TO_DATE)
         self.assert_placement(obj.getGlobalPlacement(), App.Placement())
-        # FreeCAD gives the box as the group sees it.
+        # FreeCAD gives the box in the coordinates of the group.
         self.assertAlmostEqual(obj.Mesh.BoundBox.YMin + 50, 50, delta=obj.UsedCellSize.Value)
 
 
 class Rule(Case):
-    """One rule: poses count in the group that holds the motion, the part stands where it is seen, and the
-    envelope stands in the world, whichever group holds it."""
+    """The rule: poses are in the coordinate system of the group that contains the motion, the part is
+    where it is drawn, and the envelope is in world coordinates, whichever group contains it."""
 
     NEEDS_CORE = True
 
@@ -181,7 +184,8 @@ class Rule(Case):
         self.doc.recompute()
 
     def expected_box(self, frame, pair):
-        """Of the part at both poses, from the definition of a frame alone."""
+        """Returns the corners of the part at both poses, computed only from the definition of a
+        coordinate system."""
         group = motion.container_of(self.path)
         standing = convert.global_placement(*pair)
         placements = self.path.Placements
@@ -209,7 +213,8 @@ class Rule(Case):
         self.assertLess(abs(vertices.max(axis=0) - high).max(), cell)
 
     def test_each_combination(self):
-        """Part, motion and envelope each in the document, in a moved group, in a group in it, in another."""
+        """Part, motion and envelope are each in the document, in a moved group, in a group inside it,
+        or in another group."""
         places = [None, self.groups[0], self.groups[1], self.other]
         self.path.Interpolation = "None"
         obj = self.envelope([self.part], self.path, CellSize=2)
@@ -261,6 +266,6 @@ class Rule(Case):
         self.assertEqual(obj.Status, envelope.STALE)
         envelope.compute(obj)
         self.assertAlmostEqual(obj.Volume.Value, volume, delta=0.02 * volume)
-        # The group is turned by 90 degrees: so is the way, which went along x.
+        # The group is turned by 90 degrees, and so is the motion, which was along x.
         vertices = clearance_plan.envelope_arrays(obj)[0]
         self.assertGreater(float(np.ptp(vertices[:, 1])), float(np.ptp(vertices[:, 0])))

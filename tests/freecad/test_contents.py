@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a part is made of, as a text: another geometry gives another, nothing else does."""
+"""The text that identifies the geometry of a part: it changes when the geometry changes, and only then."""
 import time
 
 import Mesh

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Geometry in and out: meshes, solids, placements through groups and links."""
+"""Geometry from and to FreeCAD: meshes, solids, and placements through groups and links."""
 import threading
 import time
 
@@ -140,7 +140,8 @@ class Convert(Case):
             self.assertEqual(len(faces), len(facets))
             middle = points[facets].mean(axis=1)
             gap = 20.0 - np.linalg.norm(middle, axis=1).min()
-            # The mesher keeps the deflection on edges; in the middle of a face it may double.
+            # The mesher keeps the deflection on edges; in the middle of a face, the deviation may be
+            # twice as large.
             self.assertLess(gap, 2 * (0.02 if points is fine[0] else 1.0))
 
     def test_triangles_are_those_of_when_the_part_was_read(self):

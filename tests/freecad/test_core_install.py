@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Installing the core without a window: what pip is asked, what stays as it was when something fails. The
-scenario gui/install_core.py has the rest."""
+"""Installing the core without a window: which pip command runs, and what stays unchanged after a failure.
+The scenario gui/install_core.py has the rest.
+"""
 import os
 import sys
 import tempfile
@@ -26,7 +27,7 @@ class Sources(unittest.TestCase):
 
 
 class Installing(unittest.TestCase):
-    """Into a folder of its own, from an index on this machine."""
+    """Installs from an index on this machine into a separate folder."""
 
     def setUp(self):
         if not core.available():
@@ -52,7 +53,7 @@ class Installing(unittest.TestCase):
         return sorted(os.listdir(self.folder)) if os.path.isdir(self.folder) else []
 
     def plant_old(self):
-        """A core of another version, as an earlier installation has left it."""
+        """Writes a core of another version, as an earlier installation leaves it."""
         os.makedirs(os.path.join(self.folder, "swept_volume-0.0.1.dist-info"))
         os.makedirs(os.path.join(self.folder, "swept_volume"))
         for name in ("_swept.cpython-00-old.so", "swept_volume/gone.py", "of_another.py"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the core says in the user's language, by the codes of its findings."""
+"""Messages of the core in the user's language, by code."""
 import glob
 import os
 import re
@@ -22,7 +22,7 @@ class CoreTexts(unittest.TestCase):
             self.assertEqual(core_texts.said("Unheard", "who knows"), "who knows")
 
     def test_codes_are_those_of_the_core(self):
-        """Each code is one of the core's, and what refuses an input is among them."""
+        """Each code exists in the core, and the codes of refused input are among them."""
         if not os.path.isdir(os.path.join(ROOT, "cpp")):
             self.skipTest("the sources of the core are not here")
         found, refusals = set(), set()
@@ -34,7 +34,7 @@ class CoreTexts(unittest.TestCase):
         self.assertIn("Blocked", found)  # with the name of the end before it: path/ends.cpp
         found.update(end + "Blocked" for end in ("Goal", "Start", "Via"))
         self.assertEqual(set(core_texts._TEXTS) - found, set())
-        #: What no object of FreeCAD can cause.
+        #: Codes that no object of FreeCAD can cause.
         refusals -= {"BadFaces", "BadIndex", "NothingKept", "NoSurface", "SameFile", "CheckFailed"}
         refusals -= {"BadReport", "NoPython", "UnknownPart", "NoParts", "PartTwice"}
         self.assertEqual(refusals - set(core_texts._TEXTS), set())

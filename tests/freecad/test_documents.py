@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Documents whose values of ours are damaged, or linked to what does not belong there."""
+"""Documents in which properties of the workbench are damaged, or linked to objects of the wrong kind."""
 import os
 import random
 import sys
@@ -19,7 +19,8 @@ import document_fuzz  # noqa: E402
 
 
 class Damaged(Case):
-    """What tests/tools/document_fuzz.py found, each case by itself, and a small run of it."""
+    """The cases that tests/tools/document_fuzz.py has found, each by itself, and a small run of this
+    tool."""
 
     NEEDS_CORE = True
 
@@ -138,7 +139,8 @@ class Fuzz(Case):
             self.assertEqual(outcome["fault"], "", (seed, outcome))
 
     def test_planted_faults_are_found(self):
-        """Another exception, one that FreeCAD keeps to itself, a mesh changed by a run that failed."""
+        """The tool notices an unexpected exception, an exception that FreeCAD hides, and a mesh that a
+        failed run has changed."""
 
         def key_error(*_, **__):
             return {}["planted"]

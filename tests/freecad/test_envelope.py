@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Envelope, solid, export: the main job in a document without a window."""
+"""The main workflow without a window: envelope, solid, export."""
 import json
 import os
 import zipfile
@@ -241,7 +241,7 @@ class Envelope(Computed):
         self.assertIsNone(kept._last)
 
     def test_position_filter(self):
-        # To and fro across the way, so that no steps are merged.
+        # To and fro across the direction of motion, so that no steps are merged.
         places = [shift(0.01 * k, 0.1 * (k % 2)) for k in range(2001)]
         self.part = self.box()
         path = motion.motion_from_poses(self.doc, range(2001), places)
@@ -308,7 +308,7 @@ class SolidAndFiles(Computed):
         self.assertEqual(solid.compute(body)["tolerance"], 0)
 
     def swept_pin(self):
-        """Returns the envelope of a cylinder on its way, and a solid of it with surfaces."""
+        """Returns the envelope of a moved cylinder, and a solid of it with recognised surfaces."""
         part = self.doc.addObject("Part::Cylinder", "Pin")
         part.Radius = 6
         self.doc.recompute()

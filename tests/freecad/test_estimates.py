@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the panel of an envelope foretells is what the run takes."""
+"""The memory and time that the panel of an envelope estimates, compared with those of the run."""
 import Mesh
 import Part
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reports of clearance checks as pages, from a document without a window."""
+"""Reports of clearance checks as pages, without a window."""
 import hashlib
 import json
 import os

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Paths found and improved from documents: what the core certifies is what the motion does, wherever parts
-and motions stand. Every path is checked again by the workbench's own clearance check."""
+"""Paths found and improved in documents: the motion keeps the clearance that the core guarantees, wherever
+the parts and motions are in the tree. The workbench's own clearance check confirms each path.
+"""
 import unittest
 
 import FreeCAD as App
@@ -15,7 +16,7 @@ class Paths(Case):
     NEEDS_CORE = True
 
     def channel(self, group=None, size=10.0):
-        """A cube between two walls, on a floor; more() of them below a group."""
+        """Makes a cube between two walls, on a floor. more() adds the same below a group."""
         part = self.box("Cube", size)
         walls = []
         for name, sizes, at in (
@@ -34,7 +35,7 @@ class Paths(Case):
         return part, walls
 
     def checked(self, path, pairs, required):
-        """Rows of the check by name."""
+        """Returns the rows of a check by name."""
         root, sub = pairs[0]
         obj = clearance.make_clearance(
             self.doc, Motion=path, AllVisible=True, RequiredDistance=required, MeshDeflection=0.05
@@ -163,7 +164,7 @@ class Paths(Case):
         self.assertEqual(len(self.doc.Objects), known)
 
     def wayward(self, **settings):
-        """A motion through a post that stands in the channel, by a detour."""
+        """A motion passes through a post that stands in the channel; the improved one goes around it."""
         part, walls = self.channel()
         post = self.doc.addObject("Part::Box", "Post")
         post.Length = post.Width = post.Height = 4
@@ -230,8 +231,8 @@ class Paths(Case):
 
 class Demo(unittest.TestCase):
     def test_the_starter_motor_finds_its_way(self):
-        """From its assembled place, with at least the clearance of the path made by hand: 1.37 mm beyond the
-        last 20 mm."""
+        """Finds a path out of the assembled position with at least the clearance of the path designed
+        by hand: 1.37 mm, except for the last 20 mm."""
         if not core.available():
             self.skipTest("the compiled core _swept is not built")
         from sweptvolume import demo

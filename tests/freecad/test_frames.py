@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motions that come as frames: of drivers and of simulations."""
+"""Motions that are recorded frame by frame, from driven values and simulations."""
 import math
 
 import FreeCAD as App
@@ -11,12 +11,14 @@ from sweptvolume.trajectory.poses import Poses
 
 
 class Frames(Case):
-    """Motions of mechanisms come as frames: what lies between them is said or right."""
+    """Motions of mechanisms are recorded as frames. Between frames the interpolated motion must be
+    right, or a message must say that it is not."""
 
     NEEDS_CORE = True
 
     def hinge(self, count, **values):
-        """A bar that turns by 90 degrees about z at the origin, driven by a cell of a sheet."""
+        """Returns a bar that turns by 90 degrees about z at the origin, driven by a cell of a
+        spreadsheet."""
         sheet = self.sheet("angle", "0")
         self.doc.recompute()
         self.bar = self.doc.addObject("Part::Box", "Bar")
@@ -41,7 +43,7 @@ class Frames(Case):
         self.assertEqual(path.Interpolation, "Screw")
         obj = self.envelope([self.bar], path, Resolution=100)
         envelope.compute(obj)
-        # A quarter of a disc, and the bar's own width before and behind it.
+        # A quarter of a disc, and the width of the bar before and behind it.
         exact = 5 * (math.pi / 4 * (60**2 + 5**2) + 2 * 60 * 5 / 2)
         self.assertAlmostEqual(obj.Volume.Value, exact, delta=0.01 * exact)
         self.assertNotIn("are large: near", obj.Message)

@@ -30,7 +30,7 @@ def test_scenario(scenario):
 
 
 def _plug_ins_for_svg():
-    """The folders of Qt's plug-ins that read SVG files, of any Qt here."""
+    """Returns the folders of all Qt plug-ins on this system that read SVG files."""
     found = glob.glob("/usr/lib/*/qt*/plugins/*/libqsvg*.so")
     return sorted({os.path.dirname(path) for path in found})
 
@@ -38,7 +38,8 @@ def _plug_ins_for_svg():
 @pytest.mark.skipif(not shutil.which("xvfb-run"), reason="xvfb-run is not installed")
 @pytest.mark.skipif(not _freecad(), reason="FreeCAD with a window is not installed")
 def test_icons_are_drawn_without_the_plug_ins_for_svg():
-    """In a file system of its own, where Qt finds none."""
+    """Icons are drawn also if Qt finds no plug-in for SVG: the test hides them in a file system of its
+    own."""
     folders = _plug_ins_for_svg()
     script = "; ".join(["set -e"] + ["mount -t tmpfs none " + f for f in folders] + ['exec "$@"'])
     mapped = (
@@ -51,7 +52,7 @@ def test_icons_are_drawn_without_the_plug_ins_for_svg():
 
 
 def _run(scenario, before=()):
-    """Runs a scenario; before: a command that runs the one behind it."""
+    """Runs a scenario. before: a command that is put before FreeCAD's command."""
     from sweptvolume import core
 
     if not core.available():
@@ -78,6 +79,6 @@ def _run(scenario, before=()):
     print(done.stdout[-4000:])
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
     assert scenario + " passed" in done.stdout.splitlines(), "another file's scenario was run"
-    # An error in a button's own code is only printed.
+    # An exception in the code of a button is only printed.
     for words in ("Traceback", "already deleted"):
         assert words not in done.stdout + done.stderr, done.stdout + done.stderr

@@ -8,7 +8,7 @@ import unittest
 import sweptvolume
 
 HERE = os.path.dirname(os.path.realpath(sweptvolume.__file__))
-#: From the bottom up; a module may import what stands before its own group.
+#: From the lowest layer up; a module may import what stands above its own group in this list.
 ORDER = [
     ["texts", "settings", "safe_file", "quantities", "interpreter"],
     ["core_texts", "core_search"],
@@ -60,7 +60,8 @@ def modules():
 
 
 def names_in(module):
-    """Names that a module of ours has at its top, modules below a package among them; None for others."""
+    """Returns the names that a module of the workbench defines, including the modules below a package;
+    None for other modules."""
     parts = module.split(".")
     if parts[0] != "sweptvolume":
         return None
@@ -104,7 +105,7 @@ class Layers(unittest.TestCase):
                     self.assertLessEqual(LEVEL[parts[1]], LEVEL[group], text)
 
     def test_what_is_imported_is_there(self):
-        """Also where no test without a window goes."""
+        """All names exist, also in code that no test without a window runs."""
         for path, _ in modules():
             for name, node in imports(path):
                 if not isinstance(node, ast.ImportFrom) or node.module is None:
@@ -115,7 +116,7 @@ class Layers(unittest.TestCase):
                     self.assertIn(alias.name, known, text)
 
     def test_what_is_asked_of_a_module_is_there(self):
-        """`module.name`, wherever `module` was imported from one of our packages."""
+        """Each `module.name` exists in which `module` was imported from a package of the workbench."""
         for path, _ in modules():
             with open(path, encoding="utf-8") as file:
                 tree = ast.parse(file.read())
@@ -137,7 +138,7 @@ class Layers(unittest.TestCase):
                         self.assertIn(node.attr, known[here], text)
 
     def test_what_starts_processes_is_not_loaded_with_the_workbench(self):
-        """Only what a study needs that is carried out imports `studies` at its top."""
+        """Only code that runs a study imports `studies` at its top."""
         found = {
             os.path.relpath(path, HERE).replace(os.sep, "/")
             for path, _ in modules()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made each triangle of an envelope: faces of parts in groups and links, several motions, what is
-kept and what is stored."""
+"""What made each triangle of an envelope: for parts in groups and links, and for several motions; what is
+kept in memory and what is stored in the document.
+"""
 import json
 import os
 
@@ -25,9 +26,9 @@ class MadeBy(Case):
         return obj
 
     def check(self, obj, path, share=0.99):
-        """Every triangle's corners, moved back to where the part stood at the named time, lie on the
-        named face, or on both of an edge, but for what a cell and the triangles of the part allow.
-        """
+        """Moves the corners of each triangle back to the position of the part at the named time. They
+        must lie on the named face, or on both faces of an edge, within what a cell and the triangles of
+        the part permit."""
         record = made_by.find(obj)
         self.assertEqual(len(record.kind), obj.Mesh.CountFacets)
         points, triangles = convert.arrays_from_mesh(obj.Mesh)
@@ -65,7 +66,7 @@ class MadeBy(Case):
         self.assertEqual((record.parts[0]["label"], record.parts[0]["count"]), ("Box", 6))
 
     def test_wrong_records_are_seen(self):
-        """The check above is no formality."""
+        """The check above fails for wrong faces and times."""
         path = motion.motion_from_poses(
             self.doc, [0, 1], [shift(), turn(40, V(1, 2, 3), V(15, 4, 2))]
         )
@@ -107,7 +108,7 @@ class MadeBy(Case):
         self.assertRegex(made_by.text_of(answer), r"^Face\d of .*, at \d+\.\d\d\d s\n")
 
     def test_two_motions(self):
-        """The outer surface of two envelopes remembers both."""
+        """An envelope around two envelopes has the records of both."""
         one, two = self.box("One"), self.box("Two")
         two.Placement = shift(0, 5, 0)
         first = self.line(30)
@@ -134,7 +135,7 @@ class MadeBy(Case):
                 self.assertTrue(0 <= answer.time <= 1)
 
     def test_two_motions_simplified_again(self):
-        """Only the tolerance changes: the record and the report know both motions as before."""
+        """If only the tolerance changes, the record and the report describe both motions as before."""
         one, two = self.box("One"), self.box("Two")
         two.Placement = shift(0, 5, 0)
         ways = [self.line(30), motion.motion_from_poses(self.doc, [5, 7], [shift(), shift(z=30)])]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that move at the same time: their motions from one run of a driver, and the check of the mechanism
-against what a formula says."""
+"""Mechanisms: the motions of all parts from one run of a driven value, and the results of the check
+compared with formulas.
+"""
 import csv
 import math
 import os
@@ -53,7 +54,7 @@ class SliderCrank(Case):
         return obj
 
     def rows(self, obj):
-        """{(name, name): row} of the stored result."""
+        """Returns {(name, name): row} of the stored result."""
         pairs = mechanism.report_of(obj)["pairs"]
         return {(p["first"], p["second"]): p["clearance"] for p in pairs}
 
@@ -149,7 +150,7 @@ class Distances(SliderCrank):
         self.assertEqual(obj.Status, UP_TO_DATE)
         self.assertEqual((obj.Checked, obj.Verdict), (6, "below"))
         rows = self.rows(obj)
-        # The wall: nearest with the crank along x. The rod lies 1 mm over crank and slider.
+        # The wall is nearest when the crank points along x. The rod lies 1 mm above crank and slider.
         gap = STOP - (CRANK + ROD + HALF)
         row = rows["Slider", "Wall"]
         self.assertAlmostEqual(row["distance"], gap, delta=1e-3)
@@ -191,7 +192,8 @@ class Distances(SliderCrank):
         self.assertEqual(mechanism.report_of(obj)["ignored"], [["Crank", "Slider"]])
 
     def test_stamped_by_shapes_of_the_document(self):
-        """OpenCASCADE's distances with the crank put to 24 angles: none is nearer than is promised."""
+        """Compares with OpenCASCADE's distances at 24 angles of the crank: none is smaller than
+        guaranteed."""
         motions = self.motions()
         obj = self.check(motions)
         mechanism.compute(obj)
@@ -304,7 +306,7 @@ class Kept(SliderCrank):
 
 class BadInput(SliderCrank):
     def refused(self, words, *pairs, **settings):
-        """pairs: (part, motion)."""
+        """Makes a check of these pairs (part, motion)."""
         obj = mechanism.make_mechanism(
             self.doc,
             MovingParts=[(part, "") for part, _ in pairs],
@@ -373,7 +375,7 @@ class BadInput(SliderCrank):
         self.assertRegex(obj.Message, '"Group" and "Inside": one of them contains the other')
 
     def grouped(self):
-        """Two groups with a part each that passes the other, and the check of both."""
+        """Makes two groups with one part each, which pass each other, and a check of both."""
         left, right = self.doc.addObject("App::Part", "Left"), self.doc.addObject(
             "App::Part", "Right"
         )
@@ -395,7 +397,7 @@ class BadInput(SliderCrank):
         )
 
     def test_rules_of_groups_that_cross_are_named(self):
-        """Each is the narrower one on one side: neither wins by chance."""
+        """Two rules, each more specific on one side: neither takes precedence, so both are named."""
         left, right, obj = self.grouped()
         crossing = {
             pair_rules.key((left, ""), (right, "Other.")): Rule(CONTACT),
@@ -420,7 +422,7 @@ class BadInput(SliderCrank):
         self.assertEqual(pair["required"], 2.0, "they agree")
 
     def test_groups_that_contain_each_other_cannot_be(self):
-        """Rules follow groups; FreeCAD refuses the circle, and the rules stay what they were."""
+        """Rules of groups stay as they are after FreeCAD has refused a circular group."""
         left, right, obj = self.grouped()
         pair_rules.write(obj, {pair_rules.key((left, ""), (right, "")): Rule(length=1.5)})
         self.doc.recompute()

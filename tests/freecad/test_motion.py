@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion objects: where poses come from, what they mean, what is refused."""
+"""Motion objects: where their poses come from, what a pose means, and which input is refused."""
 import os
 
 import FreeCAD as App
@@ -94,7 +94,7 @@ class Motion(Case):
 
 
 class Spline(Case):
-    """Smooth motion: through the keys, no jump of the velocity, tangents as asked for."""
+    """A smooth motion passes through its keys without a jump of the velocity, with the given tangents."""
 
     def keys(self, tangents=()):
         places = [shift(), turn(40, V(1, 1, 0), V(10, 5)), turn(100, V(0, 1, 1), V(12, 20, 5))]
@@ -102,7 +102,7 @@ class Spline(Case):
         return Poses([0, 1, 3, 4], places, tangents)
 
     def velocity(self, at, time, step):
-        """Of the origin (mm/s) and of a point of the part off it."""
+        """Returns the velocities (mm/s) of the origin and of a point of the part away from it."""
         a, b = at(time), at(time + step)
         off = V(7, -3, 11)
         return (b.Base - a.Base) / step, (b.multVec(off) - a.multVec(off)) / step
@@ -165,7 +165,7 @@ class MotionFile(Case):
     NEEDS_CORE = True
 
     def test_poses_with_one_time_keep_their_order_as_in_the_core(self):
-        """The part goes on between them; its place as a function of time is the last one's."""
+        """The part moves on between two motions: its placement at a time is that of the last motion."""
         places = [shift(), shift(10), shift(10, 20), shift(30, 20)]
         obj = motion.motion_from_poses(self.doc, [0, 1, 1, 2], places)
         hull = self.envelope([self.box()], obj, CellSize=0.5)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Envelopes of parts with motions of their own, seen from a moving reference, and of smooth motions."""
+"""Envelopes of parts with motions of their own, relative to a moving reference, and with smooth motions."""
 import math
 
 import numpy as np
@@ -23,7 +23,7 @@ class Moving(Case):
             self.assertAlmostEqual(a, b, delta=cell, msg=str(found))
 
     def test_parts_with_motions_of_their_own(self):
-        """Two boxes at right angles: an L of known volume, one closed surface."""
+        """Two boxes at right angles form an L of known volume, with one closed surface."""
         boxes = [self.box("A"), self.box("B")]
         along, up = self.lines((30, 0, 0), (0, 20, 0))
         obj = self.envelope(boxes, along, Motions=[along, up], Resolution=80)
@@ -40,8 +40,8 @@ class Moving(Case):
         self.assertEqual(obj.Status, envelope.STALE)
 
     def test_an_accuracy_is_shared_by_both_runs(self):
-        """The envelopes are sampled, and then once more when they are joined. No bound is told,
-        since none is known."""
+        """The envelopes are sampled, and sampled again when they are joined. No bound of the error is
+        known, so none is shown."""
         one, two = self.box("One"), self.box("Two")
         ways = self.lines((30, 0, 0), (0, 0, 30))
         obj = self.envelope([one, two], ways[0], Accuracy=1)
@@ -80,7 +80,7 @@ class Moving(Case):
         self.assertEqual((obj.Status, obj.Mesh.CountFacets), (envelope.CANCELLED, 0))
 
     def test_seen_from_a_part_that_goes_along(self):
-        """Part and reference move alike: seen from the reference the part stands still."""
+        """Part and reference have the same motion: relative to the reference, the part stands still."""
         part, table = self.box("Part"), self.box("Table")
         table.Placement = shift(0, 50)
         way = motion.motion_from_poses(self.doc, [0, 1], [shift(), turn(80, base=V(90, 5, 1))])
@@ -90,7 +90,8 @@ class Moving(Case):
         self.assert_box(obj, (0, 0, 0), (10, 10, 10))
 
     def test_seen_from_a_turning_table(self):
-        """A part at rest off the axis of a table that turns once: a ring on the table."""
+        """A part stands still beside the axis of a table that turns once: its space relative to the
+        table is a ring."""
         part, table = self.box("Part"), self.box("Table")
         part.Placement = shift(20, -5)
         turns = [turn(90 * k) for k in range(5)]
@@ -114,7 +115,7 @@ class Moving(Case):
             envelope.compute(obj)
 
     def test_smooth_motion(self):
-        """Three keys of a quarter circle with the velocities of that circle."""
+        """Three keys on a quarter of a circle, with the velocities of a motion along it."""
         box = self.box(size=2.0)
         speed = 20 * math.pi / 2
         places = [shift(20), shift(20 * math.sqrt(0.5), 20 * math.sqrt(0.5)), shift(0, 20)]
@@ -127,7 +128,8 @@ class Moving(Case):
         ]
         obj = self.envelope([box], way, Resolution=100)
         envelope.compute(obj)
-        # Convex in x and y and only shifted: the area below the way of each corner is the circle's.
+        # The box is convex in x and y and does not turn: the area below the path of each corner is that
+        # of the circle.
         box = obj.Mesh.BoundBox
         self.assertAlmostEqual(box.XMax, 22, delta=obj.UsedCellSize.Value)
         points = convert.arrays_from_mesh(obj.Mesh)[0]

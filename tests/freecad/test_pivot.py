@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pivot of a motion: the point that goes straight between two keys, the same for envelope, clearance,
-line and table, whatever a pose means and wherever the motion stands."""
+"""The pivot of a motion, the point that moves straight between two keys. Envelope, clearance check,
+displayed line and table use the same pivot, for every pose type and wherever the motion is in the tree.
+"""
 import math
 
 import FreeCAD as App
@@ -14,14 +15,14 @@ from sweptvolume.features.base import STALE, UP_TO_DATE
 from sweptvolume.trajectory.edit import Keys
 from sweptvolume.trajectory.poses import Poses, at_time
 
-#: Middle of the part in its own coordinates, far from their origin.
+#: Middle of the part in its own coordinates, far from its origin.
 MIDDLE = V(105, 5, 5)
-#: Half of the diagonal of its square: how far it reaches round the pivot when it turns about z.
+#: Half of the diagonal of its square: the largest distance from the pivot when it turns about z.
 REACH = 5 * math.sqrt(2)
 
 
 def about(point, degrees):
-    """A turn about the z axis through a point."""
+    """Returns a rotation about an axis parallel to z through a point."""
     return shift(*point).multiply(turn(degrees)).multiply(shift(*-point))
 
 
@@ -40,7 +41,7 @@ class Pivot(Case):
         return obj
 
     def assert_in_place(self, obj, middle):
-        """The envelope of the part that turned by 90 degrees about its middle."""
+        """Checks the envelope of the part, which turns by 90 degrees about its middle."""
         box, slack = obj.Mesh.BoundBox, 2 * obj.UsedCellSize.Value
         for low, high, at in ((box.XMin, box.XMax, middle.x), (box.YMin, box.YMax, middle.y)):
             self.assertAlmostEqual(low, at - REACH, delta=slack)
@@ -144,7 +145,7 @@ class Pivot(Case):
 
 
 class Numbers(Case):
-    """What the table of keys shows and takes."""
+    """The numbers that the table of keys shows and accepts."""
 
     def test_a_typed_angle_turns_about_the_pivot(self):
         keys = Keys([0.0], [shift(1, 2, 3)], pivot=MIDDLE)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers as people read them, in every system of units of FreeCAD."""
+"""Numbers as users read them, in every unit system of FreeCAD."""
 import unittest
 
 import FreeCAD as App
@@ -56,7 +56,7 @@ class Quantities(unittest.TestCase):
 
 
 class Background(unittest.TestCase):
-    """Letters in the 3D view are seen on the background of every theme."""
+    """Text in the 3D view is legible on the background of every theme."""
 
     def test_light_and_dark(self):
         from sweptvolume.views.live_distance import on_light

@@ -109,7 +109,7 @@ class Renamed(Case):
 
 
 class Rewriting(Case):
-    """What counts as a name in an expression, and what does not."""
+    """Which parts of an expression are names of properties, and which are not."""
 
     def test_of_the_object_itself(self):
         names = {"Required": "RequiredDistance"}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rules of neighbours in a document: what they do to a check, and that they stay with their parts."""
+"""Rules of neighbours in a document: how they change a check, and that each stays with its part."""
 from case import shift
 from neighbour_case import Neighbours
 from sweptvolume import convert, core

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Results in documents that were saved: by this version, and as version 1 left them."""
+"""Results in saved documents: of this version, and of version 1."""
 import json
 import os
 import shutil
@@ -34,7 +34,8 @@ class Saved(Scene):
 
 class OfBefore(Scene):
     def test_results_of_before_are_known_again(self):
-        """A document as version 1 left it: hashes of sizes, none of the properties that came since."""
+        """Makes a document like those of version 1: hashes of sizes, and no property that was added
+        later."""
         plans = [
             (self.swept, envelope.Plan.of(self.swept)),
             (self.check, clearance.Plan.of(self.check)),
@@ -112,7 +113,7 @@ class Stored(Case):
         return {name: self.told(self.doc.getObject(name)) for name in self.known}
 
     def test_results_of_before_are_the_same(self):
-        """Opened, looked at again, and saved and opened once more."""
+        """The document is opened, its results are checked, and it is saved and opened again."""
         self.assertEqual(self.all_told(), self.known)
         self.recomputed()
         self.assertEqual(self.all_told(), self.known)
@@ -126,7 +127,7 @@ class Stored(Case):
         self.doc.recompute(None, True)
 
     def test_computed_anew_they_are_as_near_as_the_cells_allow(self):
-        """Poses turn about the origin of the file, as they did; nothing moves."""
+        """Poses rotate about the origin of the file as before, so nothing moves."""
         for name, (status, *known) in self.known.items():
             obj = self.doc.getObject(name)
             module = {"E": envelope, "C": clearance}[name[0]] if "Solid" not in name else solid
@@ -139,7 +140,8 @@ class Stored(Case):
                         self.assertEqual(one, other)
                         self.assertAlmostEqual(before, after, delta=0.02)
                 else:
-                    # Grown ones lay up to a cell too far out; now their vertices lie at the distance.
+                    # Vertices of grown envelopes used to lie up to a cell too far out; now they lie at
+                    # the distance.
                     near = 5e-3 if getattr(obj, "Offset", 0.0) else 2e-3
                     self.assertAlmostEqual(found[1], known[1], delta=near * known[1])
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sequences from documents: what is found is motions of ours, in the order of the sequence, each clear of all
-that is there by then; they are checked again when something changes."""
+"""Sequences in documents: the motions appear in the order of the sequence, and each is clear of all parts
+that are already in place. After a change they are checked again.
+"""
 import FreeCAD as App
 
 from case import Case, V, shift, turn
@@ -22,7 +23,7 @@ class Sequences(Case):
         self.doc.recompute()
 
     def assert_clear(self, obj):
-        """Each motion by the workbench's own check of clearances, with what is there by then."""
+        """Checks each motion with the workbench's clearance check against the parts already in place."""
         there = [(wall, "") for wall in self.walls]
         for (part, subs), path in zip(obj.MovingParts, obj.Motions):
             check = clearance.make_clearance(
@@ -57,7 +58,7 @@ class Sequences(Case):
         report = sequence.compute(obj)
         self.assertEqual([step["method"] for step in report["steps"]], ["given", "given"])
         self.assertEqual((obj.Status, report["verdict"]), (UP_TO_DATE, "found"))
-        # The other order: the lower one has to pass the upper one.
+        # The other order: the lower block has to pass the upper one.
         obj.MovingParts = list(reversed([(part, "") for part, _ in obj.MovingParts]))
         obj.Motions = list(reversed(obj.Motions))
         self.doc.recompute()

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Coarse runs of a body whose motion is edited: kept sessions, lighter bodies."""
+"""Coarse runs while a motion is edited: sessions of the core that are kept, and bodies with fewer
+triangles.
+"""
 import unittest
 
 import numpy as np
@@ -9,7 +11,7 @@ from sweptvolume import core, core_previews
 
 
 def ball(rings):
-    """A sphere of radius 1 with about 4 rings squared triangles."""
+    """Returns a sphere of radius 1 with about 4 * rings * rings triangles."""
     u = np.linspace(0, np.pi, rings + 1)[1:-1]
     v = np.linspace(0, 2 * np.pi, 2 * rings, endpoint=False)
     u, v = np.meshgrid(u, v, indexing="ij")

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shared volumes in the document: against formulas and OpenCASCADE's booleans, states, places, bad input."""
+"""Shared volumes in documents: compared with formulas and with OpenCASCADE's Boolean operations; states,
+placements and bad input.
+"""
 import Mesh
 
 from case import Case, V, shift, turn
@@ -39,7 +41,7 @@ class Shared(Case):
         self.assertEqual(obj.Status, UP_TO_DATE)
 
     def test_a_solid_of_what_is_shared(self):
-        """Make solid takes a shared volume; the solid is stale when the volume is another one."""
+        """Make solid accepts a shared volume. The solid is stale if the volume has changed."""
         left, right = self.sides(5)
         obj = self.make([left], [right])
         shared.compute(obj)
@@ -57,7 +59,7 @@ class Shared(Case):
         self.assertAlmostEqual(made.Shape.Volume, 4 * 9 * 9, 4)
 
     def test_flush_solids_share_a_clean_solid(self):
-        """Where faces lie on each other the mesh has triangles without area; its solid has none of them."""
+        """If faces lie on each other, the mesh has triangles without area. The solid has none of them."""
         leaning = turn(30, V(1, 2, 3))
         for k, (by, faces, volume) in enumerate((((5, 0, 0), 6, 500), ((5, 4, 0), 6, 300))):
             left, right = self.box("Flush{}".format(k)), self.box("Beside{}".format(k))
@@ -84,7 +86,8 @@ class Shared(Case):
             self.assertGreater(exact, 100)
             obj = self.make([one], [other], MeshDeflection=0.01)
             shared.compute(obj)
-            # A chord of height d in a circle of radius r: polygons lack 4/3 d/r of the area.
+            # A polygon in a circle of radius r, with chords of height d: its area is smaller by a share
+            # of 4/3 d/r.
             lacks = 1 - obj.Volume.Value / exact
             self.assertGreater(lacks, 0)
             self.assertLess(lacks, 4 / 3 * 0.01 * (1 / 5 + 1 / 6))
@@ -103,7 +106,7 @@ class Shared(Case):
         of_solid = self.make([made], [post])
         shared.compute(of_solid)
         self.assertAlmostEqual(of_solid.Volume.Value, 32, 4)
-        # What is made of a stale envelope is stale.
+        # Objects made from a stale envelope are stale.
         left.Length = 12
         self.doc.recompute()
         self.assertEqual((swept.Status, obj.Status), (STALE, STALE))

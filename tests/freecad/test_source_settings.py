@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Settings of a motion's source: properties with types, driven by expressions; those of older documents."""
+"""Settings of a motion's source: properties with types, which expressions can drive; settings of older
+documents.
+"""
 import json
 
 import Part
@@ -111,10 +113,11 @@ class Files(Case):
 
 
 class Older(Made):
-    """Documents of version 1, which kept the settings as text."""
+    """Documents of version 1, which stored the settings as text."""
 
     def reopened(self, obj, settings, hashed=""):
-        """A motion as version 1 kept it: settings as JSON, no property for each; saved and opened."""
+        """Makes a motion as version 1 stored it, with the settings as JSON and without properties for
+        them; saves and opens it."""
         for name in NAMES.values():
             obj.removeProperty(name)
         obj.SourceSettings, obj.SourceHash = settings, hashed

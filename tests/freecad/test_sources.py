@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Each source of a motion on a real document of its kind; the path editor's operations."""
+"""Each kind of source on a real document, and the operations of the motion editor."""
 import math
 
 import FreeCAD as App
@@ -122,7 +122,8 @@ class Sources(Case):
         self.assertAlmostEqual(math.degrees(box.Placement.Rotation.Angle), 15, 6)
 
     def test_second_curve_orients_without_flips(self):
-        """A helix of two turns about its own axis: z of the part always points to the axis."""
+        """A helix of two turns about its own axis: the z axis of the part always points to the axis of
+        the helix."""
         helix = self.doc.addObject("Part::Helix", "Helix")
         helix.Pitch, helix.Height, helix.Radius = 20, 40, 15
         axis = self.doc.addObject("Part::Feature", "Axis")
@@ -183,9 +184,9 @@ class Sources(Case):
         head = motion.motion_from_source(self.doc, "CAM", [feature])
         table = motion.motion_from_source(self.doc, "CAM", [feature], convention="Table")
         self.assert_placement(head.Placements[-1], turn(90, base=V(10, 0, 0)), 1e-9)
-        # The workpiece turned by 90 degrees under the tool: seen from it, the tool went back.
+        # The workpiece turned by 90 degrees below the tool: relative to it, the tool turned back.
         self.assert_placement(table.Placements[-1], turn(-90, base=V(0, -10, 0)), 1e-9)
-        # Between two poses the shorter way is taken: a turn by 270 degrees has poses on its way.
+        # Between two poses, the shorter way is taken, so a turn by 270 degrees has intermediate poses.
         feature.Path = Path.Path([Path.Command(line) for line in (lines[0], "G1 X10 C270")])
         far = motion.motion_from_source(self.doc, "CAM", [feature])
         self.assertEqual(len(far.Placements), 28)
@@ -229,7 +230,7 @@ class Sources(Case):
             self.assertEqual(driven.Handle(driver, name).unit(), unit)
 
     def test_simulation_asks_the_assembly(self):
-        """The calls alone, on a stand-in; test_assembly.py has FreeCAD's own simulation."""
+        """Tests only the calls, with a stand-in. test_assembly.py uses FreeCAD's own simulation."""
         box, calls = self.box(), []
 
         class Assembly:
@@ -280,10 +281,11 @@ class Sources(Case):
 
 
 class RoundTrip(Case):
-    """Every kind of source: saved, opened, the source changed there, recomputed."""
+    """Every kind of source: the document is saved and opened, the source is changed and recomputed."""
 
     def changed(self, kind, objects, change, stale=False, **values):
-        """The poses before, and after `change(document)` in the document that was opened again."""
+        """Returns the poses before and after `change(document)`, which is made in the document after it
+        was opened again."""
         obj = motion.motion_from_source(self.doc, kind, objects, **values)
         self.doc.recompute()
         name, before = obj.Name, list(obj.Placements)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: every input of every feature, changed in every way; the state afterwards is what a fresh computation
-justifies. What that is, is found out by computing afresh in a copy of the document, not written down here.
+"""States of all kinds of results. Each function marked `change` changes one input. Afterwards a result may
+be up to date only if a fresh computation gives the same; the test computes it in a copy of the document.
 """
 import os
 

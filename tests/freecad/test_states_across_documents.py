@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: checks of several moving parts, installations, shared volumes, studies and records of what made an
-envelope, whose parts, obstacles and values stand in another document; changed there and here in every way.
-The state and what is shown afterwards are what a fresh computation justifies.
+"""States of mechanism checks, sequences, shared volumes, studies and records of what made an envelope, whose
+parts, neighbours and values are in another document. After each change, in either document, a result may be
+up to date, and show what it shows, only if a fresh computation gives the same.
 """
 import os
 
@@ -170,7 +170,7 @@ class AcrossDocuments(OtherDocumentTable):
         other.saveAs(os.path.join(self.folder, "Elsewhere.FCStd"))
 
     def content(self, obj):
-        """With the line that each check tells."""
+        """Includes the summary line of each check."""
         return super().content(obj) + [getattr(obj, "Summary", "")]
 
     def test_nothing_changes_nothing(self):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: a check of a mechanism whose parts, neighbours and motions are seen through links and groups, with
-rules; the state after each change is what a fresh computation justifies."""
+"""States of a mechanism check whose parts, neighbours and motions are in links and groups, and which has
+rules. After each change of the table, the check may be up to date only if a fresh computation gives the
+same.
+"""
 import Part
 
 from case import V, shift, turn

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: link arrays, groups of links and plain groups as moving parts and neighbours, and what they hide,
-changed in every way; the state afterwards is what a fresh computation justifies.
-gui/shown.py compares what is taken with what FreeCAD draws.
+"""States of checks whose moving parts and neighbours are link arrays, groups of links and plain groups, with
+hidden members. After each change, a check may be up to date only if a fresh computation gives the same.
+gui/shown.py compares the parts that a check uses with those that FreeCAD draws.
 """
 import FreeCAD as App
 import numpy as np
@@ -103,8 +103,8 @@ def a_group_is_hidden(doc):
 
 @rows
 class StatesOfArrays(Table):
-    """Three pins in a row move; around them stand a link of an array of two posts, two parts in a group of
-    links, one in a plain group, and one in a group with a plain group."""
+    """Three pins in a row move. Around them are a link to an array of two posts, two parts in a group
+    of links, one in a plain group, and one in a group with a plain group."""
 
     CHANGES = CHANGES
 
@@ -154,7 +154,7 @@ class StatesOfArrays(Table):
         self.look("nothing")
 
     def seen(self):
-        """The places that the check of all that is visible names, computed anew."""
+        """Computes again which parts the check with all visible parts names, and where they are."""
         clearance.compute(self.doc.Clearance)
         return {tuple(r["place"]) for r in clearance.report_of(self.doc.Clearance)["neighbours"]}
 
@@ -240,7 +240,7 @@ class Mirrored(Case):
 
 
 class PlainGroups(Case):
-    """A part in a plain group inside a group with a placement: FreeCAD counts it as a member of both."""
+    """A part in a plain group inside a group with a placement: FreeCAD lists it as a member of both."""
 
     NEEDS_CORE = True
 
@@ -271,7 +271,7 @@ class PlainGroups(Case):
         places = [r["place"] for r in clearance.report_of(check)["neighbours"]]
         self.assertEqual(places, [["Link", path]])  # not the part itself
         self.assertEqual((swept.Status, swept.Message), (UP_TO_DATE, ""))
-        # A whole plain group that is chosen moves what is in it.
+        # A plain group chosen as the moving part moves its members.
         check.MovingParts = [(outer, "")]
         doc.recompute()
         clearance.compute(check)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: a check of parts that move at the same time; the state after each change is what a fresh computation
-justifies."""
+"""States of a mechanism check. After each change of the table, it may be up to date only if a fresh
+computation gives the same.
+"""
 from case import V, shift, turn
 from sweptvolume.features import mechanism
 from sweptvolume.features.base import UP_TO_DATE

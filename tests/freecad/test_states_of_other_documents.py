@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: parts, neighbours, wires, envelopes and values that stand in another document, changed there and
-here in every way, and that document closed, changed while it was closed, saved elsewhere or renamed; the
-state afterwards is what a fresh computation justifies.
+"""States (up to date, stale, failed) of results whose inputs are in another document.
+
+The inputs are parts, neighbours, wires, envelopes and values. Each function marked `change` makes one
+change: to an input, in either document, or to the other document itself, which is closed, changed while
+it is closed, saved under another name or renamed. A result may be up to date afterwards only if a fresh
+computation gives the same.
 """
 import os
 import time
@@ -210,7 +213,7 @@ class OtherDocuments(OtherDocumentTable):
         self.assertEqual(self.behind(), {})
         self.look("nothing")
 
-    # --- the other document goes and comes
+    # --- the other document is closed and opened
 
     def test_closed_and_opened_again(self):
         App.closeDocument("Elsewhere")
@@ -252,7 +255,7 @@ class OtherDocuments(OtherDocumentTable):
         self.look("opened and recomputed")
 
     def opened_again(self):
-        """Both documents are closed; this one is opened, and brings the other with it."""
+        """Both documents are closed. This one is opened, and FreeCAD opens the other one with it."""
         for name in (self.doc.Name, "Elsewhere"):
             App.closeDocument(name)
         self.doc = App.openDocument(self.path)

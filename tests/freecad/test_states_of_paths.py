@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: paths that were found, what is checked and swept along them, and what made each place of that; the
-state after each change is what a fresh computation justifies."""
+"""States of paths, of checks and envelopes along them, and of the records of what made each triangle. After
+each change of the table, a result may be up to date only if a fresh computation gives the same.
+"""
 from case import V, shift, turn
 from sweptvolume.features import clearance, envelope, made_by, path_plan
 from sweptvolume.features.base import UP_TO_DATE, kind_of
@@ -101,7 +102,7 @@ class Paths(Table):
         doc = self.doc
         box, wall = self.box(), self.box("Wall")
         wall.Placement = shift(60)
-        # As a search writes it: poses of the middle of the part, seen from the document.
+        # As a search writes it: poses of the middle of the part, relative to the document.
         poses = Poses([0, 1, 2], [shift(), shift(15), turn(30, base=V(20, 0, 0))], pivot=V(5, 5, 5))
         path_plan.make(doc, [(box, "")], poses)
         frame, inner = doc.addObject("App::Part", "Frame"), self.box("Inner", 4)

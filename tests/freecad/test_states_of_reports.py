@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: what a page of a check tells and shows (names, verdicts, rules, inputs, colours of parts) after each
-change is what a page of a fresh computation would; where the result is not current there is no page.
+"""The page of a check after each change of the document: its names, verdicts, rules, inputs and colours are
+those of a page after a fresh computation. A result that is not up to date gives no page.
 """
 import os
 import sys
@@ -183,7 +183,7 @@ class Reports(Table):
         return self.doc.Envelope, self.doc.Clearance, self.doc.Mechanism
 
     def results(self):
-        """The envelope too, in a fresh document before the check whose source it is."""
+        """In a fresh document, computes the envelope before the check that uses it."""
         return [
             obj for obj in self.doc.Objects if obj.Name in ("Envelope", "Clearance", "Mechanism")
         ]
@@ -208,7 +208,7 @@ class Reports(Table):
                         page.request(obj)
 
     def test_a_name_counts_at_once(self):
-        """No recompute comes for it."""
+        """FreeCAD does not recompute after this change."""
         self.doc.Wall.Label = "Gate"
         self.assertIn("(Gate)", self.doc.Clearance.Summary)
         self.assertIn("Gate", self.doc.Mechanism.Summary)
@@ -216,7 +216,7 @@ class Reports(Table):
         self.assertEqual({row["name"] for row in rows}, {"Gate", "Post", "Inner"})
 
     def test_a_page_that_tells_of_before_is_seen(self):
-        """The table above is no formality."""
+        """The table above fails for a wrong page."""
         kept = self.content(self.doc.Clearance)
         self.doc.Wall.Placement = shift(50)
         self.doc.recompute()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: parts that are installed one after the other, what is in their way, their motions and rules,
-changed in every way; the state afterwards is what a fresh check of the motions justifies, and so are the
-names in what is told, the order and the times at which the parts are played.
+"""States of sequences after each change of a part, a neighbour, a motion or a rule. A sequence may be up to
+date only if a fresh check of its motions gives the same. The names in its messages, the order, and the times
+at which its parts are played must be those of the document.
 """
 import FreeCAD as App
 
@@ -35,11 +35,11 @@ class States(Table):
         doc.recompute()
 
     def results(self):
-        """The sequence alone: what stands in its way has tables of its own."""
+        """Tests the sequence only; its neighbours have tables of their own."""
         return [obj for obj in super().results() if sequence.is_sequence(obj)]
 
     def content(self, obj):
-        """What is told with its names, and where each part is while it is played."""
+        """Returns the messages with their names, and the position of each part during playback."""
         plan = sequence.Plan.of(obj)
         places = []
         if plan.steps:
@@ -54,7 +54,8 @@ class States(Table):
         self.look("nothing")
 
     def test_names_count_at_once(self):
-        """No recompute comes for them; what is in the way is told by its new name too."""
+        """FreeCAD does not recompute after this change. Messages must use the new name of a neighbour
+        all the same."""
         obj = self.doc.Sequence
         self.doc.Upper.Label = "Lid"
         self.assertIn("Lower, Lid", obj.Summary)

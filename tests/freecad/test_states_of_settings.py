@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: every setting of envelopes, solids and checks, changed by hand, by an expression and by Undo, and
-what is shown and hidden; with one motion, and with a motion for each part, whose envelopes are joined."""
+"""States after each change of a setting of envelopes, solids and checks: by hand, by an expression and by
+Undo, with parts shown and hidden. Once with one motion, and once with a motion for each part, whose
+envelopes are joined.
+"""
 from case import Case, shift, turn
 from sweptvolume import core
 from sweptvolume.features import clearance, envelope, motion, solid
@@ -44,7 +46,7 @@ def accuracy_by_expression(doc):
 
 @change
 def accuracy_in_place_of_what_was_typed(doc):
-    """Resolution and tolerance say nothing where there is an accuracy."""
+    """Resolution and tolerance have no effect if there is an accuracy."""
     for obj in (doc.Envelope, doc.Envelope001):
         obj.Accuracy, obj.Resolution, obj.Tolerance, obj.CellSize = 1.5, 999, 5, 3
 
@@ -197,7 +199,7 @@ class Settings(Table):
 
 
 class OneAndTwo(Case):
-    """What the table cannot say, since it looks at one change at a time."""
+    """Cases that the table cannot contain, since it makes one change at a time."""
 
     NEEDS_CORE = True
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: volumes that two sides share, of parts, a moving part at a time, envelopes and links, changed in
-every way; the state afterwards is what a fresh computation justifies."""
+"""States of shared volumes: of parts, of a moving part at one time, of envelopes and links. After each
+change of the table, a result may be up to date only if a fresh computation gives the same.
+"""
 import FreeCAD as App
 
 from case import V, shift, turn
@@ -229,7 +230,7 @@ class States(Table):
         doc.recompute()
 
     def results(self):
-        """The volumes: envelopes have tables of their own."""
+        """Tests the shared volumes only; envelopes have tables of their own."""
         return [obj for obj in super().results() if shared.is_shared(obj)]
 
     def test_nothing_changes_nothing(self):

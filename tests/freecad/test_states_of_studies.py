@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Table: every input of a study, of the document and of a file, changed in every way; the state afterwards is
-what a fresh computation justifies."""
+"""States of studies. After each change of an input, in the document or in a file, a study may be up to date
+only if a fresh computation gives the same.
+"""
 import os
 import shutil
 
@@ -230,11 +231,11 @@ class OfADocument(Table):
         doc.recompute()
 
     def results(self):
-        """The study alone: what it is made of has tables of its own."""
+        """Tests the study only; its inputs have tables of their own."""
         return [obj for obj in super().results() if study.is_study(obj)]
 
     def look(self, name):
-        """And a page tells of the document as it is, or there is none."""
+        """A page describes the present document, or there is none."""
         super().look(name)
         with self.subTest(change=name):
             if self.doc.Study.Status == UP_TO_DATE:
@@ -266,7 +267,7 @@ def motion_text(way):
 
 
 class OfAFile(Case):
-    """What a study file names, changed on the disk."""
+    """Changes of the files that a study file names."""
 
     NEEDS_CORE = True
     TEXT = """
@@ -297,12 +298,12 @@ motion = "near.csv"
         return os.path.join(self.folder, name)
 
     def looked(self):
-        """No link tells of files: the state is that of the last look."""
+        """No link notices a change of a file: the state is that of the last check."""
         study.update_status(self.obj)
         return self.obj.Status
 
     def fresh(self):
-        """The rows of a new object for the same file; None where it is refused."""
+        """Returns the rows of a new object for the same file; None if it is refused."""
         other = study.make_study(self.doc, File=self.obj.File, Folder=self.at("fresh"))
         self.doc.recompute()
         try:
@@ -312,7 +313,7 @@ motion = "near.csv"
         return [(r["run"], r["state"], r.get("distance")) for r in study.report_of(other)["runs"]]
 
     def test_every_file(self):
-        """Changed, it is not up to date; as it was before, it is again."""
+        """After a change it is not up to date; after the change is reversed it is again."""
         text = self.TEXT
         for name, change, refused in (
             ("near.csv", lambda path: self.file("near.csv", motion_text(33)), False),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts in STEP and BREP files, read by FreeCAD for a core without OpenCASCADE."""
+"""Parts in STEP and BREP files: FreeCAD reads them for a core without OpenCASCADE."""
 import os
 import unittest
 from unittest import mock

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The poses of motions as arrays, which are kept for the same numbers: after each way in which a motion can
-change they are those that FreeCAD tells one by one. And checks of mechanisms that read them in pieces."""
+"""The poses of motions as arrays, which are kept as long as the numbers are the same. After each way to
+change a motion, they equal the poses that FreeCAD gives one by one. Also: checks of mechanisms that read
+them in pieces.
+"""
 import random
 import struct
 
@@ -21,7 +23,7 @@ VALUES = {"RequiredDistance": 5.0, "Accuracy": 0.01, "MeshDeflection": 0.05, "Ra
 
 
 def one_by_one(obj):
-    """The words of a motion as FreeCAD's own objects tell them, nothing kept."""
+    """Returns the numbers of a motion as FreeCAD's own objects give them, without the stored arrays."""
     texts = [contents.digest(np.round(np.array(obj.Times, dtype=float), 9))]
     return texts + [contents.matrices([p.toMatrix().A for p in obj.Placements])]
 
@@ -67,7 +69,7 @@ def other_times(doc):
 
 @change
 def by_an_expression(doc):
-    """FreeCAD sets whole lists by expressions, not single numbers of theirs."""
+    """Expressions set whole lists in FreeCAD, not single numbers of them."""
     place = "create(<<placement>>; create(<<vector>>; {}; 2; 3); create(<<rotation>>; 0; 0; 1; 0))"
     three = "; ".join(place.format(x) for x in (1, 5, 7))
     doc.Motion.setExpression("Placements", "list({})".format(three))
@@ -114,7 +116,7 @@ def deleted_and_made_again(doc):
 
 @rows
 class KeptPoses(Case):
-    """What is kept, after each change, its undo and its redo."""
+    """The stored arrays after each change, its undo and its redo."""
 
     CHANGES = CHANGES
 
@@ -138,7 +140,7 @@ class KeptPoses(Case):
         self.assert_told()
 
     def assert_told(self):
-        """Returns the words of all motions."""
+        """Returns the numbers of all motions."""
         found = [obj for obj in self.doc.Objects if motion.is_motion(obj)]
         self.assertTrue(found)
         for obj in found:
@@ -156,7 +158,7 @@ class KeptPoses(Case):
 
 
 class _ByLabel:
-    """A document whose linked motion is called so."""
+    """A document whose linked motion has this name."""
 
     def __init__(self, doc, linked):
         self._doc, self.Linked = doc, linked
@@ -167,7 +169,7 @@ class _ByLabel:
 
 class Reading(Case):
     def long_motion(self, count=3000):
-        """More than one block of an archive."""
+        """Archives of more than one block."""
         rng = random.Random(7)
         places = [
             App.Placement(
@@ -190,7 +192,7 @@ class Reading(Case):
         self.assertEqual(stored.words(), one_by_one(obj))
 
     def test_known_at_another_hour_and_not_with_other_bytes(self):
-        """The archive tells when it was made; that is passed over, and nothing else."""
+        """The archive contains the time at which it was made. This is ignored, and nothing else is."""
         obj = self.long_motion(50)
         stored = stored_poses.of(obj)
         packed = stored_poses._packed(obj)
@@ -221,7 +223,7 @@ class Reading(Case):
 
 
 class InPieces(Case):
-    """The request of a mechanism, read between events."""
+    """Reads the request of a mechanism in pieces, as the window does between events."""
 
     def plan(self):
         pairs, motions = [], []

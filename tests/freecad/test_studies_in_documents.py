@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Studies in a document without a window: of a file and of the document's own envelopes and checks."""
+"""Studies without a window: of a study file, and of the document's envelopes and checks."""
 import json
 import os
 from unittest import mock

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is drawn in the 3D view: arrays as Coin holds them."""
+"""The arrays that are drawn in the 3D view (by the library Coin)."""
 import unittest
 
 import numpy as np

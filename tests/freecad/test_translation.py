@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every text of the workbench stands in the .ts files, translated, with the same placeholders."""
+"""Every text of the workbench is in the .ts files with a translation that has the same placeholders."""
 import os
 import re
 import shutil

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the document says of its results is what a fresh computation would justify."""
+"""A result says that it is up to date only if a fresh computation would give the same."""
 import FreeCAD as App
 
 from case import Case, V, shift, turn
@@ -53,7 +53,7 @@ class Lost(Scene):
         self.assertIn('"Second"', self.swept.Message)
         with self.assertRaisesRegex(InputProblem, "Second"):
             envelope.compute(self.swept)
-        # Chosen anew, though what is left is the same.
+        # The parts are chosen again, although the same one remains.
         self.swept.MovingParts = [(self.part, "")]
         self.doc.recompute()
         self.assertEqual(self.swept.Status, envelope.STALE)

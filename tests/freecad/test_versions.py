@@ -78,7 +78,7 @@ class Versions(Case):
         envelope.compute(obj)
         solid.compute(body)
         clearance.compute(check)
-        # The table of another version went with that version's test: its poses stay, marked as old.
+        # The other version's table was deleted with its folder: its poses stay, marked as old.
         here = os.path.isfile(known["table"])
         self.assertEqual(path.Status, "" if here else motion.STALE)
         self.assertEqual(obj.Status, envelope.UP_TO_DATE if here else envelope.STALE)

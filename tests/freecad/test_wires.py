@@ -14,7 +14,7 @@ from sweptvolume.trajectory.poses import course
 
 
 def distance(point, line):
-    """Of a point (3,) from a line through points (n,3)."""
+    """Returns the distance of a point (3,) from a line through points (n, 3)."""
     start, way = line[:-1], np.diff(line, axis=0)
     part = np.einsum("ij,ij->i", point - start, way) / np.maximum((way**2).sum(axis=1), 1e-300)
     near = start + np.clip(part, 0.0, 1.0)[:, None] * way
@@ -22,7 +22,8 @@ def distance(point, line):
 
 
 class Wires(Case):
-    """A motion along a wire goes through its corners and leaves it by no more than was asked for."""
+    """A motion along a wire passes through its corners and deviates from it by no more than the
+    accuracy."""
 
     def wire(self, *edges):
         obj = self.doc.addObject("Part::Feature", "Wire")
@@ -30,10 +31,11 @@ class Wires(Case):
         return obj
 
     def assert_within(self, path, wire, accuracy):
-        """Both ways round: the path leaves the wire by no more, and no part of the wire is cut off."""
+        """Checks both directions: the motion deviates from the wire by no more, and leaves out no part
+        of the wire."""
         fine = [np.array([tuple(p) for p in e.discretize(Number=3000)]) for e in wire.Shape.Edges]
         own = np.array([tuple(place.Base) for place in path.Placements])
-        # The fine pieces are chords themselves, of 1/3000 of an edge.
+        # The fine pieces are chords themselves, each 1/3000 of an edge.
         slack = 1e-4 + 1e-3 * accuracy
         at, end = course(motion.poses_of(path), path.Interpolation), path.Times[-1]
         for k in range(100):

@@ -19,7 +19,7 @@ from sweptvolume.features import (
 )
 from sweptvolume.features.renamed import RENAMED
 
-#: Input properties that no panel shows under a label: what shows them instead.
+#: Properties that no panel shows under their label, and what shows them instead.
 NO_LABEL = {
     "CellSize": "its label is there, but the choice before it names it too",
     "Motions": "a column of the table of parts",
@@ -37,19 +37,19 @@ NO_LABEL = {
 }
 
 
-#: Terms whose German word differs from that of the text: the name of the workbench.
+#: Terms with another German word than the text: the name of the workbench.
 OTHER_GERMAN = {"Swept volume"}
 
 
 def words(name):
-    """The words of a property, as FreeCAD's property editor shows them, in sentence case. The prefix
-    Source is dropped: SourceAccuracy is "Accuracy" in the panel of the source."""
+    """Returns the name of a property as FreeCAD's property editor shows it, in sentence case. The
+    prefix Source is dropped: SourceAccuracy is "Accuracy" in the panel of the source."""
     name = re.sub("^Source(?=[A-Z])", "", name)
     return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).capitalize()
 
 
 def inputs():
-    """Names of the properties that people set."""
+    """Returns the names of the properties that users set."""
     found = [row[1] for row in envelope_properties.INPUT + envelope_properties.ACCURACY]
     for module in (clearance_properties, mechanism_properties, sequence_properties):
         found += [row[1] for row in module.INPUT]
@@ -83,8 +83,8 @@ class Words(unittest.TestCase):
         self.assertEqual(wrong, [])
 
     def test_words_are_those_of_the_glossary(self):
-        """In English and German, for each term that is a text of the workbench too. Each label that
-        the glossary names in its last column is such a text."""
+        """Checks the terms that are also texts of the workbench, in English and German. Each label in
+        the last column of the glossary must be such a text."""
         path = os.path.join(ROOT, "docs", "handbook", "glossary.md")
         with open(path, encoding="utf-8") as file:
             page = file.read()
@@ -135,7 +135,7 @@ class Words(unittest.TestCase):
                 self.assertIn('Word{{"{}", "{}", "{}"}}'.format(code, name.lower(), german), source)
 
     def test_messages_on_the_page_for_troubleshooting_are_those_of_the_core(self):
-        """The column of messages has the beginning of each text of the core, in the row of its code."""
+        """The column of messages has the beginning of each message, in the row of its code."""
         from sweptvolume import core_texts
 
         path = os.path.join(ROOT, "docs", "handbook", "troubleshooting.md")
@@ -147,13 +147,16 @@ class Words(unittest.TestCase):
         ):
             for row in table.splitlines()[2:]:
                 cells = row.strip("|").split(" | ")
-                here = [c for c in re.findall(r"`(\w+)`", cells[0]) if c in core_texts._TEXTS]
                 quoted = re.findall(r'"(.+?)"', cells[1])
+                here = re.findall(r"`(\w+)`", cells[0])
+                told = [code for code in here if core_texts.english(code)]
+                self.assertIn(told, ([], here), "one row, one kind of message")
+                here = told
                 for code in here:
-                    text = core_texts._TEXTS[code]
+                    text = core_texts.english(code)
                     starts = [q for q in quoted if text.startswith(q.removesuffix("...").rstrip())]
                     self.assertEqual(len(starts), 1, (code, quoted, text))
-                texts = [core_texts._TEXTS[code] for code in here]
+                texts = [core_texts.english(code) for code in here]
                 for start in (q.removesuffix("...").rstrip() for q in quoted):
                     self.assertTrue(any(t.startswith(start) for t in texts), (start, texts))
                 codes.update(here)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A keyboard whose keys the X server itself sends, for scenarios in FreeCAD's window."""
+"""A keyboard for the scenarios in gui/: the X server sends its keys."""
 import ctypes
 import os
 import sys
@@ -23,7 +23,8 @@ _NAMES = {
 
 
 def entry(name):
-    """Keys that choose a command in our menu, as it is now: the arrows pass over grey ones."""
+    """Returns the keys that choose a command in the menu as it is now: the arrow keys skip disabled
+    entries."""
     from sweptvolume import commands
 
     names = [n for n in commands._names if n != "Separator"]
@@ -32,12 +33,12 @@ def entry(name):
     return ["Alt_L+s"] + ["Down"] * len(steps) + ["Return"]
 
 
-#: s that a key may take to the window, on a machine that is busy.
+#: s in which a key must reach the window, also on a busy machine.
 LATE = 2.0
 
 
 class _Heard(QtCore.QObject):
-    """Counts the keys that the window got and that were let go there."""
+    """Counts the keys that the window has received, pressed and released."""
 
     def __init__(self):
         super().__init__()
@@ -51,8 +52,8 @@ class _Heard(QtCore.QObject):
 
 
 class Keyboard:
-    """Presses keys by their X names; "Alt_L+s" holds the first one. Raises OSError without the
-    libraries for it."""
+    """Presses keys by their X names; "Alt_L+s" holds the first one down. Raises OSError if the
+    libraries are missing."""
 
     def __init__(self):
         self.x, self.test = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libXtst.so.6")
@@ -63,7 +64,7 @@ class Keyboard:
         self.give(Gui.getMainWindow())
 
     def give(self, window):
-        """No window manager here: nobody else gives a window the keys."""
+        """Gives the window the keyboard: there is no window manager to do this."""
         number = ctypes.c_ulong(int(window.winId()))
         self.x.XSetInputFocus(self.display, number, 1, 0)
         self.x.XFlush(self.display)
@@ -83,7 +84,7 @@ class Keyboard:
             self._send(name, 0)
 
     def press(self, *keys):
-        """One after the other; a generator."""
+        """A generator that presses keys one after the other."""
         for key in keys:
             wanted, until = self.heard.count + key.count("+") + 1, time.monotonic() + LATE
             self._stroke(key)
@@ -91,7 +92,7 @@ class Keyboard:
             yield 0.2  # a button that a letter presses stays down for 0.1 s
 
     def type(self, text, *then):
-        """A text at once, and keys that end it; a generator."""
+        """A generator that types a text, and then presses keys that end it."""
         for character in text:
             key = _NAMES.get(character, character)
             self._stroke("Shift_L+" + key if character.isupper() else key)
@@ -100,12 +101,12 @@ class Keyboard:
         yield 0.1
 
     def letter(self, key):
-        """Alt and a letter: a button stays down for a moment before it acts; a generator."""
+        """A generator that presses Alt and a letter. A button stays pressed for a moment before it acts."""
         yield from self.press("Alt_L+" + key)
         yield 0.2
 
     def tab_to(self, name, key="Tab"):
-        """Goes from field to field until one has the name; a generator."""
+        """A generator that presses Tab until the field with this name has the keyboard."""
         passed = []
         while focused() != name:
             passed.append(focused())
@@ -116,7 +117,8 @@ class Keyboard:
 
 
 def letters():
-    """Letters that press something together with Alt now: of the menus and of the buttons in view."""
+    """Returns the letters that act together with Alt at this moment: those of menus and of visible
+    buttons."""
     window = Gui.getMainWindow()
     texts = [action.text() for action in window.menuBar().actions() if action.isVisible()]
     texts += [b.text() for b in window.findChildren(QtWidgets.QPushButton) if b.isVisible()]
@@ -124,7 +126,7 @@ def letters():
 
 
 def keyboard_or_leave():
-    """A Keyboard; without the libraries for it the scenario ends, with a line."""
+    """Returns a Keyboard. If the libraries for it are missing, the scenario ends with a message."""
     try:
         return Keyboard()
     except OSError as problem:
@@ -134,13 +136,13 @@ def keyboard_or_leave():
 
 
 def focused():
-    """Name of the field that has the keyboard."""
+    """Returns the name of the field that has the keyboard."""
     widget = QtWidgets.QApplication.focusWidget()
     return (widget.objectName() or widget.metaObject().className()) if widget else None
 
 
 def chosen_in_tree(keyboard, *labels):
-    """Chooses objects in the tree by their labels, in order; a generator."""
+    """A generator that selects objects in the tree by their labels, in order."""
     yield from keyboard.press("Control_L+t")
     assert focused() == "Gui::TreeWidget", focused()
     tree = QtWidgets.QApplication.focusWidget()

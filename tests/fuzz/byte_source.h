@@ -1,5 +1,5 @@
-// Numbers out of fuzzer bytes: small and even ones as often as the values that break programs.
-// Bytes that are not there are zeros, so every input means something.
+// Makes numbers from the bytes of a fuzzer: small and round ones as often as values that break
+// programs. Missing bytes count as zeros, so every input is valid.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -74,14 +74,15 @@ void requireRow(const NeighbourClearance& row, const Trajectory& motion) {
   }
 }
 
-/// What is inside needs no mending to be known.
+/// Points inside are known without repair.
 bool isClosed(const TriMesh& mesh) {
   RunContext run;
   const MeshCheck check = checkMesh(mesh, run);
   return check.closed && check.misorientedEdges == 0;
 }
 
-// The body's corners at the poses given: no nearer than the result says, no deeper inside.
+// Measures the corners of the body at the given poses: none is nearer than the result says, or
+// deeper inside.
 void requireCorners(const NeighbourClearance& row, const TriMesh& body, const Trajectory& motion,
                     const TriMesh& part, const ClearanceOptions& options) {
   double size = 1;
@@ -118,7 +119,8 @@ void clearance(const std::uint8_t* data, std::size_t size) {
   const Trajectory way = motion(bytes);
   RunContext run;
   limit(run);
-  // Parts of kilometres to a hundredth of a millimetre: as good as without end, but cancelled.
+  // Parts of kilometres with an accuracy of a hundredth of a millimetre: the run would take
+  // nearly for ever, so it is cancelled.
   run.cancelAtCheckpoint = bytes.chance(16) ? 1 + bytes.byte() : kMaxCheckpoints;
   const TriMesh mesh = body(bytes);
   const std::vector<ClearanceNeighbour> parts = neighbours(bytes);

@@ -51,7 +51,7 @@ void require(bool holds, const std::string& what, const Report& report) {
                       report.message + ")");
 }
 
-/// With a tolerance vertices may leave the planned box by as much.
+/// With a tolerance, vertices may leave the planned box by this distance.
 void requireOk(const Result& result, const Options& options, double tolerance) {
   const Report& report = result.report;
   require(report.code.empty() && report.message.empty(), "Ok with a complaint", report);
@@ -70,7 +70,7 @@ void requireOk(const Result& result, const Options& options, double tolerance) {
   }
 }
 
-/// What is grown holds what is not, but for what a cell cannot tell.
+/// A grown envelope contains the plain one, to within a cell.
 void requireGrown(const Result& grown, const TriMesh& mesh, const Trajectory& way,
                   Options options) {
   RunContext run;
@@ -142,7 +142,7 @@ void preview(const std::uint8_t* data, std::size_t size) {
       if (wantsToSee()) show(mesh, way, chosen);
       const Result result = session.compute(way, call);
       result.report.status == Status::Ok ? requireOk(result, chosen, 0) : requireFailure(result);
-      // What a hand on a gizmo does: one pose moves, another comes or goes.
+      // What a user does in the motion editor: one pose is moved, another is added or deleted.
       if (!way.poses.empty())
         way.poses[bytes.byte() % way.poses.size()].translation = bytes.point();
       if (bytes.chance(64)) {

@@ -11,7 +11,7 @@
 namespace swept::fuzz {
 namespace {
 
-/// The bytes as a file that is read through its name, as a user's file is.
+/// Writes the bytes to a file, which is then read by its name like a user's file.
 std::string fileOf(const std::uint8_t* data, std::size_t size, const std::string& suffix) {
   static const test::TemporaryFolder folder;
   return folder.write("fuzz" + suffix, {reinterpret_cast<const char*>(data), size});

@@ -1,4 +1,5 @@
-// Entry of the fuzzing programs; FUZZ_TARGET names the function. libFuzzer brings main().
+// The function that libFuzzer calls; its main() is in the library. FUZZ_TARGET names the
+// function under test.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fuzz/targets.h"
 

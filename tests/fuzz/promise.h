@@ -1,4 +1,4 @@
-// What the fuzzing programs hold a run to, and what they let it take.
+// What a run must keep to in the fuzzing programs, and the limits of its time and memory.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,8 +19,8 @@ class BrokenPromise : public std::logic_error {
 /// One thread, and memory for about a second: the programs look for faults, not for large grids.
 void limit(RunContext& run);
 
-/// Throws BrokenPromise unless a failure has a code, a sentence and one of the statuses allowed;
-/// none given: any but InternalError, the one status that says that the program is wrong.
+/// Throws BrokenPromise unless a failure has a code, a sentence and one of the allowed statuses.
+/// If none are given, all are allowed except InternalError, which means a fault of the program.
 void requireNamed(const std::string& what, Status status, const std::string& code,
                   const std::string& message, std::initializer_list<Status> allowed = {});
 void requireNamed(const std::string& what, const Error& error,

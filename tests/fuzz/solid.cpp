@@ -32,7 +32,7 @@ StepOptions options(ByteSource& bytes) {
   return options;
 }
 
-/// An envelope where there is one, else the body as it is: the writer takes any mesh.
+/// An envelope if there is one, otherwise the body: the writer accepts any mesh.
 TriMesh surface(ByteSource& bytes, RunContext& run) {
   const TriMesh mesh = body(bytes);
   if (bytes.chance(64)) return mesh;

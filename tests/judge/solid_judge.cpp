@@ -130,7 +130,8 @@ double blockError(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::AddOptimal(shape, box, false, false);
   const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
-  // The block ends in the middle of the solid along its longest side, and at odd places around it.
+  // The block ends in the middle of the solid along its longest side. Its other faces lie at
+  // uneven positions around the solid.
   const std::array<double, 3> size{high.X() - low.X(), high.Y() - low.Y(), high.Z() - low.Z()};
   const auto longest = std::max_element(size.begin(), size.end()) - size.begin();
   std::array<double, 3> from{low.X() - 0.031 * size[0], low.Y() - 0.047 * size[1],

@@ -15,15 +15,15 @@ namespace swept::test {
 struct JudgedSolid {
   bool valid = false;  ///< BRepCheck_Analyzer
   int solids = 0, faces = 0, edges = 0;
-  /// Shapes that take part in a fault of the BOP test, by kind: "SelfIntersect",
-  /// "InvalidCurveOnSurface", "TooSmallEdge", ... Empty: the test is clean.
+  /// Number of shapes with faults that the BOP test finds, by kind: "SelfIntersect",
+  /// "InvalidCurveOnSurface", "TooSmallEdge", ... Empty: no faults.
   std::map<std::string, int> faults;
-  /// The first faults in words: kind, shapes with their surface or curve, middle of their box.
+  /// The first faults as text: kind, shapes with their surface or curve, middle of their box.
   std::vector<std::string> details;
   double edgeTolerance = 0, vertexTolerance = 0;  ///< mm: the largest ones
   double volume = 0;                              ///< mm^3
-  /// Volume of cut and common with a block through half of the solid, against the block's:
-  /// relative. Negative: the kernel gave no result.
+  /// Relative difference between the volume of a block through half of the solid and the sum of
+  /// the volumes of cut and common with it. Negative: the kernel gave no result.
   double blockError = -1;
 };
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Small bodies and motions made of numbers, for property tests and the corpus."""
+"""Small bodies and motions, computed from formulas, for property tests and the corpus."""
 import numpy as np
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A small run of every command, for tests of what all of them hold to."""
+"""A small run of each command, for tests that apply to all of them."""
 import dataclasses
 import pathlib
 import shlex
@@ -14,8 +14,8 @@ from test_paths import block
 
 @dataclasses.dataclass(frozen=True)
 class Command:
-    """A small run of a command: its words, the files among them that it reads, options that name
-    outputs, and of these the ones that may be standard output."""
+    """A small run of a command: its arguments, which of them are input files, its options that name
+    outputs, and which of these may be standard output."""
 
     words: str
     inputs: Tuple[str, ...]
@@ -25,7 +25,7 @@ class Command:
 
     @property
     def needed(self):
-        """The output that has to be named."""
+        """Returns the output that must be named."""
         return self.outputs[0] if self.outputs[0] in ("-o made.ply", "-o made.step") else ""
 
 
@@ -75,7 +75,8 @@ STUDY = (
 
 @pytest.fixture
 def folder(tmp_path):
-    """Folder of the inputs: a part comes 50 mm along x, a wall beside its way, a part that it overlaps."""
+    """Folder of the inputs: a part that moves 50 mm along x, a wall beside its path, and a part with
+    which it overlaps."""
     parts = {
         "part": block([-1, -1, -1], [1, 1, 1]),
         "wall": block([-5, 3, -5], [60, 5, 5]),
@@ -93,7 +94,7 @@ def folder(tmp_path):
 
 @pytest.fixture
 def run(program, folder):
-    """run(name, more words): the small run of a command in the folder of inputs."""
+    """Returns run(name, more arguments), which makes the small run of a command in the folder of inputs."""
 
     def run(name, *more, words=None, **keywords):
         keywords = {"timeout": 240, "text": True, **keywords}
@@ -109,6 +110,6 @@ def run(program, folder):
 
 
 def contents(folder):
-    """Bytes of all files, by name."""
+    """Returns {name: bytes} of all files."""
     files = (path for path in pathlib.Path(folder).rglob("*") if path.is_file())
     return {str(path.relative_to(folder)): path.read_bytes() for path in files}

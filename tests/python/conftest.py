@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fixtures of the Python tests: where the build and the inputs are, small bodies, motions."""
+"""Fixtures of the Python tests: the build, the inputs, small bodies, motions."""
 import os
 import pathlib
 import signal
@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("SWEPT_BUILD", ROOT / "build"))
 SHARED = ROOT.parent / "shared" / "data"
 sys.path.insert(0, str(BUILD / "python"))
-# A shell's background jobs and their children ignore it; here programs are to be interrupted.
+# Background jobs of a shell and their children ignore this signal, but the tests interrupt programs.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
@@ -48,7 +48,7 @@ def box():
 
 @pytest.fixture
 def still():
-    """One pose: stay where you are."""
+    """A motion of one pose: the part does not move."""
     return np.zeros(1), np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 3))
 
 

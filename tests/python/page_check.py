@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a page holds, and whether it is well-formed and needs nothing but itself."""
+"""Reads an HTML page: its content, whether it is well-formed, and whether it needs any other file."""
 import base64
 import html
 import json
@@ -22,7 +22,8 @@ _ADDRESSES = (
 
 
 def parsed(text):
-    """The page as a tree; scripts, which are no XML, are left out. Raises where it is not well-formed."""
+    """Returns the page as a tree without its scripts, which are not XML. Raises an error if it is not
+    well-formed."""
     assert text.startswith("<!DOCTYPE html>\n")
     bare = _SCRIPT.sub(r"\1</script>", text)
     bare = re.sub(r"(<style>).*?(</style>)", r"\1\2", bare, flags=re.S)
@@ -30,7 +31,8 @@ def parsed(text):
 
 
 def check_alone(text):
-    """Nothing is loaded from anywhere: no address but data and places in the page, no import, no url()."""
+    """Checks that nothing is loaded from elsewhere: only addresses of data and of places in the page,
+    no import, no url()."""
     for element in parsed(text).iter():
         for name in _ADDRESSES:
             address = element.get(name, "")
@@ -49,7 +51,7 @@ def data(text, name):
 
 
 def steady(report):
-    """A report without what a run measures of itself."""
+    """Returns a report without times, threads and memory."""
     report = json.loads(json.dumps(report))
     for key in ("seconds", "threads"):
         report.pop(key, None)
@@ -78,6 +80,6 @@ def shown(part):
 
 
 def plain(text):
-    """What people read, without markup."""
+    """Returns the visible text, without markup."""
     bare = _SCRIPT.sub("", re.sub(r"<style>.*?</style>", "", text, flags=re.S))
     return html.unescape(re.sub(r"<[^>]+>", " ", bare))

@@ -33,7 +33,8 @@ def matrices_of(quaternions):
 
 
 def _turns(first, second):
-    """Rotation vectors (n, 3) of the turns from first to second, seen from first: the shorter way."""
+    """Returns the rotation vectors (n, 3) from first to second, relative to first, the shorter way
+    round."""
     turn = np.einsum("nji,njk->nik", first, second)
     cosine = np.clip((np.trace(turn, axis1=1, axis2=2) - 1) / 2, -1, 1)
     off = np.stack(
@@ -50,8 +51,9 @@ def _turns(first, second):
 
 
 def moved_back(points, sources, motion, steps_are_poses=False):
-    """Points (n, 3) of the envelope in the body's coordinates at their sources' times; motion: times,
-    quaternions, translations, pivot, interpolated linearly. Points beside their step become nan."""
+    """Returns points (n, 3) of the envelope in the coordinates of the body at the times of their
+    sources. motion: times, quaternions, translations, pivot, interpolated linearly. Points whose time
+    is outside their step become nan."""
     times, quaternions, translations, pivot = motion
     rotations = matrices_of(np.asarray(quaternions, float))
     centres = translations + rotations @ pivot
@@ -92,7 +94,7 @@ def to_triangles(points, corners):
 
 
 class BodyFaces:
-    """A body's triangles and edges by its faces. faces: (M,) numbers, or None: every triangle is one."""
+    """The triangles and edges of a body, by face. faces: (M,) numbers, or None: each triangle is a face."""
 
     def __init__(self, vertices, triangles, faces=None):
         points, place = np.unique(vertices, axis=0, return_inverse=True)
@@ -112,7 +114,8 @@ class BodyFaces:
             self.edges_of.setdefault(pair, []).append(points[list(ends)])
 
     def distance(self, points, kind, faces):
-        """Of points (n, 3) in the body's coordinates to what is named; inf where there is no such thing."""
+        """Returns the distances of points (n, 3), in the coordinates of the body, from the named faces
+        or edges; inf where the body has none."""
         if kind == EDGE or faces[1] >= 0:
             edges = np.array(self.edges_of.get(tuple(faces), []))
             if not len(edges):
@@ -123,8 +126,8 @@ class BodyFaces:
 
 
 def residuals(points, sources, body, motion):
-    """(n,): how far points of the envelope, one for each row of sources, lie from what is said to have
-    made them, mm; inf where that is not there or not at that time, nan where nothing is said."""
+    """Returns (n,): the distance (mm) of the point of each row of sources from the face or edge that it
+    names; inf if this does not exist or not at that time, nan if the row names none."""
     found = np.full(len(points), np.nan)
     known = np.nonzero(sources.kind >= 0)[0]
     rows = Rows(sources, known)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An accuracy in mm in place of cells, tolerance and chord: Python, program and studies."""
+"""An accuracy in mm, given instead of cell size, tolerance and chord error: in Python, program and studies.
+"""
 import numpy as np
 import pytest
 
@@ -11,8 +12,9 @@ from test_reports import report_of, validator  # noqa: F401
 
 
 def depths(points, half, way):
-    """Signed distances (negative inside) of points (N, 3) to the planes around what a box with these
-    half sizes about the origin sweeps along `way`, the largest for each point."""
+    """Returns signed distances (negative inside) of points (N, 3) from the sweep of a box along `way`:
+    the largest distance from its bounding planes. The box has these half sizes and the origin as its
+    middle."""
     planes = [sign * axis for axis in np.eye(3) for sign in (-1, 1)]
     for axis in np.eye(3):
         across = np.cross(axis, way)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of docs/bad_input.md as a user meets it: through the module and through the program."""
+"""The rows of docs/bad_input.md through the Python module and the program."""
 import contextlib
 import gzip
 import json
@@ -28,8 +28,8 @@ def slide(x=50.0, y=0.0, z=0.0):
 
 @pytest.fixture
 def both(program, tmp_path):
-    """Runs body and motion through the module and through files and the program; both must end
-    alike. Gives the report."""
+    """Runs body and motion through the module, and through files and the program. Both must end in the
+    same way. Returns the report."""
 
     program_names = {"memory_limit_mb": "--memory-limit"}
 
@@ -295,8 +295,8 @@ def test_bad_input_26_memory_budget(both, box):
 
 
 def test_bad_input_26_plate_that_turns_often():
-    """The estimate fits; copies that lie over each other by the hundred do not. Where the motion is
-    interpolated, side patches are followed less closely instead, and a finding says so."""
+    """The estimate is within the limit, but hundreds of copies that overlap are not. With
+    interpolation, the motion is followed less closely instead, and a finding says so."""
     plate = bodies.box((-20, -20, -1), (20, 20, 1))
     motion = np.array([bodies.frame((1, 2, 3), a, (a / 40, 0, 0)) for a in range(0, 1440, 10)])
     run = _swept.RunContext(memory_limit_mb=100)
@@ -382,8 +382,8 @@ for backend in ("gpu", "auto"):
 
 @pytest.fixture
 def on_a_device(program, box, tmp_path):
-    """Runs a small job with backend gpu, then auto, in processes with this environment: what the
-    module says in two lines, and the two reports of the program."""
+    """Runs a small job with backend gpu, then auto, in processes with this environment. Returns the two
+    lines of the module and the two reports of the program."""
 
     def run(**environment):
         environment = {**os.environ, "PYTHONPATH": os.path.dirname(_swept.__file__), **environment}
@@ -447,7 +447,7 @@ BROKEN_TABLES = [
 
 @pytest.fixture
 def refused_table(program, box, tmp_path):
-    """The module and the program refuse a motion file alike; gives the error."""
+    """The module and the program refuse a motion file with the same error. Returns it."""
 
     def refuse(text):
         (tmp_path / "m.csv").write_bytes(text)
@@ -506,7 +506,7 @@ def test_bad_input_36_full_disk_for_the_module(tmp_path, suffix):
 
 @contextlib.contextmanager
 def damaged(folder, *kept):
-    """Somebody writes into every new file of the folder but those kept."""
+    """Writes into every new file of the folder, except the given ones, as another program could."""
     done = threading.Event()
 
     def damage():
@@ -528,8 +528,8 @@ def damaged(folder, *kept):
 
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 def test_bad_input_37_solid_that_reads_back_wrong(program, tmp_path, box):
-    """Somebody damages the file between writing and reading back: it never becomes the target."""
-    # Many faces: writing takes long enough for the damage to the header to be met.
+    """The file is damaged between writing and reading back: it must not replace the target."""
+    # Many faces, so that writing takes long enough for the header to be damaged meanwhile.
     result = _swept.compute(*box, slide(20, 9, 4), resolution=48)
     target, report = tmp_path / "o.step", tmp_path / "r.json"
     target.write_text("old")
@@ -575,7 +575,7 @@ def test_bad_input_38_targets_of_the_module(tmp_path, box, name, code):
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 @pytest.mark.parametrize("limit, tolerance", [(100, 0.005), (8, 0)])
 def test_bad_input_39_too_many_faces(tmp_path, box, limit, tolerance):
-    """Above the limit at the tolerance given, or at the largest one that a limit may choose."""
+    """More faces than the limit, with the given tolerance or with the largest automatic one."""
     turned = slide(20, 9, 4)
     turned[1, :3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
     result = _swept.compute(*box, turned, resolution=24)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Row 16 of the table of bad input: threads and the options of solids, wherever they are given."""
+"""Row 16 of docs/bad_input.md: invalid numbers of threads and options of solids, in every function that
+takes them.
+"""
 import numpy as np
 import pytest
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every call of the package that takes parts: arrays, masks, values that travel, processes, cancelling."""
+"""Every function of the package that takes parts: arrays, masked arrays, values that are sent to other
+processes, cancelling.
+"""
 import multiprocessing
 import pickle
 
@@ -15,7 +17,7 @@ FAR = block([0, 9, 0], [1, 10, 1])
 MOTION = sv.Motion([0, 1], np.tile([0.0, 0, 0, 1], (2, 1)), [[0, 0, 0], [5, 0, 0]])
 START = shift(0, -9, 0)
 
-#: Calls with a part: its report, and the meshes and motions beside it.
+#: Calls with a part: the report of each, and the meshes and motions that it returns.
 CALLS = {
     "clearance": lambda part, run: (sv.clearance(part, MOTION, [("far", FAR)], run=run),),
     "clearance, neighbour": lambda part, run: (sv.clearance(FAR, MOTION, [("p", part)], run=run),),
@@ -35,7 +37,7 @@ EACH = pytest.mark.parametrize("name", CALLS)
 
 
 def bytes_of(found):
-    """What was found, without what depends on the machine."""
+    """Returns the result without what depends on the machine."""
     report, *rest = found
     return pickle.dumps((reproducible(report), rest))
 
@@ -51,7 +53,7 @@ def test_pairs_of_arrays_say_the_same_and_masks_are_refused(name):
 
 @pytest.mark.parametrize("key", ["goal", "start", "via", "extract"])
 def test_masked_places_are_refused(key):
-    """Their numbers would be taken and their masks forgotten."""
+    """Masked arrays are refused: their numbers would be used and their masks lost."""
     place = np.ma.masked_equal(shift(0, -9, 0), -9)
     value = {"via": [place], "extract": np.ma.masked_equal([0.0, 0, 1], 1)}.get(key, place)
     options = {"goal": np.eye(4), "start": START, key: value}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every command: standard output and pipes have the bytes of files, a signal ends each of them."""
+"""Every command: standard output and pipes get the same bytes as files, and a signal ends the command."""
 import json
 import os
 import shlex
@@ -30,7 +30,7 @@ def test_standard_output_has_the_bytes_of_the_file(run, folder, name):  # noqa: 
 
 @EACH
 def test_inputs_come_from_pipes(run, folder, program, name):  # noqa: F811
-    """A pipe of the same name in another folder: the report is the one of the file."""
+    """A pipe with the same name in another folder: the report must be that of the file."""
     command = RUNS[name]
     expected = json.loads(run(name, command.needed, "--report -").stdout)
     for input in command.inputs:
@@ -48,7 +48,7 @@ def test_inputs_come_from_pipes(run, folder, program, name):  # noqa: F811
 
 @EACH
 def test_a_signal_ends_the_wait_for_a_pipe(folder, program, name):  # noqa: F811
-    """Nobody writes into the pipe: before this the program could only be killed."""
+    """No process writes into the pipe: a signal must end the program."""
     command = RUNS[name]
     for input in command.inputs[: 0 if name == "study" else None]:
         (folder / "pipes").mkdir(exist_ok=True)
@@ -69,7 +69,7 @@ def test_a_signal_ends_the_wait_for_a_pipe(folder, program, name):  # noqa: F811
 
 
 def long_words(folder, name):  # noqa: F811
-    """Words of a run that takes minutes."""
+    """Returns the arguments of a run that takes minutes."""
     write = _swept.write_mesh
     if name in ("path", "sequence"):  # a bent part in a closed box: searched as long as it may be
         bent = joined(box((-3, -3, -3), (3, 3, -2)), box((-3, -3, -1.9), (-2, 3, 3)))

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every command: nothing is lost, reports keep the schema and say how it ended, examples of the help run."""
+"""Every command: no file is lost, reports keep the schema and say how the run ended, and the examples in
+the help work.
+"""
 import json
 import lzma
 import os
@@ -96,7 +98,7 @@ def test_reports_keep_the_schema_and_say_how_it_ended(run, folder, name, validat
 
 @EACH
 def test_what_cannot_be_written_is_named(run, folder, program, name, validator):  # noqa: F811
-    """Files that must not grow: the report says so too, and no half-written file is left."""
+    """Files whose size is limited: the report says so, and no incomplete file is left."""
     before = sorted(contents(folder))
     for output in RUNS[name].outputs:
         if output.startswith("--report"):
@@ -166,7 +168,7 @@ def test_shared_volumes_are_refused_before_anything_is_computed(run, folder):  #
 
 
 def scene_of_examples(folder):  # noqa: F811
-    """Files of the names that the examples of the help speak of."""
+    """Makes the files that the examples of the help name."""
     far = 0
     body, motion = box((0, 0, 0), (10, 20, 30)), "0,0,0,0,0,0,0,1\n1,0.05,0,0,0,0,0,1\n"
 
@@ -218,7 +220,7 @@ def test_the_examples_of_the_help_run(call, program, folder, name):  # noqa: F81
 
 
 def test_what_is_planted_in_a_report_is_found(run, validator):  # noqa: F811
-    """The schema of the newest commands refuses keys that do not belong, and values of another kind."""
+    """The schema of the newest commands refuses unknown keys, and values of the wrong type."""
     import jsonschema
 
     for name, changes in (

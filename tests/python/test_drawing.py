@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Meshes for the 3D view and for FreeCAD's mesh files."""
+"""Meshes for FreeCAD's 3D view and for its mesh files."""
 import struct
 
 import numpy as np

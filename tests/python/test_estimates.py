@@ -63,7 +63,7 @@ def test_far_off_estimates_would_be_found():
 
 
 def wobble(poses):
-    """A recorder's place of a part that hardly moves, and then goes 50 mm aside."""
+    """The recorded positions of a part that hardly moves, and then moves 50 mm aside."""
     rng = np.random.default_rng(5)
     places = rng.normal(scale=1e-3, size=(poses, 3))
     places[-10:, 0] += np.linspace(5, 50, 10)
@@ -80,7 +80,7 @@ def test_a_filter_that_would_save_most_of_the_time_is_named_and_does(box):
     filtered = sv.compute(box, motion, interpolation="none", resolution=48, position_filter=useful)
     assert filtered.report["refined_placements"] < plain.report["refined_placements"] / 3
     distances = np.abs(sv.distance_to_mesh(filtered.vertices, plain.mesh))
-    # What the filter may change, what the chord may, and twice what an exact crossing is off by.
+    # The effect of the filter, the chord error, and twice the error of an exact crossing.
     assert distances.max() < 2 * useful + 0.05 * plain.report["cell"]
     assert not [w for w in filtered.report["warnings"] if w["code"] == "FilterUseful"]
     assert "useful_filter" not in sv.estimate(

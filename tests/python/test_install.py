@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cmake --install`: what lies in FreeCAD's Mod folder afterwards is a whole workbench."""
+"""`cmake --install`: afterwards FreeCAD's folder Mod contains a complete workbench."""
 import os
 import pathlib
 import shutil

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cmake --install --component development`: a project outside of the tree builds on what it gives."""
+"""`cmake --install --component development`: a project outside the repository can be built with the
+installed files.
+"""
 import os
 import pathlib
 import re
@@ -46,7 +48,7 @@ def test_the_example_builds_and_runs_outside_the_tree(root, prefix, tmp_path):
     assert done.returncode == 0 and "triangles" in done.stdout, done.stderr
     mesh = _swept.read_mesh(output)
     assert _swept.check_mesh(mesh.vertices, mesh.triangles)["passes"]
-    # How the library fails: an Error, said in one line.
+    # The library throws an Error, which is printed in one line.
     done = subprocess.run(
         [str(build / "sweep_box"), str(tmp_path / "none" / "x.ply")], capture_output=True, text=True
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that move at the same time, from Python and from the program."""
+"""Mechanisms (parts that move at the same time) from Python and from the program."""
 import csv
 import threading
 import time
@@ -31,7 +31,8 @@ def test_two_that_pass_each_other():
     row = pair["clearance"]
     assert row["distance"] == pytest.approx(3, abs=0.01) and row["verdict"] == "below"
     assert report["from_seconds"] == 0 and report["to_seconds"] == 1
-    # Nothing is nearer: both bodies placed at moments of their own choice, measured by distances of corners.
+    # No position is nearer: both bodies are placed at many times, computed here, and measured by the
+    # distances of their corners.
     for t in np.linspace(0, 1, 41):
         left, right = np.array([-40 + 80 * t, 0, 0]), np.array([40 - 80 * t, 13, 0])
         gap = np.maximum(np.abs(left - right) - 10, 0)
@@ -117,7 +118,7 @@ def test_the_program_writes_a_table(call, inputs):  # noqa: F811
 
 
 def test_bad_input_of_the_programs_is_named(call, inputs):  # noqa: F811
-    """A part in both roles, motions that are missing, times that do not overlap."""
+    """A part as moving part and neighbour, missing motions, times that do not overlap."""
     part = ["box.ply", "--motion", "slide.csv"]
     done = call("clearance", *part, "box.ply", cwd=inputs)
     assert (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The compiled module: arrays in and out, report, errors, cancel, signals."""
+"""The compiled module: arrays in and out, reports, errors, cancelling, signals."""
 import gc
 import os
 import signal
@@ -85,7 +85,7 @@ def test_matrices_and_quaternions_say_the_same(box):
     two = _swept.compute(*box, ([0, 1], matrices), resolution=24)
     three = _swept.compute(*box, ([0, 1], quaternions, translations), resolution=24)
     assert np.array_equal(one.vertices, two.vertices)
-    # Where the surface passes a grid point, the last bit of a pose decides which element gives the
+    # Where the surface passes a lattice point, the last bit of a pose decides which element made the
     # crossing. Such a crossing is within a thousandth of a cell.
     bound = 1e-3 * one.report["cell"]
     assert one.vertices.shape == three.vertices.shape

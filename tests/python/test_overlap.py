@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that stand still against each other, from Python and from the program."""
+"""Overlaps of parts that stand still, from Python and from the program."""
 import csv
 import json
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""package.xml: what FreeCAD reads in it, and what its manager of add-ons asks for."""
+"""package.xml: what FreeCAD reads from it, and what the Addon Manager requires."""
 import ast
 import functools
 import pathlib
@@ -54,8 +54,9 @@ def test_freecad_reads_package_xml(root):
 
 
 def complaints(text):
-    """What the checks for developers in FreeCAD's manager of add-ons say about a package.xml. They
-    stand in a file full of windows, so only they are taken from it; the network is not asked."""
+    """Returns the messages of the developer checks of FreeCAD's Addon Manager about a package.xml.
+    Their file also contains windows, so only the checks are taken from it. Nothing uses the network.
+    """
     files = [p for folder in MANAGERS for p in sorted(pathlib.Path(folder).glob("*.py"))]
     sources = [p.read_text(encoding="utf-8") for p in files]
     source = next((s for s in sources if "def validate_package_xml(" in s), None)
@@ -89,14 +90,15 @@ def complaints(text):
 
 
 class Record(dict):
-    """A record as the manager's readers give it: of FreeCAD 0.20 (Name, entry["name"]) and of 1.0 (name)."""
+    """A record as the Addon Manager's readers give it: those of FreeCAD 0.20 (Name,
+    entry["name"]) and of 1.0 (name)."""
 
     def __getattr__(self, name):
         return self[name.lower().replace("urls", "url")]
 
 
 def read(text):
-    """A package.xml as FreeCAD's reader gives it to its manager."""
+    """Returns a package.xml as FreeCAD's reader gives it to the Addon Manager."""
     package = xml.etree.ElementTree.fromstring(text)
     one = lambda element, key: element.findtext(f"p:{key}", "", SPACE)  # noqa: E731
     every = lambda key: package.iterfind(f"p:{key}", SPACE)  # noqa: E731
@@ -118,7 +120,7 @@ def read(text):
 
 
 def test_the_manager_of_addons_misses_nothing_but_addresses(root):
-    """The project has no public address; a false one would be worse than none."""
+    """The project has no public address yet, and must not name a false one."""
     text = (root / "package.xml").read_text(encoding="utf-8")
     assert "example.org" not in text and "<url" not in text
     assert complaints(text) == {
@@ -141,8 +143,8 @@ def test_with_addresses_the_manager_of_addons_misses_nothing(root):
 
 
 def test_the_plug_ins_that_draw_icons_are_named(root):
-    """Without them FreeCAD with Qt 6 has buttons without pictures: cpack writes them into the package as
-    recommended, and whoever installs by hand reads of them."""
+    """Without these plug-ins, FreeCAD with Qt 6 has buttons without icons. cpack recommends them in the
+    package, and the installation page names them."""
     text = (BUILD / "CPackConfig.cmake").read_text(encoding="utf-8")
     recommended = re.search(r'set\(CPACK_DEBIAN_PACKAGE_RECOMMENDS "(.*)"\)', text)[1].split(", ")
     assert "qt6-svg-plugins" in recommended and "freecad" in recommended, recommended

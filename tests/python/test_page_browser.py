@@ -23,7 +23,7 @@ pytestmark = [
     pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed"),
     pytest.mark.skipif(not _swept.page_has_view(), reason="built without three.js"),
 ]
-#: Added to a page: acts as people do and writes what it sees into the page.
+#: A script added to a page: it acts like a user and writes what it sees into the page.
 PROBE = """
 <script>
 const seen = {};
@@ -94,7 +94,7 @@ def browse(tmp_path, page, *words):
 
 
 def acted(tmp_path, page, *words):
-    """What the probe saw in a page whose console stayed empty."""
+    """Returns what the script saw in the page. The console must be empty."""
     assert page.count("</body>") == 1
     text, console = browse(tmp_path, page.replace("</body>", PROBE), "--dump-dom", *words)
     assert console == []
@@ -104,7 +104,7 @@ def acted(tmp_path, page, *words):
 
 
 def keep(tmp_path, name, page, *words):
-    """A picture of the page, where somebody wants to look at it."""
+    """Takes a picture of the page if SWEPT_SCREENSHOTS is set."""
     folder = os.environ.get("SWEPT_SCREENSHOTS")
     picture = (pathlib.Path(folder) if folder else tmp_path) / f"{name}.png"
     browse(tmp_path, page, "--window-size=1100,2600", f"--screenshot={picture}", *words)
@@ -166,7 +166,7 @@ def test_nothing_is_cut_off_on_paper(tmp_path, report):
 
 
 def room_at_the_right(tmp_path, paper):
-    """How far (mm) the first page's ink stays from the right edge."""
+    """Returns the distance (mm) of the text on the first page from its right edge."""
     subprocess.run(
         ["pdftoppm", "-r", "50", "-gray", "-l", "1", paper, tmp_path / "ink"], check=True
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pages that tell what a report says: from Python and from the program."""
+"""HTML pages of reports, from Python and from the program."""
 import base64
 import hashlib
 import json
@@ -229,7 +229,7 @@ def test_wrong_arguments_are_named(report):
 
 @pytest.fixture
 def bench(inputs, box):  # noqa: F811
-    """Arguments of a check whose neighbours are one that is hit and one far away."""
+    """Returns the arguments of a check with two neighbours: one with a clash, and one far away."""
     _swept.write_mesh(inputs / "near.ply", box[0] + [15, 0, 0], box[1])
     _swept.write_mesh(inputs / "far ü.ply", box[0] + [150, 0, 0], box[1])
     words = ("clearance", inputs / "box.ply", "--motion", inputs / "slide.csv", "--required", 2)

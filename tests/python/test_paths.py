@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Installation paths from the program and from Python: what is found is clear, wrong input is named."""
+"""Installation paths from Python and from the program: paths are clear, and wrong input is named."""
 import numpy as np
 import pytest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs that stand back behind the other threads of the process."""
+"""Runs with a lower priority than the other threads of the process."""
 import os
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line program: results, report, exit status, refusals, cancel, terminal."""
+"""The program `swept`: results, reports, exit codes, refused input, cancelling, output to a terminal."""
 import json
 import os
 import pty
@@ -28,7 +28,7 @@ def inputs(tmp_path, box):
 
 @pytest.fixture
 def call(program):
-    """Runs the program in a pipe; gives the finished process."""
+    """Runs the program with pipes. Returns the finished process."""
 
     def run(*words, **keywords):
         keywords.setdefault("timeout", 120)
@@ -224,7 +224,7 @@ def test_bad_input_38_targets_are_refused_before_computing(call, inputs):
         ("o.xyz", "BadFormat"),
         ("o", "BadFormat"),
     ):
-        # The generator does not even exist: the target is looked at first.
+        # The input file does not even exist: the program checks the output first.
         done = call(
             "envelope", inputs / "absent.ply", "--motion", inputs / "slide.csv",
             "--output", inputs / name, "--report", inputs / "r.json",
@@ -239,8 +239,8 @@ def test_bad_input_38_targets_are_refused_before_computing(call, inputs):
 
 def test_bad_input_36_full_disk_leaves_the_old_file(call, inputs):
     (inputs / "o.ply").write_text("old")
-    # The child may write no file longer than 20 kB; Python ignores the signal that would end it,
-    # and so does the child, which sees a failing write as on a full disk.
+    # The child process may write no file longer than 20 kB. Python ignores the signal that would end
+    # it, and so does the child. So a write fails as on a full disk.
     done = call(
         *envelope(inputs, "o.ply"),
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000)),
@@ -269,7 +269,7 @@ def long_run(program, shared, inputs):
 
 
 def wait_until_caught(child, number):
-    """Until the program has a handler for the signal: a busy machine may be long in loading it."""
+    """Waits until the program has a handler for the signal; loading it may take long on a busy machine."""
     for _ in range(1200):
         with open("/proc/{}/status".format(child.pid)) as status:
             caught = next(line.split()[1] for line in status if line.startswith("SigCgt:"))

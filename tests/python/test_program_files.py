@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The program and its files: nothing is lost, pipes work, several files, help in every form."""
+"""The program and its files: no file is lost, pipes work, several files, all forms of the help."""
 import csv
 import io
 import json
@@ -152,7 +152,7 @@ def test_pipes_in_and_out_give_the_same_bytes(program, inputs):  # noqa: F811
 
 @SOLIDS
 def test_solids_and_meshes_from_pipes(program, inputs, box):  # noqa: F811
-    """What comes from a pipe is known by how it begins, or by the format that is named."""
+    """The format of input from a pipe follows from its first bytes, or from an option."""
     _swept.write_mesh(inputs / "far.ply", box[0] + [100, 0, 0], box[1])
     _swept.write_mesh(inputs / "box.stl", *box)
     for name in ("box", "far"):
@@ -248,7 +248,7 @@ def test_conservative_solids_name_what_works(call, inputs):  # noqa: F811
 
 @SOLIDS
 def test_solids_simplified_unasked_say_so(call, inputs, program):  # noqa: F811
-    """Turned bodies have many faces; the limit of faces asks for a simpler solid."""
+    """Solids of turned bodies have many faces, so the limit of faces leads to a simpler solid."""
     turn = "0,0,0,0,0,0,0,1\n1,5,0,0,0.5,0.5,0.5,0.5\n"
     (inputs / "slide.csv").write_text(turn)
     words = envelope(inputs, "o.step", "--resolution", 24, "--max-faces", 250, "--quiet")
@@ -264,7 +264,7 @@ def test_solids_simplified_unasked_say_so(call, inputs, program):  # noqa: F811
 
 
 def test_the_chord_is_kept_or_a_finding_and_strict_a_failure(call, inputs):  # noqa: F811
-    """A cone of many long triangles, turned fast: following its edges takes memory."""
+    """A cone of many long triangles that turns fast: its edges need many placements, which take memory."""
     count = 5000
     angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
     rim = np.stack([100 * np.cos(angles), 100 * np.sin(angles), 0 * angles], axis=1)
@@ -297,7 +297,7 @@ def test_the_chord_is_kept_or_a_finding_and_strict_a_failure(call, inputs):  # n
 
 @SOLIDS
 def test_an_inaccurate_solid_is_refused_with_strict(call, inputs):  # noqa: F811
-    """A tolerance that a torus of few facets cannot meet with the surfaces that are recognised."""
+    """A tolerance that the recognised surfaces of a coarse torus cannot keep."""
     body = torus(20, 8, 24, 12)
     _swept.write_mesh(inputs / "torus.ply", *body)
     for tolerance in (0.5, 1, 2, 4):
@@ -333,7 +333,7 @@ def test_neighbours_are_called_as_the_products_of_a_step_file(call, inputs, shar
 @pytest.mark.parametrize("suffix", ["stl", "obj", "off", "ply"])
 @pytest.mark.parametrize("far", [0, 10000])
 def test_check_finds_in_the_file_what_the_report_said(call, inputs, suffix, far):  # noqa: F811
-    """Ten metres from the origin STL's numbers are a micrometre apart."""
+    """Ten metres from the origin, the coordinates of STL are a micrometre apart."""
     half = np.radians(45) / 2
     rows = [f"0,{far},{0.7 * far},0,0,0,0,1",
             f"1,{far + 40},{0.7 * far},0,0,0,{np.sin(half)},{np.cos(half)}"]  # fmt: skip

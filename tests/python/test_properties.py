@@ -142,7 +142,7 @@ def test_motion_cut_in_two_is_the_union_of_its_parts(body, motion):
 
 
 def orders(low, high):
-    """Numbers from 10^low to 10^high, each order as likely as the others."""
+    """Numbers from 10^low to 10^high, each power of ten equally likely."""
     return st.floats(low, high).map(lambda x: 10**x)
 
 
@@ -159,7 +159,8 @@ def test_offset_grows(body, motion, cells):
         assert grown.report["volume"] <= plain.report["volume"] + most
 
 
-#: Options that cost accuracy, from next to nothing to a cell: name, value, whether that is in cells.
+#: Options that reduce accuracy, from almost nothing to a cell: name, value, whether the value is in
+#: cells.
 COSTS = st.one_of(
     st.tuples(st.sampled_from(["tolerance", "position_filter"]), orders(-12, 0), st.just(True)),
     st.tuples(st.just("chord"), orders(-4, 0), st.just(False)),

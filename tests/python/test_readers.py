@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""STEP and BREP files that the caller reads, as FreeCAD does for a core without OpenCASCADE."""
+"""STEP and BREP files that a function of the caller reads, as in FreeCAD with a core without OpenCASCADE."""
 import numpy as np
 import pytest
 
@@ -11,7 +11,7 @@ NOTHING = np.empty((0, 3)), np.empty((0, 3), np.int32)
 
 
 class Reader:
-    """Gives the same solids for every file, and keeps what it was asked."""
+    """A reader that returns the same solids for every file, and records its arguments."""
 
     def __init__(self, *solids):
         self.solids, self.asked = solids, []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Another tolerance for an envelope that is there."""
+"""recut(): another tolerance for an envelope that has been computed."""
 import numpy as np
 import pytest
 

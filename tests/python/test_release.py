@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`.ci/release`: its cheap part, the source archive. The same commit gives the same bytes."""
+"""The source archive of `.ci/release`, its quickest part: the same commit gives the same bytes."""
 import hashlib
 import os
 import re
@@ -12,7 +12,7 @@ import pytest
 
 @pytest.fixture(scope="module")
 def clone(root, tmp_path_factory):
-    """A copy of the last commit, so that the working tree does not matter."""
+    """Returns a copy of the last commit, so that changes of the working tree do not matter."""
     folder = tmp_path_factory.mktemp("clone") / "tree"
     done = subprocess.run(["git", "clone", "-q", str(root), str(folder)], capture_output=True)
     if done.returncode != 0 or not shutil.which("gzip"):
@@ -66,7 +66,8 @@ def test_a_version_without_its_entry_in_the_changelog_is_refused(clone, tmp_path
 
 
 def test_the_version_stands_in_one_place(root):
-    """Everything else reads package.xml; the changelog and what was released are history."""
+    """All other files read the version from package.xml. The changelog and published releases keep
+    older versions."""
     version = re.search("<version>(.*)</version>", (root / "package.xml").read_text("utf-8"))[1]
     for name in (
         "CMakeLists.txt",

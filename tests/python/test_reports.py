@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every report of every command keeps docs/report.schema.json; what should repeat itself does."""
+"""Every report of every command matches docs/report.schema.json. Keys that must be the same in every run
+are the same.
+"""
 import json
 
 import jsonschema
@@ -8,7 +10,7 @@ import pytest
 import _swept
 from test_program import call, envelope, inputs  # noqa: F401
 
-#: What depends on the machine and the moment.
+#: Keys that depend on the machine and the time.
 MACHINE = {
     "seconds", "backend", "device", "threads", "estimated_memory_bytes", "peak_memory_bytes",
 }  # fmt: skip
@@ -23,7 +25,7 @@ def validator(root):
 
 @pytest.fixture
 def report_of(call, validator):  # noqa: F811
-    """Calls the program with --report -; gives the report, which keeps the schema."""
+    """Runs the program with --report -. Returns the report, which must match the schema."""
 
     def run(*words, status=0):
         done = call(*words, "--report", "-")
@@ -84,7 +86,7 @@ def test_reports_of_solids(report_of, inputs):  # noqa: F811
 
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 def test_reports_of_estimates_of_solids(report_of, inputs):  # noqa: F811
-    """They say what is made then, and write nothing."""
+    """They print what they would make, and write nothing."""
     report_of(*envelope(inputs, "swept.ply", "--resolution", 32))
     for words in (("--solid-tolerance", 0.05), ("--facets",), ("--output-format", "brep")):
         files = sorted(inputs.iterdir())

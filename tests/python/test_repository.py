@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The source tree itself: direction of dependencies, licences, sizes."""
+"""The source tree: which folder may depend on which, licences, sizes of files."""
 import importlib.util
 import re
 import subprocess
@@ -11,7 +11,7 @@ SPDX = "SPDX-License-Identifier: LGPL-2.1-or-later"
 
 
 def load(root, name):
-    """A script of tests/tools as a module."""
+    """Imports a script of tests/tools."""
     path = root / "tests" / "tools" / f"{name}.py"
     spec = importlib.util.spec_from_file_location(name, path)
     module = importlib.util.module_from_spec(spec)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rules of neighbours: from the program and from Python they mean the same, wrong ones are named."""
+"""Rules of neighbours: they mean the same in the program and in Python, and wrong rules are named."""
 import csv
 import io
 import json
@@ -14,7 +14,8 @@ from test_program import call, inputs  # noqa: F401
 
 @pytest.fixture
 def scene(inputs):  # noqa: F811
-    """A block that slides along a table past a post, 1.5 mm off, towards a wall 3 mm behind its end."""
+    """A block slides along a table, past a post at 1.5 mm, towards a wall 3 mm behind the end of its
+    motion."""
     parts = {
         "block": block([0, 0, 0], [10, 10, 10]),
         "table": block([-20, -20, -5], [80, 30, 0]),
@@ -129,7 +130,8 @@ def test_rules_of_python_are_checked():
     assert found["neighbours"][0]["rule"] == {"required": 2.5}
 
 
-# Which walls a random mixture of rules blames, against FCL's distance at 400 stamps of the motion.
+# Compares the walls that break a random mixture of rules with FCL's distances at 400 times of the
+# motion.
 def test_random_rules_against_stamps(call, inputs):  # noqa: F811
     random = np.random.default_rng(4)
     body = block([0, 0, 0], [6, 5, 4])

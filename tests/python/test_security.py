@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files are read without trust, nothing is run from them, temporary files are private, no network."""
+"""No file is trusted: nothing in it is executed. Temporary files are private, and nothing uses the network.
+"""
 import ast
 import gzip
 import re
@@ -11,7 +12,7 @@ import pytest
 
 import _swept
 
-#: Modules that run code from data, start programs or talk to a network.
+#: Modules that run code from data, start programs or use the network.
 MODULES = {
     "pickle", "marshal", "shelve", "dill", "joblib", "code", "subprocess", "multiprocessing",
     "socket", "ssl", "http", "urllib", "urllib3", "requests", "ftplib", "smtplib", "xmlrpc",
@@ -27,8 +28,8 @@ CALLS = {
     "tempfile.mktemp",
     "ctypes.CDLL",
 }
-#: The places of the workbench that start a program, and how the words of what they start begin: always a
-#: Python interpreter, for a study, for pip, and to ask for its version.
+#: Functions of the workbench that start a program, and the first arguments of what they start. It is
+#: always a Python interpreter: for a study, for pip, and to ask for its version.
 STARTS = {
     "workbench/sweptvolume/studies.py": ["['-m', 'swept_volume', 'study'"],
     "workbench/sweptvolume/core_install.py": [
@@ -37,7 +38,7 @@ STARTS = {
     ],
     "workbench/sweptvolume/interpreter.py": ["[path, '-c', \"import sys; print("],
 }
-#: What the compiled module and the program may not ask the system for.
+#: Functions of the system that the compiled module and the program may not use.
 SYMBOLS = re.compile(
     r"^(socket|connect|bind|listen|accept4?|send(to|msg)?|recv(from|msg)?|getaddrinfo|gethostbyname"
     r"|system|popen|fork|vfork|exec[lv]p?e?|posix_spawnp?|tmpnam|tempnam|mktemp)$"
@@ -46,7 +47,7 @@ HUGE = 4_000_000_000
 
 
 def breaches(source):
-    """Lines of Python that import or call what is forbidden."""
+    """Returns the lines of Python that import or call something forbidden."""
     found = []
     for node in ast.walk(ast.parse(source)):
         names = []
@@ -72,7 +73,8 @@ def test_workbench_runs_no_code_from_data_and_has_no_network(root):
 
 
 def test_what_the_workbench_starts_is_fixed(root):
-    """A list of words, the first of them the interpreter; no shell reads them; they name modules of ours."""
+    """Checks that programs are started with a list of arguments, without a shell: first the
+    interpreter, then a module of the workbench."""
     for name, beginnings in STARTS.items():
         tree = ast.parse((root / name).read_text(encoding="utf-8"))
         calls = [
@@ -100,7 +102,7 @@ def test_a_planted_breach_is_found(line):
 
 
 def imported(path):
-    """Names that a binary takes from other libraries."""
+    """Returns the names that a binary uses from other libraries."""
     lines = subprocess.run(
         ["nm", "-D", "--undefined-only", path], capture_output=True, text=True, check=True
     ).stdout.splitlines()
@@ -108,7 +110,8 @@ def imported(path):
 
 
 def test_binaries_ask_for_no_network_and_start_no_program(program, root):
-    # `swept study` becomes the Python that the program was built for, and nothing else is started.
+    # `swept study` replaces itself by the Python for which the program was built, and starts nothing
+    # else.
     for path, allowed in ((program, ["execv"]), (_swept.__file__, [])):
         names = imported(path)
         assert "open" in names or "malloc" in names, "nm showed nothing of " + path
@@ -144,8 +147,8 @@ STILL = b"0,0,0,0,0,0,0,1\n1,1,0,0,0,0,0,1\n"
 BOX = b"OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"  # a corner
 
 
-#: Runs a command in a small address space and writes its peak of memory (kB). A process begins with the
-#: peak of the one that starts it, so that this one has to be small itself.
+#: Runs a command with little address space, and writes its peak of memory (kB). The peak of a process
+#: begins with that of its parent, so this parent must be small itself.
 WATCH = """
 import os, resource, subprocess, sys
 def limit():
@@ -158,7 +161,7 @@ sys.exit(os.waitstatus_to_exitcode(status))
 
 
 def envelope(program, folder, body, motion):
-    """Runs the program; (exit code, what it said, megabytes at most)."""
+    """Runs the program. Returns (exit code, output, peak of memory in MB)."""
     peak = folder / "peak.txt"
     command = [program, "envelope", body, "--motion", motion, "--output", folder / "out.ply"]
     done = subprocess.run(

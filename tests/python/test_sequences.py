@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sequences from the program and from Python: each part clear of what is there by then, wrong input named."""
+"""Sequences from Python and from the program: each part is clear of the parts already in place, and wrong
+input is named.
+"""
 import json
 
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""STEP and BREP files as the moving part: program and module alike."""
+"""STEP and BREP files as the moving part, with the program and the module."""
 import json
 import shutil
 import subprocess
@@ -14,7 +14,7 @@ pytestmark = pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without Ope
 
 @pytest.fixture
 def part(box, tmp_path):
-    """The same box as a solid in a STEP and a BREP file and as a mesh, and a motion."""
+    """Makes the same box as a solid in a STEP and a BREP file and as a mesh, and a motion."""
     for name in ("part.step", "part.brep"):
         _swept.write_solid(tmp_path / name, *box)
     _swept.write_mesh(tmp_path / "part.ply", *box)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made each triangle of an envelope, in Python and in the program, checked by arithmetic of its own."""
+"""What made each triangle of an envelope, in Python and in the program, checked with independent
+arithmetic.
+"""
 import csv
 import pickle
 import subprocess
@@ -16,7 +18,7 @@ sys.path.insert(0, str(BUILD / "python"))
 sys.path.insert(0, str(ROOT / "python"))
 sv = pytest.importorskip("swept_volume")
 
-#: Cells: as far as crossings keep from lattice points.
+#: In cells: the smallest distance of crossings from lattice points.
 OFF = 1e-3
 FACES = np.repeat(np.arange(6), 2)
 
@@ -33,7 +35,7 @@ def motion():
 
 
 def wrong(sources, mesh, motion, cell):
-    """Share of the known triangles whose source is not true."""
+    """Returns the share of triangles with a wrong source, among those with a source."""
     body = source_check.BodyFaces(mesh.vertices, mesh.triangles, mesh.faces)
     way = motion.times, motion.quaternions, motion.translations, motion.pivot
     off = source_check.residuals(sources.point, sources, body, way)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Studies: same bytes as single runs, what is done is kept, failures stay alone, clusters, bad files."""
+"""Studies: the same bytes as single runs; finished runs are kept; a failed run does not affect the others;
+clusters; bad files.
+"""
 import json
 import os
 import pathlib
@@ -34,7 +36,8 @@ def write_motion(path, distance):
 
 @pytest.fixture
 def study(inputs, box):  # noqa: F811
-    """Folder with a box, motions of 30, 40 and 50 mm, a post 5 mm beside and a rail in the way."""
+    """Folder with a box, motions of 30, 40 and 50 mm, a post at a distance of 5 mm, and a rail in the
+    way."""
     vertices, triangles = box
     _swept.write_mesh(inputs / "post.ply", vertices + [0, 25, 0], triangles)
     _swept.write_mesh(inputs / "rail.ply", vertices + [45, 0, 0], triangles)
@@ -49,7 +52,7 @@ def study(inputs, box):  # noqa: F811
 
 @pytest.fixture
 def run(program, study):
-    """`swept study FILE`; gives the finished process."""
+    """Runs `swept study FILE`. Returns the finished process."""
 
     def run(*words, file="study.toml", **keywords):
         command = [program, "study", str(study / file), *map(str, words)]
@@ -63,7 +66,8 @@ def without_date(path):
 
 
 def results(folder):
-    """Bytes of all meshes and solids, and what repeats itself in the reports."""
+    """Returns the bytes of all meshes and solids, and the parts of the reports that are the same in
+    every run."""
     found = {}
     for path in sorted(pathlib.Path(folder).glob("*/*")):
         key = str(path.relative_to(folder))
@@ -157,7 +161,7 @@ def test_a_run_that_fails_stops_no_other(run, study, validator):  # noqa: F811
 
 
 def children(pid):
-    """Process numbers of a process's children."""
+    """Returns the process numbers of the children of a process."""
     lists = pathlib.Path(f"/proc/{pid}/task").glob("*/children")
     return [int(word) for path in lists for word in path.read_text().split()]
 
@@ -178,7 +182,8 @@ LONG = '[[run]]\nname = "long"\nmotion = "by30.csv"\ncompute = ["envelope"]\n' +
 
 
 def test_what_costs_accuracy_is_a_failure_with_strict(run, study):
-    """The turned box has more faces than its solid may have: a simpler solid is made, which is said."""
+    """The solid of the turned box has more faces than allowed: a simpler one is made, and the report
+    says so."""
     if "solid" not in STAGES:
         pytest.skip("built without OpenCASCADE")
     (study / "turn.csv").write_text("0,0,0,0,0,0,0,1\n1,5,0,0,0.5,0.5,0.5,0.5\n")
@@ -346,7 +351,8 @@ def test_from_python(study):
 
 @pytest.fixture
 def cluster(tmp_path):
-    """Address of a scheduler on the loopback, and its two workers."""
+    """Starts a scheduler on the loopback interface with two workers. Returns its address and the
+    workers."""
     pytest.importorskip("distributed", reason="dask.distributed is not installed")
     package = str(pathlib.Path(sv.__file__).parents[1])
     environment = {**os.environ, "PYTHONPATH": package}

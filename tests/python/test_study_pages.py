@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One page for all runs of a study; folders that are in use; rows of runs as they end."""
+"""One page for all runs of a study; folders in use by another study; rows that are written as runs end."""
 import csv
 import json
 import os
@@ -37,7 +37,7 @@ motion = "bad.csv"
 
 @pytest.fixture
 def light(study):  # noqa: F811
-    """Four runs of clearances: two that are done, one with a clash and a page, one that fails."""
+    """Four clearance runs: two that are done, one with a clash and a page, and one that fails."""
     (study / "bad.csv").write_text("0,0,0,0,0,0,0,1\n1,nan,0,0,0,0,0,1\n")
     (study / "study.toml").write_text(LIGHT + RUNS)
     return study

@@ -243,7 +243,7 @@ def test_wrong_types_are_found(root, tmp_path):
 
 @pytest.fixture
 def example(root, tmp_path):
-    """Runs a program of examples/python in an empty folder; gives what it printed."""
+    """Runs a program of examples/python in an empty folder. Returns its output."""
     build = pathlib.Path(sys.modules["_swept"].__file__).parent
 
     def run(name, *words):
@@ -271,7 +271,7 @@ def test_the_example_of_arrays_runs(example, tmp_path):
     mesh = sv.read_mesh(tmp_path / "out.ply")
     assert sv.check_mesh(mesh)["passes"]
     low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
-    # Cells of 1 mm: a corner that is swept along an arc is met to some tenths of one.
+    # Cells of 1 mm: the corner that moves along an arc is accurate to some tenths of a millimetre.
     assert low == pytest.approx([-10, -10, -10], abs=0.2) and high[0] == pytest.approx(50, abs=0.2)
 
 
@@ -283,8 +283,8 @@ def test_the_example_of_a_robot_runs(example, root, tmp_path):
     ]  # fmt: skip
     arm = sv.read_mesh(tmp_path / "links/upper_arm.ply")
     report = sv.check_mesh(arm)
-    # A block 340 x 50 x 60 mm, from -20 to 320 mm, turned by 1.6 rad about z: its corner at 320, 25 mm
-    # sweeps the farthest arc.
+    # A block of 340 x 50 x 60 mm, from x = -20 to 320 mm, turned by 1.6 rad about z: its corner at
+    # (320, 25) mm sweeps the outermost arc.
     assert report["passes"]
     assert np.linalg.norm(arm.vertices[:, :2], axis=1).max() == pytest.approx(
         np.hypot(320, 25), abs=0.5

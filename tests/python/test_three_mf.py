@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""3MF files of the core: packed as ZIP, the mesh to the last digit."""
+"""3MF files of the core: valid ZIP archives that keep every digit of the mesh."""
 import xml.etree.ElementTree as Tree
 import zipfile
 
@@ -36,7 +36,7 @@ def test_the_mesh_to_the_last_digit(box, tmp_path):
 
 
 def test_large_meshes_go_through_in_pieces(tmp_path):
-    # More text than is packed at once.
+    # More text than is compressed at once.
     rows = 150
     grid = np.arange(rows * rows)
     vertices = np.stack([grid % rows, grid // rows, np.sin(grid)], axis=1).astype(float)

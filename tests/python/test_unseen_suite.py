@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool that runs the program on drawn inputs sees what it is there to see."""
+"""The tool unseen_suite.py finds the faults that it is made to find."""
 import pathlib
 import sys
 
@@ -22,7 +22,7 @@ def case_of(mesh, motion=STILL, resolution=32):
 
 @pytest.fixture
 def report(program, tmp_path):
-    """Of a run that keeps its promises."""
+    """Returns the report of a run that keeps its promises."""
     outcome = unseen_suite.run_case(case_of(BOX), pathlib.Path(program), tmp_path)
     assert outcome.broken == ()
     assert outcome.triangles > 1000 and outcome.seconds > 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Memory that is fetched before a large copy: the copy then takes no fresh pages."""
+"""Memory that is allocated before a large copy: the copy then needs no new pages."""
 import os
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-// A run that a test expects to end Ok with a mesh that passes the check.
+// compute() for tests that expect the status Ok and a mesh without faults.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,4 +1,5 @@
-// Seeded mechanisms of small parts, and what stamping says of a report about one.
+// Random mechanisms of small parts from a seed, and the comparison of a report with distances at
+// sampled times.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,13 +10,14 @@
 
 namespace swept::test {
 
-/// Three to six parts among each other: they turn, slide and wait, linearly about a pivot or by
-/// screws, at times of their own over a common span; some stand still, two may move as one.
+/// Returns three to six parts near each other. They turn, slide and wait, with linear
+/// interpolation about a pivot or with screws, at different times within a common period. Some
+/// stand still, and two may move as one body.
 std::vector<MechanismPart> randomMechanism(unsigned seed);
 
-/// The first promise of checkMechanism() that the report breaks, or nothing. Every pair is stamped
-/// with FCL, `between` times between two poses; every distance is measured again at the poses named
-/// for it.
+/// Returns the first promise of checkMechanism() that the report breaks, or an empty text.
+/// Compares every pair with distances of FCL, at `between` times between each two poses, and
+/// measures every reported distance again at its poses.
 std::string wrongWith(const std::vector<MechanismPart>& parts, const MechanismReport& report,
                       int between);
 

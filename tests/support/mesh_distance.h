@@ -18,7 +18,7 @@ class MeshDistance {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     std::int32_t triangle = -1;
   };
-  /// Nearest point of the mesh; looks no farther than `limit` (then triangle is -1).
+  /// Returns the nearest point of the mesh within `limit`; if there is none, `triangle` is -1.
   Nearest nearest(const Eigen::Vector3d& p, double limit = 1e300) const;
   double distance(const Eigen::Vector3d& p) const { return nearest(p).distance; }
   /// True if the point lies inside, by the generalised winding number of the triangles.

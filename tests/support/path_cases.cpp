@@ -33,7 +33,8 @@ Pose after(const Eigen::Isometry3d& frame, const Pose& pose) {
   return out;
 }
 
-// Everything in a frame that no axis of the world is parallel to; the part in one of its own.
+// Turns everything so that nothing is parallel to an axis of the world; the part has a coordinate
+// system of its own.
 PathCase inFrames(PathCase c, Random& random) {
   const Eigen::Isometry3d world = randomFrame(random);
   Eigen::Isometry3d own = randomFrame(random);
@@ -114,7 +115,7 @@ PathCase slotCase(unsigned seed) {
   append(plate, boxAt(-2, 2, -half, -s, -half, half));
   append(plate, boxAt(-2, 2, -s, s, t, half));
   append(plate, boxAt(-2, 2, -s, s, -half, -t));
-  // Closed far behind the plate, its mouth at the plate.
+  // Closed far behind the plate; the opening is at the plate.
   const TriMesh room = transformed(channelWalls(half, 4 * length, 3),
                                    placement({0, 0, 1}, 0, {-4 * length - 2, 0, 0}));
   c.neighbours = {plate, room};
@@ -135,15 +136,15 @@ PathCase hookCase(unsigned seed) {
   PathCase c;
   c.name = "hook";
   const double r = random.number(1.5, 2.5), gap = random.number(0.8, 1.2), s = r + gap;
-  // A C of boxes round a bar along z that ends in plates; its mouth is narrower than the bar is
-  // high.
+  // A C of boxes around a bar along z that ends in plates. Its opening is narrower than the bar
+  // is high.
   TriMesh hook;
   append(hook, boxAt(-s - 3, s + 3, -s - 3, -s, -3, 3));
   append(hook, boxAt(-s - 3, -s, -s, s + 3, -3, 3));
   append(hook, boxAt(s, s + 3, -s, s + 3, -3, 3));
   append(hook, boxAt(-s, -0.4 * r, s, s + 3, -3, 3));
   c.part = hook;
-  // The bar is flat: the mouth lets it pass only edgewise.
+  // The bar is flat: it passes the opening only on its narrow side.
   const double flat = 0.5 * (s + 0.4 * r) - 0.5 * gap;
   TriMesh bar;
   append(bar, boxAt(-r, r, -flat, flat, -25, 25));
@@ -340,7 +341,7 @@ PathCase hooksCase(unsigned seed) {
   Random random(seed);
   PathCase c;
   c.name = "hooks";
-  // Two open hooks that hang in each other; the other one is held by a plate.
+  // Two open hooks that hang in each other; a plate holds the second one.
   const double r = random.number(1.5, 2), inner = random.number(5, 6), mouth = 2 * r + 1.5;
   const auto hook = [&] {
     TriMesh mesh = boxAt(-inner - 2 * r, inner + 2 * r, -r, r, -inner - 2 * r, -inner);
@@ -385,7 +386,7 @@ PathCase drawerCase(unsigned seed) {
   Random random(seed);
   PathCase c;
   c.name = "drawer";
-  // A drawer with a stop at its back: it has to be lifted at the end to come out.
+  // A drawer with a stop at its back: it has to be lifted at the end of its movement.
   const double w = random.number(8, 12), gap = random.number(0.5, 1), stop = random.number(2, 3);
   const double length = 24, height = 8;
   append(c.part, boxAt(0, length, -w, w, 0, height));
@@ -408,7 +409,7 @@ PathCase engineCase(unsigned seed) {
   Random random(seed);
   PathCase c;
   c.name = "engine";
-  // A tall block in a bay under a beam: along under the beam, and tilted past it.
+  // A tall block in a bay under a beam: it moves along under the beam, and tilts to get past it.
   const double a = random.number(8, 10), h = random.number(10, 12), gap = random.number(1.5, 2.5);
   append(c.part, boxAt(-a, a, -a, a, -h, h));
   append(c.part, boxAt(a, a + 8, -3, 3, -h, -h + 6));

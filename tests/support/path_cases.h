@@ -26,9 +26,9 @@ struct PathCase {
 PathCase channelCase(unsigned seed);
 /// A block in a tunnel with one corner.
 PathCase cornerCase(unsigned seed);
-/// A bar across behind a plate with a slot: it has to turn to come out.
+/// A bar lies across behind a plate with a slot: it must turn to get out.
 PathCase slotCase(unsigned seed);
-/// A hook round a bar: out by turning and shifting at once.
+/// A hook around a bar: it gets out by turning and shifting at the same time.
 PathCase hookCase(unsigned seed);
 /// An L-shaped part in an L-shaped tunnel that it can only pass by turning in the corner.
 PathCase elbowCase(unsigned seed);
@@ -38,10 +38,10 @@ PathCase sealedCase(unsigned seed);
 PathCase narrowCase(unsigned seed);
 /// A block that stands on a floor between two walls and touches all three.
 PathCase touchingCase(unsigned seed);
-/// Start and goal among some boxes that lie about.
+/// Start and goal among some scattered boxes.
 PathCase scatteredCase(unsigned seed);
 
-/// One of the above kinds, all of them in turn.
+/// Returns one of the kinds above, all of them in turn.
 PathCase pathCase(unsigned number);
 
 /// An L-shaped key in a T-slot that is open at one end.
@@ -61,7 +61,7 @@ PathCase drawerCase(unsigned seed);
 /// A block in a bay, under a beam.
 PathCase engineCase(unsigned seed);
 
-/// One of the kinds from the key on, all of them in turn.
+/// Returns one of the kinds from the key on, all of them in turn.
 PathCase hardPathCase(unsigned number);
 
 }  // namespace swept::test

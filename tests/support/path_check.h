@@ -1,4 +1,4 @@
-// What a found path has to hold, checked from its keys alone.
+// Checks from its keys alone whether a path keeps what was promised.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -31,11 +31,11 @@ inline PathOptions optionsOf(const PathCase& c) {
   return options;
 }
 
-/// Empty if the report is right; else what is wrong.
+/// Returns an empty text if the report is right, otherwise what is wrong.
 inline std::string wrongWith(const PathCase& c, const PathReport& report) {
   if (report.status != Status::Ok) {
     const bool blocked = report.code == "StartBlocked" || report.code == "GoalBlocked";
-    // Boxes that lie about may lie on the start.
+    // Scattered boxes may overlap the start.
     if (blocked && c.name == "scattered") return {};
     return std::string(statusName(report.status)) + "/" + report.code + ": " + report.message;
   }
@@ -52,7 +52,7 @@ inline std::string wrongWith(const PathCase& c, const PathReport& report) {
   };
   if (poses.size() < 2 || !same(poses.front(), c.start) || !same(poses.back(), c.goal))
     return "the path does not lead from start to goal";
-  // Inside the release zone contact is allowed; the key that leaves it is the first that is clear.
+  // Inside the release zone, contact is allowed. The first key outside the zone must be clear.
   Trajectory free = report.path;
   if (c.release > 0) free.poses.pop_back();
   const std::vector<ClearanceNeighbour> parts = neighboursOf(c);

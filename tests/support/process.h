@@ -1,5 +1,5 @@
-// What tests ask of the operating system beyond base/system.h: the only file of the tests with
-// calls of POSIX. Where a system has no such thing, available() says so.
+// Functions of the operating system that tests need and base/system.h does not have. No other
+// file of the tests calls POSIX. available() says whether the system has them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -8,10 +8,11 @@
 
 namespace swept::test {
 
-/// True for the superuser, whom no permissions stop.
+/// Returns whether the process runs as the superuser, for whom permissions have no effect.
 bool isSuperuser();
 
-/// Limits the size of files that this process writes, as a full disk would, while it lives.
+/// While this object exists, files that the process writes have a limited size, as on a full
+/// disk.
 class FileSizeLimit {
  public:
   static bool available();
@@ -25,7 +26,7 @@ class FileSizeLimit {
   [[maybe_unused]] void (*handler_)(int) = nullptr;
 };
 
-/// The mask of new files while it lives.
+/// While this object exists, new files have this permission mask.
 class FileModeMask {
  public:
   static bool available();
@@ -38,8 +39,8 @@ class FileModeMask {
   [[maybe_unused]] unsigned old_ = 0;
 };
 
-/// Memory that is the process's own at once and goes back at once, whatever the allocator keeps:
-/// under AddressSanitizer what was freed stays resident for a while.
+/// Memory that the process gets and returns at once, whatever the allocator keeps. (Under
+/// AddressSanitizer, freed memory stays resident for a while.)
 class ResidentPages {
  public:
   explicit ResidentPages(std::size_t bytes);  ///< throws std::bad_alloc

@@ -31,8 +31,8 @@ double distanceToPiece(const ProfilePiece& piece, const V2& p) {
   return std::min((p - piece.from).norm(), (p - piece.to).norm());
 }
 
-/// Angle that the piece turns through as seen from p: that of its chord, and a whole turn more for
-/// a point between chord and arc.
+/// Returns the angle through which the piece turns as seen from p: that of its chord, plus a full
+/// turn for a point between chord and arc.
 double turnSeenFrom(const ProfilePiece& piece, const V2& p) {
   const V2 a = piece.from - p, b = piece.to - p;
   double turn = (a - b).norm() > 1e-12 ? std::atan2(cross(a, b), a.dot(b)) : 0;

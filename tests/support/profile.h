@@ -9,7 +9,7 @@
 
 namespace swept::test {
 
-/// One piece of an outline, run through with the material on its left.
+/// One piece of an outline. The material lies on its left.
 struct ProfilePiece {
   Eigen::Vector2d from, to;
   bool arc = false;

@@ -17,7 +17,7 @@ Eigen::Vector3d inCube(std::mt19937& random, double half) {
   return {uniform(random, -half, half), uniform(random, -half, half), uniform(random, -half, half)};
 }
 
-/// The order in which numbers are drawn is written out: compilers evaluate arguments as they like.
+/// Numbers are drawn in a fixed order, since compilers evaluate arguments in different orders.
 Eigen::Isometry3d randomPlacement(std::mt19937& random, const Eigen::Vector3d& axisNear,
                                   double mostDegrees, double reach) {
   const Eigen::Vector3d shift = inCube(random, reach);

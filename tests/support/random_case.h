@@ -1,4 +1,4 @@
-// Seeded bodies and motions for property tests.
+// Random bodies and motions from a seed, for property tests.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

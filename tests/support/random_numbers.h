@@ -1,4 +1,4 @@
-// Numbers and points drawn from a seed; the same everywhere.
+// Random numbers and points from a seed, the same on every system.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,5 +1,5 @@
-// How much of a long series of cases a test takes: all of it, or a part under the sanitizers, where
-// a run is ten times slower and the point is what the code touches, not which figure comes out.
+// How many cases of a long series a test takes: all, or a part of them under sanitizers. There a
+// run is ten times slower, and the code that runs matters, not the numbers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,7 +22,7 @@ constexpr bool kUnderSanitizer = true;
 constexpr bool kUnderSanitizer = false;
 #endif
 
-/// `all`, or under a sanitizer one in `oneIn` of them (at least one).
+/// Returns `all`; under a sanitizer, one in `oneIn` of them, but at least one.
 constexpr int sampled(int all, int oneIn) {
   return kUnderSanitizer ? std::max(1, all / oneIn) : all;
 }

@@ -33,8 +33,8 @@ double distanceToSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b
   return (p - a - part * way).norm();
 }
 
-/// The body by its faces; corners at the same place are one, and of triangles that repeat the first
-/// counts.
+/// The body by its faces. Corners at the same place count as one; of repeated triangles, the
+/// first counts.
 class BodyFaces {
  public:
   explicit BodyFaces(const TriMesh& body) {
@@ -94,7 +94,7 @@ class BodyFaces {
   std::map<Faces, std::vector<std::pair<Vector3d, Vector3d>>> edges_;
 };
 
-/// The pose at the time of a source; none where the time is not one of its step.
+/// Returns the pose at the time of a source; nothing if the time does not belong to its step.
 std::optional<Pose> poseAt(const Trajectory& motion, const SurfaceSource& row) {
   const auto step = static_cast<std::size_t>(row.step);
   if (row.step < 0 || step >= motion.poses.size()) return std::nullopt;
@@ -103,7 +103,7 @@ std::optional<Pose> poseAt(const Trajectory& motion, const SurfaceSource& row) {
     if (row.timeSeconds != from.timeSeconds) return std::nullopt;
     return from;
   }
-  // Poses that repeat the one before are no ends of steps.
+  // Poses that repeat the previous one do not end a step.
   std::size_t next = step + 1;
   while (next + 1 < motion.poses.size() && motion.poses[next].translation == from.translation &&
          motion.poses[next].rotation.coeffs() == from.rotation.coeffs()) {
@@ -116,7 +116,7 @@ std::optional<Pose> poseAt(const Trajectory& motion, const SurfaceSource& row) {
   if (from.rotation.dot(to.rotation) < 0) to.rotation.coeffs() *= -1;
   if (motion.interpolation == Interpolation::Screw)
     return StepPath(from, to, Interpolation::Screw).poseAt(part);
-  // The pivot goes straight, the body turns about it.
+  // The pivot moves straight, and the body turns about it.
   Pose pose;
   pose.rotation = from.rotation.slerp(part, to.rotation);
   const Vector3d a = from.rotation * motion.pivot + from.translation,

@@ -1,4 +1,4 @@
-// Checks what an envelope says of its sources against the body and the motion as given.
+// Checks the sources that an envelope reports against the body and the motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -8,10 +8,11 @@
 
 namespace swept::test {
 
-/// Per triangle of the envelope: how far the point of its source, moved back by the pose at the
-/// named time, lies from the named faces or the edge between them, in mm; infinite where the body
-/// has no such thing or the time does not belong to the step; -1 where no source is known. body:
-/// faceOf empty for triangles as faces.
+/// Returns a distance (mm) for each triangle of the envelope. The point of its source is moved
+/// back by the pose at the named time. The distance is that of this point from the named faces,
+/// or from the edge between them. It is infinite if the body has no such face or edge, or if the
+/// time does not belong to the step, and -1 if there is no source. body: an empty faceOf means
+/// that each triangle is a face.
 std::vector<double> sourceDistances(const TriMesh& body, const Trajectory& motion,
                                     const Sources& sources);
 

@@ -65,7 +65,7 @@ V3 SweptDistance::velocity(double time, const V3& x, bool before) const {
   return (placement(time + step) * y - x) / step;
 }
 
-/// 0: inside of the face, 1: edge, 2: vertex; index of that feature.
+/// 0: the interior of the face, 1: an edge, 2: a vertex; then its index.
 int SweptDistance::featureOf(const Sample& sample, std::int32_t& index) const {
   const TriMesh& mesh = tree_.mesh();
   const auto& tri = mesh.triangles[sample.triangle];
@@ -172,7 +172,7 @@ SweptDistance::Contact SweptDistance::contact(const V3& x) const {
       stack.push_back({interval.from, middle, least});
       stack.push_back({middle, interval.to, least});
     }
-    // Golden sections round the most promising samples.
+    // Golden section search around the most promising samples.
     std::vector<std::size_t> order(finest.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(),
@@ -241,7 +241,8 @@ SweptDistance::Contact SweptDistance::contact(const V3& x) const {
     }
     return contact;
   }
-  // A vertex: the envelope has a crease or a tip there; any normal of the faces round it may do.
+  // A vertex: the envelope has a crease or a tip there. The normal of any face around it is
+  // accepted.
   for (std::size_t t = 0; t < tree_.mesh().triangles.size(); ++t) {
     const auto& tri = tree_.mesh().triangles[t];
     if (tri[0] != index && tri[1] != index && tri[2] != index) continue;

@@ -30,7 +30,8 @@ class SweptDistance {
   Eigen::Isometry3d placement(double time) const;
   bool isUnion() const { return !continuous_; }
   double lastTime() const { return static_cast<double>(poses_.size() - 1); }
-  /// Velocity (mm a key) of the point that is at x at this time, just before or after it.
+  /// Returns the velocity (mm per pose step) of the point that is at x at this time, just before
+  /// or after it.
   Eigen::Vector3d velocity(double time, const Eigen::Vector3d& x, bool before) const;
 
   struct Edge {

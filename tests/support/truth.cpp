@@ -63,7 +63,8 @@ Truth ballAlongLine() {
   return truth;
 }
 
-/// Sum of a box with half sizes and a segment: a solid with parallelogram faces.
+/// Minkowski sum of a box with the given half sizes and a line segment: a solid with
+/// parallelogram faces.
 Truth boxAlongLine() {
   Truth truth;
   truth.name = "box_along_line";

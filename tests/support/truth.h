@@ -32,7 +32,7 @@ std::vector<Truth> allTruths();
 /// Plates of the given thickness: moved in their plane, across it, and turned in their plane.
 std::vector<Truth> thinPlates(double thickness);
 
-/// The same sweep, seen from another frame.
+/// Returns the same sweep in another coordinate system.
 Truth placed(Truth truth, const Eigen::Isometry3d& frame);
 
 }  // namespace swept::test

@@ -1,12 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lists how each row of docs/bad_input.md is tested: by C++, Python, program or FreeCAD tests.
+"""Lists the tests of each kind of bad input, one row of docs/bad_input.md each.
 
-    python3 tests/tools/bad_input_rows.py [--write]     (writes the names of the tests into the document)
+Bad input can reach the core in four ways: through C++, Python, the program or FreeCAD. Each row must be
+tested in all four. The name of a test has the number of its row. The code of the test and of its fixtures
+shows which ways it takes. Ways that do not exist for a row are listed in the document, with the reason.
+Every other missing way is printed, and the exit status is then 1.
 
-Read from the tests themselves: a test is named after its row, and goes the ways that its code and its
-fixtures go. The document lists the rows that cannot be reached some way, with the reason; every other
-gap is printed and makes the exit status 1.
+Usage: bad_input_rows.py [--write]
+--write: writes the names of the tests into the document.
 """
 import ast
 import pathlib

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Conservative envelopes of the shared meshes and motions against 2,000 random points of each sweep.
 
-Points of the body's surface at random times, posed as the trajectory says (slerp and straight line);
-none may lie outside. The bound of the report must be at most three cells, and no vertex of the
-envelope may be farther from the moving body than it: 100 vertices are measured over the whole motion.
+The points lie on the body's surface at random times (slerp and straight line between poses); none may lie
+outside the envelope. The bound in the report must be at most three cells. No vertex of the envelope may be
+farther from the moving body than this bound: 100 vertices are measured over the whole motion.
 Usage: conservative_suite.py BUILD [RESOLUTION] [MESH...]     ends with 1 if a case fails
 """
 import pathlib

@@ -3,8 +3,8 @@
 """Makes what docs/contouring.md shows: the five component methods compared, tables and pictures.
 
     contouring_page.py BUILD [BODY...] [--pictures FOLDER]
-    contouring_page.py BUILD --walls        thin walls in cells twice as wide, the default way
-    contouring_page.py BUILD --simplified --pictures FOLDER         a body before and after
+    contouring_page.py BUILD --walls        thin walls in cells twice as wide, with the default method
+    contouring_page.py BUILD --simplified --pictures FOLDER         a body before and after simplification
 
 The bodies stand still. Lengths are in cells; 60,000 points are spread evenly over each surface. A point
 belongs to the outer surface of the body if an envelope with four times as many cells lies within half of

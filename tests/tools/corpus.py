@@ -5,10 +5,10 @@
     corpus.py BUILD [--seconds S] [--resolution R]... [--only WORD]... [--store FILE]
 
 Every run must end as promised: Ok with a mesh that is closed, manifold, oriented and finite (counted
-here once more), or a failure with a code and a sentence. Runs go to a child process, so that a crash or
-a hang is a finding too. Results are appended to FILE (out/corpus.jsonl); what stands there is not run
-again, so a campaign can go on another day. The table is printed from FILE in the end.
-Ends with 1 if a run broke the promise or less than 99.5 % of valid solids are Ok.
+here once more), or a failure with a code and a sentence. Each run is in a child process, so that a crash
+or a hang is noticed too. Results are appended to FILE (out/corpus.jsonl). Cases that are in FILE already
+are skipped, so a campaign can be continued later. At the end, the table is printed from FILE. Ends with
+1 if a run broke the promise or less than 99.5 % of valid solids are Ok.
 """
 import argparse
 import collections

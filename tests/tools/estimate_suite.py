@@ -6,9 +6,9 @@
 
 Each run has its own process, and so has each estimate: a run would seem to need less memory if it could
 use memory that an estimate has freed. Seconds are CPU seconds divided by the number of threads, so that
-other work on the machine counts little. Memory: by how much the process grows. Prints a row a case;
-exit status 1 if a factor is above 2 for memory or 3 for seconds. What is foreseen to take more than
---most-seconds is listed and not run.
+other work on the machine counts little. Memory: by how much the process grows. Prints a row for each
+case. The exit status is 1 if a factor is above 2 for memory or 3 for seconds. Cases with an estimate
+above --most-seconds are listed and not run.
 """
 import argparse
 import json

@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Solids that have the faces of the sweep: CAD parts along a motion, from STEP to STEP.
+"""Measures solids whose faces come from the faces and edges of the part, not from the mesh.
 
-The program sweeps each part and writes the result as STEP, with the faces that the sweep really has.
-A row of the table has these columns besides those of supplier_suite.py:
+The program sweeps CAD parts (STEP files) along a motion and writes each envelope as a STEP file. It knows
+which face or edge of the part made each triangle, and so which surface each face of the solid must have.
+The table has one row for each part, with the columns of supplier_suite.py and these:
     real          share of the area of the solid that is not on triangular planar faces
-    off, off99    mm: distances of exact crossings (the points of --sources) from the solid: the largest
-                  of a sample, and the 99 % quantile
-    away          cells: largest distance of sample points on the solid from the nearest crossing. A value
-                  of about 1 is good: crossings are about a cell apart
+    off, off99    mm: distances of exact points of the envelope (from --sources) from the solid: the
+                  largest of a sample, and the 99 % quantile
+    away          cells: largest distance of sample points on the solid from the nearest exact point. A
+                  value of about 1 is good: exact points are about a cell apart
 
 Usage: face_suite.py BUILD TABLE [--parts FOLDER] [--path lift2|path3|path5] [--resolution N]
        [--share S] [--keep FOLDER] [--mesh] [WORD...]    only parts whose name contains a WORD

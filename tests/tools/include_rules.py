@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Who may include whom: prints each breach as file:line and ends with 1 if there is any.
+"""Checks which folder includes which: prints each breach of the rules as file:line, and ends with 1 if
+there is any.
 
     base <- geometry <- motion <- grid <- stages <- pipeline <- { python, tools }
 
-A room is a folder below cpp/src (or one of the folders beside it); a room inside a room is named by
-both ("solid/mesh"). Each room lists the rooms that it may include besides itself and the public
-headers. The list has no circle, which is checked as well. Each third party is seen by one part only,
-and the operating system by one file of the core and one of the tests.
-Usage: include_rules.py [ROOT]
+A room is a folder below cpp/src (or one of the folders beside it); a room inside a room is named by both
+("solid/mesh"). Each room lists the rooms that it may include besides itself and the public headers. The
+list has no circle, which is checked as well. Each third-party library is included in one room only, and
+the headers of the operating system in one file of the core and one of the tests. Usage: include_rules.py
+[ROOT]
 """
 import graphlib
 import pathlib

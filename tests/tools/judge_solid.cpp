@@ -1,4 +1,4 @@
-// Checks solids as a receiver of the files would. Prints a line of JSON for each file.
+// Checks solids as the recipient of their files would. Prints a line of JSON for each file.
 //   swept_judge_solid FILE.step... [--details N] [--block]
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cstdio>

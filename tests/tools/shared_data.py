@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The shared test data as tools use it: where it is, and motions scaled to a body."""
+"""The shared test data: their folder, and motions scaled to a body."""
 import pathlib
 
 import numpy as np

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compares estimate_solid() with the results and the time of write_solid().
 
-Each mesh (PLY of closed bodies) in FOLDER is estimated and written as STEP with tolerances of 0 (as the
-limit of 20,000 faces asks), 0.02 %, 0.1 % and 0.5 % of its box diagonal, and with plane faces alone.
-Seconds are those of the processor, with one thread, so that other work on the machine counts little. A
-row a case goes to TABLE (CSV).
+FOLDER has closed meshes (PLY). Each is estimated and written as STEP in five ways: with the tolerance 0
+(the limit of 20,000 faces then chooses one), 0.02 %, 0.1 % and 0.5 % of its box diagonal, and with
+planar faces only. Seconds are CPU seconds with one thread, so that other work on the machine counts
+little. TABLE (CSV) gets a row for each case.
 
 Usage: solid_estimate_suite.py BUILD FOLDER TABLE [--share I/N] [--brep]
 Ends with 1 if faces, megabytes or seconds differ by more than a factor of 2.

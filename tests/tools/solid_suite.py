@@ -1,10 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes solids of the swept shared meshes: still, 16 keys and 34 keys. Each must become a valid STEP
-file, or be refused with an expected code.
+"""Makes solids of envelopes: each test mesh of the shared data, standing still, along 16 poses and along
+34 poses. Each envelope must become a valid STEP file, or be refused with a code that is allowed.
 
-Every case runs in a process of its own; its row goes to TABLE, and cases found there are not run
-again. Usage: solid_suite.py BUILD TABLE [RESOLUTION] [MESH...]     ends with 1 if a case fails
+Each case runs in a process of its own and adds a row to TABLE. Cases that are in TABLE already are
+skipped, so a suite that was stopped can be continued.
+
+Usage: solid_suite.py BUILD TABLE [RESOLUTION] [MESH...]
+Ends with 1 if a case fails.
 """
 import csv
 import json

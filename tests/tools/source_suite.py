@@ -5,16 +5,16 @@
     source_suite.py BUILD [--cells N] [--parts NAME ...]
 
 For each part and each of three motions (a straight lift; three and five keys with turns), a line with
-    known     share of the triangles whose source is named
-    right     share of those whose point, moved back by the pose at the named time, lies within 0.001
-              cells of the named triangles or edge of the part; and within the chord of a step, 0.02
-              of a cell
-    on faces  the same point within the chord of the tessellation, and 1 % of a cell, of the exact face of the
-              STEP file (asked of FreeCAD's kernel for a sample)
-    corners   corners of the triangles within a cell of that face
-    faults    share that is still "right" with faces shifted by one, and with times shifted by 1 % of the
-              step: what the check is worth
-    time      CPU time with sources over without, of several runs in turns
+    known     share of the triangles that have a source
+    right     share of those whose point is on the named triangles or edge of the part, after it is moved
+              back by the pose at the named time: within 0.001 cells, and within the permitted chord error
+              (0.02 cells)
+    on faces  share of a sample of these points that are on the exact face of the STEP file, within the mesh
+              deflection plus 1 % of a cell (measured by FreeCAD's kernel)
+    corners   share of the corners of the triangles that are within a cell of that face
+    faults    share that is still "right" with wrong faces (numbers shifted by one) and with wrong times
+              (shifted by 1 % of the step): shows that the check finds faults
+    time      CPU time with sources, divided by the time without; several runs of each, in turn
 """
 import argparse
 import pathlib

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Checks solids as a receiver of the files would: CAD parts along three keys with turns.
+"""Checks solids as the recipient of their files would: CAD parts along three poses with turns.
 
-Each part is swept, written as STEP with a tolerance of 0.1 % of the box diagonal, and judged by
-swept_judge_solid: faults that FreeCAD's geometry check (with its test for Boolean operations) finds,
-tolerances of edges and vertices, and the volumes of the cut and the common with a block. A row for each
-part goes to TABLE (CSV).
+Each part is swept, and its envelope is written as STEP with a tolerance of 0.1 % of the box diagonal. The
+program swept_judge_solid then lists the faults that FreeCAD's geometry check finds (with its test for Boolean
+operations), the tolerances of edges and vertices, and the volumes of the cut and the common with a block.
+TABLE (CSV) gets a row for each part.
 
 Usage: supplier_suite.py BUILD TABLE [--parts FOLDER] [--path path3|path5|lift2] [--facets]
        [--resolution N] [--keep FOLDER] [WORD...]      only parts whose name contains a WORD

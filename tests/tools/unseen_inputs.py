@@ -4,10 +4,11 @@
     for case in cases(seed=1, count=40): run(case.mesh, case.motion, **case.options)
 
 The same seed gives the same arrays on every machine with the same numpy. Lengths in mm, times in s.
-    parts       100 to 300,000 triangles; 1 mm to 1 m; boxes, prisms, tori, balls with relief, plates with
-                holes' rims, combs of thin walls
-    motions     1 to 200,000 poses; 0.01 to 100 part sizes of travel; along lines, arcs, helices and
-                random smooth ways, to and fro as well; turning or not; with a recorder's noise or not
+    parts       100 to 300,000 triangles; 1 mm to 1 m; boxes, prisms, tori, balls with relief, rims of
+                perforated plates, combs of thin walls
+    motions     1 to 200,000 poses; 0.01 to 100 part sizes of travel; along lines, arcs, helices and random
+                smooth curves, some to and fro; with and without turns; with and without the noise of a
+                recording
     options     24 to 160 cells along the longest side; all three interpolations
 """
 import dataclasses

@@ -1,5 +1,5 @@
-// Runs of the tests get the threads that they ask for, also where there are fewer cores: the
-// library leaves the process's own limit alone, so the test program raises it.
+// Lets the test program use more threads than there are cores: it raises the limit of the
+// process, which the library never changes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -9,7 +9,7 @@
 namespace swept::test {
 namespace {
 
-/// The most threads that a test of determinism asks for.
+/// Largest number of threads that a test of determinism uses.
 constexpr std::size_t kMaxTestThreads = 8;
 
 class MoreThreads : public testing::Environment {

@@ -280,7 +280,7 @@ def leaves(root, sub=""):
     if target is None:
         raise InputProblem(
             translate(
-                "SweptVolume", 'The path "{0}" no longer leads to an object: choose the part again.'
+                "SweptVolume", 'The document has no object "{0}" any more: choose the part again.'
             ).format(root.Label + "." + sub)
         )
     linked = target.getLinkedObject(True)

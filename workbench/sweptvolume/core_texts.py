@@ -234,8 +234,25 @@ _TEXTS = {
 }
 
 
+#: Codes that have the text of another one.
+_SAME = {
+    "DeviceGarbage": "DeviceLost",
+    "ShaderFailed": "DeviceUnavailable",
+    "BadSuffix": "BadFormat",
+    "ReadOnly": "WriteFailed",
+    "MissingFolder": "WriteFailed",
+    "BadTarget": "WriteFailed",
+    "InvalidFaces": "KernelFailure",
+}
+
+
+def english(code):
+    """Returns the English text for a code; empty if it has none."""
+    return _TEXTS.get(_SAME.get(code, code), "")
+
+
 def said(code, text):
     """Returns the message for the code of a finding and the core's own sentence."""
-    known = _TEXTS.get(code, "")
+    known = english(code)
     ours = translate("SweptVolume", known) if known else ""
     return text if ours == known else "{} ({})".format(ours, text) if text else ours

@@ -21,16 +21,18 @@
 
 namespace swept {
 
-/// Looks for a side of the component that grid edges meet, with an edge to each of two other sides
-/// in the cell. The two others may be the sides of a thin wall; the side between is then its rim.
-/// Returns false, and leaves `out` as it is, if there is none.
+/// Looks for three sides of the component in a row, such as those of a step: grid edges meet all of
+/// them, and the middle one forms an edge with each of the others in the cell. If the outer two are
+/// the sides of a thin wall, the middle one is its rim. Returns false, and leaves `out` as it is,
+/// if there is none.
 bool findKnownSide(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                    int component, const Crossing* crossings, const SurfaceProbe& probe,
                    VertexSplit& out);
 
 /// Looks for a side of the component between two other sides that no grid edge meets. Returns false
 /// if there is none, or if no edge of this side lies in the cell. With `betweenPlanes`, looks only
-/// between two flat arcs: planes of a curved surface may miss each other without such a side.
+/// between two flat arcs: the planes of a curved surface may have no common point although there is
+/// no such side.
 bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                     int component, const Crossing* crossings, const SurfaceProbe& probe,
                     bool betweenPlanes, VertexSplit& out);

@@ -178,7 +178,9 @@ bool LineSource::next(std::string& line) {
     const std::size_t searched = buffer_.size();
     if (searched > kMaxLineBytes) {
       badFile("'" + path_ + "', line " + std::to_string(number_ + 1) + " is longer than " +
-              std::to_string(kMaxLineBytes) + " bytes; the file is not a table of poses");
+              std::to_string(kMaxLineBytes) +
+              " bytes, so the file is not a table of poses; choose a text file with one pose per "
+              "line");
     }
     if (!fill()) break;
     end = buffer_.find('\n', searched);

@@ -32,9 +32,9 @@ StepPath::StepPath(const Pose& from, const Pose& to, Interpolation interpolation
   axis_ = turn.angle() < 0 ? Eigen::Vector3d(-turn.axis()) : turn.axis();
   screw_ = interpolation == Interpolation::Screw && angle_ > kMinScrewAngle;
   if (!screw_) return;
-  // Relative motion x -> R x + d in the frame of the first pose. The component of d along the axis
-  // is the pitch. The rest determines a point c of the axis:
-  // d = (I - R) c  =>  c = (d + cot(angle/2) axis x d) / 2.
+  // In the frame of the first pose, the step is x -> R x + d. The component of d along the axis of
+  // R is the pitch of the screw; `across` is the rest. A point c of the screw axis moves along this
+  // axis only: R c + across = c. This gives c = (across + cot(angle/2) axis x across) / 2.
   const Eigen::Vector3d d = from.rotation.conjugate() * (to.translation - from.translation);
   pitch_ = axis_.dot(d);
   const Eigen::Vector3d across = d - axis_ * pitch_;

@@ -11,6 +11,7 @@
 
 #ifdef SWEPT_WITH_GL
 #include "sampling/gl/gl_backend.h"
+#include "sampling/gl/gl_context.h"
 #endif
 
 namespace swept {
@@ -59,7 +60,7 @@ SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double c
         throw;
       }
       why = error.what();
-      why = why.substr(0, why.find("; use --backend"));  // advice only for users who chose the GPU
+      why = why.substr(0, why.find(gl::kDeviceAdvice));  // only for users who chose the GPU
     }
     SampledSurface out = sampleOnCpu(input, findSigns, run);
     out.notes.push_back({"CpuSampler", 1, {}, "the CPU did the sampling: " + why});
@@ -69,8 +70,8 @@ SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double c
   (void)cpuSeconds;
   if (wanted == Backend::Gpu) {
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
-                "no GPU can be used, because the program was built without the GPU sampler; use "
-                "--backend cpu or auto");
+                "no GPU can be used, because the program was built without the GPU sampler; set "
+                "the backend to cpu or auto");
   }
 #endif
   return sampleOnCpu(input, findSigns, run);

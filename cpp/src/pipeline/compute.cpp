@@ -110,7 +110,7 @@ void recut(Result& result, double tolerance, RunContext& run) {
   if (!result.kept) {
     throw Error(Status::InvalidInput, "NothingKept",
                 "the unsimplified surface was not kept, because the envelope was computed without "
-                "a simplification tolerance; compute the envelope again");
+                "a simplification tolerance; compute it again, with a tolerance");
   }
   Result next;
   next.kept = result.kept;

@@ -83,7 +83,8 @@ void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Repor
   report.warnings.push_back({"OpenSheets",
                              hermite.sheetEdges,
                              {},
-                             text + "; it gets a thickness of 0.002 times the cell size"});
+                             text + ", which gets a thickness of 0.002 times the cell size; close "
+                                    "the holes of the body if the envelope should be solid there"});
 }
 
 }  // namespace swept

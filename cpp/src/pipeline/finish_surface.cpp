@@ -45,7 +45,8 @@ bool turnInsideOut(Surface& surface, const MeshTopology& topology, const Finishi
                              {},
                              counted(count, "very thin shell", "very thin shells") +
                                  ", a few cells across, faced inwards and " +
-                                 (count == 1 ? "was" : "were") + " reversed"});
+                                 (count == 1 ? "was" : "were") +
+                                 " reversed; use a smaller cell if such details matter"});
   return true;
 }
 

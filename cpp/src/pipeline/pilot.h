@@ -14,9 +14,9 @@ namespace swept {
 
 constexpr double kPilotCells = 256;  ///< along the longest side
 
-/// Returns `estimate` with better values for memory and triangles. Returns it unchanged for offsets
-/// and conservative envelopes, if the grid is not much finer than the pilot's, or if a union has
-/// too many copies for a pilot.
+/// Returns `estimate` with better values for memory and triangles. Returns it unchanged in these
+/// cases: the envelope has an offset or is conservative; the grid is not much finer than that of
+/// the pilot; the motion is not interpolated and has too many poses to be sampled for an estimate.
 Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
                          const BodyTopology& topology, const Options& options, RunContext& run);
 

@@ -129,9 +129,10 @@ RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
   const SamplerInput onGrid = whole.with(whole.motion, grid);
   found.probes = tryProbes(onGrid, {part, marked, hermite}, components);
   if (hermite.crossings.empty()) return found;
-  // The cells of the run are r times smaller than those of the rough grid. The run casts between r
-  // (at creases) and r * r (where the motion trembles) times as many probes, and each probe
-  // searches r * r times fewer elements.
+  // The cells of the run are r times smaller than those of the rough grid. At creases, the run
+  // casts r times as many probes. Where a vibration leaves small creases everywhere, it casts r * r
+  // times as many. The estimate lies between: r * sqrt(r). Each probe searches r * r times fewer
+  // elements.
   const double r = times, taken = crossings / static_cast<double>(hermite.crossings.size());
   found.probes.casts *= taken * r * std::sqrt(r);
   found.probes.seconds *= taken / std::sqrt(r);

@@ -25,9 +25,8 @@ namespace {
 // simplification before them may together exceed the tolerance. Then vertices are added to the mesh
 // at the end.
 constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
-// Share of the tolerance for thinning open ground (triangles without a patch). The bunny test mesh
-// moved over 16 keys had no patch and 500,000 such triangles, and their collapse took two thirds of
-// the time.
+// Share of the tolerance for thinning open ground (triangles without a patch). Without thinning,
+// the collapse of 500,000 such triangles took two thirds of a run.
 constexpr double kThinFraction = 0.15;
 
 Built describe(Model model, double deviation) {
@@ -164,8 +163,8 @@ class ShapeMaker {
       forgetPatches(refused_, dense_, first, start);
     }
     throw Error(Status::ExportFailed, "InvalidFaces",
-                "OpenCASCADE does not accept some faces; the mesh may have needle triangles or "
-                "intersect itself: simplify or repair it, or export a mesh file");
+                "OpenCASCADE does not accept " + refusedText_ +
+                    "; repair the mesh there, set another tolerance, or export a mesh file");
   }
 
   // Makes the solid from the faces of the sweep. The triangles around unsound edges and faces lose
@@ -204,8 +203,7 @@ class ShapeMaker {
   }
 
  private:
-  // Remembers where the ground must be opened: along the edges that lie off these faces, else on
-  // the whole faces.
+  // Remembers where open ground is needed: along edges that lie off these faces, or on whole faces.
   void noteTrouble(const std::vector<std::int32_t>& bad, const Model& model, bool isLoose) {
     for (const std::int32_t f : bad) {
       const ModelFace& face = model.faces[f];
@@ -311,6 +309,7 @@ class ShapeMaker {
       const bool sound = bad.empty();
       if (sound && options_.tolerance > 0) bad = judge_.findInterfering(model, run_);
       if (bad.empty()) return true;
+      refusedText_ = facesText(bad, model);
       if (isLabelled_) noteTrouble(bad, model, isLoose_);
       const bool changed = withdraw(bad, model, known_, small, refused_);
       if (!refused_.empty()) return false;
@@ -363,6 +362,7 @@ class ShapeMaker {
   const NearestTriangle original_;
   std::int32_t known_ = 0;             // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
+  std::string refusedText_;            // number and place of the faces refused last
   bool isLabelled_ = false, isLoose_ = false;
   const std::vector<Eigen::Vector3d>* points_ =
       &whole_.points;                     // those that must be near the solid

@@ -150,9 +150,9 @@ RepeatableInput::RepeatableInput(const std::string& path) : given_(path), path_(
     copyTo(*copy_, path_.empty() ? std::cin : file);
     path_ = copy_->finish();
   } catch (const std::system_error& error) {
-    throw Error(
-        Status::ExportFailed, "WriteFailed",
-        "'" + path + "' is a stream, and copying it to a temporary file failed: " + error.what());
+    throw Error(Status::ExportFailed, "WriteFailed",
+                "'" + path + "' is a stream, and copying it to a temporary file failed: " +
+                    error.what() + "; free disk space, or give the name of a file");
   }
 }
 

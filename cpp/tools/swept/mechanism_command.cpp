@@ -51,7 +51,8 @@ void addOptions(CLI::App& app, MechanismJob& job) {
   addDistanceOptions(app, job.options);
   addNumber(
       app, "--range", "MM", job.options.range,
-      "list the pairs that come closer than this (default 0: a tenth of the size of the parts)");
+      "list the pairs that come closer than this (default 0: a tenth of the median size of the "
+      "parts, or more if a rule needs it)");
   addWords(
       app, "--rule", 3, "PART PART RULE", job.rules,
       "rule for one pair of parts, in place of the required distance: a distance in mm, contact, "

@@ -71,7 +71,8 @@ std::string dateText() {
   std::array<char, 40> text{};
   if (!parts || std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M UTC", parts) == 0)
     throw Error(Status::InvalidInput, "BadOption",
-                "SOURCE_DATE_EPOCH is too large to be a date on this system");
+                "the environment variable SOURCE_DATE_EPOCH is too large to be a date on this "
+                "system; use a smaller number, or unset it");
   return text.data();
 }
 

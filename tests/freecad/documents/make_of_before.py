@@ -81,7 +81,7 @@ def main():
     gauge.setExpression("Length", "<<Front check>>.Required + Sequence.Release")
     gauge.setExpression("Width", "Clearance.Deflection * 10")
     values.set("B1", "=Mechanism.Required * 2")
-    # A second check has lost the part that it checks.
+    # A second check, whose part has been deleted.
     lost = box(doc, "Lost", 0, 0, 100)
     left = clearance.make_clearance(doc, "Left", Generators=[(lost, "")], Motion=path)
     doc.recompute()

@@ -45,7 +45,7 @@ def main():
     group.Placement = App.Placement(V(5, -30, 0), App.Rotation(V(0, 0, 1), 30))
     wire = doc.addObject("Part::Feature", "Wire")
     wire.Shape = Part.makePolygon([V(), V(30, 0, 0), V(30, 20, 0)])
-    # Turned in place: without a pivot it is the origin of the file that goes straight.
+    # A turn in place. Without a pivot, the origin of the file moves straight.
     turned = App.Placement(V(40, 0, 0), App.Rotation(V(0, 0, 1), 60))
     path = motion.motion_from_poses(doc, [0, 1], [shift(0), turned])
     curve = motion.motion_from_source(doc, "Curve", [wire], count=9)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The field Accuracy of the envelope's panel: typed, computed, nonsense, too coarse, in inches."""
+"""The field Accuracy in the panel of an envelope: a typed value, a computed one, an invalid one, one that
+needs too many cells, and inches.
+"""
 import os
 import sys
 
@@ -67,7 +69,7 @@ def scenario():
     bound = "Distance from the true surface: at most "
     assert bound in panel.read_outs.text.text(), panel.read_outs.text.text()
 
-    # Nonsense: told, kept, and nothing is computed or changed by it.
+    # Invalid text: the panel shows a message and keeps the text. Nothing is computed or changed.
     for typed, words in (
         ("abc", "Accuracy"),
         ("0 mm", "accuracy must be above 0 mm"),
@@ -94,7 +96,7 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
 
-    # Inches: a number without a unit is in inches, and the bound is told in them.
+    # Inches: a number without a unit is in inches, and the panel shows the bound in inches.
     App.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", 3)
     App.Units.setSchema(3)
     panel = envelope_panel.show(doc, obj=made)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tutorial "Is the whole assembly clear?" of the handbook, from the demo to the worst run of a study."""
+"""The handbook's tutorial "Is the whole assembly clear?", step by step."""
 import os
 import sys
 import tempfile

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is seen at a glance: colours of envelope and solid, the only candidate taken, one motion for several
-envelopes, the player's loop and its slider, a dragger of the part's size, heads and names of the table."""
+"""Details of the window: colours of envelope and solid; a command without a selection takes the only
+possible object; one motion for several envelopes; loop and slider of the player; the size of the dragger;
+headings and names in the table.
+"""
 import os
 import sys
 
@@ -29,7 +31,7 @@ V = App.Vector
 
 
 def colour(obj):
-    """(red, green, blue) of what is drawn, as this FreeCAD keeps it."""
+    """Returns the colour (red, green, blue) that is drawn, however this FreeCAD stores it."""
     view = obj.ViewObject
     if hasattr(view, "ShapeColor"):
         return tuple(view.ShapeColor)[:3]
@@ -61,7 +63,7 @@ def scenario():
         envelope.compute(hull)
     doc.recompute()
 
-    # One motion for both: changed, both wait; each is computed for itself.
+    # One motion for two envelopes: after it changes, both are stale, and each is computed on its own.
     assert [hull.Status for hull in hulls] == [envelope.UP_TO_DATE] * 2
     assert abs(hulls[0].Mesh.BoundBox.ZMin) < 2 and hulls[1].Mesh.BoundBox.ZMin > 35
     path.Times = [0, 2]
@@ -82,7 +84,8 @@ def scenario():
     shot("87_colours")
     yield 0.5
 
-    # With two, one has to be chosen, and the command says so; the only one is taken unasked.
+    # With two candidates, the command asks for a selection. A single candidate is used without a
+    # selection.
     Gui.Selection.clearSelection()
     yield 0.3
     assert not Gui.isCommandActive("SweptVolume_Solid")
@@ -100,7 +103,7 @@ def scenario():
     yield 0.5
     assert motion_panel.opened and motion_panel.opened[0].obj is path
 
-    # The player begins again at the end where it is asked to; its slider is one that a mouse can grasp.
+    # With *Loop*, the player starts again at the end. Its slider is large enough for the mouse.
     panel = motion_panel.opened[0]
     player = panel.player
     say("slider: {} of {} pixels".format(player.slider.width(), panel.form.width()))
@@ -115,7 +118,7 @@ def scenario():
     yield lambda: not player.play.isChecked()
     assert player.now() == 2.0, player.now()
 
-    # The dragger is of the size of the part (where it stands: pivot.py).
+    # The dragger is as large as the part (pivot.py tests its place).
     find(QtWidgets.QTableWidget, "SweptVolumeKeys").setCurrentCell(1, 1)
     yield 0.5
     box = slide.Shape.BoundBox
@@ -125,7 +128,7 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
 
-    # Heads and names of the table, also with a column of depths.
+    # Headings and names of the table, also with a column of depths.
     for name, place in (("Bucket of the excavator", V(12, 5, 5)), ("Neighbour", V(0, 13, 0))):
         doc.addObject("Part::Box", "Part").Label = name
         doc.Objects[-1].Placement.Base = place

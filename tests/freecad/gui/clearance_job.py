@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A clearance check by real commands: envelope, check, table, row, colours, graph, spreadsheet."""
+"""A clearance check through the commands, as a user works: envelope, check, table, row, colours, graph,
+spreadsheet.
+"""
 import os
 import re
 import shutil
@@ -27,7 +29,8 @@ from driver import (  # noqa: E402
 
 
 def check_pdf(content):
-    """A whole file of some pages with the pictures; its text where pdftotext is there."""
+    """Checks that a PDF file is complete: its pages, its pictures, and its text if pdftotext is
+    installed."""
     assert content.startswith(b"%PDF-") and content.rstrip().endswith(b"%%EOF")
     pages = len(re.findall(rb"/Type\s*/Page\b", content))
     pictures = len(re.findall(rb"/Subtype\s*/Image\b", content))
@@ -41,7 +44,7 @@ def check_pdf(content):
 
 
 def keep(path):
-    """A copy beside the pictures, to be looked at."""
+    """Keeps a copy beside the screenshots, to look at."""
     if os.environ.get("SWEPT_SHOTS"):
         shutil.copy(path, os.environ["SWEPT_SHOTS"])
 
@@ -113,7 +116,8 @@ def scenario():
     shot("13_clearance_colours")
     yield 1.0
 
-    # Other borders of the bands colour it anew; a head sorts; the table is written.
+    # Other limits of the colour bands change the colours; a click on a heading sorts; the table is
+    # written to a file.
     def corners_in_contact():
         surface = view.colours.getChild(0)
         faces = surface.getChild(surface.getNumChildren() - 1)
@@ -155,7 +159,7 @@ def scenario():
         else:
             check_pdf(content)
             keep(target)
-    # Rules: one asks for more, one is ignored; what touches at the first pose is offered.
+    # Rules: one with a larger distance, one *Ignored*. Contacts at the first pose are offered as rules.
     bench = doc.addObject("Part::Box", "Bench")
     bench.Length, bench.Width, bench.Height = 60, 40, 4
     bench.Placement.Base = App.Vector(-15, -12, -4)

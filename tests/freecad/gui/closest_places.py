@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The player of a clearance check: the moving part, the shortest line that follows it, the section through
-that place, and clashes as bodies; nothing is left in the view when the panel is closed."""
+"""The player of a clearance check: the moving part, the line of the shortest distance, the section through
+it, and clashes as solids. When the panel is closed, nothing of this remains in the view.
+"""
 import os
 import sys
 
@@ -28,8 +29,8 @@ from spaces import add_box, at, hidden_motion, swept_space  # noqa: E402
 
 
 def scene(doc):
-    """A slide that goes 100 mm along x: 3 mm into a bolt (clash), and past a wall 2 mm beside its way.
-    Returns the envelope of the slide."""
+    """Returns the envelope of a slide that moves 100 mm along x: 3 mm into a bolt (clash), and past a
+    wall at a distance of 2 mm."""
     slide = add_box(doc, "Slide", (10, 10, 10), (0, 0, 0))
     path = hidden_motion(doc, at(0), at(100), 2)
     bolt = doc.addObject("Part::Cylinder", "Bolt")
@@ -72,7 +73,7 @@ def scenario():
     keep = find(QtWidgets.QPushButton, "SweptVolumeKeepClash")
     cut = find(QtWidgets.QPushButton, "SweptVolumeKeepCut")
     assert not keep.isEnabled() and not cut.isEnabled()
-    # The player with a row: the line goes to that row's part, at every time.
+    # The player with a selected row: at every time, the line ends at the part of this row.
     table.selectRow(rows["Wall"])
     yield 0.3
     assert not keep.isEnabled()
@@ -80,7 +81,7 @@ def scenario():
     gaps = Gaps()
     for value, x in ((100, 10.0), (500, 50.0)):
         slider.setValue(value)
-        # The slide's corner at x + 10 to the wall's at x = 70.
+        # From the corner of the slide at x + 10 to that of the wall at x = 70.
         yield lambda x=x: (
             line_of(graph) is not None and abs(line_of(graph)[0][0] - (x + 10)) < 0.2
         )
@@ -98,7 +99,7 @@ def scenario():
     before = planes_of(graph)[0].plane.getValue().getDistanceFromOrigin()
     slider.setValue(600)
     yield lambda: planes_of(graph)[0].plane.getValue().getDistanceFromOrigin() != before
-    # The worst place: a clash; as a body, and what is to be cut away along the whole way.
+    # The worst place is a clash: its solid, and the volume to be cut away over the whole motion.
     table.selectRow(rows["Bolt"])
     yield 0.5
     Gui.SendMsgToActiveView("ViewFit")
@@ -117,7 +118,7 @@ def scenario():
         assert body.Status == shared.UP_TO_DATE, (body.Status, body.Message)
         assert body.Volume.Value > least, body.Volume
     assert doc.UndoCount == undo + 2, doc.UndoNames
-    # Segments of a circle of 6 mm: 3 mm of it lie in the way of the slide, 10 mm high.
+    # Segments of a circle of 6 mm: the slide passes through 3 mm of it, over a height of 10 mm.
     import math
 
     angle = 2 * math.acos(3 / 6)
@@ -139,7 +140,8 @@ def scenario():
 
 
 def two_that_move():
-    """Two cubes that pass through each other, 3 mm deep: the line and the clash volume of both at a time."""
+    """Two cubes that pass through each other, 3 mm deep: the player shows the line between them and the
+    solid of the clash at each time."""
     from sweptvolume.features import mechanism, shared
 
     doc = new_document("Passing")

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Our panels under a dark style (set in the profile by test_gui.py): opened, filled, and pictures."""
+"""The panels with a dark style, which test_gui.py sets in the profile: they are opened and filled, and
+pictures are taken.
+"""
 import os
 import sys
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Paths designed from nothing on real data, as the second tutorial says: 34 keys where a robot arm was
-recorded, captured from the part that is moved and typed into the table; a joint of beams of which only
-start and goal are known, with keys put between until the way is free. What needs data that are absent is
-left out, with a line."""
+"""Paths designed in the motion editor, on real data. First, 34 recorded placements of a robot's gripper:
+some captured from the part, others typed into the table. Then a joint of beams with a known start and goal:
+keys are added between them until the path is clear. Parts whose data are missing are skipped, with a
+message.
+"""
 import csv
 import os
 import sys
@@ -51,7 +52,7 @@ def mesh_object(doc, name, path, scale=1.0):
 
 
 def rows_of(path, unit):
-    """Rows of a table of poses, each with its Placement."""
+    """A generator of the rows of a table of poses, each with its Placement."""
     with open(path, encoding="utf-8") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             base = V(*(unit * float(row[k]) for k in ("tx", "ty", "tz")))
@@ -65,7 +66,7 @@ def see_all():
 
 
 def type_row(keyboard, table, numbers):
-    """Types numbers into the current row, None: leaves a cell; a generator."""
+    """A generator that types numbers into the current row. None skips a cell."""
     row = table.currentRow()
     yield from keyboard.type("", *["Left"] * table.currentColumn())
     for column, number in enumerate(numbers):
@@ -78,7 +79,7 @@ def type_row(keyboard, table, numbers):
 
 
 def envelope_of(doc, part, motion):
-    """The envelope by its panel; a generator that returns it."""
+    """A generator that makes an envelope with its panel, and returns it."""
     from sweptvolume.features import envelope
 
     select(part, motion)
@@ -93,7 +94,7 @@ def envelope_of(doc, part, motion):
 
 
 def robot_arm(keyboard):
-    """34 keys where the arm was recorded, from an empty path."""
+    """Designs a motion from nothing: 34 keys at the placements where a robot arm was recorded."""
     from sweptvolume.features import envelope, motion
     from sweptvolume.trajectory.edit import as_numbers
 
@@ -150,7 +151,7 @@ def robot_arm(keyboard):
 
 
 def verdicts(doc, beam, path):
-    """What the check of the way says of each neighbour; a generator that returns it."""
+    """A generator that checks the clearance along the path, and returns the verdict for each neighbour."""
     select(beam, path)
     Gui.runCommand("SweptVolume_Clearance")
     yield 0.4
@@ -171,7 +172,8 @@ def verdicts(doc, beam, path):
 
 
 def beams(keyboard):
-    """Start and goal; keys are put between and lifted until nothing is in the way."""
+    """Designs a path from start and goal: adds keys between them and lifts these until nothing is in
+    the way."""
     places = {(row["part"], row["state"]): place for row, place in rows_of(POSES, CM)}
     doc = new_document("Beams")
     parts = {}
@@ -198,7 +200,7 @@ def beams(keyboard):
     assert found["Beam2"] == "Clash", found
     say("beams, straight: {}".format(found))
 
-    # Two keys between: over the start, over the goal; higher until it is free.
+    # Two keys between start and goal, one above each; they are raised until the path is clear.
     for lift in (15, 30):
         select(beam, motion)
         Gui.runCommand("SweptVolume_EditMotion")

@@ -25,8 +25,8 @@ END = object()
 
 
 def contrast_of(widget, where=None):
-    """(contrast of what is written there to what lies behind it, 1 to 21 (WCAG 2.1); that colour, behind),
-    as the pixels of a widget or a QRect in it are."""
+    """Returns (contrast, colour of the background) of the text in a widget, or in a QRect of it, as its
+    pixels show. The contrast is from 1 to 21, as in WCAG 2.1."""
     image = widget.grab(where or widget.rect()).toImage()
     seen = {}
     for x in range(image.width()):
@@ -45,7 +45,7 @@ def contrast_of(widget, where=None):
 
 
 def read_verdicts(table):
-    """{verdict: colour behind it}; each must be seen (WCAG 2.1: 4.5)."""
+    """Returns {verdict: background colour}. Each verdict must be legible (contrast of 4.5, WCAG 2.1)."""
     found = {}
     for row in range(table.rowCount()):
         cell = table.item(row, 1)
@@ -58,8 +58,7 @@ def read_verdicts(table):
 
 
 def check_table(table):
-    """Every head of a table is seen in full, and every text in its first column, in as many lines as it
-    takes."""
+    """Checks that no heading of a table is cut off, and no text in its first column."""
     header = table.horizontalHeader()
     room = header.fontMetrics()
     for column in range(table.columnCount()):
@@ -78,10 +77,9 @@ def check_table(table):
 
 
 class Gaps:
-    """Longest time between two ticks of a 5 ms timer: how long the window stood still. `busy` is the
-    longest that the window's own thread computed between two ticks: the rest it waited for a core.
-    `lost` is the sum of what the ticks came too late.
-    """
+    """Measures how long the window does not respond: the longest time between two ticks of a 5 ms
+    timer. `busy` is the longest CPU time of the window's own thread between two ticks; during the rest
+    it waited for a processor core. `lost` is the sum of all delays of the ticks."""
 
     def __init__(self):
         self.longest, self.busy, self.lost = 0.0, 0.0, 0.0
@@ -111,8 +109,8 @@ WORK = 0.2
 
 
 def stopped(done):
-    """A step of a scenario: presses Stop, waits until done(), and judges how long that took. Returns the
-    seconds."""
+    """A step of a scenario: presses Stop, waits until done() is true, and checks how long this took.
+    Returns the seconds."""
     gaps, began = Gaps(), time.perf_counter()
     click(find(QtWidgets.QPushButton, "SweptVolumeStop"))
     yield done
@@ -127,10 +125,13 @@ def say(text):
 
 
 def shot(name):
-    """Picture of the whole screen, where a folder was given; the window goes on living meanwhile."""
-    if SHOTS:
-        Gui.updateGui()
-        subprocess.Popen(["import", "-window", "root", os.path.join(SHOTS, name + ".png")])
+    """Takes a screenshot of the whole screen if SWEPT_SHOTS names a folder. Returns a function that
+    returns whether it is taken; the window keeps responding meanwhile."""
+    if not SHOTS:
+        return lambda: True
+    Gui.updateGui()
+    taking = subprocess.Popen(["import", "-window", "root", os.path.join(SHOTS, name + ".png")])
+    return lambda: taking.poll() is not None
 
 
 Ok, Cancel = QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Cancel
@@ -138,7 +139,7 @@ Apply, Close = QtWidgets.QDialogButtonBox.Apply, QtWidgets.QDialogButtonBox.Clos
 
 
 def open_workbench():
-    """Our workbench in a roomier window."""
+    """Opens the workbench in a larger window."""
     Gui.activateWorkbench("SweptVolumeWorkbench")
     widen()
 
@@ -151,7 +152,8 @@ def new_document(name):
 
 
 def to_3d_view():
-    """Back to the 3D view: FreeCAD 1.1 hides task panels over others, sheets for one."""
+    """Returns to the 3D view. FreeCAD 1.1 hides task panels while another view, such as a spreadsheet,
+    is active."""
     view = Gui.activeDocument().mdiViewsOfType("Gui::View3DInventor")[0]
     Gui.getMainWindow().setActiveWindow(view)
 
@@ -176,7 +178,7 @@ def select(*items):
 
 @contextlib.contextmanager
 def answered(module, name, answer):
-    """Puts a function of ours in the place of one that would open a dialog, for a while."""
+    """Replaces a function that would open a dialog, inside a `with` block."""
     asks = getattr(module, name)
     setattr(module, name, answer)
     try:
@@ -186,14 +188,14 @@ def answered(module, name, answer):
 
 
 def press(widget, key, modifiers=QtCore.Qt.NoModifier, text=""):
-    """A key of the keyboard, as the window system sends it: first offered to shortcuts."""
+    """Presses a key as the window system would: shortcuts get it first."""
     for kind in (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
         event = QtGui.QKeyEvent(kind, key, modifiers, text)
         QtWidgets.QApplication.sendEvent(widget, event)
 
 
 def type_over(field, text):
-    """Types in place of what stands in a field. Returns its line."""
+    """Replaces the text of a field by typing. Returns its line edit."""
     edit = field if isinstance(field, QtWidgets.QLineEdit) else field.findChild(QtWidgets.QLineEdit)
     edit.setFocus()
     edit.selectAll()
@@ -212,7 +214,7 @@ def choose(name, data):
 
 
 def viewport():
-    """The widget of the 3D view that takes the mouse."""
+    """Returns the widget of the 3D view that receives mouse events."""
     found = [
         w
         for w in Gui.getMainWindow().findChildren(QtWidgets.QWidget)
@@ -225,8 +227,8 @@ def viewport():
 def drag(start, end, steps=8):
     """Drags the left button in the 3D view between two points of the world; a generator."""
     view, widget = Gui.activeDocument().activeView(), viewport()
-    # Coin counts pixels of the screen, from below; Qt counts its own, from above.
-    # (Not by getViewer(): FreeCAD 1.1 then crashes when the view is closed.)
+    # Coin counts pixels from the bottom of the screen, Qt from the top of the widget. (getViewer() is
+    # not used: FreeCAD 1.1 then crashes when the view is closed.)
     ratio = view.getSize()[0] / widget.width()
     places = []
     for point in (start, end):
@@ -272,8 +274,8 @@ def line_of(graph):
 
 
 def widen():
-    """A roomier window: no console, no report view, a wider combo view. FreeCAD 0.20 may start with
-    that view hidden until a panel opens in it."""
+    """Makes the window larger: no console, no report view, a wider combo view. FreeCAD 0.20 may hide
+    that view until a panel opens in it."""
     window = Gui.getMainWindow()
     for dock in window.findChildren(QtWidgets.QDockWidget):
         if dock.objectName() in ("Report view", "Python console"):
@@ -284,7 +286,7 @@ def widen():
 
 
 def tree():
-    """The tree of the documents."""
+    """Returns the tree widget of the documents."""
     for found in Gui.getMainWindow().findChildren(QtWidgets.QTreeWidget):
         if found.metaObject().className() == "Gui::TreeWidget" and found.isVisible():
             return found
@@ -292,20 +294,20 @@ def tree():
 
 
 def find(kind, name):
-    """A visible widget by object name."""
+    """Returns the visible widget with this object name."""
     found = [w for w in Gui.getMainWindow().findChildren(kind, name) if w.isVisible()]
     assert found, "no visible {} {}".format(kind.__name__, name)
     return found[0]
 
 
 def visible_text(form=None):
-    """All that the labels of a form say, by default of the whole window."""
+    """Returns the text of all labels of a form; without a form, those of the whole window."""
     labels = (form or Gui.getMainWindow()).findChildren(QtWidgets.QLabel)
     return "\n".join(label.text() for label in labels if label.isVisible())
 
 
 def panel_button(standard):
-    """A standard button of the open task panel."""
+    """Returns a standard button of the open task panel."""
     for box in Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox):
         try:
             button = box.button(standard) if box.isVisible() else None
@@ -317,8 +319,8 @@ def panel_button(standard):
 
 
 def click(button):
-    """A real click: press and release at the middle of the widget, of a check box on its box: the
-    middle of a wide one lies behind its text, where it does not listen."""
+    """Clicks a widget: presses and releases the mouse button at its middle. A check box is clicked on
+    its box, because the middle of a wide one is behind its text and does not react."""
     assert button.isEnabled(), "the button is disabled"
     place = button.rect().center()
     if isinstance(button, QtWidgets.QCheckBox):
@@ -336,7 +338,8 @@ def click(button):
 
 
 def check_wrappers():
-    """PySide would hand out the wrapper of a deleted widget for whatever comes to stand at its address."""
+    """Ends all Python wrappers of deleted widgets. Otherwise PySide could return such a wrapper for a
+    new widget at the same address."""
     from sweptvolume.panels.widgets import shiboken
 
     known = [w for w in shiboken.getAllValidWrappers() if isinstance(w, QtWidgets.QWidget)]
@@ -349,14 +352,15 @@ def no_panel():
 
 
 def line_in(steps):
-    """The line at which a generator waits, in the innermost one that it yields from."""
+    """Returns the number of the line at which a generator waits, or the generator inside it."""
     while steps.gi_yieldfrom is not None:
         steps = steps.gi_yieldfrom
     return steps.gi_frame.f_lineno if steps.gi_frame else 0
 
 
 def run(scenario):
-    """Runs a generator function on the event loop and leaves FreeCAD; says which file's it was."""
+    """Runs a scenario on FreeCAD's event loop and then ends FreeCAD. Prints which file's scenario has
+    passed."""
     steps = scenario()
     name = os.path.basename(scenario.__code__.co_filename)
     state = {"wait": None, "since": time.time(), "value": None}

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A path is found by real commands: the part is selected, the button pressed, the way seen while it is
-searched, the motion checked; refusals and searches without success are told and change nothing."""
+"""Find path, as a user works: select the part, press the button, watch the search, check the motion.
+Refused input and searches without success show a message and leave the document as it was.
+"""
 import os
 import sys
 
@@ -37,7 +38,7 @@ def motions(doc):
 
 
 def check(doc, part, path, required):
-    """The workbench's own check of a path: rows by the names of the neighbours."""
+    """Returns the rows of a clearance check of the path, by the names of the neighbours."""
     from sweptvolume.features import clearance
 
     obj = clearance.make_clearance(
@@ -48,7 +49,7 @@ def check(doc, part, path, required):
 
 
 def slot_scene(doc):
-    """A plate in a case with a slot that it passes only when it is turned."""
+    """A plate in a case with a slot. The plate fits through the slot only if it is turned."""
     import Part
 
     case = doc.addObject("Part::Feature", "Case")
@@ -63,7 +64,8 @@ def slot_scene(doc):
 
 
 def slot(doc):
-    """Found by typing the start; neighbours, clearance of one's own, undo, a second search."""
+    """A path is found from a typed start. Also: neighbours, a required distance for one of them, undo,
+    and a second search."""
     _, part = slot_scene(doc)
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
@@ -97,7 +99,7 @@ def slot(doc):
     assert rows["Case"]["verdict"] == "clear" and rows["Case"]["guaranteed"] >= 0.489, rows
     assert (found.Placements[0].Base - V(80, -22, -3)).Length < 1e-9
     assert (found.Placements[-1].Base - part.Placement.Base).Length < 1e-9
-    # A clearance of its own for the case, and another seed: an alternative beside the first.
+    # A required distance for the case alone, and another seed: the path appears beside the first one.
     table.item(0, 1).setText("1 mm")
     find(QtWidgets.QSpinBox, "SweptVolumeSeed").setValue(2)
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))
@@ -109,7 +111,7 @@ def slot(doc):
     paths.selectRow(0)
     yield 0.2
     assert found.ViewObject.Visibility and not other.ViewObject.Visibility
-    # Refused: nothing in the document changes, nothing typed is lost.
+    # Refused: the document does not change, and no typed value is lost.
     count, undo = len(doc.Objects), doc.UndoCount
     table.item(0, 1).setText("80 mm")
     find(QtWidgets.QWidget, "SweptVolumeRelease").setProperty("rawValue", 0.0)
@@ -130,7 +132,8 @@ def slot(doc):
 
 
 def too_narrow(doc):
-    """A plate that fits nowhere: cancelled, then the time ends; how far it came is told and shown."""
+    """A plate that does not fit through: one search is stopped, another reaches its time limit. The
+    panel and the view show how far the plate came."""
     part = doc.getObject("Plate")
     part.Height = 18
     part.Placement.Base.z = -9
@@ -165,7 +168,8 @@ def too_narrow(doc):
 
 
 def just_out(doc):
-    """Without a start, in a moved group: the motion leads there all the same."""
+    """A part in a moved group, without a given start: the motion ends at its installed position all the
+    same."""
     from sweptvolume.features import motion
 
     group = doc.addObject("App::Part", "Bay")

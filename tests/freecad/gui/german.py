@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The window in German: menu, demo and panels speak it; a document that is closed under an open panel."""
+"""The window in German: menu, demo and panels. Also: a document is closed while a panel is open."""
 import os
 import sys
 
@@ -21,7 +21,7 @@ from driver import (  # noqa: E402
 
 
 def texts_of_panel():
-    """All that labels, buttons and titles of the open panel say."""
+    """Returns the texts of all labels, buttons and titles of the open panel."""
     found = []
     for kind, read in (
         (QtWidgets.QLabel, "text"),
@@ -113,7 +113,8 @@ def scenario():
     click(panel_button(QtWidgets.QDialogButtonBox.Close))
     yield no_panel
 
-    # A refusal of the core: in German, with the core's own sentence and numbers behind it.
+    # Input that the core refuses: a German message, followed by the core's own sentence with the
+    # numbers.
     hull.CellSize = 5000
     doc.recompute()
     select(hull)
@@ -130,7 +131,7 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
 
-    # The document goes while the path editor is open and its preview runs.
+    # The document is closed while the motion editor is open and its preview runs.
     select(starter, path)
     Gui.runCommand("SweptVolume_EditMotion")
     yield 0.1

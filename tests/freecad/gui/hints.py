@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is to be told is told once: in the panel, in a message box where there is no panel, or as a plain line
-of the report view, which stays closed. And dialogs for files open in the folder of the document."""
+"""Each message appears in one place only: in the panel; in a message box, if there is no panel; or as a
+line of the report view, which stays closed. File dialogs open in the folder of the document.
+"""
 import os
 import sys
 import tempfile
@@ -31,7 +32,8 @@ V = App.Vector
 
 
 class Told:
-    """What FreeCAD tells beside the panels: message boxes (answered at once) and the report view."""
+    """Records messages outside the panels: message boxes, which are closed at once, and lines of the
+    report view."""
 
     def __init__(self):
         self.boxes, self.files, self._lines = [], [], 0
@@ -59,8 +61,8 @@ class Told:
                 widget.reject()
 
     def new(self):
-        """(message boxes, plain lines, coloured lines, whether the report view is open) since the last
-        call; closes it."""
+        """Returns (message boxes, plain lines, coloured lines, whether the report view is open) since
+        the last call, and closes the report view."""
         document = self.report.document()
         plain, coloured = [], []
         for number in range(self._lines, document.blockCount()):
@@ -76,7 +78,8 @@ class Told:
 
 
 def check(told, text, boxes=0, lines=0, panel=""):
-    """A text stands once: in so many boxes and lines, or in the panel; nothing in colour, nothing opened."""
+    """Checks that a text appeared in just these message boxes and lines, or in the panel. Nothing may
+    be coloured, and the report view must stay closed."""
     found, plain, coloured, seen = told.new()
     say("{!r}: boxes {}, lines {}, coloured {}, open {}".format(text, found, plain, coloured, seen))
     assert [text in box for box in found] == [True] * boxes, (text, found)
@@ -95,7 +98,7 @@ def scenario():
     for name in ("checkShowReportViewOnError", "checkShowReportViewOnWarning"):
         App.ParamGet("User parameter:BaseApp/Preferences/OutputWindow").SetBool(name, True)
     told = Told()
-    # The check would find what it looks for.
+    # This check finds a message that is shown twice.
     App.Console.PrintError("planted\n")
     yield 0.5
     _, _, coloured, seen = told.new()
@@ -113,14 +116,14 @@ def scenario():
     yield 0.3
     told.new()
 
-    # A command that cannot do what was asked: one box.
+    # A command that cannot do what was requested: one message box.
     with answered(file_dialogs, "ask_export", lambda name: "/nowhere/to/be/found/x.step"):
         select(hull)
         Gui.runCommand("SweptVolume_Export")
         yield 0.5
     check(told, "/nowhere/to/be/found", boxes=1)
 
-    # A run that the core refuses: in its panel.
+    # A run that the core refuses: a message in its panel.
     select(hull)
     Gui.runCommand("SweptVolume_Solid")
     yield
@@ -140,7 +143,7 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
 
-    # What a run has to say of its result: a plain line.
+    # A finding of a run: a plain line.
     hull.CellSize = 0
     hull.Tolerance = 0.5
     hull.Resolution = 24
@@ -151,7 +154,7 @@ def scenario():
     yield 0.3
     check(told, hull.Label + ": ", lines=1)
 
-    # An input that is gone: the object says so, FreeCAD nothing.
+    # A deleted input: the object has the message, and FreeCAD prints none.
     doc.openTransaction("Delete")
     doc.removeObject(path.Name)
     doc.commitTransaction()
@@ -162,7 +165,8 @@ def scenario():
     doc.undo()
     doc.recompute()
 
-    # Dialogs for files: beside the document; before it is saved where the last file went, else at home.
+    # File dialogs open in the folder of the document; for an unsaved document in the folder of the last
+    # file, otherwise in the home folder.
     select(hull)
     Gui.runCommand("SweptVolume_Clearance")
     yield 0.5

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The demo's path is improved by real commands: shorter with fewer keys, then once more with a key
-locked; the better ones stand beside it and are checked."""
+"""Improve path, as a user works: the demo's path becomes shorter and has fewer keys; then once more with a
+locked key. The improved motions appear beside the old one and are checked.
+"""
 import os
 import sys
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A FreeCAD without the core: the workbench offers to install it, says what is fetched, can be stopped,
-never holds the window up, and computes then, also after a restart."""
+"""FreeCAD without the core: the workbench offers to install it and says what it downloads. The installation
+can be stopped and does not freeze the window. Afterwards the workbench computes, also after a restart.
+"""
 import glob
 import os
 import subprocess
@@ -49,7 +50,7 @@ def in_folder(folder):
 
 
 def start_again():
-    """The core that another FreeCAD with the same profile finds."""
+    """Returns the core that another FreeCAD with the same profile finds."""
     with tempfile.NamedTemporaryFile("w", suffix=".py") as script:
         script.write(AGAIN)
         script.flush()
@@ -78,7 +79,7 @@ def scenario():
     folder = core_install.target()
     assert folder.startswith(os.environ["FREECAD_USER_HOME"]), folder
 
-    # Opening the workbench offers the core, and says what would be fetched from where.
+    # When the workbench is opened, it offers the core and says what it would download, and from where.
     open_workbench()
     yield lambda: core_dialog.opened is not None
     yield lambda: index.address in text("Source")
@@ -89,14 +90,14 @@ def scenario():
     shot("80_core_offer")
     yield 0.6
 
-    # The index has no core: this is said, and nothing is left behind.
+    # The index has no core: a message says so, and no files are left behind.
     click(button("Install"))
     yield lambda: "There is no core of version" in text("Message") if no_run() else False
     assert in_folder(folder) == [], in_folder(folder)
     shot("81_core_not_there")
     yield 0.6
 
-    # A download that takes its time is stopped; the window lives meanwhile.
+    # A slow download is stopped; the window responds meanwhile.
     make_wheel(build, sweptvolume.__version__, served)
     index.held.clear()
     gaps = Gaps()
@@ -114,7 +115,7 @@ def scenario():
     assert in_folder(folder) == [] and not core.available()
     index.held.set()
 
-    # A panel that cannot compute offers it as well, and works as soon as the core is there.
+    # A panel without the core offers it as well, and works as soon as it is installed.
     click(button("Close"))
     yield lambda: core_dialog.opened is None
     doc = new_document("Install")
@@ -143,7 +144,7 @@ def scenario():
     hulls = [o for o in doc.Objects if envelope.is_envelope(o)]
     assert len(hulls) == 1 and hulls[0].Mesh.CountFacets > 100, hulls
 
-    # Once installed it is offered no more; another start of FreeCAD finds it.
+    # After the installation it is not offered again, and another start of FreeCAD finds it.
     Gui.runCommand("SweptVolume_InstallCore")
     yield 0.3
     assert "is installed" in text("State") and not button("Install").isEnabled()
@@ -151,7 +152,7 @@ def scenario():
     yield lambda: core_dialog.opened is None
     assert start_again().startswith(folder), start_again()
 
-    # A file of another version is refused by name; one that is no core at all too.
+    # A file of another version is refused, and so is a file that is no core; the message names it.
     other = make_wheel(build, "0.0.7", served)
     for path, said in ((other, "0.0.7"), (__file__, "cannot be read")):
         installation = core_install.Installation(path)

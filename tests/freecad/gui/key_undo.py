@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Undo in the path editor is of its keys, rows of a spreadsheet are pasted, FreeCAD's Transform is locked
-out, what was hidden stays hidden, and inches are inches."""
+"""The motion editor: Undo applies to its keys, rows of a spreadsheet can be pasted, FreeCAD's Transform is
+locked, hidden objects stay hidden, and lengths can be in inches.
+"""
 import os
 import sys
 
@@ -29,7 +30,7 @@ HELD = QtCore.Qt.ControlModifier
 
 
 def undo_key(name):
-    """Presses the keys of Undo or Redo as the window gets them, if one shortcut alone has them."""
+    """Presses the keys of Undo or Redo. Checks first that they belong to one shortcut only."""
     from sweptvolume.panels import motion_panel
 
     panel = motion_panel.opened[-1]
@@ -42,7 +43,7 @@ def undo_key(name):
 
 
 def entries(kind):
-    """(holder, entry) of all that stands in menus or toolbars."""
+    """A generator of (menu or toolbar, entry) for all entries."""
     for holder in Gui.getMainWindow().findChildren(kind):
         for action in holder.actions():
             yield holder, action
@@ -72,7 +73,7 @@ def scenario():
     doc.commitTransaction()
     path.ViewObject.Visibility = False
     undo = list(doc.UndoNames)
-    # Keys that a user chose in FreeCAD's preferences count as well.
+    # Shortcuts that a user has set in FreeCAD's preferences apply as well.
     own = QtGui.QKeySequence("Ctrl+Alt+R")
     for action in widgets.actions_of("Std_Redo"):
         action.setShortcuts(action.shortcuts() + [own])
@@ -94,7 +95,7 @@ def scenario():
     assert list(doc.UndoNames) == undo
     undo_key("redo")
     assert table.item(1, 1).text() == "40"
-    # The buttons of the toolbar and the entries of the menu are of the keys as well.
+    # The buttons of the toolbar and the entries of the menu apply to the keys as well.
     undo_button, redo_button = (toolbar_button("SweptVolume" + n) for n in ("Undo", "Redo"))
     assert undo_button.isEnabled() and redo_button.isEnabled()
     click(undo_button)
@@ -108,7 +109,8 @@ def scenario():
     )
     seen = [a.objectName() for a in edit.actions() if a.isVisible()]
     assert "SweptVolumeUndo" in seen and "Std_Undo" not in seen, seen
-    # Rows of a spreadsheet over the second key and on; nonsense changes nothing.
+    # Rows of a spreadsheet are pasted over the second key and those after it; invalid text changes
+    # nothing.
     clipboard = QtWidgets.QApplication.clipboard()
     table.setCurrentCell(1, 1)
     clipboard.setText("t\tx\ty\tz\n2\t50\t0\t1 cm\n3,5\t60\t5\t0\n")
@@ -127,7 +129,7 @@ def scenario():
     table.setRangeSelected(QtWidgets.QTableWidgetSelectionRange(1, 0, 1, 6), True)
     press(table, QtCore.Qt.Key_C, HELD)
     assert clipboard.text() == "2\t50\t0\t10\t0\t0\t0", clipboard.text()
-    # Transform is locked out; what was chosen stays.
+    # Transform is locked; the chosen key stays chosen.
     box_of_pivot = find(QtWidgets.QComboBox, "SweptVolumePivot")
     assert box_of_pivot.currentData() == "Origin"
     box_of_pivot.setCurrentIndex(box_of_pivot.findData("Middle"))

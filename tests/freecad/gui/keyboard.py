@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A motion and its envelope with the keyboard alone: keys that the X server itself sends."""
+"""A motion and its envelope, made with the keyboard only. The X server sends the keys."""
 import os
 import sys
 
@@ -25,7 +25,7 @@ def column(table, number):
 
 
 def edit(keyboard, table):
-    """Every action of the path editor, and back to the path of before."""
+    """Uses each action of the motion editor with the keyboard, then restores the motion."""
     press, letter = keyboard.press, keyboard.letter
     panel = motion_panel.opened[-1]
     yield from keyboard.type("3", "Return")
@@ -104,14 +104,14 @@ def scenario():
     Gui.SendMsgToActiveView("ViewFit")
     yield 0.5
 
-    # The part is selected, the first entry of our menu opens the path editor.
+    # The part is selected; the first entry of the menu opens the motion editor.
     yield from press("Control_L+a")
     assert Gui.Selection.getSelection() == [box], Gui.Selection.getSelection()
     yield from press("Alt_L+s", "Return")
     yield lambda: not no_panel()
     yield 0.5
 
-    # Two keys; Tab goes to the table, the second key is typed into it.
+    # Two keys. Tab goes to the table, and the second key is typed there.
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     for count in (1, 2):
         yield from press("Alt_L+c")
@@ -133,7 +133,7 @@ def scenario():
     path = [o for o in doc.Objects if motion.is_motion(o)][0]
     assert [round(p.Base.x) for p in path.Placements] == [-5, 25, 25], path.Placements
 
-    # The envelope by its entry in the menu, cancelled by Escape, then made.
+    # The envelope: chosen in the menu, cancelled with Escape, then computed.
     for end in ("Escape", "Return"):
         yield from press("Control_L+a")
         yield from press(*entry("Envelope"))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every panel with the keyboard alone: objects are chosen in the tree, commands in the menu, fields by Tab,
-files in their dialogs; keys that the X server itself sends."""
+"""Every panel with the keyboard only: objects are selected in the tree, commands in the menu, fields with
+Tab, files in their dialogs. The X server sends the keys.
+"""
 import os
 import sys
 import tempfile
@@ -46,10 +47,10 @@ def motions(doc):
 
 
 def from_file(keyboard, doc, folder):
-    """A file, its unit, OK."""
+    """Motion from file: the file, its unit, OK."""
     with open(os.path.join(folder, "path.csv"), "w") as out:
         out.write(CSV)
-    # The dialog runs a loop of its own: its keys are sent by a scenario beside this one.
+    # The dialog has its own event loop, so a second scenario sends its keys.
     beside(in_file_dialog(keyboard, os.path.join(folder, "path.csv")))
     yield from keyboard.press(*entry("MotionFromFile"))
     yield opened
@@ -69,7 +70,7 @@ def from_file(keyboard, doc, folder):
 
 
 def beside(steps):
-    """Goes through a generator while a dialog has a loop of its own."""
+    """Runs a generator while a dialog has its own event loop."""
     from PySide import QtCore
 
     def on(wait=None):
@@ -89,7 +90,7 @@ def beside(steps):
 
 
 def from_wire(keyboard, doc):
-    """A path object: poses, orientation."""
+    """Motion from object: a curve, number of poses, orientation."""
     yield from chosen_in_tree(keyboard, "Helix")
     yield from keyboard.press(*entry("MotionFromSource"))
     yield opened
@@ -109,7 +110,7 @@ def from_wire(keyboard, doc):
 
 
 def from_value(keyboard, doc):
-    """A driven value: two objects chosen in order, a range."""
+    """Motion from driven value: two objects selected in order, and a range."""
     yield from chosen_in_tree(keyboard, "Drive", "Block")
     assert [o.Label for o in Gui.Selection.getSelection()] == ["Drive", "Block"]
     yield from keyboard.press(*entry("MotionDriven"))
@@ -146,7 +147,8 @@ def from_selection(keyboard, doc):
 
 
 def envelope(keyboard, doc, motion):
-    """Made, stopped, made again; parts added from the tree while the panel is open."""
+    """Create envelope: computed, stopped, computed again. Parts are added from the tree while the panel
+    is open."""
     from sweptvolume import runner
 
     yield from chosen_in_tree(keyboard, "Block", motion.Label)
@@ -185,7 +187,7 @@ def envelope(keyboard, doc, motion):
 
 
 def clearance(keyboard, doc):
-    """Checked, a row looked at, sorted, coloured, written, closed."""
+    """Check clearance: run the check, select a row, sort, colour, write a file, close."""
     yield from chosen_in_tree(keyboard, "Envelope")
     yield from keyboard.press(*entry("Clearance"))
     yield opened
@@ -231,7 +233,7 @@ def clearance(keyboard, doc):
 
 
 def solid_and_file(keyboard, doc, folder):
-    """Made with a budget; written to a file that its dialog asks for."""
+    """Make solid with a limit of faces; export to a file that is chosen in its dialog."""
     yield from chosen_in_tree(keyboard, "Envelope")
     yield from keyboard.press(*entry("Solid"))
     yield opened

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts of very many faces are read beside the window: in the panel, in runs, and when a document that was
-just opened is recomputed. Judged by what reading them at once takes here."""
+"""Parts with very many faces are read in the background: by a panel, by runs, and when a document is
+recomputed after opening. The longest pause of the window is compared with the time that reading them at
+once takes on this machine.
+"""
 import math
 import os
 import sys
@@ -60,7 +62,7 @@ def scene(folder):
 
 
 def measured(text, steps, limit):
-    """Carries out steps, and judges how long the window's own thread worked between two events."""
+    """Runs steps and checks how long the window's own thread worked between two events."""
     gaps = Gaps()
     yield from steps
     said = gaps.stop()
@@ -69,7 +71,7 @@ def measured(text, steps, limit):
 
 
 def by_panel(show, button, over):
-    """A panel is opened, its run started and awaited."""
+    """Opens a panel, starts its run and waits until it ends."""
     panel = show()
     yield 1.0
     click(button())
@@ -77,7 +79,8 @@ def by_panel(show, button, over):
 
 
 def marked(*objects):
-    """Marks objects by the entry of the tree's context menu: how a user has a result looked at again."""
+    """Marks objects for recompute with the entry of the tree's context menu, as a user does to have a
+    result checked again."""
     select(*objects)
     yield 0.5
     actions = tree().findChildren(getattr(QtWidgets, "QAction", None) or QtGui.QAction)
@@ -89,7 +92,7 @@ def marked(*objects):
 
 
 def judged(doc, hull, wanted):
-    """A change that is not seen at once, seen a little later."""
+    """Checks that a change which cannot be noticed at once is noticed a little later."""
     from sweptvolume.features import envelope
 
     doc.recompute()
@@ -138,17 +141,17 @@ def scenario():
         doc = App.openDocument(os.path.join(folder, "large.FCStd"))
         yield 0.5
         hull, check = doc.Envelope, doc.Clearance
-        # Looked at again, and still the same.
+        # Checked again, and still unchanged.
         yield from marked(hull, check)
         yield from measured("same", judged(doc, check, clearance.UP_TO_DATE), limit)
         yield lambda: hull.Status == envelope.UP_TO_DATE
         assert not [o.Name for o in doc.Objects if "Touched" in o.State]
-        # Another geometry that is as large.
+        # Another geometry of the same size.
         doc.Star0.Shape = doc.Star0.Shape.mirror(V(), V(1, 0, 0))
         yield from measured("other", judged(doc, hull, envelope.STALE), limit)
         yield lambda: "read" not in hull.Message
         assert (hull.Status, check.Status) == (envelope.STALE, clearance.STALE)
-        # Closed while parts are read; and what cannot be read is said, once.
+        # The panel is closed while parts are read. A part that cannot be read gives one message.
         apart._known.clear()
         yield from marked(check)
         doc.recompute()

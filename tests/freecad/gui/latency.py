@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How quickly the window answers: updates of the live preview while a key is dragged, at 128 cells, with
-the CPU time of one by threads, and the longest gap between ticks of the window's loop, then, during a
-compute and at its end. The figures are printed, not judged: they are those of the machine. Left out,
-with a line, where the data are absent."""
+"""Measures how quickly the window responds: the updates of the live preview at 128 cells while a key is
+dragged (with the CPU time of each), and the longest pause of the window then, during a run and at its end.
+The figures are printed and not tested, because they depend on the machine. Skipped, with a message, if the
+data are missing.
+"""
 import os
 import sys
 import time
@@ -31,13 +32,13 @@ from driver import (  # noqa: E402
 HERE = os.path.dirname(os.path.realpath(__file__))
 DATA = os.path.join(HERE, "..", "..", "..", "..", "shared", "data")
 CASES = (("fandisk", "fandisk_13k"), ("bunny", "bunny_stanford_70k"))
-#: A drag takes SECONDS, and longer if there were not LEAST previews yet.
+#: A drag takes SECONDS, or longer until there are LEAST previews.
 CELLS, SECONDS, LEAST, LIMIT = 128, 4.0, 3, 100.0
 
 
 class Spent(QtCore.QObject):
-    """CPU seconds of the window's thread, of the software renderer's (if that draws) and of all others;
-    pictures that were drawn."""
+    """Measures the CPU seconds of the window's thread, of the software renderer's threads (if it draws)
+    and of all others, and the number of pictures drawn."""
 
     def __init__(self):
         super().__init__()
@@ -62,7 +63,7 @@ class Spent(QtCore.QObject):
         return found + [time.process_time() - sum(found)]
 
     def stop(self, updates):
-        """Text, for one of so many updates."""
+        """Returns these times as a text, divided by the number of updates."""
         self.view.removeEventFilter(self)
         spent = [1000 * (b - a) / max(updates, 1) for a, b in zip(self.before, self._now())]
         text = "{:.0f} ms of CPU a preview: window {:.0f}, drawing {:.0f}, core {:.0f}; {:.1f} pictures"
@@ -70,7 +71,8 @@ class Spent(QtCore.QObject):
 
 
 def dragging(panel, row):
-    """Moves a key as the mouse would, as often as the dragger's timer looks at it; a generator."""
+    """A generator that moves a key as the mouse would, as often as the dragger's timer reads its
+    position."""
     from sweptvolume.views import dragger
 
     began, n, home = time.perf_counter(), 0, App.Placement(panel.keys.placements[row])

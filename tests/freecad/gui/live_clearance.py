@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Live clearance in the path editor: a key is dragged with the mouse, the number follows, a clash is red, the
-key stops at contact; then how quickly answers come while the demo's starter motor is dragged."""
+"""The live clearance in the motion editor: the number follows a key that is dragged with the mouse, a clash
+is red, and the key stops at contact. Also measures how quickly the number follows while the demo's starter
+motor is dragged.
+"""
 import os
 import sys
 import time
@@ -26,8 +28,8 @@ from driver import (  # noqa: E402
 )
 
 V = App.Vector
-#: A drag of the demo takes so many seconds at least, and until so many answers have come; the dragger is
-#: looked at every POLL.
+#: Shortest time of a drag in the demo, and the smallest number of answers; the position of the dragger
+#: is read every POLL.
 SECONDS, ANSWERS, POLL = 4.0, 8, 0.03
 
 
@@ -36,7 +38,7 @@ def text():
 
 
 def box_before_a_wall():
-    """Distances that are known: a cube of 10 mm, a wall 20 mm above it."""
+    """Known distances: a cube of 10 mm, and a wall 20 mm above it."""
     from sweptvolume.features import motion
     from sweptvolume.panels import motion_panel
 
@@ -86,7 +88,7 @@ def box_before_a_wall():
     assert red[0] > 0.8 and red[1] < 0.2, red
     shot("81_live_clash")
     yield 0.7
-    # The same way again, and it stops.
+    # The same drag again, with *Stop at contact*.
     while panel.history.before:  # each pause of these mouse events counts as letting go
         panel.step_back(True)
     yield 0.3
@@ -109,7 +111,7 @@ def box_before_a_wall():
 
 
 def engine_bay():
-    """The demo: answers a second, and how long the window's thread is busy with them."""
+    """The demo: number of answers per second, and the time that the window's thread spends on them."""
     from sweptvolume import demo
     from sweptvolume.panels import motion_panel
 
@@ -127,7 +129,7 @@ def engine_bay():
     yield lambda: panel.live.live.answers
     say("prepared in {:.2f} s, gap {}".format(time.perf_counter() - began, gaps.stop()))
     gaps, began, answers, n = Gaps(), time.perf_counter(), panel.live.live.answers, 0
-    # Answers come while the drag goes on, not at its end alone; how many a second is said, not judged.
+    # Answers come during the drag, not only at its end. Their number per second is printed, not tested.
     while time.perf_counter() - began < SECONDS or panel.live.live.answers - answers < ANSWERS:
         n += 1
         place = App.Placement(home)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made this?: an envelope gets colours by what made it, a click on it names the face and takes the
-part there; the path editor's player follows as well; a recompute keeps the colours."""
+"""What made this?: an envelope is coloured by the faces that made it. A click on it names the face and
+shows the part at that moment, as the player of the motion editor does. The colours remain after a
+recompute.
+"""
 import os
 import sys
 
@@ -32,7 +34,7 @@ def scenario():
     from sweptvolume.panels import made_panel, motion_panel
 
     def colours(obj):
-        """Different colours of faces that are drawn of an envelope now."""
+        """Returns the number of different colours in which the envelope is drawn."""
         from pivy import coin
 
         search = coin.SoSearchAction()
@@ -71,7 +73,7 @@ def scenario():
     Gui.SendMsgToActiveView("ViewFit")
     yield
 
-    # Nothing is remembered of it: the panel offers to compute it again.
+    # There is no record: the panel offers to compute the envelope again.
     select(obj)
     Gui.runCommand("SweptVolume_MadeBy")
     yield
@@ -89,13 +91,14 @@ def scenario():
         shot("70_made_by_" + by.lower())
         yield 0.5
 
-    # The top of the swept box, in the middle of its way: the top face, which glides there.
+    # The top of the swept box, in the middle of the motion: made by the top face, which slides along
+    # itself there.
     yield from click_at(V(25, 10, 30))
     answer = panel.answer
     assert answer is not None, panel.text.text()
     assert [part["label"] for part, _ in answer.faces] == ["Bracket"] * len(answer.faces)
     assert "of Bracket, at" in panel.text.text(), panel.text.text()
-    # The low end is a face of the part where it stands first: Face1, x = 0.
+    # The lower end is a face of the part at the first pose: Face1, x = 0.
     bracket.ViewObject.Visibility = False  # it stands in the very same place
     Gui.activeDocument().activeView().viewLeft()
     Gui.SendMsgToActiveView("ViewFit")
@@ -110,7 +113,7 @@ def scenario():
     yield
     chosen = Gui.Selection.getSelectionEx("", 0)
     assert [s.SubElementNames for s in chosen] == [("Face1",)], chosen
-    # The far end: a vertical edge that sweeps, or the last pose.
+    # The far end: a moving vertical edge, or the part at the last pose.
     Gui.activeDocument().activeView().viewRight()
     Gui.SendMsgToActiveView("ViewFit")
     yield 0.3
@@ -129,7 +132,7 @@ def scenario():
     yield no_panel
     assert obj.ViewObject.ColourBy == "Face"
 
-    # Of an envelope that is stale what is told is of the parts as they were: nothing is selected or shown.
+    # For a stale envelope, the information is about its earlier parts: nothing is selected or shown.
     bracket.Height = 25
     obj.Motion = doc.copyObject(path)
     doc.recompute()
@@ -161,7 +164,7 @@ def scenario():
     assert obj.Status == envelope.UP_TO_DATE and made_by.find(obj) is not before
     yield lambda: colours(obj) >= own + 7
 
-    # In the path editor a click on the envelope takes the player there.
+    # In the motion editor, a click on the envelope moves the player to that moment.
     select(path)
     Gui.runCommand("SweptVolume_EditMotion")
     yield

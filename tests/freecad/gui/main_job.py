@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The main job by real commands: motion, envelope, cancel, stale, light display, solid, export, another
-tolerance, save and open."""
+"""The main workflow: motion, envelope, cancel, stale result, display with fewer triangles, solid, export,
+another tolerance, save and open.
+"""
 import os
 import sys
 import tempfile
@@ -27,7 +28,7 @@ from driver import (  # noqa: E402
 
 
 def drawn_faces(obj):
-    """Triangles in the 3D view of a mesh object."""
+    """Returns the number of triangles with which a mesh object is drawn."""
     from pivy import coin
 
     search = coin.SoSearchAction()
@@ -121,7 +122,7 @@ def scenario():
     assert made.Status == envelope.UP_TO_DATE and doc.UndoCount == undo + 1
     assert abs(made.Mesh.BoundBox.ZMax - 19) < made.UsedCellSize.Value
 
-    # A long run: the window lives, Stop stops it, nothing changes.
+    # A long run: the window responds, Stop ends the run, nothing changes.
     facets, undo = made.Mesh.CountFacets, doc.UndoCount
     select(made)
     Gui.runCommand("SweptVolume_EditEnvelope")
@@ -145,7 +146,7 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
 
-    # A mesh that is heavy for the view is drawn thinned, the mesh itself stays.
+    # A mesh with many triangles is drawn with fewer; the mesh itself stays complete.
     made.ViewObject.DrawnTriangles = 400
     yield lambda: drawn_faces(made) < 800 and not runner.running()
     made.ViewObject.DrawnTriangles = 0
@@ -205,7 +206,7 @@ def scenario():
 
     assert abs(Part.read(step).Volume - made.Mesh.Volume) < 1e-3 * made.Mesh.Volume
 
-    # A simplified envelope is cut again as soon as its tolerance changes, without a command.
+    # A simplified envelope is simplified again as soon as its tolerance changes, without a command.
     made.Tolerance = 0.5
     doc.recompute()
     assert made.Status == envelope.STALE and not runner.running(), "nothing to be cut is kept yet"
@@ -227,7 +228,7 @@ def scenario():
     yield lambda: made.Status == envelope.UP_TO_DATE and not runner.running()
     assert made.Mesh.CountFacets == facets, (made.Mesh.CountFacets, facets)
 
-    # Save, close, open: the results are there and nothing runs.
+    # Save, close, open: the results are there, and no run starts.
     path = os.path.join(folder, "job.FCStd")
     made.ViewObject.DrawnTriangles = 400
     doc.saveAs(path)
@@ -240,7 +241,7 @@ def scenario():
     shot("08_reopened")
     yield 0.5
 
-    # The document closes, an object goes while a run is under way.
+    # The document is closed, and an object is deleted, during a run.
     for end in ("delete", "close"):
         select(made)
         Gui.runCommand("SweptVolume_EditEnvelope")

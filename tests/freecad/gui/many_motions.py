@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A mechanism of fifty parts with motions of 1,000 poses: the panel opens, the check begins and ends, and a
-motion is changed. Judged by what FreeCAD takes here to tell all poses one by one: no piece of work of the
-window takes half as long."""
+"""A mechanism of fifty parts with motions of 1,000 poses: the panel opens, the check starts and ends, and a
+motion is changed. No pause of the window may be half as long as the time that FreeCAD takes on this machine
+to read all poses one by one.
+"""
 import math
 import os
 import sys
@@ -49,7 +50,7 @@ def scene():
 
 
 def one_by_one(motions):
-    """s that the poses take, told one by one."""
+    """Returns the seconds that FreeCAD needs to read all poses one by one."""
     began = time.thread_time()
     for path in motions:
         [(tuple(p.Base), p.Rotation.Q, p.toMatrix().A) for p in path.Placements]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A slider-crank by real commands: motions of all its parts from one run of the driver, the check, rules, a
-row with its line, the player, stop, undo."""
+"""Check mechanism on a slider-crank, as a user works: motions of all parts from one run of the driven
+value, the check, rules, a row with its line, the player, stop, undo.
+"""
 import os
 import sys
 import tempfile
@@ -35,7 +36,8 @@ def rows_of(table):
 
 
 def motions_of_all_parts(doc, sheet):
-    """Only the driver is selected: every part that moves gets a motion, in one undo step."""
+    """Only the object with the driven value is selected: every part that moves gets a motion, in one
+    undo step."""
     undo = doc.UndoCount
     select(sheet)
     Gui.runCommand("SweptVolume_MotionDriven")
@@ -108,7 +110,7 @@ def scenario():
     wall_row = rows["Slider - Wall"]
     assert abs(float(table.item(wall_row, 2).text()) - 5) < 0.01, table.item(wall_row, 2).text()
     shot("81_mechanism")
-    # A row: the parts at its time, the line between the two.
+    # A selected row: the parts at its time, and the line between the two.
     drawn = graph.getNumChildren()
     table.selectRow(wall_row)
     yield lambda: graph.getNumChildren() == drawn + 2  # the parts, and the line
@@ -116,7 +118,7 @@ def scenario():
     yield 0.5
     shot("82_mechanism_row")
     yield 1.0
-    # The player goes on from there: every part at its own place.
+    # The player continues from there, with every part at its own place.
     player = find(QtWidgets.QSlider, "SweptVolumeTime")
     player.setValue(300)
     yield 0.3
@@ -133,7 +135,8 @@ def scenario():
     click(panel_button(Close))
     yield no_panel
     assert graph.getNumChildren() == drawn, graph.getNumChildren()
-    # Opened again by its row in the tree: rules and parts are there; another distance, stopped at once.
+    # Opened again from the tree: rules and parts are there. Another distance; the check is stopped at
+    # once.
     select(obj)
     Gui.runCommand("SweptVolume_Mechanism")
     yield 0.3

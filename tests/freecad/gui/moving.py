@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The envelope panel beyond the main job: own motions, a moving reference, quality, preview, read-outs,
-and the states in the tree."""
+"""The panel of an envelope: motions of single parts, a moving reference, quality, preview, computed values,
+and the states in the tree.
+"""
 import os
 import sys
 
@@ -55,7 +56,7 @@ def scenario():
     Gui.SendMsgToActiveView("ViewFit")
     yield
 
-    # Two parts, each with its motion; a coarse envelope before anything is made.
+    # Two parts, each with its own motion; a coarse envelope before the first run.
     select(arm, jaw, swing)
     Gui.runCommand("SweptVolume_Envelope")
     yield 0.5
@@ -86,7 +87,7 @@ def scenario():
     click(panel_button(Cancel))
     yield no_panel
 
-    # Seen from the table, which turns with the arm.
+    # Relative to the table, which turns with the arm.
     select(made)
     Gui.runCommand("SweptVolume_EditEnvelope")
     yield 0.3
@@ -115,7 +116,8 @@ def scenario():
         doc.removeObject(copy.Name)
     assert len(icons) == 5 and all(os.path.isfile(path) for path in icons), icons
 
-    # A run of the same inputs that is stopped is cancelled; one that cannot be is failed; the mesh stays.
+    # A run with the same inputs that is stopped has the state Cancelled; one that fails has the state
+    # Failed. The mesh stays.
     facets = made.Mesh.CountFacets
     swing.Placements = [still, App.Placement(V(), App.Rotation(V(0, 0, 1), 80))]
     made.Resolution = 1400

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A FreeCAD that has no compiled core: the workbench loads, motions are edited, and what cannot be done
-says how to build."""
+"""FreeCAD without a compiled core: the workbench loads and motions can be edited. What needs the core shows
+a message that says how to build it.
+"""
 import os
 import sys
 
@@ -39,7 +40,7 @@ def scenario():
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
 
-    # A motion is made by the path editor; the preview says what is missing.
+    # A motion is made in the motion editor; the preview says what is missing.
     select(box)
     Gui.runCommand("SweptVolume_NewMotion")
     yield 0.3
@@ -54,7 +55,7 @@ def scenario():
     path = [o for o in doc.Objects if motion.is_motion(o)][0]
     assert path.Count == 2
 
-    # The envelope panel opens, explains, and makes nothing.
+    # The panel of an envelope opens, explains what is missing, and creates nothing.
     select(box, path)
     Gui.runCommand("SweptVolume_Envelope")
     yield 0.6

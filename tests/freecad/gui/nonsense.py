@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Nonsense is typed into every field of every panel and confirmed: no traceback, the panel tells what is
-wrong and stays, or takes what it shows. test_gui.py fails on any traceback that is printed."""
+"""Invalid text is typed into every field of every panel and confirmed. The panel either shows a message and
+stays open, or uses the value that it shows. test_gui.py fails if a traceback is printed.
+"""
 import os
 import sys
 import tempfile
@@ -28,12 +29,12 @@ from driver import (  # noqa: E402
 V = App.Vector
 NONSENSE = ["abc", "-5", "0.000001", "5 kg", "999999999"]
 CSV = "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n"
-#: s that a run may take before it is stopped: a field may well have taken what was typed.
+#: s before a run is stopped: a field may have accepted what was typed.
 PATIENCE = 0.3
 
 
 def fields(form):
-    """Names are not enough: every field that takes text."""
+    """Returns every field that takes text, also those without a name."""
     spins = form.findChildren(QtWidgets.QAbstractSpinBox)
     inner = [edit for spin in spins for edit in spin.findChildren(QtWidgets.QLineEdit)]
     lines = [edit for edit in form.findChildren(QtWidgets.QLineEdit) if edit not in inner]
@@ -41,7 +42,7 @@ def fields(form):
 
 
 def settled():
-    """Whether no run is under way; stops one that takes long."""
+    """Returns whether no run is in progress; stops one that takes long."""
     from sweptvolume import runner
 
     for one in runner.running():
@@ -52,7 +53,7 @@ def settled():
 
 
 def storm(name, reopen, confirm):
-    """Every kind of nonsense in every field of a panel."""
+    """Types every kind of invalid text into every field of a panel."""
     panel = reopen()
     yield 0.4
     count, told = len(fields(panel.form)), 0
@@ -87,7 +88,7 @@ def storm(name, reopen, confirm):
 
 
 def table_storm(panel):
-    """The key table takes text by itself."""
+    """The table of keys, whose cells take text."""
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     for column in range(table.columnCount()):
         for text in NONSENSE:
@@ -99,7 +100,7 @@ def table_storm(panel):
 
 
 def counted_as_rows(doc, box):
-    """A message names the poses by the numbers that stand before their rows in the key table."""
+    """Messages name poses by the numbers before their rows in the table of keys."""
     from sweptvolume import core
     from sweptvolume.features import envelope, motion
     from sweptvolume.panels import motion_panel

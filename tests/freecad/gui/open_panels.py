@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Panels that stay open while the document changes, is undone, or loses what they show: what they say of a
-result is true at each moment."""
+"""Panels that are open while the document changes, a change is undone, or their object is deleted: at each
+moment, they show the true state of a result.
+"""
 import os
 import sys
 
@@ -36,7 +37,7 @@ def is_stale(name):
 
 
 def follows(doc, says_stale):
-    """A step: the wall moves, goes back by Undo, and the panel says what is true each time."""
+    """A step: the wall moves, and Undo moves it back. The panel shows the true state each time."""
     assert not says_stale()
     doc.openTransaction("Move")
     doc.Wall.Placement = at(45, 2, 0)
@@ -54,7 +55,7 @@ def close():
 
 
 def checks(doc):
-    """Clearance and mechanism: state, name, and a check that Undo takes away."""
+    """Checks of clearance and mechanism: the state, the name, and a check that Undo removes."""
     from sweptvolume.features import clearance, mechanism
 
     part, wall = [(doc.Slide, "")], [(doc.Wall, "")]
@@ -84,7 +85,8 @@ def checks(doc):
 
 
 def lists(doc):
-    """Clearance and mechanism list the neighbours that there are now; a rule that is being typed stays."""
+    """Checks of clearance and mechanism list the present neighbours. A rule that is being typed is not
+    lost."""
     from sweptvolume.panels import clearance_panel, mechanism_panel
 
     part = [(doc.Slide, "")]
@@ -128,7 +130,7 @@ def lists(doc):
 
 
 def closed_while_reading(doc):
-    """Parts are read beside the window; a panel that is closed meanwhile is asked no more."""
+    """Parts are read in the background. A panel that is closed meanwhile gets no result."""
     import Mesh
     from sweptvolume import runner
     from sweptvolume.panels import clearance_panel
@@ -148,7 +150,8 @@ def closed_while_reading(doc):
 
 
 def spaces(doc):
-    """Reserved spaces: also other objects or another required distance than those that were checked."""
+    """Check reserved spaces: the result is stale also if the objects or the required distance in the
+    panel differ from those that were checked."""
     select(doc.Slide, doc.Wall)
     Gui.runCommand("SweptVolume_Overlap")
     yield 0.3
@@ -184,7 +187,8 @@ def spaces(doc):
 
 
 def record(doc):
-    """What made this?: the record is that of the parts as they were, and no part is drawn elsewhere."""
+    """What made this?: the record describes the parts at the time of the run. If a part has moved
+    since, no part is drawn at a wrong place."""
     from sweptvolume.features import envelope, made_by
     from sweptvolume.panels import made_panel
 
@@ -223,7 +227,7 @@ def record(doc):
 
 
 def numbers(doc):
-    """The read-outs of an envelope in its panel."""
+    """The results that the panel of an envelope shows."""
     from sweptvolume.features import envelope
 
     obj = envelope.make_envelope(doc, [doc.Wall], doc.Motion, Resolution=24)
@@ -237,7 +241,8 @@ def numbers(doc):
 
 
 def installation(doc):
-    """A sequence is not played once its parts stand elsewhere; typed values stay."""
+    """A sequence cannot be played after one of its parts was moved. Values that are being typed are not
+    lost."""
     from shaft import plan_of, shaft, stack
     from sweptvolume.features import sequence
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The path editor by real clicks: capture, edit with units, insert, undo, cancel, play."""
+"""The motion editor with real mouse clicks: capture, edit with units, insert, undo, cancel, play."""
 import os
 import sys
 import time
@@ -47,7 +47,7 @@ def scenario():
     yield 0.5
     doc.removeObject(scene.motion.Name)
 
-    # A new motion: capture here, move the part, capture again, insert one between.
+    # A new motion: capture a key, move the part, capture again, insert a key between.
     select(starter)
     Gui.runCommand("SweptVolume_NewMotion")
     yield
@@ -100,7 +100,7 @@ def scenario():
     assert motion.SourceType == "Stored"
     assert doc.UndoNames[0] == "Edit motion", doc.UndoNames
 
-    # Edit and cancel: nothing changes, the ghosts are gone.
+    # Edit and cancel: nothing changes, and the ghosts disappear.
     before, graph = list(motion.Times), Gui.getDocument(doc.Name).activeView().getSceneGraph()
     children = graph.getNumChildren()
     select(starter, motion)
@@ -121,7 +121,7 @@ def scenario():
     assert graph.getNumChildren() == children and list(motion.Times) == before
     assert abs(starter.Placement.Base.x - place.Base.x) < 1e-9, "the part was not put back"
 
-    # The key is dragged by the arrow that points up, in steps of 10 mm, with real mouse events.
+    # The key is dragged by the arrow that points upwards, in steps of 10 mm, with real mouse events.
     select(starter, motion)
     Gui.runCommand("SweptVolume_EditMotion")
     yield
@@ -147,7 +147,7 @@ def scenario():
     shot("15_dragged")
     yield 0.5
 
-    # Smooth, with a tangent of its own; keys of the keyboard; steps of the player.
+    # Spline, with a given tangent; shortcuts; steps of the player.
     choose("SweptVolumeInterpolation", "Spline")
     yield
     table.setCurrentCell(1, 1)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pivot in the path editor: a key that is turned in place does not make the part swing; the middle of
-the part, the origin of the poses or a selected point."""
+"""The pivot in the motion editor: with the pivot in the middle of the part, a key that only turns does not
+make the part swing out. The middle of the part, the origin of the poses and a selected point are tested.
+"""
 import os
 import sys
 
@@ -40,7 +41,7 @@ def scenario():
     from sweptvolume.trajectory.poses import at_time
 
     def swing(panel):
-        """How far the middle of the part leaves its place half-way between two keys (mm)."""
+        """Returns how far the middle of the part moves away half-way between two keys (mm)."""
         back = panel.base().inverse()
         poses = panel.world_poses()
         there = at_time(poses, panel.interpolation.currentData(), 0.5 * poses.times[-1])
@@ -72,7 +73,8 @@ def scenario():
     shot("60_pivot_middle")
     yield 0.5
 
-    # Round the origin of the poses the same keys swing, and the table shows the placements.
+    # With the pivot at the origin of the poses, the same keys make the part swing out, and the table
+    # shows the placements.
     choose("SweptVolumePivot", "Origin")
     yield panel.preview.settled
     assert swing(panel) > 14, swing(panel)
@@ -103,7 +105,8 @@ def scenario():
     assert (path.Pivot - MIDDLE).Length < 1e-6 and path.Label == "Motion of Cube", path.Label
     assert path.Parts == [(part, ("",))], path.Parts
 
-    # It opens as it was, without a selection, and a displacement means the same pivot.
+    # The editor opens again with the same pivot, without a selection. With relative poses the pivot is
+    # the same.
     select(path)
     Gui.runCommand("SweptVolume_EditMotion")
     yield
@@ -119,7 +122,7 @@ def scenario():
     click(panel_button(Ok))
     yield no_panel
 
-    # Another part, from the tree, while the editor is open: its keys stay.
+    # Another part is selected in the tree while the editor is open: the keys stay.
     other = doc.addObject("Part::Box", "Other")
     doc.recompute()
     select(path)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reports by real commands: a mechanism as a page and as PDF, with a company's template for each; a study as
-PDF; the window goes on while pictures are taken; stopped before the file is written."""
+"""Export report, as a user works: a mechanism as a page and as PDF, with a custom template for each; a
+study as PDF. The window responds while pictures are taken, and an export can be stopped before the file is
+written.
+"""
 import os
 import re
 import shutil
@@ -37,7 +39,7 @@ TEMPLATE = (
 
 
 def text_of(path):
-    """The text of a PDF; "" where there is no pdftotext."""
+    """Returns the text of a PDF, or "" if pdftotext is not installed."""
     if shutil.which("pdftotext") is None:
         return ""
     done = subprocess.run(["pdftotext", "-layout", path, "-"], capture_output=True)
@@ -52,7 +54,8 @@ def pictures_in(path):
 
 
 def picture():
-    """s of CPU of the window's thread for one picture of FreeCAD's own: no call takes it in pieces."""
+    """Returns the CPU seconds of the window's thread for one picture of FreeCAD's own, which cannot be
+    divided into steps."""
     from sweptvolume.panels.page_pictures import SIZE
 
     view, took = Gui.activeDocument().activeView(), []
@@ -64,7 +67,7 @@ def picture():
 
 
 def exported(obj, name):
-    """Writes a report by the command; gives its path at the end."""
+    """A generator that writes a report with the command, and returns its path."""
     from sweptvolume.panels import file_dialogs
 
     path = os.path.join(FOLDER, name)
@@ -78,8 +81,9 @@ def exported(obj, name):
     assert os.path.exists(path), os.listdir(FOLDER)
     if os.environ.get("SWEPT_SHOTS"):
         shutil.copy(path, os.environ["SWEPT_SHOTS"])
-    # 50 ms are allowed, or two pictures of FreeCAD's own where they take longer here: the one that is taken,
-    # and the one that the window draws next. The rest of a gap the thread waits for a core.
+    # 50 ms are allowed, or the time of two pictures of FreeCAD's own if this is longer: the one that is
+    # taken, and the one that the window draws next. During the rest of a pause the thread waits for a
+    # processor core.
     assert gaps.busy < max(0.05, 2.5 * alone), (gaps.busy, alone)
     return path
 
@@ -132,7 +136,7 @@ def make_study(doc):
 
 
 def stopped(obj):
-    """A run that is cancelled while pictures are taken leaves nothing."""
+    """A run that is cancelled while pictures are taken leaves no file."""
     from sweptvolume import runner
     from sweptvolume.panels import page_task
 
@@ -177,7 +181,7 @@ def scenario():
     for word in ("Run 1", "not clear") if told else ():
         assert word in told, (word, told)
     assert pictures_in(whole) >= 2, "a graph for each run"
-    # Templates of a company, one for each kind of file.
+    # Custom templates, one for each kind of file.
     template = os.path.join(FOLDER, "acme.html")
     with open(template, "w") as file:
         file.write(TEMPLATE)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reserved spaces by real commands: two envelopes and a part, the table, the shared volume seen and kept,
-stale and computed again, undo; large ones with the window going on, stopped."""
+"""Check reserved spaces, as a user works: two envelopes and a part, the table, the shared volume shown and
+kept, a stale result computed again, undo. With large parts the window responds, and the check can be
+stopped.
+"""
 import os
 import sys
 
@@ -29,7 +31,7 @@ from spaces import add_box, at, hidden_motion, swept_space  # noqa: E402
 
 
 def envelopes(doc):
-    """Two that cross: one of 10 x 10 mm along x, and one along y that lies 4 mm higher."""
+    """Two envelopes that cross: one of 10 x 10 mm along x, and one along y that lies 4 mm higher."""
     found = []
     for name, start, end in (
         ("First", (0, 0, 0), (60, 0, 0)),
@@ -117,7 +119,7 @@ def scenario():
 
 
 def large(doc):
-    """Rings of 500,000 triangles: the window goes on, and a run is stopped at once."""
+    """Rings of 500,000 triangles: the window responds, and Stop takes effect at once."""
     import Mesh
 
     rings = []

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A sequence by real commands: parts selected in the wrong order, which is told and changes nothing; an order
-is found, played as one, edited, stale and checked again; opened again; a search is stopped."""
+"""Sequence, as a user works: parts in the wrong order give a message and change nothing. An order is found,
+played and edited; the sequence becomes stale, is checked again and opened again. A search is stopped.
+"""
 import os
 import sys
 
@@ -28,7 +29,7 @@ V = App.Vector
 
 
 def scene(doc):
-    """A box with a part and a lid: the part has to come first."""
+    """A box, a part that goes into it, and a lid: the part must be installed first."""
     import Part
 
     outer, inner = Part.makeBox(60, 40, 30, V(-30, -20, 0)), Part.makeBox(
@@ -110,7 +111,7 @@ def scenario():
     path.Placements = [p.multiply(App.Placement(V(9, 0, 0), App.Rotation())) for p in
                        path.Placements[:1]] + path.Placements[1:]  # fmt: skip
     doc.commitTransaction()
-    # What a script may set, and no field shows.
+    # A setting that scripts can set, but no field shows.
     made[0].AllVisible, made[0].Neighbours, made[0].Accuracy = True, [], 0.02
     made[0].RuleParts, made[0].RuleKinds = [(block, ""), (lid, "")], ["Required"]
     made[0].RuleLengths = [0.5]
@@ -121,7 +122,7 @@ def scenario():
     yield 0.6
     assert names() == ["Block", "Lid"]
     panel = sequence_panel.opened[-1]
-    # What was found before the edit is neither told as true nor played.
+    # The result from before the edit is neither shown as valid nor played.
     assert "stale" in panel.message.text() and states() == ["", ""], panel.message.text()
     assert panel.player.isHidden()
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What counts as visible is what FreeCAD draws: elements of link arrays and of groups of links, members of
-plain groups and of parts, each shown and hidden."""
+"""Parts count as visible if FreeCAD draws them: elements of link arrays and of groups of links, members of
+plain groups and of part containers, each shown and hidden.
+"""
 import os
 import sys
 
@@ -18,7 +19,7 @@ def box(doc, name, x, y):
 
 
 def scene(doc):
-    """Returns where the parts stand: path -> corner."""
+    """Returns the position of each part: {path: corner}."""
     pin = doc.addObject("Part::Box", "Pin")
     row = doc.addObject("App::Link", "Row")
     row.LinkedObject, row.ShowElement, row.ElementCount = pin, False, 3
@@ -47,7 +48,8 @@ def scene(doc):
 
 
 def hide(doc):
-    """As a user does in the tree: plain groups hide their members, which are then shown one by one."""
+    """Shows and hides as a user does in the tree: plain groups hide their members, which are then shown
+    one by one."""
     doc.Pin.Visibility = False
     doc.Row.setElementVisible("1", False)
     doc.Several.setElementVisible("Peg", False)
@@ -60,7 +62,7 @@ def hide(doc):
 
 
 def drawn(places):
-    """The paths at whose corner something is drawn, seen from above."""
+    """A generator that returns the paths of the parts at whose corner something is drawn, seen from above."""
     view, half = view_from("Top"), SIZE / 2
     yield 1.0
     found = set()

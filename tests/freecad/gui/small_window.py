@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every panel in a window of 1024 x 700 with the docks of a fresh profile: nothing is cut off at the side.
-And what panels say of unusual input, the player's real time, and what is left when an editor was closed."""
+"""Every panel in a window of 1024 x 700 pixels with the docks of a fresh profile: nothing is cut off at the
+sides. Also: messages about unusual input, the speed of the player in real time, and what remains after an
+editor is closed.
+"""
 import os
 import sys
 import tempfile
@@ -24,7 +26,7 @@ V = App.Vector
 
 
 def area_of(form):
-    """The scroll area that shows a panel."""
+    """Returns the scroll area of a panel."""
     widget = form
     while widget is not None and not isinstance(widget, QtWidgets.QScrollArea):
         widget = widget.parentWidget()
@@ -33,7 +35,7 @@ def area_of(form):
 
 
 def cut_off(form):
-    """Names of what cannot be seen in full however far the panel is scrolled."""
+    """Returns the names of the widgets that are cut off, wherever the panel is scrolled to."""
     area, found = area_of(form), []
     if area.horizontalScrollBar().isVisible():
         found.append("the panel is wider than its dock")

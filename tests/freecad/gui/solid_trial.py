@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of solids: upper bounds at once, then the figures of a trial, which are those of the solid and of
-its file; a change or Cancel ends a trial, OK does not wait for one."""
+"""The panel of a solid: upper bounds at once, then the figures of a trial, which are exactly those of the
+solid and its file. A change of a setting or Cancel ends the trial; OK does not wait for it.
+"""
 import os
 import re
 import sys
@@ -34,7 +35,8 @@ FIGURES = re.compile(
 
 
 def figures(text):
-    """(faces, megabytes, whether they are bounds) that the panel shows; None: none yet."""
+    """Returns (faces, megabytes, whether they are upper bounds) that the panel shows; None if there are
+    none yet."""
     found = FIGURES.match(text)
     if found is None:
         return None
@@ -42,7 +44,7 @@ def figures(text):
 
 
 def scenario():
-    from sweptvolume import runner
+    from sweptvolume import core, runner
     from sweptvolume.features import envelope, motion
     from sweptvolume.panels import file_dialogs
 
@@ -69,7 +71,7 @@ def scenario():
     yield tried
     exact = figures(label.text())
 
-    # Bounds first, then the trial's; the window goes on meanwhile.
+    # Bounds first, then the figures of the trial; the window responds meanwhile.
     gaps = Gaps()
     tolerance.setProperty("rawValue", 0.1)
     yield bound
@@ -84,7 +86,7 @@ def scenario():
     assert fine[0] <= bounds[0] and fine[0] < exact[0], (fine, bounds, exact)
     assert "Estimating" not in label.text(), label.text()
 
-    # A change while a trial is under way: the last wish alone is shown.
+    # A change during a trial: only the result for the last settings is shown.
     tolerance.setProperty("rawValue", 0.02)
     yield bound
     tolerance.setProperty("rawValue", 0.4)
@@ -100,7 +102,7 @@ def scenario():
     exact_ones = {t for t in shown if figures(t) and not figures(t)[2] and figures(t) != fine}
     assert exact_ones == {label.text()}, exact_ones
 
-    # Cancel in the middle of a trial leaves nothing that runs.
+    # Cancel during a trial leaves no run.
     tolerance.setProperty("rawValue", 0.03)
     yield bound
     assert runner.running()
@@ -109,7 +111,7 @@ def scenario():
     yield lambda: not runner.running()
     assert doc.getObject("EnvelopeSolid") is None
 
-    # OK in the middle of one does not wait for it; the solid has the faces that its own trial tells.
+    # OK during a trial does not wait for it; the solid has as many faces as the trial shows.
     select(hull)
     Gui.runCommand("SweptVolume_Solid")
     yield
@@ -122,7 +124,7 @@ def scenario():
     assert body.Faces == fine[0], (body.Faces, fine)
     assert body.Shape.isValid()
 
-    # The limit asks for a tolerance: the panel says which.
+    # The limit requires a tolerance: the panel says which.
     select(hull)
     Gui.runCommand("SweptVolume_Solid")
     yield
@@ -131,11 +133,24 @@ def scenario():
     find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").setValue(1500)
     yield lambda: tried() and figures(label.text())[0] <= 1500
     assert "is needed to meet the limits" in label.text(), label.text()
-    # What cannot be made is refused by the trial in the words of the run.
+    # The trial refuses what the run would refuse, with the same message.
     find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").setValue(4)
     yield lambda: "the limit is 4 faces" in label.text()
     click(panel_button(Cancel))
     yield no_panel
+
+    # A core without OpenCASCADE makes no trial: the bounds stay, and the panel announces no other
+    # figures.
+    with answered(core, "has_solids", lambda: False):
+        select(hull)
+        Gui.runCommand("SweptVolume_Solid")
+        yield
+        label = find(QtWidgets.QLabel, "SweptVolumeSolidEstimate")
+        yield bound
+        yield lambda: not runner.running()
+        assert "Estimating" not in label.text(), label.text()
+        click(panel_button(Cancel))
+        yield no_panel
 
     # A file: its megabytes.
     target = os.path.join(tempfile.mkdtemp(), "ring.step")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A motion with a source: a changed key asks whether to cut the link, the settings are edited later, and the
-menus of the tree name nothing twice."""
+"""A motion with a source: when a key is changed, a question asks whether to remove the link to the source.
+The settings can be edited later. No entry of the menus in the tree occurs twice.
+"""
 import os
 import sys
 
@@ -29,7 +30,7 @@ V = App.Vector
 
 
 def answering(button, picture=""):
-    """Answers the next question by a button, from the loop; gives what was asked."""
+    """Presses a button of the next question from the event loop. Returns the text of the question."""
     asked = []
 
     def answer():
@@ -47,7 +48,7 @@ def answering(button, picture=""):
 
 
 def menu_of(name):
-    """Texts of the context menu of an object in the tree."""
+    """Returns the texts of the context menu of an object in the tree."""
     view = tree()
     item = next(
         i for i in view.findItems(name, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0)
@@ -105,7 +106,7 @@ def scenario():
     yield no_panel
     assert path.SourceType == "Curve" and path.Placements[1].Base.x == 60
 
-    # "Yes" cuts it, once and for all keys; undo brings it back.
+    # "Yes" removes the link, once for all keys; Undo restores it.
     Gui.runCommand("SweptVolume_EditMotion")
     yield
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
@@ -121,7 +122,7 @@ def scenario():
     doc.recompute()
     assert path.SourceType == "Curve" and path.Placements[1].Base.x == 60
 
-    # The settings: shown as they are, changed, read again, in one step.
+    # The settings are shown and changed, and the source is read again, in one undo step.
     select(path)
     Gui.runCommand("SweptVolume_EditSource")
     yield

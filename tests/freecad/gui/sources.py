@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every kind of source through its command and panel, on objects that FreeCAD's own tools make."""
+"""Every kind of source with its command and panel, on objects that FreeCAD's own tools make."""
 import os
 import sys
 import time
@@ -30,15 +30,15 @@ V = App.Vector
 
 
 def made(doc):
-    """The motion that was made last."""
+    """Returns the motion that was made last."""
     from sweptvolume.features.motion import is_motion
 
     return [o for o in doc.Objects if is_motion(o)][-1]
 
 
 def stops_early(doc):
-    """Frames that are missing are said in the panel before a motion is made; a second OK takes what is there:
-    with a part chosen, and with all parts that move."""
+    """If frames of a simulation are missing, the panel says so before a motion is made. A second OK
+    uses the frames that exist. Tested with one chosen part, and with all parts that move."""
     simulation, part = stuck(doc)
     for chosen in ((simulation, part), (simulation,)):
         before, undo = len(doc.Objects), doc.UndoCount
@@ -174,7 +174,7 @@ def scenario():
         turned = made(doc).Placements[-1].Base
         assert (turned - V(0, 20, 0)).Length < 1e-9, turned
 
-    # A simulation of FreeCAD's own Assembly, where it has them.
+    # A simulation of FreeCAD's Assembly, if this version has them.
     try:
         simulation, arm, drive = hinge(doc)
     except Absent as reason:
@@ -210,7 +210,7 @@ def scenario():
     yield
     assert made(doc).SourceType == "Placements" and made(doc).Count == 2
 
-    # Wrong selection: the commands are grey, and their tool tips say what to select or make.
+    # Wrong selection: the commands are disabled, and their tooltips say what to select or create.
     from sweptvolume.panels import widgets
 
     before = len(doc.Objects)

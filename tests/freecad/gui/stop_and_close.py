@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stop in the middle of every stage of a heavy run answers at once; FreeCAD closed in the middle of one is
-gone within two seconds, or a watch outside ends it with an error."""
+"""Stop takes effect at once in every stage of a long run. If FreeCAD is closed during a run, it ends within
+two seconds; otherwise an outside process ends it with an error.
+"""
 import os
 import subprocess
 import sys
@@ -24,9 +25,10 @@ from driver import (  # noqa: E402
 )
 
 V = App.Vector
-#: s from closing the window to the end of the process, beside what its threads waited for a core.
+#: s from closing the window to the end of the process, without the time that its threads waited for a
+#: processor core.
 END = 2.0
-#: Ends a process that takes longer: a process of its own, with its number and the seconds.
+#: A process of its own that ends a slow process; gets its number and the seconds.
 WATCH = """
 import glob, os, sys, time
 pid, end, began, known = int(sys.argv[1]), float(sys.argv[2]), time.monotonic(), {}
@@ -45,7 +47,7 @@ os.kill(pid, 9)
 """
 #: Along a side of a plate.
 HOLES = 16
-#: Where the bar stands, as a fraction of its length, when the run is stopped.
+#: Progress, as a fraction of the bar, at which the run is stopped.
 PARTS = (0.05, 0.2, 0.4, 0.6, 0.7, 0.8, 0.86)
 
 
@@ -69,7 +71,7 @@ def scene():
 
 
 def heavy(doc, body, path):
-    """The panel with 0.12 mm cells and simplification, under way."""
+    """Opens the panel, sets cells of 0.12 mm and a simplification, and starts the run."""
     from sweptvolume import runner
     from sweptvolume.panels import envelope_panel
 
@@ -84,7 +86,7 @@ def heavy(doc, body, path):
 
 
 def stopped_while_meshing(doc, path):
-    """A plate with holes enough that its triangles take seconds."""
+    """A step: a run is stopped while a plate is meshed that has so many holes that this takes seconds."""
     import Part
 
     from sweptvolume.panels import envelope_panel
@@ -111,13 +113,13 @@ def stopped_while_meshing(doc, path):
 
 
 def reached(panel, part):
-    """Whether the bar has come so far, or the run to its end."""
+    """Returns whether the progress bar has come this far, or the run has ended."""
     bar = panel.box.bar
     return lambda: panel.run is None or bar.value() >= part * bar.maximum()
 
 
 def stopped_at(panel, part):
-    """Stops the run of a panel when its bar stands there; returns the stage."""
+    """Stops the run of a panel when the progress bar has come this far. Returns the stage."""
     from sweptvolume import runner
 
     yield reached(panel, part)
@@ -130,7 +132,7 @@ def stopped_at(panel, part):
 
 
 def discard():
-    """Answers FreeCAD's question about what is not saved; from then on the end is awaited."""
+    """Answers FreeCAD's question about unsaved changes. From then on, FreeCAD must end in time."""
     asked = QtWidgets.QApplication.activeModalWidget()
     if asked is None:
         return QtCore.QTimer.singleShot(50, discard)
@@ -154,7 +156,7 @@ def scenario():
     shot("61_stopped")
     yield 0.3
     assert len(stages) > 1, stages
-    # The bar moves in a stage that tells nothing.
+    # The bar also moves in a stage that reports no progress.
     click(panel_button(Ok))
     for _ in range(8):
         yield 0.3

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A study by real commands: the document's checks and an envelope as runs, rows while they end, the worst one
-opened at its worst place, stop and go on, a study file, a run of it as objects, undo."""
+"""Study, as a user works: checks and an envelope of the document as runs, rows that appear as runs end, the
+worst run opened where the parts are closest, stop and continue, a study file, one of its runs as objects,
+undo.
+"""
 import os
 import sys
 import tempfile
@@ -64,7 +66,7 @@ def box(doc, label, x=0.0, y=0.0, size=10.0):
 
 
 def make(doc):
-    """A slide between walls: three checks, one of them with a clash, and an envelope."""
+    """A slide between walls, with three checks, one of them with a clash, and an envelope."""
     from sweptvolume.features import clearance, envelope, motion
 
     part = box(doc, "Slide")
@@ -146,7 +148,7 @@ def of_the_document(doc):
     states = rows(table)
     assert states["Too far"] == "Not clear" and states["Space"] == "Done", states
     shot("91_study")
-    # The worst one: its check is computed, and shows its worst place.
+    # The worst run: its check is computed, and shows the closest place.
     click(find(QtWidgets.QPushButton, "SweptVolumeOpenRun"))
     yield lambda: Gui.Control.activeDialog() and checks[1].Status == study.UP_TO_DATE
     yield 0.7
@@ -190,7 +192,7 @@ def of_a_file(doc):
     again = [os.stat(os.path.join(FOLDER, "results", n)).st_mtime_ns for n in ("near", "into")]
     assert again == marks, "what was there is kept"
     shot("94_study_done")
-    # A run as objects of the document; the check finds what the run found.
+    # A run becomes objects of the document; their check has the result of the run.
     undo = doc.UndoCount
     click(find(QtWidgets.QPushButton, "SweptVolumeOpenRun"))
     yield lambda: any(o.Label == "into" and hasattr(o, "RequiredDistance") for o in doc.Objects)
@@ -220,14 +222,14 @@ def scenario():
     doc = new_document("Studies")
     yield from of_the_document(doc)
     yield from of_a_file(doc)
-    # A study that is opened again by its row in the tree shows its rows.
+    # A study that is opened again from the tree shows its rows.
     select(doc.getObject("Study"))
     Gui.runCommand("SweptVolume_Study")
     yield 0.3
     assert len(rows(find(QtWidgets.QTableView, "SweptVolumeStudyTable"))) == 4
     click(panel_button(Close))
     yield no_panel
-    # A file that has changed since makes the result stale, which FreeCAD itself does not notice.
+    # A changed file makes the result stale; FreeCAD itself does not notice this.
     obj = doc.getObject("Study001")
     assert obj.Status == study.UP_TO_DATE
     with open(obj.File, "a") as file:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tree: envelopes below their motion, solids and checks below their envelope; a double click and
-FreeCAD's Edit open the panel of each; a clash is seen in the icon."""
+"""The tree: envelopes below their motion, solids and checks below their envelope. A double click and
+FreeCAD's Edit open the panel of each. The icon of a check shows a clash.
+"""
 import contextlib
 import os
 import sys
@@ -23,7 +24,7 @@ V = App.Vector
 
 
 def items(document):
-    """Label -> label of the item above it, of the whole tree, as it is shown."""
+    """Returns {label: label of the item above it} for the whole tree."""
     view, found = tree(), {}
     walk = [view.topLevelItem(i) for i in range(view.topLevelItemCount())]
     for item in walk:  # it grows, and keeps all: PySide 6 forgets what is below an entry with it
@@ -34,7 +35,7 @@ def items(document):
 
 
 def drawn(label):
-    """What the tree draws before a name."""
+    """Returns the icon of an item of the tree."""
     (item,) = tree().findItems(label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0)
     return item.icon(0).pixmap(16, 16).toImage()
 
@@ -68,7 +69,7 @@ def scenario():
     assert above["Envelope"] == ["Motion"], above
     assert above[body.Label] == ["Envelope"] and above[check.Label] == ["Envelope"], above
     assert not [o for o in doc.Objects if "Touched" in o.State], "the tree touched something"
-    # Icons: nothing wrong, below required, clash; a stale one says that first.
+    # Icons: clear, below required, clash; a stale result shows only that it is stale.
     assert check.Smallest.Value == 3 and check.ViewObject.Proxy.getIcon() == icon(
         "SweptVolume_Clearance_near"
     )
@@ -82,7 +83,7 @@ def scenario():
     clearance.compute(check)
     assert check.ViewObject.Proxy.getIcon() == icon("SweptVolume_Clearance")
     assert all(os.path.isfile(icon("SweptVolume_Clearance_" + k)) for k in ("near", "clash"))
-    # Each opens its panel, by a double click and by Edit; FreeCAD is not left in edit.
+    # A double click and Edit open the panel of each object; FreeCAD does not stay in edit mode.
     shown = Gui.getDocument(doc.Name)
     for obj in (path, hull, body, check):
         for begin in (
@@ -100,7 +101,7 @@ def scenario():
                     break
             yield no_panel
             yield 0.2
-    # What failed is drawn otherwise than what is current, and than what is stale.
+    # A failed result has another icon than one that is up to date or stale.
     made = ((hull, "Envelope"), (body, "Solid"), (check, "Clearance"))
     assert [obj.Status for obj, _ in made] == [envelope.UP_TO_DATE] * 3
     seen = {obj.Name: [drawn(obj.Label)] for obj, _ in made}

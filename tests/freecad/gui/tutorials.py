@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first tutorial of the handbook, an engine bay opened from its files; and a recorded path whose keys are
-edited (left out, with a line, where the recording is absent)."""
+"""The first tutorial of the handbook, an engine bay from its files, and a recorded path whose keys are
+edited (skipped, with a message, if the recording is missing).
+"""
 import json
 import os
 import sys
@@ -65,7 +66,7 @@ def bay():
 
 
 def robot_arm():
-    """A recorded path becomes a motion whose keys are edited: it stays what was recorded, but smooth."""
+    """A recorded motion becomes one with keys that can be edited: it follows the recording smoothly."""
     import Mesh
 
     from sweptvolume.features import envelope

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Undo across an envelope too heavy to be kept for it: the inputs come back, the result is stale, and
-nothing stands still. The limit is set low, so that a small envelope is a heavy one."""
+"""Undo of a change whose envelope is too large to be kept for Undo: the inputs are restored, the result
+becomes stale, and the window does not freeze. The limit is set so low that a small envelope exceeds it.
+"""
 import os
 import sys
 import time

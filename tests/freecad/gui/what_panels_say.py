@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What panels say where a choice has a consequence that nobody expects: Find path about a motion that does
-not set start and goal, the export of a solid about its mesh, a study about envelopes that cannot be runs."""
+"""Notes in panels about consequences that users may not expect: Find path, for a motion that does not set
+start and goal; the export of a solid, which uses the mesh; a study, for envelopes that cannot be runs.
+"""
 import os
 import sys
 import tempfile

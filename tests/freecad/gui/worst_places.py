@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the panels of checks show besides their tables: the graph that shows the required distance beside far
-neighbours and names what is pointed at, the places from the worst on, parts in the colours of their verdicts.
+"""Panels of checks, besides their tables: the graph shows the required distance also beside far neighbours,
+and names the neighbour under the mouse; buttons go through the closest places, the worst first; parts have
+the colours of their verdicts.
 """
 import os
 import sys
@@ -31,8 +32,8 @@ from spaces import add_box, at, hidden_motion  # noqa: E402
 
 
 def scene(doc):
-    """A slide that passes a post (clash), a wall (2 mm), a stop (4 mm) and stays far from a frame; the stop
-    hangs on a link, the wall has faces of several colours."""
+    """A slide that passes a post (clash), a wall (2 mm) and a stop (4 mm), and stays far from a frame.
+    The stop is a link, and the wall has faces of several colours."""
     slide = add_box(doc, "Slide", (10, 10, 10), (0, 0, 0))
     path = hidden_motion(doc, at(0), at(100), 2)
     add_box(doc, "Post", (6, 20, 6), (50, 7, 2))
@@ -49,7 +50,7 @@ def scene(doc):
 
 
 def colour_at(view, point):
-    """(r, g, b) of the picture of the 3D view where a point is seen."""
+    """Returns (r, g, b) of the pixel of the 3D view that shows a point."""
     name = os.path.join(App.getUserCachePath(), "seen.png")
     width, height = view.getSize()
     view.saveImage(name, width, height, "White")
@@ -60,7 +61,7 @@ def colour_at(view, point):
 
 
 def point_at(graph, place):
-    """The mouse moves there."""
+    """Moves the mouse to this place."""
     none = QtCore.Qt.NoButton
     event = QtGui.QMouseEvent(
         QtCore.QEvent.MouseMove,
@@ -74,7 +75,7 @@ def point_at(graph, place):
 
 
 def check_graph(graph):
-    """5 mm are seen on an axis of 365 mm; a curve that is pointed at tells its name."""
+    """On an axis of 365 mm, 5 mm can still be seen. A curve under the mouse shows its name."""
     names = [curve[0] for curve in graph.curves]
     place = names.index("Frame")
     height = graph.height()
@@ -92,7 +93,7 @@ def check_graph(graph):
 
 
 def check_many_curves(graph):
-    """The window goes on where hundreds of neighbours have curves."""
+    """The window responds while hundreds of neighbours have curves."""
     import numpy as np
 
     times = np.linspace(0, 2, 200)
@@ -145,7 +146,7 @@ def scenario():
     shot("17_clearance_parts")
     yield 1.0
     check_graph(find(QtWidgets.QWidget, "SweptVolumeDistanceGraph"))
-    # From the worst on, whatever the table is sorted by.
+    # Begins with the worst place, whatever column sorts the table.
     table.sortItems(0)
     worse = find(QtWidgets.QPushButton, "SweptVolumeNextWorst")
     back = find(QtWidgets.QPushButton, "SweptVolumePlaceBefore")
@@ -159,7 +160,8 @@ def scenario():
     click(back)
     yield 0.2
     assert table.item(table.currentRow(), 0).text() == "Stop"
-    # A part that is deleted and brought back while it is painted; the rest gets its own look back.
+    # A part is deleted and restored while parts are coloured; the other parts get their own colours
+    # back.
     doc.openTransaction("Delete")
     doc.removeObject("Frame")
     doc.commitTransaction()

@@ -1,4 +1,4 @@
-// Texts of numbers against the C library's, whose locale is "C" in the tests.
+// Texts of numbers, compared with those of the C library in the locale "C".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/number_text.h"
 

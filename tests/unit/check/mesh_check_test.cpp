@@ -1,4 +1,4 @@
-// The checker against planted faults of every kind.
+// The mesh check finds planted faults of every kind.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "check/mesh_check.h"
 
@@ -25,7 +25,7 @@ MeshCheck check(const TriMesh& mesh, int threads = 0) {
 
 TriMesh unitBox() { return makeBox({0, 0, 0}, {1, 1, 1}); }
 
-/// Every pair asked, without tree and without the rule for fans.
+/// Tests every pair, without a tree and without the rule for fans.
 std::int64_t bruteForce(const TriMesh& mesh) {
   std::int64_t count = 0;
   const auto n = static_cast<std::int64_t>(mesh.triangles.size());
@@ -130,7 +130,7 @@ TEST(MeshCheck, ShellsInShells) {
   append(wrongCore, inverted(inner));
   append(wrongCore, inverted(core));
   EXPECT_FALSE(check(wrongCore).oriented);
-  // Many bodies side by side, each with its cavity; one cavity the wrong way round.
+  // Many bodies side by side, each with a cavity; one cavity has the wrong orientation.
   TriMesh many;
   for (int i = 0; i < 20; ++i) {
     append(many, transformed(outer, placement({0, 0, 1}, 0, {10.0 * i, 0, 0})));
@@ -163,7 +163,7 @@ TEST(MeshCheck, DegenerateTriangles) {
   TriMesh mesh = unitBox();
   mesh.triangles.push_back({0, 1, 0});
   EXPECT_EQ(check(mesh).degenerateTriangles, 1);
-  // Three corners exactly on a line, in numbers that are not round.
+  // Three corners exactly on a line, with coordinates that are not round numbers.
   TriMesh line = unitBox();
   line.vertices.push_back({0.1, 0.2, 0.3});
   line.vertices.push_back({0.2, 0.4, 0.6});
@@ -206,7 +206,7 @@ TEST(SelfIntersections, FoldedEdge) {
 }
 
 TEST(SelfIntersections, FoldedFan) {
-  // A fan of six flat triangles; one outer vertex is dragged round so that sectors overlap.
+  // A fan of six flat triangles; one outer vertex is moved so far that triangles overlap.
   TriMesh mesh;
   mesh.vertices.push_back({0, 0, 0});
   for (int i = 0; i < 6; ++i) {
@@ -225,7 +225,8 @@ TEST(SelfIntersections, FoldedFan) {
 }
 
 TEST(SelfIntersections, FanThatGoesRoundTwice) {
-  // All sectors turn the same way, but twice round: a plain test of turning would pass it.
+  // All triangles of the fan turn the same way, but twice around: a simple test of the
+  // orientation would miss it.
   TriMesh mesh;
   mesh.vertices.push_back({0, 0, 1});
   const int n = 14;
@@ -276,7 +277,8 @@ TEST(SelfIntersections, AgreesWithAllPairsOnRandomMeshes) {
   std::uniform_real_distribution<double> jitter(-1, 1);
   std::int64_t total = 0;
   for (int round = 0; round < 60; ++round) {
-    // From hardly disturbed to a tangle; every third on a coarse lattice, where ties abound.
+    // From hardly disturbed meshes to tangled ones; every third one on a coarse lattice with many
+    // ties.
     TriMesh mesh = round % 2 == 0 ? makeBall({0, 0, 0}, 1, 2) : makeTorus(2, 0.7, 16, 9);
     const double amount = 0.02 * (round / 3);
     for (auto& v : mesh.vertices) {

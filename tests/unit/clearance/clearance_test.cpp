@@ -39,7 +39,7 @@ NeighbourClearance checkOne(const TriMesh& body, const Trajectory& motion, const
   return report.neighbours[0];
 }
 
-// How far the triangles of a ball lie inside it.
+// Returns how far the triangles of a ball lie inside it.
 double chordOf(const TriMesh& ball, const Vector3d& centre, double radius) {
   double worst = 0;
   for (const auto& t : ball.triangles) {
@@ -73,7 +73,8 @@ TEST(Clearance, BallPastBall) {
   const double to = (100 + reach) / 270;
   EXPECT_LE(row.below[0].from, from + 1e-9);
   EXPECT_GE(row.below[0].to, to - 1e-9);
-  // Too long by the resolution of 0.1 mm and by what twice the chord error is in travel, at most.
+  // At most too long by the resolution of 0.1 mm, and by the travel that corresponds to twice the
+  // mesh deflection.
   const double slack = (0.2 + 2 * chord * 27 / reach) / 270;
   EXPECT_GE(row.below[0].from, from - slack);
   EXPECT_LE(row.below[0].to, to + slack);
@@ -84,7 +85,7 @@ TEST(Clearance, ABodyThatWaitsIsNearForAsLong) {
                 wall = makeBox({-50, 11, -50}, {50, 15, 50});
   ClearanceOptions options;
   options.required = 7.5;
-  // 9 mm nearer in a second, there for five seconds, and back.
+  // It comes 9 mm nearer in a second, waits there for five seconds, and moves back.
   for (const std::vector<double>& waiting : {std::vector<double>{1, 6}, {1, 2, 3.5, 4, 6}}) {
     std::vector<Pose> poses{shifted(0, {0, -10, 0})};
     for (const double time : waiting) poses.push_back(shifted(time, {0, -1, 0}));
@@ -116,8 +117,8 @@ TEST(Clearance, BoxPastBox) {
   EXPECT_NEAR(row.pointOnNeighbour.y(), 5, 1e-9);
 }
 
-// A bar that turns about z; a post whose vertical edge points at the axis from `radius` at 50
-// degrees.
+// A bar that turns about z, and a post whose vertical edge points at the axis, at the distance
+// `radius` and an angle of 50 degrees.
 struct TurningBar {
   TriMesh bar = makeBox({0, -5, -5}, {100, 3, 5});
   double corner = std::hypot(100.0, 5.0);
@@ -151,7 +152,8 @@ TEST(Clearance, TurningBarTouchesThePost) {
       checkOne(c.bar, c.motion(Interpolation::Linear), c.post(c.corner), options);
   EXPECT_LE(row.distance, options.tolerance);
   EXPECT_EQ(row.verdict, ClearanceVerdict::Contact);
-  // The gap grows by 100 * 110 / (110 - 100)-ish of the turn squared: a thousandth is 0.2 degrees.
+  // The gap grows by about 100 * 110 / (110 - 100) times the square of the angle: 0.2 degrees
+  // give a thousandth.
   EXPECT_NEAR(row.timeSeconds, c.time, 0.01);
   ASSERT_EQ(row.contact.size(), 1u);
   EXPECT_LE(row.contact[0].from, c.time);
@@ -164,7 +166,8 @@ TEST(Clearance, TurningBarRunsIntoThePost) {
   EXPECT_EQ(row.distance, 0);
   EXPECT_EQ(row.verdict, ClearanceVerdict::Clash);
   ASSERT_TRUE(row.penetration.known);
-  // The post's edge stands deepest inside the bar where its end and its side are equally far.
+  // The edge of the post is deepest inside the bar when it is equally far from the end and the
+  // side of the bar.
   double low = 0;
   double high = 5 / 99.0;
   for (int i = 0; i < 100; ++i) {
@@ -188,7 +191,7 @@ TEST(Clearance, TurningBarRunsIntoThePost) {
 TEST(Clearance, DepthAndRegionOfABoxPushedIntoABlock) {
   const TriMesh box = makeBox(Vector3d::Constant(-1), Vector3d::Constant(1));
   const TriMesh block = makeBox({10, -20, -20}, {50, 20, 20});
-  // Forth and back: the face x = 1 reaches x = 12.5 at t = 1.
+  // Forwards and back: the face x = 1 reaches x = 12.5 at t = 1.
   const Trajectory motion =
       motionOf({shifted(0, {0, 0, 0}), shifted(1, {11.5, 0.3, 0}), shifted(3, {0, 0, 0})});
   const NeighbourClearance row = checkOne(box, motion, block);
@@ -224,7 +227,7 @@ TEST(Clearance, SlidingAtAConstantGapIsCheap) {
   double lowest = 0;
   for (const Vector3d& v : body.vertices) lowest = std::min(lowest, v.z());
   EXPECT_NEAR(row.distance, 10.5 + lowest, 1e-9);
-  // Stepping by the gap tolerance would take 150,000 proofs.
+  // Steps of the size of the accuracy would need 150,000 proofs.
   EXPECT_LT(row.certificates, 2000);
 }
 
@@ -283,7 +286,7 @@ TEST(Clearance, BallInTheMiddleOfABall) {
         swap ? checkOne(big, motion, small) : checkOne(small, motion, big);
     EXPECT_TRUE(row.inside);
     EXPECT_EQ(row.verdict, ClearanceVerdict::Clash);
-    // The surface of the small ball comes as near to the middle of the other as 3 - 2 mm.
+    // The surface of the small ball comes within 3 - 2 mm of the middle of the other.
     EXPECT_LE(row.penetration.depth, 9);
     EXPECT_GE(row.penetration.depthBound, 9 - chordOf(big, Vector3d::Zero(), 10) - 0.05);
     EXPECT_GE(row.penetration.depth, 0.99 * row.penetration.depthBound - 0.01);
@@ -333,8 +336,8 @@ TEST(Clearance, OpenNeighbourIsNamedAndStillMeasured) {
   EXPECT_EQ(report.warnings[0].code, "OpenMesh");
 }
 
-// Jagged motions of a torus by a ball and a bar: fast search, dense stamping by FCL, all three
-// kinds.
+// A torus moves irregularly past a ball and a bar: the fast search is compared with distances of
+// FCL at many times, with all three interpolations.
 TEST(Clearance, AgreesWithStampingEveryPose) {
   std::mt19937 engine(5);
   const auto number = [&](double low, double high) {
@@ -368,7 +371,8 @@ TEST(Clearance, AgreesWithStampingEveryPose) {
       }
     } else {
       EXPECT_LE(row.distance, stamped.distance + options.tolerance) << round;
-      // What lies below the stamps must be seen by the witness too, at the very pose that is named.
+      // The result is at most the smallest sampled distance, up to the accuracy, and FCL finds the
+      // same distance at the reported pose.
       EXPECT_NEAR(clearance::stampEveryPose(body, {row.pose}, part, run).distance, row.distance,
                   1e-9);
     }

@@ -1,4 +1,4 @@
-// Mesh distance at a pose, inside test: against brute force and against FCL.
+// Distance of meshes at a pose, and the inside test, compared with brute force and with FCL.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST(Part, InsideOfNestedAndOverlappingShells) {
 }
 
 TEST(Part, InsideHoldsForEveryLatticePointOfABox) {
-  // Triangle3d, edges and the diagonals of faces lie in the way of many of these rays.
+  // Many of these rays pass through edges and diagonals of faces.
   const Part tree(makeBox(Vector3d::Zero(), Vector3d::Constant(8)), "the box");
   for (int i = -1; i <= 9; ++i)
     for (int j = -1; j <= 9; ++j)

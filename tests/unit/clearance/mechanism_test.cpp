@@ -1,4 +1,5 @@
-// Mechanisms whose smallest distances are known in closed form, or by stamping.
+// Mechanisms whose smallest distances follow from formulas, or are compared with distances at
+// sampled times.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/mechanism.h"
 
@@ -59,7 +60,7 @@ TEST(Mechanism, CubesPassEachOther) {
   const double reach = (10 + std::sqrt(16.0 - 9.0)) / 80;
   EXPECT_NEAR(row.below[0].from, 1 - reach, 0.2 / 80);
   EXPECT_NEAR(row.below[0].to, 1 + reach, 0.2 / 80);
-  // World points: on the faces that look at each other, which stand still in y.
+  // World coordinates: points on the facing sides, which do not move in y.
   EXPECT_NEAR(row.pointOnBody.y(), 5, 1e-9);
   EXPECT_NEAR(row.pointOnNeighbour.y(), 8, 1e-9);
   EXPECT_NEAR(report.pairs[0].poseOfFirst.translation.x(), 40 * (row.timeSeconds - 1), 1e-6);
@@ -68,8 +69,8 @@ TEST(Mechanism, CubesPassEachOther) {
   EXPECT_NE(report.summary.find("(left - right)"), std::string::npos) << report.summary;
 }
 
-// Two bars on axes 100 mm apart that turn against each other with 45 degrees between them, like the
-// teeth of gears: they come nearest when one points at the other's axis.
+// Two bars on axes 100 mm apart turn against each other, 45 degrees apart like the teeth of
+// gears. They are nearest when one of them points at the axis of the other.
 TEST(Mechanism, BarsTurnAgainstEachOther) {
   const TriMesh bar = makeBox({-60, -2, -5}, {60, 2, 5});
   std::vector<Pose> left, right;
@@ -97,8 +98,8 @@ TEST(Mechanism, BarsTurnAgainstEachOther) {
   }
 }
 
-// The world is a turntable: a cube rides on it, a post stands on it. Seen from each other they do
-// not move, and the third part that stands still beside the table is passed.
+// A cube and a post stand on a turntable. Relative to each other they do not move, and they pass
+// a third part that stands still beside the table.
 TEST(Mechanism, WhatMovesAsOneIsJoined) {
   std::vector<Pose> table;
   for (int i = 0; i <= 12; ++i) table.push_back(turned(i, 30 * i, {0, 0, 0}));
@@ -170,8 +171,8 @@ TEST(Mechanism, OneMovingPartIsAsForTheClearance) {
   }
 }
 
-// A peg that dives 2 mm into a plate, both of which move: depth, place and box are those of the
-// world.
+// A peg goes 2 mm deep into a plate, and both move: depth, place and box are in world
+// coordinates.
 TEST(Mechanism, ClashOfTwoThatMove) {
   const MechanismReport report =
       check({partOf("plate", makeBox({-20, -20, -10}, {20, 20, 0}),
@@ -211,9 +212,9 @@ TEST(Mechanism, PairsAreLeftOutAndFarOnesAreCounted) {
   for (const PairClearance& pair : less.pairs) EXPECT_NE(pair.parts, (PartPair{1, 2}));
 }
 
-/// Two balls that spin in place while one swings to and from the other: too near for a while, or
-/// deep in each other. The times are those of the formula, and a long clash takes few distances:
-/// one deep point is enough at a moment.
+/// Two balls spin, and one of them also swings to the other and back, twice. They come too near for
+/// a while, or overlap deeply. A formula gives the times. Even a long clash needs few measured
+/// distances: one deep point proves the clash at its moment.
 TEST(Mechanism, TimesOfSpinningBalls) {
   const double radius = 20, swing = 12, seconds = 4;
   const TriMesh ball = makeBall(Vector3d::Zero(), radius, 4);

@@ -1,4 +1,5 @@
-// Rules of neighbours: their texts, whom they fit, and what they do to a check.
+// Rules of neighbours: how they are written, which neighbours they match, and how they change a
+// check.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/neighbour_rule.h"
 
@@ -78,7 +79,7 @@ TEST(NeighbourRule, RulesThatFitNobodyOrContradict) {
   rulesFor(names, {{"b*", rule("3")}, {"*1", rule("3")}});  // the same twice is no contradiction
 }
 
-// Names and patterns of two letters and wildcards against a matcher by recursion.
+// Names and patterns of two letters and wildcards, compared with a recursive matcher.
 TEST(NeighbourRule, PatternsAgreeWithTheirDefinition) {
   const std::function<bool(const char*, const char*)> fits = [&](const char* p, const char* n) {
     if (*p == 0) return *n == 0;
@@ -124,7 +125,8 @@ ClearanceReport check(const TriMesh& body, const Trajectory& motion,
 
 const TriMesh kBox = makeBox(Vector3d::Zero(), Vector3d::Constant(10));
 
-// Four walls: what each asks for decides its verdict and its times below, and nothing else changes.
+// Four walls: the required distance of each decides its verdict and its times below it, and
+// nothing else changes.
 TEST(ClearanceRules, EachNeighbourByItsOwnDistance) {
   const Trajectory motion = line({0, 0, 0}, {30, 0, 0});  // the box ends at x = 40
   const TriMesh near = makeBox({43, 0, 0}, {50, 10, 10}), aside = makeBox({0, 18, 0}, {40, 20, 10});

@@ -1,4 +1,5 @@
-// Flat cylinders round groups of triangles: they hold what they should, and their gaps are gaps.
+// Flat cylinders around groups of triangles: they contain their triangles, and their distances
+// are lower bounds.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "clearance/plates.h"
 
@@ -16,7 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using namespace swept::test;
 
-/// Curved, slanted, without area, and turned either way.
+/// Groups that are curved, slanted or without area, and with triangles of both orientations.
 TriMesh mixture() {
   TriMesh mesh = makeTorus(10, 3, 30, 16);
   append(mesh, makeBox({6, 6, -20}, {7, 7, 20}));

@@ -1,4 +1,4 @@
-// Bounds of a relative motion against where its points come.
+// Bounds of a relative motion, compared with the true positions of points.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "clearance/relative_motion.h"
 
@@ -67,7 +67,7 @@ TEST(RelativeMotion, NoPointLeavesItsBounds) {
         const double time = motion.timeAt(u);
         const Vector3d local(random.number(-1, 1), random.number(-1, 1), random.number(-1, 1));
         const Vector3d x = body.centre() + body.half().cwiseProduct(local);
-        // The truth: both ways on their own, in the world.
+        // The true positions: each motion by itself, in world coordinates.
         const Pose back = frame.poseAt(time);
         const Vector3d world = placed(body.poseAt(time), x) - back.translation;
         const Vector3d seen = back.rotation.conjugate() * world;
@@ -84,7 +84,7 @@ TEST(RelativeMotion, NoPointLeavesItsBounds) {
   }
 }
 
-// What is bounded must shrink with the span, or no search would end: a quarter of the rest a
+// The bound must shrink with the time span, or no search would end: by three quarters with each
 // halving.
 TEST(RelativeMotion, BoundsShrinkWithTheSpan) {
   Random random(8);

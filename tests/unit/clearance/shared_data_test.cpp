@@ -36,7 +36,7 @@ TEST(ClearanceSharedData, VibratingBunnyAgreesWithStampingEveryPose) {
   EXPECT_EQ(stamped.poses, static_cast<std::int64_t>(some.poses.size()));
   EXPECT_NEAR(report.neighbours[0].distance, stamped.distance, 1e-7);
   EXPECT_EQ(report.neighbours[0].timeSeconds, stamped.timeSeconds);
-  // Far fewer questions than poses: that is the point.
+  // Far fewer distances are measured than there are poses.
   EXPECT_LT(report.neighbours[0].distanceQueries, stamped.poses / 2);
 }
 

@@ -26,7 +26,7 @@ Faults contourFaults(const SyntheticGrid& synthetic, Geometry geometry, std::uin
   return findFaults(contourUniform(synthetic.build(geometry, seed), Options{}, run).mesh);
 }
 
-/// A block of bx x by x bz lattice points with its walls.
+/// A block of bx x by x bz lattice points with its doubly crossed edges.
 struct Block {
   std::uint64_t insideBits = 0;  ///< (i * by + j) * bz + k
   std::uint64_t wallBits = 0;    ///< in the order of blockEdges()
@@ -59,7 +59,7 @@ std::vector<BlockEdge> blockEdges(const BlockShape& s) {
   return edges;
 }
 
-/// Puts blocks at the places of a cubic arrangement and contours whenever it is full.
+/// Collects blocks in a cubic arrangement, and contours it whenever it is full.
 class BlockTester {
  public:
   BlockTester(BlockShape shape, Geometry geometry, std::uint64_t seed)
@@ -134,7 +134,7 @@ class BlockTester {
   Faults total_;
 };
 
-/// Edges of a block whose ends are both outside: the ones that may carry a wall.
+/// The edges of a block with both ends outside: these may be doubly crossed.
 std::vector<int> wallPlaces(const std::vector<BlockEdge>& edges, std::uint64_t inside) {
   std::vector<int> places;
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -153,8 +153,8 @@ std::uint64_t spread(std::uint64_t bits, const std::vector<int>& places) {
   return out;
 }
 
-/// One cell: every choice of signs, and for each every choice of walls; all 2^12 edge
-/// configurations with one or two crossings an edge are among them.
+/// One cell: all patterns of signs, each with all choices of doubly crossed edges. They include
+/// all 2^12 sets of crossed edges.
 std::int64_t everyCell(const std::function<void(const Block&)>& use) {
   const auto edges = blockEdges({2, 2, 2});
   std::int64_t count = 0;
@@ -282,7 +282,7 @@ TEST(ComponentsExhaustive, EveryFacePair) {
   }
 }
 
-/// All 2^20 choices of walls in two cells without an inside point.
+/// All 2^20 choices of doubly crossed edges in two cells whose corners all lie outside.
 TEST(ComponentsExhaustive, FacePairsOfWalls) {
   BlockTester tester({2, 2, 3}, Geometry::Random, 5);
   const std::uint64_t stride = longRun() ? 1 : kUnderSanitizer ? 293 : 13;
@@ -304,7 +304,7 @@ TEST(ComponentsExhaustive, EveryFourCellsRoundAnEdge) {
   }
 }
 
-/// Signs of 3 x 3 x 3 points (2^27), and such blocks with walls: drawn by chance.
+/// Random signs of 3 x 3 x 3 points (2^27 patterns), and such blocks with doubly crossed edges.
 TEST(ComponentsExhaustive, BlocksOfEightCellsSampled) {
   const int count = longRun() ? 4'000'000 : sampled(20'000, 20);
   BlockTester signs({3, 3, 3}, Geometry::Random, 21), walls({3, 3, 3}, Geometry::Random, 22);
@@ -344,7 +344,7 @@ TEST(ComponentsExhaustive, RandomGrids) {
   }
 }
 
-/// The counter above can fail: one vertex a cell makes non-manifold edges in such a grid.
+/// The counter above finds faults: one vertex per cell makes non-manifold edges in such a grid.
 TEST(ComponentsExhaustive, PlainDualContouringHasFaults) {
   SyntheticGrid grid(9, 9, 9);
   for (std::int32_t p = 0; p < 343; ++p) {

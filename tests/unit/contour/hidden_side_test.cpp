@@ -1,5 +1,5 @@
-// A ledge lower than a cell: its riser lies between lattice planes, so that hardly a grid edge
-// meets it. Its upper edge is to be in the envelope all the same.
+// Ledges lower than a cell. Hardly any grid edge meets their riser, but the envelope must
+// contain their upper edge.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -40,8 +40,9 @@ TriMesh stepped(double height) {
 
 constexpr double kCell = 0.25;
 
-/// The envelope of a block with a ledge so high, in cells, that stands still, turned about `axis`;
-/// use(distance): cells between a point, given in the block's coordinates, and the envelope.
+/// Computes the envelope of a block that stands still, turned about `axis`, with a ledge of this
+/// height in cells. use(distance): distance in cells of a point, given in the block's
+/// coordinates, from the envelope.
 template <class Use>
 void withLedge(double height, const V3& axis, double degrees, const Use& use) {
   const Eigen::Isometry3d place = placement(axis, degrees, {0.07, 0.11, 0.03});
@@ -99,8 +100,8 @@ TEST(HiddenSide, BothEdgesOfALedgeAcrossTheLattice) {
   }
 }
 
-/// Edges of the grid meet the rim of such a wall in some cells and pass it in others. All four
-/// edges of the rim along y are to be in the envelope.
+/// Edges of the grid meet the rim of such a wall in some cells only. The envelope must contain
+/// all four edges of the rim along y.
 TEST(KnownSide, RimOfAWallNearlyAsThickAsACell) {
   constexpr double kWidth = 4, kLength = 5;
   std::vector<double> edges;

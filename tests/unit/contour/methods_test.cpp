@@ -1,4 +1,4 @@
-// The methods that are there to be compared: what each does in cells where they differ.
+// The five methods of division into components, in cells in which they differ.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contour/methods/methods.h"
 
@@ -10,7 +10,7 @@
 namespace swept::test {
 namespace {
 
-/// A cell from its outside corners and the edges with two crossings.
+/// Returns a cell with these outside corners and doubly crossed edges.
 Cell cellOf(std::uint32_t outside, std::uint32_t walls = 0) {
   Cell cell;
   std::uint32_t next = 0;
@@ -85,7 +85,7 @@ TEST(Equivalence, JoinsTwoCornersThatAWalkConnects) {
 
 TEST(Greedy, TakesTheInsideWalkWhereItsNormalsAgree) {
   const Cell cell = cellOf(0xffu & ~(1u << 0 | 1u << 7));
-  // Round corner 0 the normals point along -(1,1,1), round corner 7 along (1,1,1).
+  // Around corner 0 the normals point along -(1,1,1), around corner 7 along (1,1,1).
   std::vector<Crossing> crossings(6);
   for (int slot = 0; slot < kSlots; ++slot) {
     if (!cell.has(slot)) continue;

@@ -1,5 +1,5 @@
-// The vertex of a component's planes: the best place in the cell, and where errors of the planes'
-// places may not lead.
+// The vertex for the planes of a component: it is at the best place in the cell, and inexact
+// planes do not move it far.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contour/qef.h"
 

@@ -1,5 +1,5 @@
-// Cells that are filled anew so that nothing in them meets: every configuration of one cell, and
-// grids of chance in which nearly every cell has to be rebuilt.
+// Cells whose triangles are replaced so that none intersect: every pattern of one cell, and
+// random grids in which nearly every cell has to be rebuilt.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contour/mend/rebuild.h"
 
@@ -16,7 +16,8 @@ namespace {
 
 double unit(std::uint64_t seed) { return static_cast<double>(mix(seed) >> 11) * 0x1p-53; }
 
-/// Crossings of a cell for signs of its corners and walls on edges between outside corners.
+/// Returns the crossings of a cell with these signs of its corners and these doubly crossed
+/// edges.
 struct DrawnCell {
   Cell cell;
   std::vector<Crossing> crossings;
@@ -35,7 +36,7 @@ struct DrawnCell {
       const bool low = (insideCorners >> cornerOf(edge, 0) & 1u) != 0,
                  high = (insideCorners >> cornerOf(edge, 1) & 1u) != 0;
       cell.first[edge] = static_cast<std::uint32_t>(crossings.size());
-      // Every third fraction is one that meets an end of the edge, or the other crossing.
+      // Every third fraction puts the crossing at an end of the edge, or at the other crossing.
       const double first = unit(seed + 1000 + edge), second = unit(seed + 2000 + edge);
       const double from = first < 0.15 ? 0 : first * second,
                    to = second < 0.15 ? from : from + (1 - from) * second;
@@ -47,7 +48,8 @@ struct DrawnCell {
   }
 };
 
-/// What is wrong with a patch: empty if it fills all rings, in the cell, and nothing meets.
+/// Returns what is wrong with a patch: empty if it fills all rings, stays in the cell, and no
+/// triangles intersect.
 std::string faultsOf(const DrawnCell& drawn, bool layered) {
   const Crossing* crossings = drawn.crossings.data();
   const CellPlace place{{12.5, -3, 1000}, 0.7};
@@ -97,7 +99,7 @@ std::string faultsOf(const DrawnCell& drawn, bool layered) {
   return found.count == 0 ? "" : std::to_string(found.count) + " pairs meet";
 }
 
-/// All signs of corners with all choices of walls.
+/// All patterns of signs with all choices of doubly crossed edges.
 template <class Use>
 void forAllCells(const Use& use) {
   for (std::uint32_t corners = 0; corners < 256; ++corners) {

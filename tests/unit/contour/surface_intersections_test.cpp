@@ -1,4 +1,5 @@
-// Self-intersections found locally against the search over all pairs, before and after mending.
+// Intersecting triangles found cell by cell, compared with a search over all pairs, before and
+// after repair.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contour/mend/surface_intersections.h"
 
@@ -75,7 +76,7 @@ TEST(SurfaceIntersections, APlantedFaultIsFound) {
   const HermiteGrid grid = sample(makeBall({0, 0, 0}, 2, 3), randomMotion(random), 40);
   Surface surface = contourUniform(grid, Options{}, run);
   ASSERT_EQ(findSurfaceIntersections(surface, grid, run).count, 0);
-  // One vertex on the far side of the body, and said to be out of its cell.
+  // One vertex is moved to the far side of the body, and marked as outside its cell.
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const auto& v : surface.mesh.vertices) centre += v;
   centre /= static_cast<double>(surface.mesh.vertices.size());
@@ -84,7 +85,8 @@ TEST(SurfaceIntersections, APlantedFaultIsFound) {
   const SelfIntersections found = findSurfaceIntersections(surface, grid, run);
   EXPECT_GT(found.count, 0);
   EXPECT_EQ(found.pairs, findSelfIntersections(surface.mesh, {}, run).pairs);
-  // The same without a word: the vertex is seen to lie outside the cells of its polygons.
+  // The same without the mark: the search notices that the vertex lies outside the cells of its
+  // polygons.
   surface.cellFlags[100] = 1;
   EXPECT_EQ(findSurfaceIntersections(surface, grid, run).pairs, found.pairs);
 }

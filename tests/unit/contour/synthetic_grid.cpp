@@ -129,7 +129,7 @@ Faults findFaults(const TriMesh& mesh) {
     first = last;
   }
   if (faults.any()) return faults;
-  // Turning about a vertex from any of its corners must pass all of them.
+  // Going around a vertex from any of its corners must visit all of them.
   std::vector<std::uint32_t> corners(mesh.vertices.size(), 0), start(mesh.vertices.size(), 0);
   for (std::uint32_t h = 0; h < twin.size(); ++h) {
     const std::int32_t v = mesh.triangles[h / 3][h % 3];

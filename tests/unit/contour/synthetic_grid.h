@@ -27,7 +27,7 @@ class SyntheticGrid {
   }
   const std::array<std::int32_t, 3>& points() const { return points_; }
 
-  /// How crossings are placed: all in the middle with normals along their edge, or by chance.
+  /// How crossings are placed: all in the middle with normals along their edge, or at random.
   enum class Geometry { Regular, Random };
   HermiteGrid build(Geometry geometry, std::uint64_t seed) const;
 
@@ -39,7 +39,7 @@ class SyntheticGrid {
   std::vector<std::uint8_t> inside_, walls_;
 };
 
-/// Counted by a path of its own: no code shared with the contouring or the mesh checker.
+/// Counted independently: it shares no code with the contouring or the mesh check.
 struct Faults {
   std::int64_t openEdges = 0;         ///< directed edges without exactly one partner
   std::int64_t nonManifoldEdges = 0;  ///< undirected edges of more than two triangles

@@ -1,4 +1,4 @@
-// Searches in a hierarchy of boxes against looking at every box.
+// Searches in a tree of boxes, compared with a test of every box.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/box_tree.h"
 
@@ -70,7 +70,8 @@ class BoxTrees : public testing::TestWithParam<std::tuple<Kind, Order>> {
   }
   Vector3d somewhere(Random& random, const BoxTree& tree) {
     const Vector3d extent = tree.bounds().high - tree.bounds().low + Vector3d::Constant(1e-3);
-    // Also far away, where the rounding of the point exceeds the distances between the boxes.
+    // Also far away, where the rounding error of the point exceeds the distances between the
+    // boxes.
     const double size = random.number(0, 1) < 0.6 ? 0.6 : std::pow(10.0, random.number(0, 6));
     return tree.middle() + random.point(size).cwiseProduct(extent);
   }

@@ -1,4 +1,4 @@
-// Adjacency against a map of edges, on triangle lists in every condition.
+// Adjacency, compared with a map of edges, on meshes with and without faults.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/half_edges.h"
 

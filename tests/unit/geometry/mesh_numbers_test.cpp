@@ -1,4 +1,5 @@
-// Numbers of a mesh: faults planted at known places, found first and counted whole.
+// Counts of faults in a mesh: faults are planted at known places; the first ones are named and
+// all are counted.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/mesh_numbers.h"
 

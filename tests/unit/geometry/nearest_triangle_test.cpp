@@ -1,4 +1,4 @@
-// The nearest triangle of a mesh against looking at every triangle.
+// The nearest triangle of a mesh, compared with a test of every triangle.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/nearest_triangle.h"
 
@@ -67,7 +67,7 @@ TEST(NearestTriangle, KeepsToItsBounds) {
       const Vector3d p = mesh.vertices[0] + random.point(12);
       const double all = byLookingAtAll(p, mesh), limit = random.number(0, 60);
       EXPECT_EQ(nearest.query(p, limit, 0), std::min(all, limit));
-      // The limit as both bounds: the query only tells whether anything lies nearer than it.
+      // Both bounds equal the limit: the query only tells whether a triangle is nearer than that.
       EXPECT_EQ(nearest.query(p, limit, limit) < limit, all < limit);
       const double enough = random.number(0, 60), found = nearest.query(p, HUGE_VAL, enough);
       EXPECT_GE(found, all);
@@ -89,7 +89,7 @@ TEST(NearestTriangle, WalksFindWhatSearchesFind) {
       Vector3d p = mesh.vertices[0];
       int near = 0;
       for (int n = 0; n < 500; ++n) {
-        // A path of small steps, from another place now and then.
+        // A path of small steps, with occasional jumps.
         p = n % 50 == 0 ? Vector3d(mesh.vertices[0] + random.point(12))
                         : Vector3d(p + random.point(0.5));
         const double all = byLookingAtAll(p, mesh);

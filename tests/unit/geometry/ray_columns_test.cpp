@@ -1,4 +1,5 @@
-// Winding numbers by rays against the sum of solid angles (Van Oosterom and Strackee 1983).
+// Winding numbers from rays, compared with the sum of solid angles (Van Oosterom and Strackee
+// 1983).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/ray_columns.h"
 
@@ -31,7 +32,7 @@ double bySolidAngles(const TriMesh& mesh, const Vector3d& p) {
   return angle / (4 * M_PI);
 }
 
-/// Solid, cavity, overlap, a ball inside out.
+/// A solid, a cavity, an overlap, and a ball with inward triangles.
 TriMesh nested() {
   TriMesh mesh = makeBox(Vector3d::Constant(-10), Vector3d::Constant(10));
   append(mesh, inverted(makeBox(Vector3d::Constant(-4), Vector3d::Constant(4))));
@@ -112,7 +113,7 @@ TEST(RayColumns, LongTrianglesStandInTheColumnsThatTheyCover) {
   const TriMesh mesh =
       transformed(makeCylinder(1, 0, 40, 1000), placement({1, 2, 3}, 70, {5e4, -7e4, 1e4}));
   const RayColumns rays(mesh);
-  // The columns of their boxes are hundreds.
+  // Their boxes cover hundreds of columns.
   EXPECT_LT(rays.entries(), 60 * mesh.triangles.size());
 
   // A mesh of one triangle has one column.

@@ -1,4 +1,5 @@
-// Shells against a flood over the triangles, nesting against balls whose places are known.
+// Shells, compared with a flood fill over the triangles; nesting of shells, with balls at known
+// places.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/shells.h"
 
@@ -14,7 +15,8 @@
 namespace swept::test {
 namespace {
 
-/// Numbers by flooding: from each triangle without a number over all that it is joined to.
+/// Numbers the shells by flood fill: from each triangle without a number over all triangles
+/// joined to it.
 template <class Joined>
 std::vector<std::int32_t> flood(const TriMesh& mesh, const Joined& joined) {
   std::vector<std::int32_t> number(mesh.triangles.size(), -1);
@@ -150,7 +152,7 @@ TEST(Shells, NestingOfBallsAsTheirPlacesSay) {
   TriMesh mesh;
   while (balls.size() < 40) {
     const Ball ball{{place(random), place(random), place(random)}, size(random)};
-    // Clear of all others: wholly inside, wholly outside or round it.
+    // Clear of all others: completely inside, completely outside, or around them.
     const bool clear = std::all_of(balls.begin(), balls.end(), [&](const Ball& b) {
       const double d = (b.centre - ball.centre).norm();
       return d > 1.1 * (b.radius + ball.radius) || d + ball.radius < 0.85 * b.radius ||

@@ -1,4 +1,5 @@
-// Distances of points and triangles: against sampling and against the definition in long double.
+// Distances of points and triangles, compared with sampling and with the definition in long
+// double.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/triangle_distance.h"
 
@@ -15,8 +16,8 @@ namespace {
 using Eigen::Vector3d;
 using LongVector = Eigen::Matrix<long double, 3, 1>;
 
-/// Distance by definition: the foot on the plane if it lies within the edges, else the nearest of
-/// the edges.
+/// Distance by definition: that of the foot of the perpendicular if it lies within the edges,
+/// otherwise that of the nearest edge.
 double distanceByDefinition(const Vector3d& p, const Triangle3d& triangle) {
   LongVector x = p.cast<long double>(), c[3];
   for (int k = 0; k < 3; ++k) c[k] = triangle[k].cast<long double>();
@@ -58,8 +59,8 @@ TEST(TriangleDistance, PointsAgreeWithTheDefinition) {
   }
 }
 
-// Heights from a thousandth of the longest edge down to nothing; the rounding of the coordinates of
-// such a triangle alone moves it by 1e-16, but never its nearest point along the whole of it.
+// Heights from a thousandth of the longest edge down to zero. Rounding of the coordinates alone
+// moves such a triangle by 1e-16, but never its nearest point along its whole length.
 TEST(TriangleDistance, NeedlesAndPointsAgreeWithTheDefinition) {
   Random random(5);
   for (int n = 0; n < 20000; ++n) {

@@ -1,5 +1,6 @@
-// The rasteriser against an oracle that computes with the shifted lattice itself: every number is a
-// polynomial in the shift e with whole coefficients, and its sign is that of the lowest power.
+// The rasteriser, compared with a reference that computes with the shifted lattice itself.
+// There, every number is a polynomial in the shift e with integer coefficients; its sign is that
+// of the lowest power.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "grid/rasterise.h"
 
@@ -13,7 +14,7 @@
 namespace swept::test {
 namespace {
 
-/// c[0] + c[1] e + c[2] e^2 + ..., for an e above 0 that is smaller than any number.
+/// The number c[0] + c[1] e + c[2] e^2 + ..., for a positive e that is smaller than any number.
 struct Polynomial {
   std::array<__int128, 7> c{};
 
@@ -64,8 +65,8 @@ Polynomial side(const SnappedPoint& from, const SnappedPoint& to, int u, int v,
          number(to[v] - from[v]) * (line[u] - number(from[u]));
 }
 
-/// All lattice edges between 0 and `points` that the triangle crosses; `ties`: how often a decision
-/// was up to the shift.
+/// Returns all lattice edges between 0 and `points` that the triangle crosses. `ties`: how often
+/// the shift decided.
 std::set<Edge> oracle(const Corners& t, std::int32_t points, std::int64_t& ties) {
   std::set<Edge> found;
   for (int w = 0; w < 3; ++w) {
@@ -111,7 +112,8 @@ std::int32_t randomCoordinate(std::mt19937& random, std::int32_t points) {
                            : 2 * anywhere(random) + 1;
 }
 
-/// The point on the other side of a lattice point: the edge between the two passes through it.
+/// Returns the point on the other side of a lattice point: the edge between the two passes
+/// through it.
 SnappedPoint opposite(const SnappedPoint& p) {
   SnappedPoint out;
   for (int axis = 0; axis < 3; ++axis) {
@@ -148,7 +150,7 @@ TEST(Rasterise, CrossesTheEdgesOfTheShiftedLattice) {
   EXPECT_GT(ties, 1000) << "no line met an edge: the shift was not tested";
 }
 
-/// A lattice point is inside a closed surface or not, whichever axis it is seen along.
+/// A lattice point is inside a closed surface or not, whichever axis is used for the test.
 TEST(Rasterise, TheThreeAxesAgreeAboutEveryPointOfAClosedSurface) {
   constexpr std::int32_t kPoints = 7;
   std::mt19937 random(5);

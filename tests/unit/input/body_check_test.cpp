@@ -153,8 +153,7 @@ TEST(BodyCheck, bad_input_08_mixed_orientation) {
 }
 
 TEST(BodyCheck, bad_input_08_one_sided_surface_has_no_orientation) {
-  // A Moebius band, closed in the sense of edges by doubling it is not: it stays open and
-  // one-sided.
+  // A Moebius band stays open and one-sided.
   TriMesh mesh;
   const int n = 24;
   for (int i = 0; i < n; ++i) {
@@ -196,7 +195,7 @@ TEST(BodyCheck, bad_input_10_overlapping_bodies_stay_outward) {
 }
 
 TEST(BodyCheck, bad_input_10_surface_that_crosses_itself_inside_out) {
-  // A prism over a bow tie: one half of it is inside out, whichever way it is turned.
+  // A prism over a bow tie: one of its halves faces inwards, whatever its orientation.
   TriMesh mesh = makeBox({0, 0, 0}, {1, 1, 1});
   const Eigen::Vector2d profile[4] = {{-3, -2}, {1, 1}, {-3, 2}, {1, -1}};
   for (std::size_t v = 0; v < 8; ++v) mesh.vertices[v].head<2>() = profile[v % 4];
@@ -212,7 +211,7 @@ TEST(BodyCheck, bad_input_11_duplicate_triangles) {
   EXPECT_EQ(count(once, "DuplicateTriangles"), 1);
   EXPECT_EQ(once.mesh.triangles, unitBox().triangles);
 
-  // Two boxes glued at a whole side: the side between them goes, both copies.
+  // Two boxes joined at a whole side: both copies of this side are removed.
   TriMesh pair = makeBox({0, 0, 0}, {1, 1, 1});
   TriMesh right = makeBox({1, 0, 0}, {2, 1, 1});
   // Same diagonal on the shared side: mirror of the left box.
@@ -234,7 +233,7 @@ TEST(BodyCheck, bad_input_12_cavity) {
   EXPECT_EQ(count(body, "Flipped"), 0);
   EXPECT_TRUE(body.orientable);
   EXPECT_NEAR(signedVolume(body.mesh), 63, 1e-12);
-  // The whole thing inside out: still one cavity.
+  // All triangles reversed: still one cavity.
   const CheckedBody other = check(inverted(mesh));
   EXPECT_EQ(count(other, "Cavities"), 1);
   EXPECT_NEAR(signedVolume(other.mesh), 63, 1e-12);

@@ -1,4 +1,4 @@
-// What an error says, where one is due.
+// Returns the text of the error that a call must throw.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace swept::test {
 
-/// Runs `call`, which must throw Error with this status and code; gives back its text.
+/// Runs `call`, which must throw Error with this status and code. Returns its text.
 template <class Call>
 std::string errorText(Status status, const std::string& code, Call call) {
   try {

@@ -14,8 +14,8 @@ namespace {
 using test::errorText;
 using test::TemporaryFolder;
 
-// Three triangles on one edge, two on the same three vertices, odd numbers: everything that a
-// halfedge mesh would refuse, drop or round.
+// Three triangles at one edge, two with the same three vertices, and numbers with many digits:
+// all that a half-edge mesh would refuse, drop or round.
 TriMesh awkwardSoup() {
   TriMesh mesh;
   mesh.vertices = {
@@ -126,7 +126,7 @@ TEST(MeshFile, TextAndBigEndianPly) {
   EXPECT_EQ(big.triangles[0], (std::array<std::int32_t, 3>{0, 1, 2}));
 }
 
-// Of OpenMesh's PLY reader, version 11 crashes on what stands beside the mesh here.
+// Version 11 of OpenMesh's PLY reader crashes on the other elements of this file.
 TEST(MeshFile, PlyWithPropertiesOfAllKinds) {
   const TemporaryFolder folder;
   const std::string head =
@@ -270,8 +270,8 @@ TEST(MeshFile, BadInput38TargetIsTestedBeforeAndNothingIsLeft) {
 TEST(MeshFile, BadInput36FullDiskKeepsTheOldFile) {
   std::error_code unknown;
   if (!std::filesystem::exists("/dev/full", unknown)) GTEST_SKIP() << "no /dev/full on this system";
-  // The device itself cannot be renamed onto, but its folder refuses or the write fails: either way
-  // an error with a cause, never a partial file that looks whole.
+  // A file cannot be renamed onto the device; its folder refuses, or the write fails. In each
+  // case there is an error with a cause, and no incomplete file that looks whole.
   const TriMesh mesh = awkwardSoup();
   EXPECT_THROW(writeMesh(mesh, "/proc/swept.ply"), Error);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Who may read a file, while it is written and afterwards.
+// Permissions of a file while it is written and afterwards.
 #include "base/safe_file.h"
 
 #include <gtest/gtest.h>

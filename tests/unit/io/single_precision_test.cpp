@@ -1,4 +1,4 @@
-// Meshes in single precision stay the meshes that they were.
+// Meshes in single precision: rounding does not change how their triangles are joined.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "io/single_precision.h"
 

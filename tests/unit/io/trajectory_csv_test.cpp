@@ -77,7 +77,7 @@ TEST(TrajectoryCsv, RecordingsAsTheyAre) {
       EXPECT_DOUBLE_EQ(read.poses[i].timeSeconds, 1403636579.5 + double(i));
     }
   };
-  // TUM: blanks, the columns named in comments or not at all.
+  // TUM: separated by blanks; the columns are named in comments or not at all.
   const std::string tum = "1403636579.5 1.5 2 3 .6 0 0 .8\n1403636580.5 1.5 2 3 .6 0 0 .8\n";
   expectTwo(readText(folder, tum));
   expectTwo(readText(folder, "# ground truth\n# timestamp tx ty tz qx qy qz qw\n" + tum));
@@ -85,7 +85,7 @@ TEST(TrajectoryCsv, RecordingsAsTheyAre) {
   expectTwo(readText(folder,
                      "# time x y z qw qx qy qz\n1403636579.5 1.5 2 3 .8 .6 0 0\n"
                      "1403636580.5 1.5 2 3 .8 .6 0 0\n"));
-  // EuRoC: nanoseconds, the scalar first, nine columns more than a pose has.
+  // EuRoC: nanoseconds, the scalar first, and nine more columns than a pose needs.
   const std::string more = ",1,2,3,4,5,6,7,8,9\n";
   expectTwo(readText(
       folder,

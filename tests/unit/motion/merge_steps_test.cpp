@@ -1,5 +1,5 @@
-// Merged steps of recordings: brute force over the true motion says how far they are off, and what
-// cannot be merged stays as it is.
+// Merged steps of recordings: their deviation is measured on the true motion by brute force.
+// Motions that cannot be merged stay unchanged.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "motion/merge_steps.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A smooth way with a recorder's noise. Some poses repeat the time of the one before.
+/// A smooth path with the noise of a recording. Some poses have the time of the previous one.
 Trajectory recording(std::mt19937& random, int poses, double travel, double turn, double noise,
                      Interpolation kind = Interpolation::Linear) {
   std::normal_distribution<double> normal(0, 1);

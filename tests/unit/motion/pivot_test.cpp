@@ -1,4 +1,5 @@
-// The pivot of a trajectory: it goes straight, and what is seen from it is the same motion.
+// The pivot of a trajectory: it moves straight, and the motion in coordinates of the pivot is
+// the same motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "motion/pivot.h"
 
@@ -16,7 +17,7 @@ using Eigen::Vector3d;
 
 const Vector3d kPivot{105, 5, -3};
 
-/// A quarter turn about the z axis, on the way from the origin.
+/// A quarter turn about the z axis while the body moves away from the origin.
 Trajectory quarterTurn(Interpolation interpolation) {
   Trajectory trajectory;
   trajectory.interpolation = interpolation;

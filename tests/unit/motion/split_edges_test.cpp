@@ -1,4 +1,4 @@
-// Long edges of bodies that turn are split; nothing else about the body changes.
+// Long edges of a turning body are divided; nothing else about the body changes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "motion/split_edges.h"
 
@@ -63,7 +63,8 @@ TEST(SplitEdges, OnlyWhereItSavesWork) {
   EXPECT_TRUE(std::isinf(best(makeBall({0, 0, 0}, 5, 6), quarterTurn(M_PI / 2))));
 }
 
-/// A ball with a long rod beside it, and a turn in 40 steps that the rod's few long edges feel.
+/// A ball with a long rod beside it, and a turn in 40 steps. Only the few long edges of the rod
+/// need more steps.
 struct BallAndRod {
   BallAndRod() {
     append(body, makeBox({2, 0, 0}, {2.1, 0.1, 20}));
@@ -86,7 +87,7 @@ TEST(SplitEdges, FewLongEdgesOfAFineBodyAreSplitAndTheBoundIsKept) {
   const Motion motion = refineMotion(split, c.turn, how.chord, run);
   EXPECT_LE(motion.chordError, chord * (1 + 1e-9));
   EXPECT_LT(split.triangles.size(), c.body.triangles.size() * 2);
-  // The same bound for the body as it is takes ten times as many.
+  // Without splitting, the same bound needs ten times as many placements.
   EXPECT_GT(refineMotion(c.body, c.turn, chord, run).placements.size(),
             10 * motion.placements.size());
 }
@@ -104,7 +105,7 @@ TEST(SplitEdges, TooManyCopiesMakeTheChordLarger) {
   const Following fewer = planFollowing(c.body, c.turn, chord, cell, most, false, run);
   EXPECT_GT(fewer.chord, chord);
   EXPECT_LT(static_cast<double>(copies(fewer)), 1.01 * most);
-  // Of what a chord of a cell takes, twice is always allowed.
+  // Twice the placements for a chord error of one cell are always allowed.
   EXPECT_LT(planFollowing(c.body, c.turn, chord, cell, 1, false, run).chord, cell);
 }
 

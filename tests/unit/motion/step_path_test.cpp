@@ -1,4 +1,5 @@
-// The motion of a step: its ends, its law in between, and that all parts take the same path.
+// The motion within a step: both ends, the positions between them, and that all functions give
+// the same path.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "motion/step_path.h"
 
@@ -47,7 +48,7 @@ double difference(const Isometry3d& a, const Isometry3d& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
 
-/// Lost by rounding, or by taking a turn of less than the smallest screw for none.
+/// Loss by rounding, or because a turn below the smallest screw angle counts as no turn.
 double lossOf(const StepPath& path) {
   return kRounding + (path.angle() > 0 && path.angle() < 1e-3
                           ? 100 * std::min(path.angle(), 4e-16 / path.angle())
@@ -81,8 +82,8 @@ TEST(StepPath, LinearIsSlerpAboutTheMovingOrigin) {
   }
 }
 
-/// A screw is a one-parameter group: two halves of it are the whole, wherever they begin. With its
-/// two ends this says all.
+/// A screw is a one-parameter group: two halves of it give the whole, wherever they begin.
+/// Together with both ends this determines it.
 TEST(StepPath, ScrewIsAOneParameterGroup) {
   Random random(3);
   for (int n = 0; n < 2000; ++n) {
@@ -115,8 +116,8 @@ TEST(StepPath, AxisOfAScrewOnlySlides) {
   }
 }
 
-/// On both sides of the smallest angle of a screw, and far from it, the path is the same up to what
-/// the angle itself changes.
+/// Just below and above the smallest angle of a screw, and far from it, the paths are the same,
+/// up to the effect of the angle itself.
 TEST(StepPath, NoJumpWhereAScrewBecomesAStraightLine) {
   Random random(5);
   for (int n = 0; n < 200; ++n) {
@@ -132,7 +133,7 @@ TEST(StepPath, NoJumpWhereAScrewBecomesAStraightLine) {
   }
 }
 
-/// The envelope and the distances to other parts are of one and the same motion.
+/// The envelope and the distances to other parts use the same motion.
 TEST(StepPath, SamplingAndClearanceMoveTheBodyAlike) {
   Random random(6);
   const TriMesh body = makeBox({-20, -10, -5}, {30, 20, 15});

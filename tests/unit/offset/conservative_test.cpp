@@ -1,4 +1,4 @@
-// Conservative envelopes: nothing of the sweep outside, and the bound that is printed holds.
+// Conservative envelopes: no point of the sweep lies outside, and the reported bound holds.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ std::vector<V3> sweepPoints(const SweptDistance& truth, int count, std::mt19937&
   return points;
 }
 
-/// solid: the body as the witness takes it, which must have an inside.
+/// solid: the body for the comparison, which must be closed.
 void expectHeld(const std::string& name, const TriMesh& body, const TriMesh& solid,
                 const Trajectory& motion, const Options& options, int points) {
   SCOPED_TRACE(name);
@@ -115,7 +115,7 @@ TEST(Conservative, HoldsSharedPartsInMotion) {
 }
 
 TEST(Conservative, HoldsWhatNoGridEdgeMeets) {
-  // A needle and a plate of a hundredth of a cell: gone from the plain envelope.
+  // A needle and a plate, a hundredth of a cell thick: the plain envelope loses them.
   TriMesh body = makeBox({0, 0, 0}, {4, 4, 4});
   append(body,
          transformed(makeBox({4, 2, 2}, {9, 2.002, 2.002}), placement({1, 1, 0}, 2, {0, 0, 0})));
@@ -129,7 +129,7 @@ TEST(Conservative, HoldsWhatNoGridEdgeMeets) {
   expectHeld("moving needle", body, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
 }
 
-/// A sheet of four corners, modelled from both sides; with a width, closed at its rim.
+/// A sheet of four corners with triangles on both sides; if it has a width, its rim is closed.
 void appendSheet(TriMesh& mesh, double width) {
   const V3 corners[] = {V3(4, 1, 2), V3(9, 1, 2.3), V3(9, 3, 2.9), V3(4, 3, 2.1)};
   const auto first = static_cast<std::int32_t>(mesh.vertices.size());
@@ -149,7 +149,7 @@ void appendSheet(TriMesh& mesh, double width) {
 }
 
 TEST(Conservative, HoldsSheetsModelledFromBothSides) {
-  // Other runs take such sheets out, since they enclose nothing.
+  // Other runs remove such sheets, since they enclose nothing.
   TriMesh body = makeBox({0, 0, 0}, {4, 4, 4}), solid = body;
   appendSheet(body, 0);
   appendSheet(solid, 1e-7);

@@ -1,5 +1,6 @@
 // Envelopes grown by a safety distance, against the exact distance to the body.
-// Bars as for envelopes: at most 1 cell everywhere, 0.25 cell at creases, typically 0.01 cell.
+// Limits of the distance, as for envelopes: 1 cell everywhere, 0.25 cell at creases; most points
+// are within 0.01 cell.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -50,7 +51,7 @@ struct Deviation {
   double mean = 0, p95 = 0, most = 0;  // cells
 };
 
-/// How far vertices and middles of the result's triangles lie from where the distance is d.
+/// Returns how far vertices and middles of triangles lie from the surface at the distance d.
 Deviation deviation(const Result& result, double d,
                     const std::function<double(const V3&)>& distance, std::size_t samples = 20000) {
   const TriMesh& mesh = result.mesh;
@@ -72,9 +73,9 @@ Deviation deviation(const Result& result, double d,
   return out;
 }
 
-/// Vertices of an offset of at least half a cell lie at the distance, but for the chord of the
-/// motion: never short, and outside by no more than roundness asks for. The few that would make
-/// triangles meet stay where contouring has put them.
+/// Vertices of an offset of at least half a cell lie at the distance, up to the chord error of
+/// the motion: never too near, and too far only by what roundness needs. The few vertices whose
+/// move would make triangles intersect stay where contouring has put them.
 void expectVerticesAt(const Result& result, double d,
                       const std::function<double(const V3&)>& distance, double chord = 0) {
   double least = HUGE_VAL, most = -HUGE_VAL;
@@ -91,8 +92,8 @@ void expectVerticesAt(const Result& result, double d,
   EXPECT_LE(1000 * longer, looked);
 }
 
-/// Farthest from the result of the points that lie d above the body's faces and belong to its
-/// offset: a missing part, or a crease that was cut.
+/// Returns the largest distance from the result of points that lie d above the faces of the body
+/// and belong to the offset. It shows a missing part, or a crease that was cut off.
 double missing(const Result& result, const TriMesh& body, const MeshDistance& distance, double d) {
   const MeshDistance found(result.mesh);
   double most = 0;
@@ -125,7 +126,7 @@ void expectStill(const std::string& name, const TriMesh& body, double size) {
         name.c_str(), cells, out.mean, out.p95, out.most, back);
     EXPECT_LT(out.mean, 0.01) << name;
     EXPECT_LT(out.p95, 0.05) << name;
-    // What is rounded by less than a cell may come out sharp: d too far, within the cell.
+    // Edges rounded by less than a cell may come out sharp: d too far, within the cell.
     EXPECT_LT(out.most, cells < 1 ? cells : 0.25) << name;
     EXPECT_LT(back, 0.25) << name;
   }
@@ -145,7 +146,7 @@ TEST(Offset, StillFandisk) {
   expectStill("fandisk", readMesh(path, 1000), 2000);
 }
 
-/// Valleys between balls that are narrower than a cell at their ground.
+/// Valleys between balls whose bottom is narrower than a cell.
 TEST(Offset, NothingIsShortBetweenBalls) {
   TriMesh heap;
   for (int n = 0; n < 40; ++n) {
@@ -187,14 +188,14 @@ TEST(Offset, GapsAreAsWideAsTheyShouldBe) {
     append(body, makeBox({0, 0, 1 + gap}, {5, 5, 2 + gap}));
     return body;
   };
-  // Two cells stay open: two shells, each as far from its plate as it should be.
+  // A gap of two cells stays open: two shells, each at the right distance from its plate.
   const TriMesh open = plates(2 * d + 2 * cell);
   const Result apart = grown(open, still(), d, cell);
   EXPECT_EQ(apart.report.check.shells, 2);
   const MeshDistance distance(open);
   const Deviation out = deviation(apart, d, [&](const V3& x) { return distance.distance(x); });
   EXPECT_LT(out.most, 0.25);
-  // Less than twice the distance closes, and nothing is left between the plates.
+  // A gap narrower than twice the distance closes, and nothing is left between the plates.
   const Result closed = grown(plates(2 * d - cell), still(), d, cell);
   EXPECT_EQ(closed.report.check.shells, 1);
   EXPECT_EQ(grown(plates(2 * d + 2 * cell), straight({0.01, 0, 0}), d, cell).report.check.shells,
@@ -256,7 +257,8 @@ TEST(Offset, OfAsLittleAsNothingKeepsTheSweptVolume) {
 }
 
 TEST(Offset, ManyCopiesAreMeasuredFromTheEnvelope) {
-  // Above the limit of copies: the envelope is made first, its deviation adds.
+  // Above the limit of copies, the envelope is computed first, and its deviation adds to the
+  // error.
   const TriMesh ball = makeBall({0, 0, 0}, 3, 4);  // 5120 triangles
   Trajectory motion{{}, Interpolation::None};
   for (int i = 0; i < 1600; ++i) {

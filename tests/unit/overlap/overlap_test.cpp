@@ -1,4 +1,4 @@
-// Shared volumes against formulas, against the clipping of half-spaces and against sampling.
+// Shared volumes, compared with formulas, with clipping by half-spaces, and with sampling.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/overlap.h"
 
@@ -36,7 +36,7 @@ Eigen::Isometry3d placed(std::mt19937& random, double reach) {
   return shift * turn.normalized();
 }
 
-/// Closed, and turned one way; folds of rounding are not counted.
+/// Checks that the mesh is closed and consistently oriented. Folds from rounding are not counted.
 void expectClosed(const SharedVolume& shared) {
   if (shared.mesh.triangles.empty()) return;
   RunContext run;
@@ -47,8 +47,8 @@ void expectClosed(const SharedVolume& shared) {
   EXPECT_NEAR(check.volume, shared.volume, 1e-9 * shared.volume);
 }
 
-/// Volume of a convex polyhedron cut by the planes of another, polygon by polygon: nothing of the
-/// code under test.
+/// Volume of a convex polyhedron cut by the planes of another, polygon by polygon. It shares no
+/// code with the code under test.
 class Clipped {
  public:
   using Polygon = std::vector<Vector3d>;
@@ -166,8 +166,8 @@ TEST(Overlap, ATurnedCubeInACubeIsAnOctagonPrism) {
 }
 
 TEST(Overlap, BallsShareALens) {
-  // Two balls of radius r, middles d apart: pi (4 r + d) (2 r - d)^2 / 12. Of meshes inside them:
-  // what a mesh of so many triangles lacks of its ball shrinks to a sixteenth in two levels.
+  // The common volume of two balls of radius r, d apart: pi (4 r + d) (2 r - d)^2 / 12. The
+  // volume that a mesh lacks of its ball shrinks to a sixteenth with two more levels.
   const double r = 10, d = 12, exact = M_PI * (4 * r + d) * std::pow(2 * r - d, 2) / 12;
   double before = 0;
   for (int levels = 3; levels <= 5; ++levels) {
@@ -238,8 +238,8 @@ TEST(Overlap, ABodyWithACavity) {
 }
 
 TEST(Overlap, WhatIsSharedAndWhatIsUnitedAddUp) {
-  // Two parts together, laid into a box, are their union: its volume and the shared one are those
-  // of both parts.
+  // Two parts together, placed in a box, give their union. Its volume plus the shared one are the
+  // volumes of both parts.
   std::mt19937 random(23);
   std::uniform_int_distribution<int> by(-14, 14), kind(0, 2);
   const TriMesh all = cube({-100, -100, -100}, 200);

@@ -1,5 +1,5 @@
-// Pages: their texts in every language, templates, escaping, where parts are; and reports that are
-// none.
+// Pages: texts in each language, templates, escaping, positions of parts; and input that is no
+// report.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/page.h"
 

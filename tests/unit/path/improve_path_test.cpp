@@ -1,4 +1,5 @@
-// Motions improved: certified, never worse than asked, the same for any threads; live distances.
+// Improved motions: they are proven clear, never have less clearance than requested, and are the
+// same for any number of threads. Also: live clearance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ PathOptions patient(const PathCase& c) {
   return options;
 }
 
-// The straight way from start to goal, in equal moves, through whatever stands there.
+// The straight motion from start to goal in equal moves, through all neighbours.
 Trajectory straightWay(const PathCase& c, int moves) {
   Trajectory motion;
   motion.interpolation = Interpolation::Linear;
@@ -40,7 +41,7 @@ PathReport improve(const PathCase& c, const ImproveTask& task, const PathOptions
   return improvePath(c.part, task, neighboursOf(c), options, run);
 }
 
-// As the ordinary check of the whole motion sees it.
+// Checks with the ordinary clearance check of the whole motion.
 bool isClear(const PathCase& c, const Trajectory& motion, double required) {
   RunContext run;
   ClearanceOptions options;

@@ -1,4 +1,5 @@
-// Installation paths: found, certified, the same for any threads; honest where there are none.
+// Installation paths: they are found and proven clear, and are the same for any number of
+// threads. Where no path exists, none is reported.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -46,7 +47,7 @@ std::string codeOf(const PathCase& c, const PathOptions& options) {
   return report.code;
 }
 
-/// Seconds enough for sanitizers too: a search that its clock ends says nothing.
+/// Enough seconds for sanitizers too: a search that ends at its time limit tests nothing.
 PathOptions patient(const PathCase& c) {
   PathOptions options = optionsOf(c);
   options.budgetSeconds = 1000;
@@ -67,7 +68,7 @@ TEST(FindPath, MadeUpProblemsHaveTheRightAnswersAndEveryPathIsClear) {
   EXPECT_GE(found, 15);
 }
 
-// The shortest path grazes the edge of the wall at the required distance. There is room for more.
+// The shortest path passes the edge of the wall at the required distance. There is room for more.
 TEST(FindPath, PathsKeepAwayFromWhatTheyPass) {
   PathCase c;
   c.part = makeBox({-1, -1, -1}, {1, 1, 1});
@@ -96,7 +97,8 @@ TEST(FindPath, PartsThatHaveToTurnFindTheirWay) {
   }
 }
 
-// No clock and no other machine decides: each within a number of moves (about a second).
+// No time limit: each search is limited by a number of moves (about a second), so the result is
+// the same on every machine.
 TEST(FindPath, TurnsInNarrowPlacesAreFoundWithinFewMoves) {
   int found = 0;
   for (unsigned seed = 1; seed <= 3; ++seed)
@@ -241,7 +243,7 @@ TEST(FindPath, ThatNoWayWithoutTurningExistsIsProvenOrNotSaid) {
   const PathReport sealed = solve(c, options);
   EXPECT_EQ(sealed.verdict, PathVerdict::NoTranslation) << sealed.summary << sealed.message;
   EXPECT_FALSE(sealed.budgetEnded);
-  // A way out, and one that is only too narrow for the clearance.
+  // One opening that is wide enough, and one that is too narrow only for the clearance.
   for (unsigned number = 0; number < 3; ++number) {
     c = number % 2 == 0 ? channelCase(number) : cornerCase(number);
     options = optionsOf(c);

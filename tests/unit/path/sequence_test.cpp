@@ -1,5 +1,5 @@
-// Parts one after the other: each clear of what is there by then; orders that are found, and honest
-// ends where there is none.
+// Sequences: each part is clear of the parts already in place. An order is found, and where none
+// exists, none is reported.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/sequence.h"
 
@@ -36,7 +36,8 @@ TriMesh shaft(double height) {
   return mesh;
 }
 
-/// Blocks on top of each other in a shaft: each has to wait for those below it. Given from the top.
+/// Blocks on top of each other in a shaft: each has to wait for those below it. They are given
+/// from the top.
 Problem stack(int count) {
   Problem p;
   p.still.push_back({"shaft", shaft(12 * count + 5), 0});
@@ -50,7 +51,7 @@ Problem stack(int count) {
   return p;
 }
 
-/// A block in a box that nothing leaves.
+/// A block in a closed box.
 Problem sealed() {
   TriMesh box = makeSquareRing(12, 6, -8, 8);
   append(box, makeBox({-12, -12, -14}, {12, 12, -7.9}));
@@ -96,7 +97,8 @@ TriMesh placedAt(TriMesh mesh, const Pose& pose) {
   return mesh;
 }
 
-// Each step again by the clearance engine, from its keys on the timeline; empty if all is right.
+// Checks each step again with the clearance check, from its keys on the timeline. Returns an
+// empty text if all is right.
 std::string wrongWith(const Problem& p, const SequenceReport& report) {
   if (report.verdict != SequenceVerdict::Found) return "not found: " + report.summary;
   if (report.steps.size() != p.parts.size()) return "parts are missing";
@@ -199,7 +201,7 @@ TEST(FindSequence, TheFirstPartComesFreelyWhereNothingStands) {
   p.parts.back().task.extraction = Extraction{0, Vector3d(0, 0, -1)};
   p.still.clear();
   p.options.findOrder = true;
-  // The shaft may go down from round the blocks: that is the given order.
+  // The shaft can be moved down from around the blocks: this is the given order.
   const SequenceReport report = solve(p);
   EXPECT_EQ(wrongWith(p, report), "");
   EXPECT_EQ(report.steps.front().path.method, "nothing in the way");

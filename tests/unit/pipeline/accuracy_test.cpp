@@ -1,4 +1,5 @@
-// An accuracy in mm chooses cell size, tolerance and chord, and the report bounds what was lost.
+// A run with an accuracy in mm: it chooses cell size, tolerance and chord error, and the report
+// has a bound on the total error.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/accuracy.h"
 

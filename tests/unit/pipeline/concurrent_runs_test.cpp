@@ -1,4 +1,5 @@
-// Runs in one process at the same time: each gives the bytes and the report that it gives alone.
+// Several runs at the same time in one process: each gives the same bytes and report as it does
+// alone.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -42,7 +43,7 @@ std::vector<Case> cases() {
           {makeBox({-3, -2, -1}, {3, 2, 1}), turning(110, Interpolation::Linear), grown, 3}};
 }
 
-/// What two runs of one case must agree in: all but times and memory, which are measured.
+/// What must be the same in two runs of one case: all but times and memory, which are measured.
 struct Outcome {
   std::string bytes, report;
   bool operator==(const Outcome&) const = default;

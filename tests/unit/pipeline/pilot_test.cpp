@@ -19,7 +19,8 @@ Trajectory shiftAndTurn() {
   return path;
 }
 
-// The estimate from the sweep's box alone would refuse this; a count on a coarse grid does not.
+// The estimate from the bounding box of the sweep alone would refuse this run; the count on a
+// coarse grid does not.
 TEST(Pilot, TellsWhatFitsAfterAll) {
   const TriMesh body = makeBall({0, 0, 0}, 2, 3);
   Options options;
@@ -30,7 +31,8 @@ TEST(Pilot, TellsWhatFitsAfterAll) {
   const Result result = compute(body, shiftAndTurn(), options, run);
   ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
   EXPECT_LE(result.report.estimatedMemoryBytes, run.memoryLimitBytes);
-  // What it foresees is about what it takes: not below the crossings' own share, not far above.
+  // The estimate is near the memory used: not below the share of the crossings, and not far
+  // above.
   const double each = static_cast<double>(result.report.estimatedMemoryBytes) /
                       static_cast<double>(result.report.crossings);
   EXPECT_GT(each, 320);

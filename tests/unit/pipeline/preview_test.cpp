@@ -1,4 +1,5 @@
-// The preview session gives what compute() gives at its chord, call after call.
+// A preview session gives the same results as compute() with the same chord error, call after
+// call.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/preview.h"
 
@@ -44,7 +45,7 @@ TEST(Preview, WhatIsKeptBetweenCallsDoesNotShowInTheResult) {
       Pose& pose = next.poses[1 + static_cast<std::size_t>(edit % 4)];
       pose.translation += 0.1 * Eigen::Vector3d(unit(random), unit(random), unit(random));
       if (edit == 5) next.poses.erase(next.poses.begin() + 2);
-      // The same grid, made by the first motion, but no step of it: the way back has others.
+      // The grid is that of the first motion, but no step is: the way back has other steps.
       Trajectory back = motion;
       std::reverse(back.poses.begin(), back.poses.end());
       for (std::size_t n = 0; n < back.poses.size(); ++n) {

@@ -1,4 +1,4 @@
-// What people and programs read: the report as JSON, the names of statuses, phases and options.
+// Texts of a report: the JSON, and the names of statuses, phases and options.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// What made each triangle of an envelope: true to the body and the motion as given, for nothing
-// else.
+// What made each triangle of an envelope: it agrees with the body and the motion, and recording
+// it changes nothing else.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/sources.h"
 
@@ -68,7 +68,8 @@ Result sweep(const TriMesh& body, const Trajectory& motion, bool sources, double
   return compute(body, motion, options, run);
 }
 
-/// The bytes are those of a run without sources, all sources are true, few are missing.
+/// The mesh has the same bytes as in a run without sources, all sources are true, and few are
+/// missing.
 void expectTrue(const TriMesh& body, const Trajectory& motion, const std::string& what) {
   const Result plain = sweep(body, motion, false), result = sweep(body, motion, true);
   ASSERT_EQ(result.report.status, plain.report.status) << what << result.report.message;
@@ -156,14 +157,15 @@ TEST(Sources, KindsSayHowAFaceOrEdgePassed) {
     if (row.kind != SourceKind::Cap || row.faces[0] == 0) continue;
     EXPECT_EQ(row.faces[0], row.step == 0 ? 1 : 2);
   }
-  // A box along an edge's diagonal: half of its faces at either end, and edges between.
+  // A box along the diagonal of a face: half of its faces at each end, and edges between.
   Trajectory diagonal = along;
   diagonal.poses[1].translation = {30, 30, 30};
   const auto box = kindsOf(sweep(boxWithFaces(), diagonal, true));
   EXPECT_GT(box[0], 0);
   EXPECT_GT(box[1], 0);
   EXPECT_EQ(box[2], 0);
-  // A cylinder across its axis: its mantle grazes. As a mesh without faces 64 sides are smooth too.
+  // A cylinder across its axis: its mantle grazes. In a mesh without faces, its 64 sides count as
+  // smooth too.
   Trajectory across = along;
   across.poses[1].translation = {30, 0, 0};
   for (const bool named : {true, false}) {
@@ -176,7 +178,8 @@ TEST(Sources, KindsSayHowAFaceOrEdgePassed) {
 }
 
 TEST(Sources, NumbersAreThoseOfWhatWasGiven) {
-  // Corners of their own, a triangle without area and one twice in front, a pose that repeats.
+  // Triangles with separate corners, a triangle without area and a duplicate at the beginning,
+  // and a repeated pose.
   TriMesh body = boxWithFaces();
   TriMesh given = body;
   given.triangles.insert(given.triangles.begin(), {{0, 1, 1}, body.triangles[3]});

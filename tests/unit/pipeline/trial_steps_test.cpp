@@ -1,5 +1,5 @@
-// What trials foresee, in counts: surfaces, crossings that are sorted, probes of contouring.
-// Seconds are compared by tests/tools/estimate_suite.py.
+// Estimates from trials, compared as counts: surfaces, sorted crossings, probes of contouring.
+// tests/tools/estimate_suite.py compares seconds.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ Trajectory bow(int keys, double length, double turn, double noise) {
     Pose pose;
     pose.timeSeconds = n;
     pose.rotation = Eigen::AngleAxisd(turn * s, Eigen::Vector3d::UnitZ());
-    // Drawn one after the other: compilers differ in the order of arguments.
+    // Drawn in a fixed order, since compilers evaluate arguments in different orders.
     const double z = off(random), y = off(random), x = off(random);
     // Slow at first.
     pose.translation =
@@ -103,8 +103,8 @@ Counted counted(Planned& planned) {
           asked.count()};
 }
 
-// The box of a diagonal path is mostly empty: reckoned from it, these sweeps have 10 times as many
-// triangles as they get.
+// The bounding box of a diagonal path is mostly empty: an estimate from the box gives 10 times as
+// many triangles.
 TEST(TrialSteps, TheSurfaceIsGuessedFromTheSweepAndNotFromItsBox) {
   for (const int turns : {0, 3}) {
     Trajectory path;
@@ -130,7 +130,7 @@ TEST(TrialSteps, TheSurfaceIsGuessedFromTheSweepAndNotFromItsBox) {
   }
 }
 
-// Simplification takes most of the time where there is a tolerance: the finer, the longer.
+// With a tolerance, simplification takes most of the time, and more the finer the cells are.
 TEST(TrialSteps, SimplificationIsCounted) {
   Trajectory path;
   path.poses = {{}, {1, Eigen::Quaterniond::Identity(), {9, 4, 3}}};
@@ -179,8 +179,8 @@ TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
   }
 }
 
-// What is held while a motion is sampled: an item of the run drops crossings only when it alone has
-// many, and a union of many placements has more items than a motion that is followed.
+// Memory during sampling: an item of the run drops crossings only if it alone has many, and a
+// union of many placements has more items than an interpolated motion.
 TEST(TrialSteps, CrossingsAreHeldWhereNoItemHasMany) {
   const TriMesh body = makeBox({0, 0, 0}, {10, 10, 10});
   Trajectory path = bow(20000, 60, 0, 0.3);  // noise, so that no steps are merged
@@ -225,8 +225,8 @@ TEST(TrialSteps, SomeClustersStandForAll) {
   EXPECT_EQ(part, 0u);
 }
 
-// Recordings that tremble: 192 of their placements are smooth, and a box along them asks a third of
-// the probes.
+// Recordings with noise: 192 of their placements form a smooth motion, which needs only a third
+// of the probes.
 TEST(TrialSteps, ProbesOfContouringAreCountedInCellsOfTheWholeMotion) {
   struct Kind {
     TriMesh body;
@@ -247,7 +247,7 @@ TEST(TrialSteps, ProbesOfContouringAreCountedInCellsOfTheWholeMotion) {
   }
 }
 
-// Where there is little room the grid is coarser; the surface comes out much the same.
+// With little room, the grid is coarser; the estimated surface is nearly the same.
 TEST(TrialSteps, LargerCellsTellTheSurfaceToo) {
   Planned planned(makeTorus(20, 8, 120, 60), bow(60, 80, 1.5, 0), 120);
   const Counted run = counted(planned);

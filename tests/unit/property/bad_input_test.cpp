@@ -1,4 +1,4 @@
-// The table of bad input (docs/bad_input.md) through compute(): every row ends as it says.
+// The rows of docs/bad_input.md through compute(): each run ends as the row says.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -111,7 +111,7 @@ TEST(BadInput, bad_input_06_open_mesh) {
   TriMesh body = unitBox();
   body.triangles.resize(10);  // one side missing
   expectRefused(run(body, still()), "OpenMesh");
-  // A sheet moved across itself: its prisms are closed.
+  // A sheet moves across its own plane: its prisms are closed.
   TriMesh sheet;
   sheet.vertices = {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -186,7 +186,7 @@ TEST(BadInput, bad_input_14_far_from_origin) {
   EXPECT_NEAR(result.report.check.volume, run(unitBox(), shift()).report.check.volume, 0.01);
   for (auto& v : body.vertices) v.x() += 3e9;
   expectRefused(run(body, shift()), "OutOfRange");
-  // So far away that no number is left between the lattice points.
+  // So far away that there is no number between the lattice points.
   TriMesh tiny = makeBox({5e8, 5e8, 5e8}, {5e8 + 1e-6, 5e8 + 1e-6, 5e8 + 1e-6});
   const Result coarseNumbers = run(tiny, still());
   EXPECT_EQ(coarseNumbers.report.status, Status::InvalidInput);
@@ -199,7 +199,7 @@ TEST(BadInput, bad_input_15_cell_against_body) {
   expectRefused(run(unitBox(), still(), options), "CellTooLarge");
   options.cellSize = 1e-6;
   expectFailure(run(unitBox(), still(), options), Status::ResourceLimit, "ResourceLimit");
-  // Said before a body that turns is split for such a cell.
+  // The run fails before it splits the edges of a turning body for such a cell.
   Trajectory turn = still();
   turn.poses.push_back(poseOf(1, placement({1, 2, 3}, 100, {2, 0, 1})));
   RunContext context;
@@ -311,7 +311,7 @@ TEST(BadInput, bad_input_24_cancel_within_a_quarter_second) {
     worker.join();
     const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - asked;
     if (finishedFirst) break;  // the machine is faster than the plan
-    // Twice the bar: other work may share the machine's cores.
+    // Twice the limit: other processes may use the same cores.
     EXPECT_LT(waited.count(), 0.5) << "cancelled after " << milliseconds << " ms";
     if (result.report.status != Status::Ok) {
       expectFailure(result, Status::Cancelled, "Cancelled");
@@ -353,7 +353,7 @@ TEST(BadInput, bad_input_45_thinner_than_the_cell_everywhere) {
   const TriMesh needle = makeBox({0.4, 0.4, 0.4}, {0.41, 0.41, 3.6});
   const Result result = run(needle, still(), options);
   expectRefused(result, "CellTooLarge");
-  // The cell that is named works.
+  // The cell size in the message works.
   const std::string& text = result.report.message;
   ASSERT_NE(text.find("try "), std::string::npos) << text;
   options.cellSize = std::stod(text.substr(text.find("try ") + 4));

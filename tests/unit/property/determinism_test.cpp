@@ -1,5 +1,5 @@
-// The same bytes for any number of threads, in any run, on any day: results against stored hashes.
-// After a change that is meant to change results, SWEPT_STORE_HASHES=1 writes the new ones.
+// The same bytes for any number of threads and in every run: results are compared with stored
+// hashes. After a change that is meant to change results, SWEPT_STORE_HASHES=1 stores new ones.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ Trajectory path(Interpolation interpolation) {
           interpolation};
 }
 
-/// One of every way through the pipeline.
+/// One case for each way through the pipeline.
 std::vector<Case> cases() {
   const TriMesh torus = makeTorus(3, 1, 32, 16);
   Options plain;
@@ -65,7 +65,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-/// Of vertices bit by bit, triangles and contact times (FNV-1a).
+/// Hash (FNV-1a) of the bits of vertices, triangles and contact times.
 std::string hashOf(const Result& result) {
   std::uint64_t hash = 1469598103934665603ull;
   const auto eat = [&](const void* data, std::size_t bytes) {

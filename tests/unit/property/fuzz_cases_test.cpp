@@ -1,4 +1,5 @@
-// What fuzzing once broke stays whole: every kept case through the function that found it.
+// Inputs with which the fuzzing programs once found a fault, each run with the function that
+// found it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

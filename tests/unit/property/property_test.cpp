@@ -1,6 +1,6 @@
 // What must hold for any body and motion, on seeded random cases: more than 500 in all.
 // Lengths are in cells; volumes in units of area x cell. Where two results are compared, each may
-// be as far from the truth as the bars of the truth suite allow, so the bars here are twice those.
+// be as far from the exact surface as tests/unit/truth allows, so the limits here are twice those.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -33,9 +33,10 @@ void expectOk(const Result& result) {
   EXPECT_TRUE(result.report.check.passes());
 }
 
-/// Largest distance of the vertices of one mesh from the other, in cells. Vertices inside the other
-/// solid are left out: a gap narrower than a cell may be open on one grid and closed on the other,
-/// and what lies behind it is then a pocket of the one and solid in the other.
+/// Returns the largest distance, in cells, of the vertices of one mesh from the other. Vertices
+/// inside the other solid are left out. A gap narrower than a cell may be open on one grid and
+/// closed on the other; the space behind it is then a pocket in one result and solid in the
+/// other.
 double reach(const TriMesh& from, const TriMesh& to, double cell) {
   const MeshDistance tree(to);
   double most = 0;

@@ -1,5 +1,5 @@
-// Signs of the culled sampling against those of all faces and patches, and against the copies of
-// the body themselves, on 200 random motions.
+// Signs from sampling with culling, compared with those from all faces and side patches, and
+// with the copies of the body themselves, on 200 random motions.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ struct Case {
     grid = planGrid(sweptBox(body.mesh, motion, run), box, options);
   }
 
-  /// 1 for every lattice point that the outside reaches.
+  /// Returns 1 for every lattice point that the outside reaches.
   std::vector<std::uint8_t> outside(bool cull) const {
     RunContext run;
     const SamplerInput input{body.mesh, topology, motion, grid, cull, body.orientable};
@@ -68,8 +68,8 @@ TEST(Culling, SameSignsAsAllFacesAndNoCopyOfTheBodyIsOutside) {
     const Case scene(random, 24);
     const std::vector<std::uint8_t> culled = scene.outside(true);
     EXPECT_EQ(culled, scene.outside(false));
-    // Brute force: points of the grid in some placement of the body. Snapping moves the surface by
-    // less than 1e-4 cell, so a hair beside the point is asked as well.
+    // Brute force: the lattice points that lie inside the body at some placement. Snapping moves
+    // the surface by less than 1e-4 cell, so points slightly beside them are tested too.
     const RayColumns rays(scene.body.mesh);
     std::uniform_int_distribution<std::size_t> any(0, culled.size() - 1);
     for (int asked = 0; asked < 300; ++asked) {

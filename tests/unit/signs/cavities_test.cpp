@@ -1,4 +1,4 @@
-// Hollow spaces that a sweep seals off: kept where the user asks for it, and only where they are.
+// Cavities that a sweep encloses: they are kept if the user wants it, and only where they exist.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -74,14 +74,15 @@ TEST(Cavities, HollowBallInMotionKeepsWhatNoWallPassed) {
     EXPECT_EQ(result.report.check.shells, 2) << way;
     EXPECT_NEAR(result.report.check.volume, outer - lens(3, way), 0.004 * outer) << way;
   }
-  // Farther than the hollow is wide: the wall passes everywhere.
+  // Farther than the cavity is wide: the wall sweeps all of it.
   const Result result = kept(hollowBall(), moving({6.5, 0, 0}), 0.2);
   EXPECT_EQ(result.report.check.shells, 1);
   EXPECT_EQ(cavities(result), 0);
 }
 
 TEST(Cavities, FastThinWallFillsWhatItPassesWithinAStep) {
-  // A plate a cell thick crosses in one step: inside only in the middle of the step.
+  // A plate, one cell thick, passes in one step: a point is inside only in the middle of the
+  // step.
   const TriMesh plate = makeBox({0, 0, 0}, {0.2, 5, 5});
   const Result result = kept(plate, moving({8, 0, 0}), 0.2);
   EXPECT_EQ(result.report.check.shells, 1);
@@ -90,7 +91,7 @@ TEST(Cavities, FastThinWallFillsWhatItPassesWithinAStep) {
 }
 
 TEST(Cavities, TwoCopiesOfACupSealASpace) {
-  // A box with a pocket from above; the second copy stands on its head over it.
+  // A box with a pocket at the top; the second copy is upside down above it.
   TriMesh cup = makeBox({0, 0, 0}, {10, 10, 1});
   append(cup, makeBox({0, 0, 0}, {1, 10, 6}));
   append(cup, makeBox({9, 0, 0}, {10, 10, 6}));
@@ -128,8 +129,8 @@ TEST(Cavities, RandomPointsAreInsideWhereTheSweepIs) {
   int within = 0, hollow = 0;
   for (unsigned seed = 1; seed <= 6; ++seed) {
     std::mt19937 random(seed);
-    // SweptDistance judges by the nearest face. Where two pieces of a body overlap, that may be a
-    // face inside the body.
+    // SweptDistance uses the nearest face. Where two pieces of a body overlap, this may be a face
+    // inside the body.
     TriMesh body = randomBody(random);
     while (pieces(body) > 1) body = randomBody(random);
     if (seed % 2 == 0) body = hollowBall();

@@ -1,4 +1,4 @@
-// Simplification: deviation, topology, creases, a second cut of the kept surface.
+// Simplification: deviation, topology, creases, and recut() of the kept surface.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "simplify/simplify.h"
 
@@ -40,7 +40,7 @@ Result sweep(const TriMesh& body, const std::vector<Pose>& poses, int resolution
   return result;
 }
 
-/// Distance of a point from a mesh over all triangles: a path without any tree.
+/// Distance of a point from a mesh, by a test of all triangles, without a tree.
 double distanceTo(const TriMesh& mesh, const Eigen::Vector3d& p) {
   double best = 1e300;
   for (const auto& t : mesh.triangles) {
@@ -150,18 +150,18 @@ TEST(Thin, KeepsTheHandleAndASubsetOfTheVertices) {
     const auto v = static_cast<std::int64_t>(thin.mesh.vertices.size());
     const auto f = static_cast<std::int64_t>(thin.mesh.triangles.size());
     EXPECT_EQ(v - 3 * f / 2 + f, 0);  // Euler characteristic of a torus
-    // Surfaces are recognised in triangles that stay small and well shaped.
+    // Recognising surfaces needs triangles that stay small and well shaped.
     EXPECT_LT(f * (purpose == ThinFor::Collapse ? 4 : 2),
               static_cast<std::int64_t>(torus.triangles.size()));
     for (std::size_t n = 0; n < thin.source.size(); ++n)
       EXPECT_EQ(thin.mesh.vertices[n], torus.vertices[thin.source[n]]);
-    // Estimated by vertex, so that the farthest may lie beyond it, but not by much.
+    // The deviation is estimated per vertex, so the largest one may exceed the limit a little.
     for (const Eigen::Vector3d& p : torus.vertices) EXPECT_LE(distanceTo(thin.mesh, p), 0.06);
   }
 }
 
-/// A flat shell whose two sheets lie much nearer than the tolerance: either alone could be moved
-/// through the other.
+/// A flat shell whose two sides are much nearer to each other than the tolerance: either alone
+/// could be moved through the other.
 TEST(Simplify, SheetsNearEachOtherDoNotMeet) {
   TriMesh mesh = makeTorus(6, 2, 120, 60);
   const std::size_t count = mesh.triangles.size();
@@ -179,8 +179,8 @@ TEST(Simplify, SheetsNearEachOtherDoNotMeet) {
   EXPECT_LT(cut.mesh.triangles.size(), count);
 }
 
-/// Thinning loses a few places of a thin shell by four tolerances: they are kept at the next trial.
-/// Else all of it would be done with half of the tolerance.
+/// At a few places of a thin shell, thinning deviates by four tolerances. The next round keeps
+/// the vertices there. Otherwise everything would be repeated with half of the tolerance.
 TEST(Simplify, WhatThinningLosesIsKept) {
   const std::string part = SWEPT_SHARED_DATA "/meshes/robot_leg_shell_base_72k_thin.ply";
   const std::string motion = SWEPT_SHARED_DATA "/motions/keyposes_16_arc_for_fandisk.csv";
@@ -193,7 +193,7 @@ TEST(Simplify, WhatThinningLosesIsKept) {
   EXPECT_GT(result.report.simplificationDeviation, tolerance / 2);
 }
 
-/// A ball with small thorns whose sides fold over each other when vertices go.
+/// A ball with small thorns whose sides fold over each other when vertices are removed.
 TEST(Thin, MakesNoPairsWhereSidesFold) {
   TriMesh mesh = makeBall({0, 0, 0}, 5, 6);
   Random random(23);
@@ -281,7 +281,8 @@ TEST(CollapseLog, TakesEverythingBack) {
   EXPECT_TRUE(log.takeBack(state, all, 1).empty());
 }
 
-/// Steps taken back here and there leave a closed surface, on which the collapse goes on.
+/// Undoing collapses at some places leaves a closed surface, on which further edges can be
+/// collapsed.
 TEST(CollapseLog, TakesBackAtSomePlaces) {
   const TriMesh torus = makeTorus(6, 2, 240, 120);
   const NearestTriangle nearest(torus.vertices, torus.triangles, NearestTriangle::Walks::Yes);
@@ -316,7 +317,8 @@ TEST(CollapseLog, TakesBackAtSomePlaces) {
   }
 }
 
-/// A spike of the original that the result misses, and one of the result that strays.
+/// A spike of the original that the result lacks, and a spike of the result that the original
+/// lacks.
 TEST(Deviation, NamesWhatIsMissedAndWhatStrays) {
   const TriMesh ball = makeBall({0, 0, 0}, 5, 4);
   TriMesh spiked = ball;

@@ -1,4 +1,5 @@
-// Solids that have the faces of the sweep: a body from a STEP file, moved along straight lines.
+// Solids whose faces come from the faces and edges of the body: a body from a STEP file, moved
+// along straight lines.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -71,7 +72,7 @@ class LabelledFaces : public testing::Test {
     return report;
   }
 
-  // A solid of true faces has the exact volume, which no mesh has.
+  // A solid with exact faces has the exact volume, which no mesh has.
   void expectExact(double volume) {
     const StepOptions options = optionsWithOrigin();
     const StepReport report = write(options);
@@ -116,7 +117,7 @@ TEST_F(LabelledFaces, RodAlongALine) {
   readBodyFrom(file);
   const Vector3d way(9, 3, 11);
   sweep({{0, 0, 0}, way}, none_);
-  // The body, and its shadow times the way.
+  // The volume of the body, plus its shadow times the length of the motion.
   expectExact(M_PI * kRadius * kRadius * (kLength + way.z()) +
               2 * kRadius * kLength * std::hypot(way.x(), way.y()));
   EXPECT_EQ(kinds_["cylinder"], 2);

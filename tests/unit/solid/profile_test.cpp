@@ -1,4 +1,5 @@
-// Extrusions and revolutions: bodies of a profile that is no line and no circle, pushed or turned.
+// Extrusions and revolutions: bodies with profiles other than lines and circles, moved straight
+// or turned.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -174,7 +175,7 @@ TEST_F(Profiles, EllipticRingIsARevolution) {
   EXPECT_NEAR(report.volume, 2 * M_PI * 20 * M_PI * 18, 0.002 * report.volume);
 }
 
-// The outline of a swept disc, moved along its axis and askew to it.
+// The outline of a swept disc, moved along its axis and at an angle to it.
 TEST_F(Profiles, SweptEllipticDisc) {
   const TriMesh body = transformed(prism(ellipse(12, 7, 240), 4, 4), oddTurn(), {0, 0, 0});
   for (const Eigen::Vector3d& travel : {Eigen::Vector3d(0, 0, 25), Eigen::Vector3d(14, 3, 20)}) {

@@ -1,4 +1,5 @@
-// Recognised surfaces: the right kinds, exact sizes, a valid solid; facets where nothing fits.
+// Recognised surfaces: the right kinds, exact sizes, a valid solid; facets where no surface
+// fits.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -259,7 +260,7 @@ TEST_F(Recognition, DecimationInPartsIsTheSameWithOneThread) {
   EXPECT_EQ(parallel.mesh.triangles, serial.mesh.triangles);
   EXPECT_EQ(parallel.mesh.points, serial.mesh.points);
   EXPECT_LE(parallel.deviation, 0.1);
-  // An even net of this bound on the torus has about 700 triangles.
+  // A regular mesh of the torus within this deviation has about 700 triangles.
   EXPECT_LT(parallel.mesh.triangles.size(), 1500U);
   TriMesh output;
   output.vertices = parallel.mesh.points;

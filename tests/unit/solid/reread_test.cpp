@@ -1,4 +1,5 @@
-// What is read back is compared with what was to be written: each planted fault is found and named.
+// A file that is read back is compared with what was to be written: each planted fault is found
+// and named.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/reread.h"
 
@@ -49,7 +50,7 @@ TEST_F(Reread, AnEdgeWithALargerToleranceThanTheSolid) {
   EXPECT_EQ(complaint(box_),
             "an edge or vertex with a tolerance of 0.125 mm, more than the tolerance of the solid, "
             "0.1 mm");
-  // Facets keep what they are given: only recognised surfaces promise a tolerance.
+  // The tolerance applies to recognised surfaces only; facets keep their vertices.
   options_.recognise = false;
   EXPECT_EQ(complaint(box_), "");
 }

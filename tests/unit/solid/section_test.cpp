@@ -31,7 +31,7 @@ Carrier cylinder(const Vector3d& axis, const Vector3d& point, double radius) {
   return carrier;
 }
 
-// Every point of the curve, many times as dense as the curve was tested when it was made.
+// Tests the curve at many more points than were tested when it was made.
 void expectOnBoth(const Curve& curve, const Carrier& a, const Carrier& b) {
   for (int i = 0; i <= 5000; ++i) {
     const Vector3d p = curve.at(curve.last * i / 5000);
@@ -147,7 +147,7 @@ TEST(CutEdges, PartsAreTheWhole) {
                                        : high.at(high.last * (t - border) / (whole.last - border));
         EXPECT_LT((p - whole.at(t)).norm(), 1e-9);
       }
-      // Each loop passes both parts, in its own direction.
+      // Each loop contains both parts of the edge, in its own direction.
       EXPECT_EQ(model.faces[0].loops[0][0].edge, 0);
       EXPECT_EQ(model.faces[0].loops[0][1].edge, 1);
       EXPECT_EQ(model.faces[1].loops[0][0].edge, 1);

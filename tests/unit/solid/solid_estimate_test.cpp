@@ -1,5 +1,5 @@
-// What a trial says that a solid takes, beside what it takes: the same faces, the bytes of the
-// file.
+// The trial of a solid, compared with the solid: the same number of faces, and the same number
+// of bytes in the file.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ struct Case {
 
 void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
-// Bent so that no surface fits.
+// Bent so that no recognisable surface fits.
 TriMesh wavyTorus() {
   TriMesh mesh = makeTorus(20, 6, 60, 24);
   for (auto& p : mesh.vertices) p *= 1 + 0.02 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y());
@@ -41,7 +41,7 @@ TriMesh frame() {
   return voxelMesh([](int i, int j, int) { return i == 0 || i == 3 || j == 0 || j == 3; }, 4, 4, 1);
 }
 
-// A box that goes along two straight lines and turns: planes, curved ground, facets.
+// A box that moves along two straight lines and turns: planes, curved regions, facets.
 TriMesh sweptBox() {
   Trajectory trajectory;
   for (int i = 0; i < 3; ++i) {
@@ -79,7 +79,7 @@ TEST_P(SolidEstimates, ATrialKnowsFacesAndBytes) {
   EXPECT_EQ(estimate.faces, report.faces);
   EXPECT_EQ(estimate.tolerance, report.tolerance);
   EXPECT_EQ(estimate.deviation, report.deviation);
-  // The header has the name of the file.
+  // The header contains the name of the file.
   EXPECT_NEAR(1e6 * estimate.megabytes, static_cast<double>(report.fileBytes), 100);
   EXPECT_GT(estimate.seconds, 0);
   EXPECT_GE(bound.faces, report.faces);
@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(All, SolidEstimates,
                                               "step"}),
                          [](const auto& one) { return std::string(one.param.name); });
 
-// What writing would refuse, the trial refuses in the same words.
+// The trial refuses what writing would refuse, with the same message.
 TEST(SolidTrial, RefusesWhatWritingRefuses) {
   const TemporaryFolder folder;
   const auto said = [&](const TriMesh& mesh, const StepOptions& options, bool write) {

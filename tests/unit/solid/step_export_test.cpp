@@ -1,4 +1,4 @@
-// writeSolid(): what is written reads back as the right solid, and every failure leaves no trace.
+// writeSolid(): the file reads back as the right solid, and a failed run leaves no file.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -259,7 +259,8 @@ TEST_F(StepExport, BadInput38FoldersThatCannotTakeTheFile) {
   EXPECT_EQ(failure(boxMesh(1, 1, 1), path("file.txt/x.step")), "MissingFolder");
   EXPECT_EQ(failure(boxMesh(1, 1, 1), path("x.iges")), "BadSuffix");
   if (isSuperuser()) {
-    // Permissions do not stop the superuser: a folder of the kernel that takes no files stands in.
+    // Permissions have no effect for the superuser, so a folder of the system in which no files
+    // can be created is used.
     if (fs::exists("/proc/self")) {
       EXPECT_EQ(failure(boxMesh(1, 1, 1), "/proc/self/x.step"), "ReadOnly");
     }
@@ -292,8 +293,8 @@ TEST_F(StepExport, BadInput39TooManyFaces) {
   EXPECT_EQ(filesIn(folder_), 1U);
 }
 
-// Very many plane faces are written by their corners alone, and still read back as one solid whose
-// faces share their edges.
+// A solid with very many planar faces is written with its corners only. Read back, it is still
+// one solid whose faces share their edges.
 TEST_F(StepExport, ManyFacetsAreWrittenByTheirCorners) {
   TriMesh mesh = makeTorus(20, 6, 150, 70);
   for (auto& p : mesh.vertices) p *= 1 + 0.02 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y());
@@ -324,7 +325,8 @@ TEST_F(StepExport, ExactIsNotSimplified) {
   EXPECT_EQ(filesIn(folder_), 0U);
 }
 
-// A limit without a tolerance: the smallest tolerance of a series that meets it is taken and said.
+// A limit without a tolerance: the smallest tolerance of a series that meets the limit is used
+// and reported.
 TEST_F(StepExport, LimitsChooseTheTolerance) {
   TriMesh mesh = makeTorus(20, 6, 60, 24);
   for (auto& p : mesh.vertices) p *= 1 + 0.02 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y());
@@ -355,7 +357,7 @@ TEST_F(StepExport, EstimateIsOfTheRightSize) {
               0.5 * estimate.megabytes);
 }
 
-// A damaged file is refused with the place, before the kernel sees it.
+// A damaged file is refused, with the place of the damage, before the kernel reads it.
 TEST_F(StepExport, DamagedFilesAreRefusedWhenRead) {
   write(boxMesh(2, 2, 2), "whole.step");
   RunContext run;
@@ -422,7 +424,8 @@ TEST_F(StepExport, CancelledAtEveryCheckpointLeavesTheOldFile) {
     const std::uint64_t last = whole.checkpoints();
     ASSERT_GT(last, 10U);
     std::uint64_t cancelled = 0;
-    // The kernel passes thousands of checkpoints: some hundred of them, from first to last.
+    // The kernel calls thousands of checkpoints; some hundred of them are tried, from first to
+    // last.
     const std::uint64_t stride = 1 + last / (test::kUnderSanitizer ? 12 : 150);
     for (std::uint64_t k = 1; k <= last; k += stride) {
       RunContext run;

@@ -1,5 +1,5 @@
-// Solids as the one who receives them sees them: the geometry check with its BOP test, tolerances
-// of edges, cut and common with a block; and whether the judge of that finds what is wrong.
+// Solids as their recipient would test them: FreeCAD's geometry check with its BOP test,
+// tolerances of edges, cut and common with a block. Also tests that this check finds faults.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -57,13 +57,14 @@ TEST(SolidJudge, FindsFacesThatIntersect) {
 }
 
 TEST(SolidJudge, FindsAnEdgeOffItsFaceAndAWideTolerance) {
-  // A plane face within a circle that is stated to lie in the plane but stands 0.01 mm above it.
+  // A planar face with a circle as its border. The file says that the circle lies in the plane,
+  // but it is 0.01 mm above it.
   const gp_Circ circle(gp_Ax2(gp_Pnt(0, 0, 0.01), gp_Dir(0, 0, 1)), 5);
   const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(circle);
   BRepBuilderAPI_MakeFace face(gp_Pln(gp::XOY()), BRepBuilderAPI_MakeWire(edge).Wire());
   const auto off = judgeSolid(face.Face(), 9, false);
   EXPECT_EQ(off.faults.count("InvalidCurveOnSurface"), 1U);
-  // With a tolerance that covers the gap the fault is gone, and the tolerance is what is seen.
+  // With a tolerance larger than the gap, there is no fault, and the tolerance is reported.
   const BRep_Builder builder;
   for (TopExp_Explorer it(face.Face(), TopAbs_EDGE); it.More(); it.Next())
     builder.UpdateEdge(TopoDS::Edge(it.Current()), 0.02);
@@ -86,7 +87,7 @@ TEST(SolidJudge, SaysWhatCannotBeRead) {
   EXPECT_THROW(readShape("/nowhere/at-all.step"), std::runtime_error);
 }
 
-// Three keys with turns, as a part is moved by hand.
+// Three poses with turns, as when a part is moved by hand.
 Trajectory turningPath(double size) {
   Trajectory trajectory;
   trajectory.poses.resize(3);
@@ -152,7 +153,7 @@ TEST_P(ForSuppliers, TheCheckFindsNothing) {
   EXPECT_EQ(report.note, "");
   EXPECT_LE(report.deviation, step.tolerance);
   EXPECT_LE(report.edgeTolerance, step.tolerance);
-  // What the report says is what a reader finds.
+  // The report agrees with what a reader of the file finds.
   EXPECT_NEAR(report.edgeTolerance, std::max(judged.edgeTolerance, judged.vertexTolerance),
               0.01 * report.edgeTolerance + 1e-7);
   EXPECT_EQ(report.faces, judged.faces);

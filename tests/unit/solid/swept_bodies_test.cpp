@@ -1,4 +1,4 @@
-// Solids of simple motions: the surfaces that the envelope is made of, exact, and no facets.
+// Solids of simple motions: exactly the surfaces of which the envelope consists, and no facets.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

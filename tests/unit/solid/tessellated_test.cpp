@@ -1,4 +1,4 @@
-// Tessellated solids of AP242: what stands in the file, what is read back, what is refused.
+// Tessellated solids (AP242): what the file contains, what is read back, what is refused.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/text/tessellated.h"
 
@@ -86,7 +86,7 @@ TEST_F(Tessellated, HoldsTheTrianglesOfTheMesh) {
 }
 
 TEST_F(Tessellated, HollowSpacesBelongToTheirSolid) {
-  // Two boxes of 3 x 3 x 3 cells, the first one hollow.
+  // Two boxes of 3 x 3 x 3 cells; the first one is hollow.
   const TriMesh mesh = voxelMesh(
       [](int x, int y, int z) { return x != 3 && !(x == 1 && y == 1 && z == 1); }, 7, 3, 3);
   const StepReport report = write(mesh, options());

@@ -1,4 +1,4 @@
-// Closed meshes made by code for the tests of the solid export, and a motion.
+// Closed meshes and a motion for the tests of the solid export.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -126,7 +126,7 @@ inline double meshVolume(const TriMesh& mesh) {
   return volume;
 }
 
-/// Straight, from where the body stands.
+/// A straight motion from the present position of the body.
 inline Trajectory along(const Eigen::Vector3d& travel) {
   Trajectory trajectory;
   trajectory.poses.resize(2);

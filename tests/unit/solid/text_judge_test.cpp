@@ -1,4 +1,5 @@
-// A solid that a reader outside the library has judged is the one that the kernel gives.
+// A solid that a reader outside the library has checked is the same as one that the kernel has
+// checked.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/text_judge.h"
 
@@ -22,7 +23,7 @@ namespace {
 
 using namespace test;
 
-/// Reads with OpenCASCADE, but knows nothing else of the library: as FreeCAD's Part does.
+/// Reads with OpenCASCADE, but uses nothing else of the library, like FreeCAD's Part.
 class Outside : public StepReader {
  public:
   Answer read(const std::string& text) override {
@@ -52,8 +53,8 @@ struct Case {
   const char* name;
   TriMesh mesh;
   double tolerance;
-  /// False: the kernel cuts edges that lie off their faces between the points at which a reader
-  /// measures them. A reader cannot tell, so the other solid has fewer vertices.
+  /// Returns false: the kernel cuts edges that lie off their faces between the points at which a
+  /// reader measures them. A reader cannot find these, so the other solid has fewer vertices.
   bool sameBytes = true;
 };
 
@@ -95,7 +96,7 @@ TEST(TextJudge, AFaceThatTheReaderRefusesLosesItsSurface) {
   StepOptions options;
   options.tolerance = 0.1;
   Outside reader;
-  // What is asked about curved faces alone has no solid.
+  // When only curved faces are checked, there is no solid.
   reader.refuses = [](const SolidCheck& check) { return check.faces < 10; };
   RunContext run;
   const StepReport report =

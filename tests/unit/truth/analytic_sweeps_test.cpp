@@ -1,7 +1,7 @@
-// Sweeps with a closed form, at several cell sizes and orientations.
-// Bars: distance to the truth at most 1 cell everywhere, at creases at most 0.25 cell, volume error
-// at most 0.05 x area x cell, and the checker passes. They are relative to cell and area, never to
-// the size of the whole.
+// Sweeps whose exact surface is known as a formula, at several cell sizes and orientations.
+// Limits: distance from the exact surface at most 1 cell everywhere and at most 0.25 cell at
+// creases, volume error at most 0.05 x area x cell. The mesh check must find no fault. The limits
+// depend on cell and area, never on the size of the whole shape.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -94,7 +94,7 @@ const std::vector<Truth>& truths() {
 
 class AnalyticSweep : public testing::TestWithParam<int> {};
 
-TEST_P(AnalyticSweep, MeetsTheBars) {
+TEST_P(AnalyticSweep, KeepsTheLimits) {
   const Truth& truth = truths()[GetParam()];
   for (const Frame& frame : frames()) {
     const Truth here = placed(truth, frame.placement);
@@ -106,8 +106,8 @@ TEST_P(AnalyticSweep, MeetsTheBars) {
   }
 }
 
-/// The same bars on the GPU backend, and the mesh of the CPU.
-TEST_P(AnalyticSweep, MeetsTheBarsOnTheGpu) {
+/// The same limits on the GPU backend, and the mesh of the CPU.
+TEST_P(AnalyticSweep, KeepsTheLimitsOnTheGpu) {
   const Truth truth = placed(truths()[GetParam()], frames().back().placement);
   Options options;
   options.resolution = 33;
@@ -126,7 +126,7 @@ TEST_P(AnalyticSweep, MeetsTheBarsOnTheGpu) {
 INSTANTIATE_TEST_SUITE_P(All, AnalyticSweep, testing::Range(0, static_cast<int>(truths().size())),
                          [](const auto& chosen) { return truths()[chosen.param].name; });
 
-/// A plate of a tenth of a cell: both sides are there, volume within 1 %.
+/// A plate, a tenth of a cell thick: both sides exist, and the volume is right within 1 %.
 TEST(ThinPlate, OfATenthOfACell) {
   const double cell = 0.15;
   for (const Truth& plate : thinPlates(0.1 * cell)) {
@@ -145,25 +145,25 @@ TEST(ThinPlate, OfATenthOfACell) {
   }
 }
 
-/// A body of few large triangles that turns about an axis oblique to all its edges: the paths of
-/// its edges are twisted, which small triangles would hide. Held against dense exact distances;
-/// 0.035 is the bar for the fandisk with 16 keys. Where a bar is the figure measured it may only
-/// fall.
+/// A body of few large triangles that turns about an axis oblique to all its edges. Its edges sweep
+/// twisted surfaces; with small triangles, the twist would be too small to measure. The limits are
+/// the values measured, so they may be lowered, but not raised. (The fandisk with 16 poses has
+/// 0.035.)
 TEST(ObliqueTurn, OfABoxWithTwelveTriangles) {
-  struct Bar {
+  struct Limit {
     int resolution;
-    double p99;  ///< cells
+    double p99;  ///< cells: 99 % of the distances are at most this large
   };
-  constexpr Bar kBars[] = {{40, 0.087}, {80, 0.06}, {160, 0.039}};
+  constexpr Limit kLimits[] = {{40, 0.087}, {80, 0.06}, {160, 0.039}};
   Truth truth;
   truth.body = makeBox({-3, -2, -1}, {3, 2, 1});
   truth.motion.poses = {poseOf(0, placement({0, 0, 1}, 0, {0, 0, 0})),
                         poseOf(1, placement({1, 2, 3}, 90, {4, -3, 2}))};
-  for (const Bar& bar : kBars) {
-    if (kUnderSanitizer && bar.resolution > 40) continue;
-    SCOPED_TRACE(bar.resolution);
+  for (const Limit& limit : kLimits) {
+    if (kUnderSanitizer && limit.resolution > 40) continue;
+    SCOPED_TRACE(limit.resolution);
     Options options;
-    options.resolution = bar.resolution;
+    options.resolution = limit.resolution;
     RunContext run;
     const Result result = compute(truth.body, truth.motion, options, run);
     ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
@@ -179,9 +179,9 @@ TEST(ObliqueTurn, OfABoxWithTwelveTriangles) {
     const std::int64_t shells = result.report.check.shells;
     const bool good = p99 <= 0.035 && shells == 1;
     std::printf("%soblique_turn/%d cell %.4f  p99 %.4f  max %.4f  shells %lld%s\n",
-                good ? "" : "BAD  ", bar.resolution, cell, p99, deviation.back(),
+                good ? "" : "BAD  ", limit.resolution, cell, p99, deviation.back(),
                 static_cast<long long>(shells), good ? "" : ", should be 0.035 and 1");
-    EXPECT_LE(p99, bar.p99);
+    EXPECT_LE(p99, limit.p99);
     EXPECT_LE(deviation.back(), 1.0);
     EXPECT_EQ(shells, 1);
   }
@@ -196,7 +196,7 @@ TEST(AnalyticSweep, bad_input_18_one_pose_is_the_body) {
   expectTruth(truth, options, "one_pose");
 }
 
-/// There and back again sweeps what there sweeps.
+/// A motion forwards and back sweeps the same as the motion forwards.
 TEST(AnalyticSweep, BackAndForthEqualsForth) {
   for (const int index : {1, 2, 4}) {
     Truth truth = truths()[index];

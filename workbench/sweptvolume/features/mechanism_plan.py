@@ -327,9 +327,8 @@ class Plan(StillParts):
         return Request(parts, ways, self.pair_rules, self.all_visible, options, notes)
 
     def seen(self):
-        """Returns, for each moving part, (body in the frame to which its motion applies, function
-        that returns the placement at a time (s)), with a coarse mesh for pictures. Raises
-        InputProblem."""
+        """Returns, for each moving part, what the pictures of the check need: its coarse mesh (a Seen),
+        and a function that returns its placement at a time (s). Raises InputProblem."""
         found, deflection = [], self.seen_deflection()
         for group in self.groups():
             way = group.way()
@@ -341,8 +340,8 @@ class Plan(StillParts):
         return [order[pair] for pair in self.pairs]
 
     def _moving_parts(self, group, way, names, deflection, straight):
-        """Returns the parts of one motion. straight: mm by which straight pieces may deviate from a
-        curved way."""
+        """Returns the parts of one motion. straight: the largest distance (mm) between a curved path
+        and the straight pieces that replace it."""
         parts, more = [], straight if way.curved() else 0.0
         for pair in group.pairs:
             body = Seen(convert.body_from([pair], deflection), way.into_base, group.motion)

@@ -43,7 +43,7 @@ INPUT = [
         QT_TRANSLATE_NOOP(
             "App::Property",
             "Lists the pairs of parts that come closer than this. 0: a tenth of the "
-            "size of the parts",
+            "median size of the parts, or more if a rule needs it",
         ),
         0.0,
     ),

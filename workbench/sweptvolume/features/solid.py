@@ -124,8 +124,8 @@ def hash_of_before(obj):
 
 def _words(source, wanted):
     words = [str(wanted["merge"])]
-    # With default values the words are those of documents before these properties, so their solids
-    # stay current.
+    # For default values, these words (they are hashed) are those of older versions without these
+    # properties. So solids of older documents stay up to date.
     if wanted["tolerance"] > 0:
         words.append(repr(contents.steady(wanted["tolerance"])))
     if wanted["max_faces"] != MAX_FACES:

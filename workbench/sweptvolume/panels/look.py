@@ -55,6 +55,10 @@ class Look:
         elif run.state == "failed":
             self.report(run.message)
 
+    def has_more(self):
+        """Returns whether another result follows the one that is shown."""
+        return bool(self._next or self._later)
+
     def stop(self):
         """Drops the estimates in progress."""
         self._next = self._later = ()

@@ -96,7 +96,7 @@ class MechanismPanel(CheckRun, ResultPanel):
         tip = translate(
             "SweptVolume",
             "Lists the pairs of parts that come closer than this. 0: a tenth of the "
-            "size of a medium part, or more if a rule needs it",
+            "median size of the parts, or more if a rule needs it",
         )
         widgets.hint(self.fields["Range"], tip)
         self.check = QtWidgets.QPushButton(translate("SweptVolume", "Check"))

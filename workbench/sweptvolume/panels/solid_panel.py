@@ -181,9 +181,9 @@ class SolidPanel(StartPanel):
             quantities.megabytes(found["megabytes"] * 1e6),
             quantities.seconds(found["seconds"]),
         )
-        if not found["tried"]:
+        if self.look.has_more():
             text += "\n" + translate("SweptVolume", "Estimating the solid ...")
-        elif found["tolerance"] > 0 and not self.settings()["tolerance"]:
+        elif found["tried"] and found["tolerance"] > 0 and not self.settings()["tolerance"]:
             asked = translate("SweptVolume", "A tolerance of {0} is needed to meet the limits")
             text += "\n" + asked.format(quantities.quantity(found["tolerance"]))
         widgets.show_message(self.expected, text)

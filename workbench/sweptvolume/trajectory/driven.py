@@ -48,8 +48,8 @@ class Handle:
                 raise InputProblem(
                     translate(
                         "SweptVolume",
-                        'The value "{0}" of "{1}" is set by the expression {2}: choose a value '
-                        "in that expression instead.",
+                        'The value "{0}" of "{1}" cannot drive the motion, because the expression '
+                        "{2} computes it: choose a value that this expression uses.",
                     ).format(name, driver.Label, expression)
                 )
         self.before = self._raw()

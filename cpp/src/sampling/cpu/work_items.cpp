@@ -26,9 +26,9 @@ std::size_t placementsOfItem(const SamplerInput& input) {
     return std::max(
         {std::size_t{1}, std::min(kFaces / faces, placements / 64), placements / kUnionItems});
   }
-  // Items should be long: a face gets its direction once per step, and once more where two items
-  // meet. With a cache, an item has one placement and is kept for the next run, unless the motion
-  // has many placements.
+  // Items should be long. Each item computes, for each face and step, whether the face moves
+  // outward. Where two items meet, both do this for the same step. With a cache, an item has one
+  // placement and is kept for the next run, unless the motion has many placements.
   const bool kept = input.cache != nullptr && placements < 256;
   return std::max<std::size_t>(1, placements / (kept ? placements : kMotionItems));
 }

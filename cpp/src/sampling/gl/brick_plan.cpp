@@ -18,8 +18,8 @@ std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
                 "no GPU can be used: its limits are too small (storage block " +
                     std::to_string(limits.storageBytes) + " bytes, budget " +
-                    std::to_string(budgetBytes) +
-                    " bytes; at least 12 are needed); use --backend cpu or auto");
+                    std::to_string(budgetBytes) + " bytes; at least 12 are needed)" +
+                    kDeviceAdvice);
   }
   const std::int32_t nx = grid.points[0], ny = grid.points[1], nz = grid.points[2];
   const auto atMost = [](std::int32_t points, std::uint64_t fitting) {

@@ -25,7 +25,7 @@ void requireFaster(GlSampler& sampler, const GlSetup& setup, const SamplerInput&
   if (ratio < 1) return;
   throw Error(Status::DeviceUnavailable, "DeviceSlower",
               textOf(2, sampler.device(), " would take ", ratio,
-                     " times as long as the CPU, by a sample of this run"));
+                     " times as long as the CPU, as a sample of this run shows"));
 }
 
 }  // namespace

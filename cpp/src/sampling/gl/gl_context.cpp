@@ -34,7 +34,7 @@ bool isSoftwareName(const std::string& device) {
 }
 [[noreturn]] void unavailable(const std::string& why) {
   throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
-              "no GPU can be used: " + why + "; use --backend cpu or auto");
+              "no GPU can be used: " + why + kDeviceAdvice);
 }
 
 }  // namespace
@@ -195,13 +195,13 @@ GlContext::~GlContext() {
 
 void reportGarbage(const std::string& device, const std::string& what) {
   throw Error(Status::DeviceLost, "DeviceGarbage",
-              "the GPU returned a wrong result (" + what + ") on " + device +
-                  "; use --backend cpu or auto, or update its driver");
+              "the GPU returned a wrong result (" + what + ") on " + device + kDeviceAdvice +
+                  ", or update the driver");
 }
 
 void GlContext::lost(const std::string& what) const {
   throw Error(Status::DeviceLost, "DeviceLost",
-              "the GPU was lost (" + what + ") on " + device_ + "; use --backend cpu or auto");
+              "the GPU was lost (" + what + ") on " + device_ + kDeviceAdvice);
 }
 
 double GlContext::finish(double timeoutSeconds) const {

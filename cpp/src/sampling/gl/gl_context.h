@@ -25,6 +25,9 @@ struct Limits {
   int storageBlocks = 0;          ///< storage blocks of a compute shader
 };
 
+/// What to do: in all messages about a device that cannot be used, as the last part.
+inline constexpr const char* kDeviceAdvice = "; set the backend to cpu or auto";
+
 /// Throws Error(DeviceLost, "DeviceGarbage"): the device gave a wrong answer.
 [[noreturn]] void reportGarbage(const std::string& device, const std::string& what);
 

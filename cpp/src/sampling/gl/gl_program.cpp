@@ -13,8 +13,8 @@ namespace {
 [[noreturn]] void failed(const GlContext& context, const std::string& what,
                          const std::string& log) {
   throw Error(Status::DeviceUnavailable, "ShaderFailed",
-              what + " on " + context.device() + "; the driver says: " +
-                  (log.empty() ? "(nothing)" : log) + "; use --backend cpu or auto");
+              what + " on " + context.device() +
+                  "; the driver says: " + (log.empty() ? "(nothing)" : log) + kDeviceAdvice);
 }
 
 /// Returns the driver's log of a shader or a program. `getNumber` and `getLog`: the GL calls for

@@ -121,7 +121,7 @@ void testKnownField(const std::shared_ptr<GlDevice>& device, bool cull, double f
           std::equal(expected.edges[axis].begin(), expected.edges[axis].end(),
                      got.edges[axis].begin(), got.edges[axis].end(),
                      [](const MarkedEdge& a, const MarkedEdge& b) { return a.k == b.k; });
-      if (!same) reportGarbage(name, "self-test: marks differ from the known ones");
+      if (!same) reportGarbage(name, "in the self-test, it marked wrong edges of the grid");
     }
   }
   const SignRuns signs = findOutside(seen, field.grid, run);
@@ -130,14 +130,16 @@ void testKnownField(const std::shared_ptr<GlDevice>& device, bool cull, double f
   const auto got = contributingEdges(seen, field.grid, signs);
   constexpr float kStep = 2.0f / (1 << CrossingRecord::kFractionBits);
   if (expected.size() != got.size()) {
-    reportGarbage(name, "self-test: other edges contribute than the known ones");
+    reportGarbage(name, "in the self-test, it found a wrong number of edges at the surface");
   }
   for (std::size_t n = 0; n < got.size(); ++n) {
     const KnownEdge &a = expected[n], &b = got[n];
     const bool same = a.axis == b.axis && a.i == b.i && a.j == b.j && a.k == b.k &&
                       std::abs(a.lowFraction - b.lowFraction) <= kStep &&
                       std::abs(a.highFraction - b.highFraction) <= kStep;
-    if (!same) reportGarbage(name, "self-test: crossing on " + edgeName(b.axis, b.i, b.j, b.k));
+    if (!same)
+      reportGarbage(name, "in the self-test, it found a wrong crossing on " +
+                              edgeName(b.axis, b.i, b.j, b.k));
   }
   verifyWinners(input, seen, signs, name, 1 << 20);
 }
@@ -269,8 +271,8 @@ void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const S
                                   std::abs(f - fraction) <= kStep;
                        });
       if (found) continue;
-      reportGarbage(device,
-                    "the surface said to cross " + edgeName(axis, i, j, edge.k) + " does not");
+      reportGarbage(device, "it named a part of the surface for " + edgeName(axis, i, j, edge.k) +
+                                " that does not cross it");
     }
   };
   for (const std::int32_t i : layers) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/number_text.h"
 #include "base/union_find.h"
 #include "solid/carrier/places.h"
 #include "solid/carrier/section.h"
@@ -353,6 +354,13 @@ class Builder {
 Model buildModel(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
                  RunContext& run) {
   return Builder(mesh, partition, tolerance, run).build();
+}
+
+std::string facesText(const std::vector<std::int32_t>& faces, const Model& model) {
+  const auto& loops = model.faces[faces.front()].loops;
+  const Vector3d at = model.vertices[model.edges[loops.front().front().edge].start].point;
+  return textOf(6, counted(std::ssize(faces), "face"), " (the first at x = ", at.x(),
+                ", y = ", at.y(), ", z = ", at.z(), " mm)");
 }
 
 }  // namespace swept::step

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "solid/carrier/carrier.h"
@@ -54,5 +55,8 @@ struct Model {
 /// edge that replaces it.
 Model buildModel(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
                  RunContext& run);
+
+/// Returns the number and the place of faces, for a message. `faces`: at least one, by index.
+std::string facesText(const std::vector<std::int32_t>& faces, const Model& model);
 
 }  // namespace swept::step

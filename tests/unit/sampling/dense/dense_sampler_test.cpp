@@ -1,4 +1,5 @@
-// The dense sampler against brute force: the same outside, but for lattice points in a stated band.
+// The dense sampler, compared with brute force: the same points are outside, except in a stated
+// band around the surface.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sampling/dense/dense_sampler.h"
 

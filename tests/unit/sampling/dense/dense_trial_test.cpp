@@ -1,4 +1,4 @@
-// What the trial of some patches foresees, against candidates of the whole body.
+// The estimate from some patches, compared with the candidates of the whole body.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sampling/dense/dense_trial.h"
 

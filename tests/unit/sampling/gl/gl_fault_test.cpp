@@ -1,5 +1,4 @@
-// Rows 28 to 33 of the table of bad input (docs/bad_input.md), each provoked on a device that
-// exists nowhere.
+// Rows 28 to 33 of docs/bad_input.md: each fault is provoked on a simulated device.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -53,7 +52,8 @@ class GlFault : public testing::Test {
     EXPECT_EQ(d.elements, 0);
     EXPECT_GT(d.contributing, 1000);
   }
-  /// gpu fails with this status and a text that has `part`; auto goes on, on the CPU, with a note.
+  /// With gpu, the run fails with this status and a text that contains `part`. With auto, it
+  /// continues on the CPU, with a finding.
   void expectFallback(const FakeFaults& faults, Status status, const std::string& part) {
     use(faults);
     try {
@@ -236,7 +236,7 @@ TEST_F(GlFault, bad_input_32_garbage_after_the_self_test) {
   expectFallback(f, Status::DeviceLost, "no mark on lattice edge");
   f = {};
   f.wrongWinnerFromReadback = winners + 1;
-  expectFallback(f, Status::DeviceLost, "the surface said to cross");
+  expectFallback(f, Status::DeviceLost, "that does not cross it");
 }
 
 TEST_F(GlFault, bad_input_33_shader_does_not_compile_or_link) {
@@ -297,7 +297,7 @@ TEST_F(GlFault, a_whole_run_ends_with_the_named_status) {
   EXPECT_TRUE(result.report.check.passes());
 }
 
-/// A mark that is gone is found by looking into the body, however rare it is.
+/// A missing mark is found by tests inside the body, however rare it is.
 TEST_F(GlFault, signs_that_leak_into_the_body_are_noticed) {
   MarkedEdges leaking = truth_;
   for (auto& start : leaking.layers[scene_.grid.points[0] / 2].columnStart) {

@@ -16,7 +16,7 @@
 namespace swept::test {
 namespace {
 
-/// A device, or null and the reason.
+/// Returns a device, or null and the reason.
 std::shared_ptr<gl::GlDevice> anyDevice(std::string& why) {
   RunContext run;
   try {
@@ -31,7 +31,7 @@ std::shared_ptr<gl::GlDevice> anyDevice(std::string& why) {
   const auto device = anyDevice(whyNoDevice); \
   if (!device) GTEST_SKIP() << whyNoDevice
 
-/// Both samplers; `settings` cut the GPU's work up.
+/// Runs both samplers; `settings` divide the work of the GPU.
 Difference expectSame(const std::shared_ptr<gl::GlDevice>& device, const Scene& scene,
                       const gl::GlSettings& settings = {}) {
   RunContext run;

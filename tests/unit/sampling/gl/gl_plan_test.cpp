@@ -1,4 +1,4 @@
-// Bricks, chunks and embedded shaders: what needs no device.
+// Parts of the GPU backend that need no device: bricks, chunks and the embedded shaders.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A body on a path with its grid, and comparison of two samplers' answers.
+// A body on a path with its grid, and a comparison of the results of two samplers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

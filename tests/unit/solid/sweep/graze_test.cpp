@@ -1,5 +1,6 @@
-// Surfaces in which smooth faces of a moving body graze the envelope, against closed forms and
-// against the condition itself, with velocities from differences of an independent motion.
+// Surfaces along which smooth faces of a moving body touch the envelope. They are compared with
+// formulas, and with the condition that defines them, with velocities from an independent
+// motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -84,7 +85,7 @@ Range aroundContact(const Carrier& face, const TestMotion& motion, double shift 
 TEST(Graze, APlaneInAGeneralMotion) {
   const TestMotion motion = generalMotion();
   const Carrier face = carrierOf(CarrierKind::Plane, {0, 0, 15}, {0.1, 0.2, 1});
-  // Rails across the contact lines, which run along the part of the axis of turning in the plane.
+  // Curves across the contact lines, which run along the part of the rotation axis in the plane.
   const Vector3d turn = motion.from.rotation.conjugate() * Vector3d(1, 2, 3).normalized();
   const Vector3d x = (turn - turn.dot(face.axis) * face.axis).normalized(), y = face.axis.cross(x);
   const auto at = [&](double w, double v) { return Vector3d(face.point + w * x + v * y); };
@@ -122,7 +123,7 @@ TEST(Graze, ACylinderAlongAStraightWayGivesPlanes) {
   const auto made = grazeOf(face, truth.contacts, move.path());
   expectGrazes(made, truth);
   EXPECT_EQ(made.carrier->kind, CarrierKind::Plane);
-  // Along its own axis it only slides.
+  // Along its own axis it only slides along itself.
   const TestMotion slide = lineMotion({0, 0, 30});
   EXPECT_EQ(grazeOf(face, truth.contacts, slide.path()).why, Degeneracy::AlongItself);
 }
@@ -152,7 +153,7 @@ TEST(Graze, ACylinderThatTurnsAboutAnAxisBesideIt) {
   ASSERT_EQ(made.carrier->kind, CarrierKind::Cylinder);
   EXPECT_TRUE(std::abs(made.carrier->radius - 25) < 1e-7 ||
               std::abs(made.carrier->radius - 15) < 1e-7);
-  // About its own axis it slides in itself.
+  // About its own axis it slides along itself.
   const TestMotion own = screwMotion({0, 0, 0}, {0, 0, 1}, 1.0, 0);
   EXPECT_EQ(grazeOf(face, truth.contacts, own.path()).why, Degeneracy::AlongItself);
   // About an axis across its own: a revolution.

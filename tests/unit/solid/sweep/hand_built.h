@@ -1,4 +1,4 @@
-// Solids put together by hand from carriers and curves, to see what the kernel makes of them.
+// Builds solids from given carriers and curves, to test whether the kernel accepts them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

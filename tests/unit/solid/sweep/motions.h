@@ -22,7 +22,7 @@ inline Pose pose(const Vector3d& translation, const Vector3d& axis = {0, 0, 1}, 
   return result;
 }
 
-/// A motion with its truth: where a point of the body is at s.
+/// A motion with an independent function for the position of a point of the body at s.
 struct TestMotion {
   Pose from, to;
   Interpolation interpolation = Interpolation::Linear;

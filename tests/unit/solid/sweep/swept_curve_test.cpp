@@ -1,4 +1,5 @@
-// What curves of a moving body sweep, against closed forms and against the motion itself.
+// Surfaces that curves of a moving body sweep, compared with formulas and with the motion
+// itself.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

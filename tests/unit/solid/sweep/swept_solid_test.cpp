@@ -1,5 +1,5 @@
-// Swept solids put together by hand from their true faces, written as STEP and judged by the
-// kernel. The volume is that of the body plus what flows through its front, by quadrature.
+// Swept solids built from their exact faces, written as STEP and checked by the kernel. The
+// expected volume is that of the body plus the integral of what its front sweeps.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ void expectSound(HandBuilt& solid, double volume, int faces) {
   EXPECT_NEAR(made.volume / volume, 1, 1e-7);
 }
 
-// Three points of Gauss on each of many intervals.
+// Gaussian quadrature with three points, on each of many intervals.
 double integral(const std::function<double(double)>& f, double from, double to) {
   constexpr int kPanels = 40;
   const double h = (to - from) / kPanels, off = h / 2 * std::sqrt(0.6);
@@ -45,8 +45,8 @@ double integral(const std::function<double(double)>& f, double from, double to) 
   return sum;
 }
 
-// A box that moves so far along its diagonal, and turns so little, that its faces stay front or
-// back faces: three caps at each end and six swept edges.
+// A box that moves along its diagonal and turns so little that front faces stay front faces:
+// three caps at each end, and six swept edges.
 void expectBoxSound(const TestMotion& motion, const Vector3d& size) {
   const StepPath path = motion.path();
   const auto corner = [&](int i) {
@@ -125,7 +125,8 @@ TEST(SweptSolid, ABoxAlongAScrew) {
 
 TEST(SweptSolid, ABoxAlongALineAndOnACircle) {
   expectBoxSound(lineMotion({40, 35, 50}), {20, 14, 9});
-  // About an axis across this way and so far off that the middle of the box begins along it.
+  // About an axis perpendicular to this direction, and so far away that the middle of the box
+  // starts in this direction.
   const Vector3d way(40, 35, 50), axis = Vector3d(35, -40, 5).cross(way).cross(way).normalized();
   expectBoxSound(screwMotion(-way.cross(axis) / 0.25, axis, 0.25, 0), {20, 14, 9});
 }
