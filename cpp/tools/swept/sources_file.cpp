@@ -40,7 +40,7 @@ void writeSources(const Sources& sources, const std::string& path) {
     addNumber(t, text);
     text += ',';
     if (sources.of[t] == Sources::kNone)
-      text += ",,,,,,";
+      text += ",,,,,,,";
     else
       addRow((*sources.rows)[sources.of[t]], text);
     text += '\n';
