@@ -22,7 +22,7 @@ from . import __version__, core_search, interpreter
 from .texts import translate
 
 #: Name of the package on an index, and size of its largest file (MB, rounded up).
-PACKAGE, SIZE = "swept-volume", 2
+PACKAGE, SIZE = "swept-volume", 4
 #: The index that pip uses unless the user has configured another.
 DEFAULT_INDEX = "https://pypi.org/simple"
 #: Whether the package is published on DEFAULT_INDEX. Until then its name there may belong to anybody.
