@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs in a FreeCAD that has nothing but an installed package of this workbench (.ci/try-deb), with or
 without a window: the envelope of a box is computed and written as STEP; in a window, each button of the
-workbench has a drawn icon. Prints "installed:" and what it found."""
+workbench has a drawn icon. Writes what it found into the file SWEPT_TOLD."""
 import json
 import os
-import sys
 import tempfile
 import traceback
 
@@ -74,8 +73,8 @@ def told():
         found["good"] = bool(good and found.get("buttons", 1))
     except Exception:  # pylint: disable=broad-except
         found = {"good": False, "problem": traceback.format_exc()}
-    print("\ninstalled:" + json.dumps(found), flush=True)
-    sys.stdout.flush()
+    with open(os.environ["SWEPT_TOLD"], "w") as file:
+        json.dump(found, file)
     os._exit(0)
 
 
