@@ -52,6 +52,14 @@ install_packages() {
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
+# check_sizes FOLDER: no wheel is larger than the window that installs it says.
+check_sizes() {
+  local most large
+  most=$(sed -n 's/^PACKAGE, SIZE = .*, \([0-9]*\)$/\1/p' workbench/sweptvolume/core_install.py)
+  large=$(find "$1" -name '*.whl' -size +"${most}000000c")
+  [ -n "$most" ] && [ -z "$large" ] || { echo "larger than $most MB, which core_install.py says: $large" >&2; return 1; }
+}
+
 # build PRESET FOLDER [TARGET...]
 build() {
   local preset=$1 folder=$2

@@ -3658,6 +3658,10 @@ bis etwa {2}, {3}</translation>
         <source>FreeCAD cannot read &quot;{0}&quot;: {1}</source>
         <translation>FreeCAD kann „{0}“ nicht lesen: {1}</translation>
     </message>
+    <message>
+        <source>{0} (the core is not published there yet)</source>
+        <translation>{0} (der Rechenkern ist dort noch nicht veröffentlicht)</translation>
+    </message>
 </context>
 <context>
     <name>SweptVolumePreferences</name>

@@ -7,6 +7,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 
 import pytest
 
@@ -17,6 +18,7 @@ CASE = pathlib.Path(__file__).with_name("addon_manager_case.py")
 COMPUTE = """
 import json, os
 import FreeCAD as App
+import numpy
 from sweptvolume import core
 from sweptvolume.features import envelope, motion
 doc = App.newDocument()
@@ -27,6 +29,7 @@ doc.recompute()
 hull = envelope.make_envelope(doc, [box], path, Resolution=32)
 envelope.compute(hull)
 told = {"core": core.module().__file__, "workbench": core.__file__, "volume": hull.Mesh.Volume}
+told["numpy"] = numpy.__file__
 print("\\ntold:" + json.dumps(told), flush=True)
 os._exit(0)
 """
@@ -129,7 +132,11 @@ def test_the_addon_manager_installs_workbench_and_core(freecad, tree, index, hom
     assert done["user"].startswith(str(tmp_path))
     made = told_by(freecad, _written(tmp_path / "compute.py", COMPUTE), home)
     assert made["workbench"].startswith(os.path.join(done["user"], "Mod", "SweptVolume"))
-    assert made["core"].startswith(os.path.join(done["user"], "AdditionalPythonPackages"))
+    packages = os.path.join(done["user"], "AdditionalPythonPackages")
+    assert made["core"].startswith(packages)
+    # pip fetches numpy with the core, since it looks into the target folder alone. FreeCAD loads its own.
+    own = [sys.executable, "-c", "import numpy; print(numpy.__file__)"]
+    assert made["numpy"] == subprocess.run(own, capture_output=True, text=True).stdout.strip()
     assert made["volume"] == pytest.approx(40 * 10 * 10, rel=1e-5)
 
 

@@ -72,3 +72,14 @@ def test_the_python_example(root, folder):
     assert done.returncode == 0, done.stderr
     volume, seconds = map(float, done.stdout.split())
     assert volume > 40 * 20 * 20 and seconds > 0 and (folder / "envelope.step").exists()
+
+
+def test_the_first_screen_says_how_to_get_it_and_what_is_not_published(root):
+    screen = (root / "README.md").read_text().splitlines()[:40]
+    for system in ("Windows", "AppImage", "Debian 12", "Debian 13"):
+        (row,) = [line for line in screen if line.startswith("| " + system)]
+        assert "steps](docs/handbook/installation.md#" in row
+    assert not [line for line in screen if line.startswith("![")], "pictures push it down"
+    text = (root / "workbench/sweptvolume/core_install.py").read_text()
+    published = re.search(r"^PUBLISHED = (True|False)$", text, re.M)[1] == "True"
+    assert any("Nothing is published yet" in line for line in screen) != published

@@ -110,6 +110,11 @@ def sources_of(listed):
     return " ".join(indexes + [values.get("find-links", "")]).replace("\\n", " ").split()
 
 
+def is_unpublished_on(source):
+    """Returns whether nothing is fetched from a source, since the core is not published there."""
+    return not PUBLISHED and source.rstrip("/") == DEFAULT_INDEX
+
+
 def _reason(python, output):
     """Returns the reason for pip's failure, for users."""
     lines = [line.strip() for line in output.splitlines() if line.strip()]
@@ -218,7 +223,7 @@ class Installation(threading.Thread):
         os.makedirs(folder, exist_ok=True)
         if self.wheel:
             _check_version(version_in(self.wheel), self.wheel)
-        elif not PUBLISHED and DEFAULT_INDEX in [source.rstrip("/") for source in sources()]:
+        elif any(is_unpublished_on(source) for source in sources()):
             text = translate(
                 "SweptVolume",
                 "The core is not published on {0} yet: choose a file, or build the core.",

@@ -87,6 +87,9 @@ def scenario():
     assert text("Package") == package.format(sweptvolume.__version__, *sys.version_info[:2])
     assert text("Folder") == folder and "not installed" in text("State")
     assert index.asked == [], "the index was asked before the user wanted it"
+    default, published = core_install.DEFAULT_INDEX, core_install.PUBLISHED
+    assert ("not published" in core_dialog.told_source(default)) == (not published)
+    assert core_dialog.told_source(index.address) == index.address
     shot("80_core_offer")
     yield 0.6
 

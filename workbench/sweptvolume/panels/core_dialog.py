@@ -152,7 +152,7 @@ class CoreDialog(QtWidgets.QDialog):
 
         def ask():
             try:
-                self.found = "\n".join(core_install.sources())
+                self.found = "\n".join(map(told_source, core_install.sources()))
             except Exception as problem:
                 self.found = str(problem)
 
@@ -219,6 +219,14 @@ class CoreDialog(QtWidgets.QDialog):
     def reject(self):
         """Closes by Escape, which cancels a run."""
         self.close()
+
+
+def told_source(source):
+    """Returns an address for users; of an index that does not have the core yet, this is said."""
+    if core_install.is_unpublished_on(source):
+        text = translate("SweptVolume", "{0} (the core is not published there yet)")
+        return text.format(source)
+    return source
 
 
 def ask_wheel():
