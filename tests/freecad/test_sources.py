@@ -210,7 +210,7 @@ class Sources(Case):
         )
         self.assertEqual([round(p.Base.x, 6) for p in obj.Placements], [20, 40, 60])
         self.assertAlmostEqual(sketch.Shape.Length, 10)
-        with self.assertRaisesRegex(InputProblem, "choose a value in that expression"):
+        with self.assertRaisesRegex(InputProblem, "choose a value that this expression uses"):
             motion.motion_from_source(
                 self.doc, "Driven", [box, box], property="Placement.Base.x", **values
             )
