@@ -52,12 +52,12 @@ install_packages() {
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# check_sizes FOLDER: no wheel is larger than the window that installs it says.
+# check_sizes FOLDER: fails if a wheel there is larger than the size that users are told before they install it.
 check_sizes() {
   local most large
   most=$(sed -n 's/^PACKAGE, SIZE = .*, \([0-9]*\)$/\1/p' workbench/sweptvolume/core_install.py)
   large=$(find "$1" -name '*.whl' -size +"${most}000000c")
-  [ -n "$most" ] && [ -z "$large" ] || { echo "larger than $most MB, which core_install.py says: $large" >&2; return 1; }
+  [ -n "$most" ] && [ -z "$large" ] || { echo "larger than SIZE in core_install.py ($most MB), which has to be raised: $large" >&2; return 1; }
 }
 
 # build PRESET FOLDER [TARGET...]

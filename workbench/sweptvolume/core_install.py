@@ -111,7 +111,7 @@ def sources_of(listed):
 
 
 def is_unpublished_on(source):
-    """Returns whether nothing is fetched from a source, since the core is not published there."""
+    """Returns whether a source is the index on which the core is to be published, but is not yet."""
     return not PUBLISHED and source.rstrip("/") == DEFAULT_INDEX
 
 

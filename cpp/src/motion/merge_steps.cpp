@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh_parts.h"
 #include "motion/step_path.h"
 
 namespace swept {
@@ -41,8 +42,7 @@ class Merger {
  public:
   Merger(const Motion& motion, const TriMesh& body, double chord)
       : motion_(motion), chord_(chord), longest_(longestEdge(body)) {
-    Eigen::AlignedBox3d box;
-    for (const auto& v : body.vertices) box.extend(v);
+    const Eigen::AlignedBox3d box = boxOf(body);
     const Eigen::Vector3d half = box.sizes() / 2;
     frames_.reserve(motion.placements.size());
     for (const Placement& p : motion.placements) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh_parts.h"
+
 namespace swept {
 namespace {
 
@@ -15,9 +17,7 @@ constexpr double kMinScrewAngle = 4e-8;
 }  // namespace
 
 Sphere boundingSphere(const TriMesh& body) {
-  Eigen::AlignedBox3d box;
-  for (const auto& v : body.vertices) box.extend(v);
-  const Eigen::Vector3d centre = box.center();
+  const Eigen::Vector3d centre = boxOf(body).center();
   double radius2 = 0;
   for (const auto& v : body.vertices) radius2 = std::max(radius2, (v - centre).squaredNorm());
   return {centre, std::sqrt(radius2)};

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "base/sort_unique.h"
+#include "geometry/mesh_parts.h"
 #include "geometry/shells.h"
 #include "motion/step_path.h"
 #include "sampling/culling/face_clusters.h"
@@ -119,8 +120,7 @@ class MotionCover {
 
 /// Returns how far the true motion deviates from the chords, in cells.
 double chordOf(const SamplerInput& input) {
-  Eigen::AlignedBox3d box;
-  for (const auto& v : input.body.vertices) box.extend(v);
+  const Eigen::AlignedBox3d box = boxOf(input.body);
   double most = input.motion.mergeError;
   for (std::size_t k = 0; k < input.motion.steps(); ++k) {
     most = std::max(most, arcOf(input.motion, k, box));

@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "clearance/mechanism_input.h"
 #include "clearance/pair_check.h"
+#include "geometry/mesh_parts.h"
 #include "path/ends.h"
 #include "path/task_check.h"
 
@@ -100,8 +101,7 @@ Assembled::Assembled(const std::vector<SequencePart>& parts, const std::vector<S
   for (const SequencePart& part : parts)
     placed_.push_back({part.name, placedMesh(part.mesh, goalOf(part)), part.chordError});
   for (const StillPart& part : still) placed_.push_back({part.name, part.mesh, part.chordError});
-  for (const ClearanceNeighbour& part : placed_)
-    for (const Eigen::Vector3d& vertex : part.mesh.vertices) box_.extend(vertex);
+  for (const ClearanceNeighbour& part : placed_) box_.extend(boxOf(part.mesh));
   requireApart(parts.size(), options.path, run);
 }
 

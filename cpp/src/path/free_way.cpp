@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/mesh_parts.h"
 #include "path/found_path.h"
 
 namespace swept::path {
@@ -30,8 +31,7 @@ PathReport freeWay(const SequencePart& part, const PathOptions& options, double 
   report.method = part.motion ? "given" : "nothing in the way";
   report.path = part.motion ? *part.motion : straight(part.task, options.interpolation, far);
   report.clearance = std::numeric_limits<double>::infinity();
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& vertex : part.mesh.vertices) box.extend(vertex);
+  const Eigen::AlignedBox3d box = boxOf(part.mesh);
   const double radius = 0.5 * box.diagonal().norm();
   std::vector<State> keys;
   for (Pose& pose : report.path.poses) {

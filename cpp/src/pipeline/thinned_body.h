@@ -15,10 +15,10 @@ namespace swept {
 /// Returns how far the thinned body may lie from the given one: half of the chord tolerance.
 double bodyThinning(double cell, const Options& options);
 
-/// Returns the thinned body, or nothing if the run needs the given one, if its motion is short, or
-/// if fewer than half of the triangles would go. Needed is the given body for previews, for
-/// sources, since these name its triangles, and for offset and conservative envelopes, since these
-/// measure from it. A body must be closed to be thinned.
+/// Returns the thinned body. Returns nothing if the motion is short, if the body is not closed, if
+/// fewer than half of the triangles would go, or if the run needs the given body: a preview keeps
+/// it for the next call, sources name its triangles, and offset and conservative envelopes are
+/// measured from it.
 std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& given, double cell,
                                    const Options& options, RunContext& run);
 

@@ -2,6 +2,7 @@
 #include "simplify/mapped_move.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -50,14 +51,15 @@ bool liesSideBySide(const std::vector<Vector2d>& at, double minArea) {
 /// Returns the height of the new surface at the origin.
 double heightAtOrigin(const Seen& seen) {
   const Vector2d& v = seen.at[0];
-  double best = -1, height = 0;
-  // The triangle that contains the origin. With rounding, it may lie in none: the nearest one.
+  // The triangles cover the origin once, so the one that contains it has the largest barycentric
+  // coordinates there, whatever rounding does.
+  double best = -std::numeric_limits<double>::infinity(), height = 0;
   for (std::size_t k = 1; k + 1 < seen.at.size(); ++k) {
     const Vector2d &a = seen.at[k], &b = seen.at[k + 1];
     const double ofV = cross(a, b), ofA = cross(b, v), ofB = cross(v, a), sum = ofV + ofA + ofB;
-    const double inside = std::min({ofV, ofA, ofB}) / sum;
-    if (best >= 0 || inside < best) continue;
-    best = inside;
+    const double least = std::min({ofV, ofA, ofB}) / sum;
+    if (least <= best) continue;
+    best = least;
     height = (ofV * seen.height[0] + ofA * seen.height[k] + ofB * seen.height[k + 1]) / sum;
   }
   return height;

@@ -222,7 +222,7 @@ class CoreDialog(QtWidgets.QDialog):
 
 
 def told_source(source):
-    """Returns an address for users; of an index that does not have the core yet, this is said."""
+    """Returns the address of a source as users see it: with a remark if the core is not there yet."""
     if core_install.is_unpublished_on(source):
         text = translate("SweptVolume", "{0} (the core is not published there yet)")
         return text.format(source)

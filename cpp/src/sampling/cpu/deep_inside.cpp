@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/sort_unique.h"
+#include "geometry/mesh_parts.h"
 #include "sampling/exact_element.h"
 
 namespace swept {
@@ -47,8 +48,7 @@ bool hidesEnough(const SamplerInput& input, const InsideMap& inside) {
 class Places {
  public:
   Places(const SamplerInput& input) {
-    Eigen::AlignedBox3d box;
-    for (const auto& v : input.body.vertices) box.extend(v);
+    const Eigen::AlignedBox3d box = boxOf(input.body);
     const Eigen::Vector3d half = box.sizes() / 2;
     at_.resize(input.motion.placements.size());
     parallelBlocks(at_.size(), 4096, [&](std::size_t begin, std::size_t end) {

@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "base/sort_unique.h"
 #include "geometry/half_edges.h"
+#include "geometry/mesh_parts.h"
 #include "sampling/dense/candidates.h"
 #include "sampling/dense/leak_repair.h"
 #include "sampling/dense/pair_sampler.h"
@@ -14,11 +15,7 @@
 namespace swept::dense {
 namespace {
 
-double bodyRadius(const TriMesh& body) {
-  Eigen::AlignedBox3d box;
-  for (const auto& v : body.vertices) box.extend(v);
-  return box.diagonal().norm() / 2;
-}
+double bodyRadius(const TriMesh& body) { return boxOf(body).diagonal().norm() / 2; }
 
 class DenseRun {
  public:

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "motion/step_path.h"
+
 namespace swept::dense {
 namespace {
 
@@ -30,10 +32,9 @@ Placement meanOf(const std::vector<Placement>& placements, const Eigen::Vector3d
 
 PlacementSpace::PlacementSpace(const TriMesh& body, const std::vector<Placement>& placements,
                                Wanted wanted) {
-  Eigen::AlignedBox3d box;
-  for (const auto& v : body.vertices) box.extend(v);
-  centre_ = box.center();
-  for (const auto& v : body.vertices) radius_ = std::max(radius_, (v - centre_).norm());
+  const Sphere ball = boundingSphere(body);
+  centre_ = ball.centre;
+  radius_ = ball.radius;
   mean_ = meanOf(placements, centre_);
   const Eigen::Vector3d middle = mean_.apply(centre_);
   points_.resize(placements.size());
