@@ -1,5 +1,6 @@
 # Headers that many sources include, compiled once for each library and program (SWEPT_PRECOMPILED_HEADERS).
-# Off by default: a source that forgets an #include compiles with them all the same.
+# The preset `release` builds with them, the others without: with them, a source that forgets an #include
+# compiles all the same.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set(headers algorithm array atomic bit charconv cmath cstdint exception functional limits map memory mutex numeric
   optional set span sstream string string_view tuple unordered_map unordered_set utility vector
@@ -13,10 +14,10 @@ function(swept_precompile target)
     endif()
   endif()
 endfunction()
-foreach(target core io path page solid test_support fuzz)
+foreach(target gl io test_support fuzz)
   swept_precompile(swept_${target})
 endforeach()
-foreach(target swept_model swept)
+foreach(target swept_core swept_clearance swept_path swept_page swept_solid swept_model swept)
   swept_precompile(${target} <nlohmann/json.hpp>)
 endforeach()
 swept_precompile(_swept <pybind11/numpy.h> <pybind11/stl.h>)

@@ -94,6 +94,7 @@ class OtherDocumentTable(Table):
         both = self.doc, elsewhere()
         before = [document.UndoCount for document in both]
         shown = [(o, o.Visibility) for document in both for o in document.Objects]
+        content = self.shown()
         for document in both:
             document.openTransaction(name)
         self.CHANGES[name](self.doc)
@@ -109,7 +110,7 @@ class OtherDocumentTable(Table):
         for obj, visible in shown:
             obj.Visibility = visible
         self.recomputed()
-        self.look(name + ", undone")
+        self.look_again(name, content)
         if "expression" not in name:
             self.assertEqual(self.behind(), {})
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace swept::test {
 
@@ -26,5 +27,8 @@ constexpr bool kUnderSanitizer = false;
 constexpr int sampled(int all, int oneIn) {
   return kUnderSanitizer ? std::max(1, all / oneIn) : all;
 }
+
+/// Returns whether long series are to run completely (the environment variable SWEPT_LONG_TESTS).
+inline bool longRun() { return std::getenv("SWEPT_LONG_TESTS") != nullptr; }
 
 }  // namespace swept::test

@@ -6,7 +6,6 @@
 
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <set>
@@ -167,8 +166,6 @@ std::int64_t everyCell(const std::function<void(const Block&)>& use) {
   return count;
 }
 
-bool longRun() { return std::getenv("SWEPT_LONG_TESTS") != nullptr; }
-
 }  // namespace
 
 TEST(ComponentsExhaustive, EveryCellConfigurationIsReached) {
@@ -285,7 +282,7 @@ TEST(ComponentsExhaustive, EveryFacePair) {
 /// All 2^20 choices of doubly crossed edges in two cells whose corners all lie outside.
 TEST(ComponentsExhaustive, FacePairsOfWalls) {
   BlockTester tester({2, 2, 3}, Geometry::Random, 5);
-  const std::uint64_t stride = longRun() ? 1 : kUnderSanitizer ? 293 : 13;
+  const std::uint64_t stride = longRun() ? 1 : kUnderSanitizer ? 293 : 31;
   std::int64_t count = 0;
   for (std::uint64_t walls = 0; walls < 1u << 20; walls += stride, ++count) tester.add({0, walls});
   tester.expectNone(count);
@@ -295,7 +292,7 @@ TEST(ComponentsExhaustive, EveryFourCellsRoundAnEdge) {
   const BlockShape shapes[] = {{3, 3, 2}, {2, 3, 3}, {3, 2, 3}};
   for (std::uint64_t turn = 0; turn < (longRun() ? 3 : 1); ++turn) {
     BlockTester tester(shapes[turn], Geometry::Random, 11 + turn);
-    const std::uint64_t stride = kUnderSanitizer ? 61 : 1;
+    const std::uint64_t stride = longRun() ? 1 : kUnderSanitizer ? 61 : 13;
     std::int64_t count = 0;
     for (std::uint64_t inside = 0; inside < 1u << 18; inside += stride, ++count) {
       tester.add({inside, 0});
@@ -306,7 +303,7 @@ TEST(ComponentsExhaustive, EveryFourCellsRoundAnEdge) {
 
 /// Random signs of 3 x 3 x 3 points (2^27 patterns), and such blocks with doubly crossed edges.
 TEST(ComponentsExhaustive, BlocksOfEightCellsSampled) {
-  const int count = longRun() ? 4'000'000 : sampled(20'000, 20);
+  const int count = longRun() ? 4'000'000 : sampled(8'000, 8);
   BlockTester signs({3, 3, 3}, Geometry::Random, 21), walls({3, 3, 3}, Geometry::Random, 22);
   for (int n = 0; n < count; ++n) {
     const auto draw = static_cast<std::uint64_t>(n);

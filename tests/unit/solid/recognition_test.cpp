@@ -186,7 +186,7 @@ TriMesh postOnWaves(double radius) {
   line(profile, {40, 0}, {radius, 0}, 40);
   line(profile, {radius, 0}, {radius, 20}, 20);
   line(profile, {radius, 20}, {0, 20}, 10);
-  TriMesh mesh = revolved(profile, false, 160);
+  TriMesh mesh = revolved(profile, false, 128);
   for (auto& p : mesh.vertices) {
     const double wave = std::sin(0.5 * p.x()) * std::cos(0.4 * p.y() + 0.3);
     p.z() += wave * (p.z() > 0 ? 1 - p.z() / 20 : 1 + p.z() / 10);
