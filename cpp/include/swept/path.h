@@ -1,4 +1,4 @@
-// Finds installation paths: motions on which a part reaches its place and stays clear of its
+// Finds installation paths: motions on which a part reaches its goal and stays clear of its
 // neighbours.
 // In:    the part, its goal, its start (or a distance or direction in which to take it out),
 //        neighbours with their rules (swept/neighbour_rule.h), and the required clearance. All in
@@ -25,8 +25,8 @@
 
 namespace swept {
 
-/// Takes the part out of its place: at least `radius` mm away, or along a direction until it is
-/// past all neighbours.
+/// Takes the part away from its goal: at least `radius` mm, or along a direction until it is past
+/// all neighbours.
 struct Extraction {
   double radius = 0;
   std::optional<Eigen::Vector3d> direction;

@@ -116,7 +116,7 @@ class SequenceWatch {
     if (now.part >= 0) now.farthest = path_->farthest();
     return now;
   }
-  /// For the search: returns the watch of the path that it now looks for.
+  /// For the search: returns the PathWatch of the search that begins now.
   std::shared_ptr<PathWatch> begin(std::size_t part, std::size_t found) {
     const std::lock_guard<std::mutex> lock(mutex_);
     seen_ = {static_cast<int>(part), static_cast<int>(found), {}};

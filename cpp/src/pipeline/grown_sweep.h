@@ -1,8 +1,8 @@
 // A swept volume grown by a distance, for a safety distance or a conservative envelope.
 //
 // In:    a cover of the swept volume (offset/cover.h).
-// Out:   Hermite grids at any distance from it, the proof that a mesh made from such a grid
-//        contains the swept volume, and the findings for the report.
+// Out:   Hermite grids of the surface at any distance from the cover, the proof that a mesh made
+//        from such a grid contains the swept volume, and the findings for the report.
 // Units: cells. Cost: see offset/.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

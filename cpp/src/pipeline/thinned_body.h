@@ -1,7 +1,8 @@
-// Thins a body whose triangles are much smaller than the grid needs, before a long motion. Then the
-// time follows the size of the cells, not that of the triangles.
+// Thins a body whose triangles are much smaller than the grid needs, before a long motion. The time
+// of the run then depends on the size of the cells, not on that of the triangles.
 // In:    a planned motion and the body before its long edges are split.
-// Out:   a body of fewer triangles. Each of the two lies within bodyThinning() of the other.
+// Out:   a body with fewer triangles. Each of the two bodies lies within bodyThinning() of the
+//        other.
 // Units: mm. Cost: about 10 us per triangle, as much as about a hundred placements.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
