@@ -282,8 +282,8 @@ class SurfaceAssembler {
   }
 
   void fillDualVertices(std::size_t i) {
-    constexpr float kInsideMargin =
-        1e-5f;  // a tenth of kCellMargin; only vertices that left their cell are nearer to a wall
+    // A tenth of kCellMargin; only vertices that left their cell are nearer to a wall.
+    constexpr float kInsideMargin = 1e-5f;
     const auto& layer = dual_.vertices[i];
     const auto sameCell = [&](std::size_t v, std::size_t w) {
       return layer[v].k == layer[w].k && layer[v].j == layer[w].j;

@@ -35,8 +35,8 @@ Eigen::Vector3d VertexSplit::alongCrease(const Qef& planes, const Eigen::Vector3
   /// On a crease, the smallest eigenvalue of the mean normal tensor (for the direction along the
   /// crease) is at most kMaxAlong, and the other two are at least kMinAcross.
   constexpr double kMaxAlong = 0.01, kMinAcross = 0.03;
-  constexpr double kMaxExtraMiss =
-      0.02;  // cells: how much larger the distance of the planes from the new point may be
+  // cells: how much larger the distance of the planes from the new point may be.
+  constexpr double kMaxExtraMiss = 0.02;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(planes.matrix() / planes.count());
   if (eigen.eigenvalues()[0] > kMaxAlong || eigen.eigenvalues()[1] < kMinAcross) return best;
   const Eigen::Vector3d direction = eigen.eigenvectors().col(0);

@@ -132,8 +132,8 @@ bool meetBeyondVertex(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const 
   if (sd == 0) return wedgeContains(v, a, b, d);
   if (sa == 0) return wedgeContains(v, c, d, a);
   if (sb == 0) return wedgeContains(v, c, d, b);
-  return sc == sb &&
-         sd == sa;  // otherwise each arc crosses the other's plane at the opposite point
+  // If this is false, each arc crosses the other's plane at the opposite point.
+  return sc == sb && sd == sa;
 }
 
 bool meetBeyondEdge(const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& p,

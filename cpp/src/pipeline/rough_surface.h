@@ -19,8 +19,8 @@ namespace swept {
 /// Approximate limits of a rough sweep.
 struct RoughRoom {
   double faces = 1.5e6;  ///< faces of the body times placements
-  double crossings =
-      1e7;  ///< raw crossings, before all but the first from each end of an edge are dropped
+  /// Raw crossings, before all but the first from each end of an edge are dropped.
+  double crossings = 1e7;
   double stripes = 1.5e7;  ///< faces of the body times cells that it travels
 };
 /// Returns limits that are a small fraction of the run's own figures, but no less than the

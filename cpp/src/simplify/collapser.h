@@ -24,8 +24,8 @@ struct WorkPart {
   int axis = 0;
   double low = -1e300, high = 1e300;
   std::vector<std::int32_t> vertices;  ///< start vertices, in ascending order
-  std::vector<std::int32_t>
-      triangles;  ///< triangles that may meet those of the worker, including its own
+  /// Triangles that may meet those of the worker, including its own.
+  std::vector<std::int32_t> triangles;
 };
 
 class Collapser {

@@ -17,8 +17,8 @@ namespace swept {
 
 /// A place where the surfaces are farther apart than the tolerance.
 struct FarPlace {
-  Eigen::Vector3d onOriginal,
-      onResult;                ///< one is the measured point, the other the point nearest to it
+  /// One is the measured point, the other the point nearest to it.
+  Eigen::Vector3d onOriginal, onResult;
   std::int32_t triangle = -1;  ///< triangle of the result
 };
 

@@ -14,8 +14,8 @@
 namespace swept {
 namespace {
 
-constexpr double kRankCut =
-    0.03;  ///< eigenvalues below this fraction of the largest one count as 0
+/// Eigenvalues below this fraction of the largest one count as 0.
+constexpr double kRankCut = 0.03;
 constexpr double kCosine = 0.906;  ///< cosine of 25 degrees, the smallest angle of a crease
 constexpr std::size_t kBlock = 8192;
 constexpr std::uint32_t kNone = 0xffffffffu;

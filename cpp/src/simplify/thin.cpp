@@ -29,8 +29,8 @@ constexpr double kFirstFraction = 0.1;  // fraction of the limit that the first 
 struct Manner {
   int rounds = 3;      // with growing limits
   int lastRounds = 0;  // further rounds with the whole limit
-  double meanFraction =
-      1;  // fraction of the limit for the root mean square distance from the planes
+  // Fraction of the limit for the root mean square distance from the planes.
+  double meanFraction = 1;
   double minCosine = 0.5;  // a triangle may turn by less than 60 degrees
   double minShape = 0.03;  // area vector / longest side squared
   double longest = 50;  // limit of a new edge's length, as a multiple of the mean edge of the input
@@ -335,13 +335,13 @@ class Thinner {
   TriangleFans fans_;
   std::vector<Quadric> quadric_;
   std::vector<double> off_;  // for each vertex, how far vertices merged into it may deviate
-  std::vector<double>
-      moved_;  // for each triangle, a bound on its distance from the input mesh; if `proven`
+  // For each triangle, a bound on its distance from the input mesh; if `proven`.
+  std::vector<double> moved_;
   // For each triangle, 1 if it moved in this round. Then it may not move again in this round: the
   // bounds of moves add up, and they grow least if each triangle moves once per round.
   Flags touched_;
-  std::vector<std::int32_t>
-      into_;            // for each vertex, the vertex into which it was merged; -1: none
+  // For each vertex, the vertex into which it was merged; -1: none.
+  std::vector<std::int32_t> into_;
   double longest_ = 0;  // longest edge allowed, in mm^2
   Flags partOf_;
   Flags inner_;  // for each vertex, 1 if all its neighbours are in its own part

@@ -31,9 +31,8 @@ class SampleCache {
 
   void clear() { chunks_.clear(); }
 
-  std::int64_t hits() const {
-    return hits_;
-  }  ///< number of steps found in the cache, over all runs
+  /// Number of steps found in the cache, over all runs.
+  std::int64_t hits() const { return hits_; }
   void countHit() { ++hits_; }
 
  private:

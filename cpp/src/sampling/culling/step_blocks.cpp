@@ -18,8 +18,8 @@ constexpr double kRoom = 1 + 1e-9;   ///< covers the rounding of the bounds
 constexpr double kSnapReach = 1e-4;  ///< cells: more than snapping can move a point
 /// Largest and smallest size of a group of placements, in cells.
 constexpr double kLargestGroup = 2, kSmallestGroup = 1e-3;
-constexpr double kFaceGroup =
-    0.5;  ///< cells: in groups of at most this size, single faces are tested, too
+/// cells: in groups of at most this size, single faces are tested, too.
+constexpr double kFaceGroup = 0.5;
 /// Grouping saves time only if groups have at least this many placements on average.
 constexpr std::size_t kWorthGroup = 8;
 

@@ -218,8 +218,8 @@ class CandidateSearch {
   const SamplerInput& input_;
   const PlacementSpace& space_;
   const DenseSettings& settings_;
-  float
-      slack_;  // mm: a winner is passed on if its advance is less than the best one by at most this
+  // mm: a winner is passed on if its advance is less than the best one by at most this.
+  float slack_;
   const ListsByKey<>& corners_;
   RunContext& run_;
   std::size_t vertices_;

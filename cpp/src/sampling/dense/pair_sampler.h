@@ -47,8 +47,8 @@ class PairSampler {
   const SamplerInput& input_;
   RunContext& run_;
   std::vector<Placement> placements_;  // placements whose results are in cells
-  std::vector<std::uint32_t>
-      identity_;  // 0, 1, 2 ...: each entry serves as a list of one placement
+  // 0, 1, 2 ...: each entry serves as a list of one placement.
+  std::vector<std::uint32_t> identity_;
   std::vector<Item> items_;
   MarkedEdges marked_;
   std::int64_t pairs_ = 0, crossings_ = 0;

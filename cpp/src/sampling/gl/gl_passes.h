@@ -23,8 +23,8 @@ namespace swept::gl {
 
 struct GlSettings {
   std::uint64_t budgetBytes = std::uint64_t{192} << 20;  ///< memory for marks, targets and chunks
-  std::uint64_t chunkBytes =
-      0;  ///< bytes of placements and steps per chunk; 0: derived from the limits
+  /// Bytes of placements and steps per chunk; 0: derived from the limits.
+  std::uint64_t chunkBytes = 0;
   double fenceTimeoutSeconds = 10;
   std::uint32_t firstBatch = 1024;  ///< elements in the first dispatch; later ones adapt
   bool adaptBatch = true;
