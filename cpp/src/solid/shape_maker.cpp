@@ -84,9 +84,8 @@ void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t kno
   } while (h != first);
 }
 
-// Withdraws faces that the kernel refuses. Recognised patches among them are added to `refused`, to
-// lose their surface. Plane regions are split into facets. Returns true if a plane region was
-// split.
+// Withdraws faces that the kernel refuses. Recognised patches among them go into `refused`, to lose
+// their surface. Plane regions are split into facets. Returns true if a plane region was split.
 bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int32_t known,
               Decimated& small, std::vector<std::int32_t>& refused) {
   bool again = false;
@@ -98,8 +97,7 @@ bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int
       dissolvePatch(small.mesh, patch, small.partition);
       again = true;
     } else {
-      // The kernel refuses a facet if a corner was moved onto a neighbouring surface. So the
-      // neighbouring patches are refused.
+      // The kernel refuses a facet if a corner was moved onto the surface of a patch around it.
       const std::int32_t t = small.partition.patches[patch].triangles[0];
       for (int k = 0; k < 3; ++k) addKnownAround(small, 3 * t + k, known, refused);
     }
@@ -205,8 +203,7 @@ class ShapeMaker {
   }
 
  private:
-  // Records where open ground is needed: along edges that do not lie on these faces (isLoose), or
-  // on whole faces.
+  // Records where open ground is needed: along edges that lie off these faces, or on whole faces.
   void noteTrouble(const std::vector<std::int32_t>& bad, const Model& model, bool isLoose) {
     for (const std::int32_t f : bad) {
       const ModelFace& face = model.faces[f];
@@ -291,7 +288,7 @@ class ShapeMaker {
     const std::vector<std::int32_t> failed = takeHeld(model, unheld);
     if (!failed.empty()) return failed;
     // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
-    // that has only recognised surfaces would otherwise become hundreds of facets.
+    // without facets is left as it is, because it would become hundreds of facets.
     if (!unheld.empty() && hasFacets(model)) {
       for (const EdgeCut& cut : unheld) trouble_.push_back(model.edges[cut.edge].curve.at(cut.at));
       isLoose_ = true;
@@ -368,11 +365,9 @@ class ShapeMaker {
   std::string refusedText_;            // number and position of the faces refused last
   bool isLabelled_ = false, isLoose_ = false;
   const std::vector<Eigen::Vector3d>* points_ =
-      &whole_.points;  // points that must be near the solid
-  // The partition of the current round, with labelled patches.
-  const Partition* labelled_ = nullptr;
-  // Where labelled patches become open ground in the next round.
-  std::vector<Eigen::Vector3d> trouble_;
+      &whole_.points;                     // points that must be near the solid
+  const Partition* labelled_ = nullptr;   // the labelled patches of this round
+  std::vector<Eigen::Vector3d> trouble_;  // where open ground is needed in the next round
 };
 
 }  // namespace
