@@ -47,8 +47,8 @@ struct PathOptions {
   double clearance = 0;
   double tolerance = 0.01;    ///< mm, as ClearanceOptions::tolerance
   double bodyChordError = 0;  ///< mm, as ClearanceOptions::bodyChordError
-  /// mm. If the part is closer to a neighbour than the clearance at its start or goal, it may stay
-  /// that close, or touch, while no point of the part is farther than this from its position there.
+  /// mm. The part may be closer to a neighbour than the clearance at its start or goal. It may then
+  /// stay that close, or touch, while no point of it is farther than this from its position there.
   double release = 0;
   /// The part never turns: it keeps the orientation that it has at the goal.
   bool translationOnly = false;

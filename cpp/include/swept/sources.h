@@ -27,10 +27,10 @@ enum class SourceKind : std::uint8_t {
 /// Returns "cap", "edge" or "graze".
 const char* sourceKindName(SourceKind kind);
 
-/// One point of the envelope and what made it. If the motion of the body up to this time is undone,
-/// the point lies on the triangles of its face (Cap, and Graze with one face) or on an edge between
-/// triangles (Edge, Graze). The rounding error is 1e-7 of a cell, or 1e-3 of a cell if the surface
-/// passes that close to a grid point.
+/// One point of the envelope and what made it. In coordinates of the body at this time, the point
+/// lies on the triangles of its face (Cap, and Graze with one face) or on an edge between triangles
+/// (Edge, Graze). The rounding error is 1e-7 of a cell, or 1e-3 of a cell if the surface passes
+/// that close to a grid point.
 struct SurfaceSource {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double timeSeconds = 0;

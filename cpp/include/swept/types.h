@@ -92,7 +92,7 @@ struct Options {
   /// mm; skip poses while no point of the body moves farther than this; 0: off.
   double positionFilter = 0;
   double chordTolerance =
-      0.02;  ///< in cells: how far a point may deviate from the chord of the refined motion
+      0.02;  ///< in cells: how far the true path of a point may deviate from its chord
   double weldTolerance = 1e-6;  ///< as a fraction of the diagonal of the body's bounding box
   /// Record what made each triangle (sources.h). Not allowed with an offset or with `conservative`.
   bool sources = false;

@@ -18,7 +18,7 @@ constexpr std::array<std::uint32_t, kFaces> makeFaceMasks() {
 }
 constexpr auto kFaceMasks = makeFaceMasks();
 
-/// A crossing on a face. The walk round the face passes the stops in their order.
+/// A crossing on a face, as a stop of the walk round the face.
 struct Stop {
   int slot;
   bool enters;  ///< at this crossing, the walk passes from outside to inside

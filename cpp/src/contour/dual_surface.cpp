@@ -18,11 +18,11 @@
 namespace swept {
 namespace {
 
-/// A vertex stays in its cell if the root mean square distance of its planes from the best point in
-/// the cell is at most this (in cells). The planes then nearly meet inside the cell: their crease
-/// passes through the cell, although its point nearest to the mass point lies outside. On the
-/// fandisk test mesh, moved over 16 keys, at 256 cells, this limit gives 62 intersecting pairs. If
-/// these vertices may leave their cells, too, there are 1,484.
+/// Limit (cells) of the root mean square distance of a vertex's planes from the best point in the
+/// cell. Up to this limit, the vertex stays in its cell, because the planes nearly meet inside.
+/// Their crease passes through the cell, although its point nearest to the mass point lies outside.
+/// On the fandisk test mesh, moved over 16 keys, at 256 cells, this limit gives 62 intersecting
+/// pairs. If these vertices may leave their cells, too, there are 1,484.
 constexpr double kMinEscapeMiss = 0.03;
 
 /// Fits the vertex of a component to the planes of its crossings.
@@ -155,7 +155,7 @@ class LayerBuilder {
   }
 
   /// Looks for a side between two others in the cell (hidden_side.h, wall_end.h). Returns false if
-  /// the component gets one vertex without planes of a further side.
+  /// there is none; the component then gets one vertex, fitted to its own planes.
   bool findSplit(const Cell& cell, const Eigen::Vector3i& at, int component, const VertexFit& fit,
                  VertexSplit& split) const {
     const Crossing* crossings = grid_.crossings.data();

@@ -12,7 +12,6 @@
 // small eigenvalues instead. Damping has no threshold at which the vertex jumps, and a solution by
 // cofactors is some twenty times faster than an eigen-decomposition. A minimiser outside the cell
 // is replaced by the best point of the cell's faces, edges and corners.
-// faces, edges and corners.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

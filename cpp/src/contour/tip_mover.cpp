@@ -61,8 +61,8 @@ class TipMover {
       if (x.corner != y.corner) return x.corner;
       return x.error < y.error;
     });
-    // First moves the vertices whose own planes meet outside their cell. Then moves the vertices
-    // onto which a neighbour's planes were found to meet.
+    // First moves the vertices whose own planes meet outside their cell. Then moves other vertices
+    // to points at which the planes of a neighbour meet.
     std::unordered_set<std::uint64_t> moved;
     for (const bool own : {true, false}) {
       std::size_t group = 0;  // index of the first claim on the same cell

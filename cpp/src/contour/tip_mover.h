@@ -10,8 +10,8 @@
 // The tip of a corner or wedge can reach into a neighbouring cell without meeting any edge of that
 // cell. If the segment to the tip leads through cells without surface, the vertex moves to the tip.
 // If the tip lies in a neighbouring cell with surface, the vertex of a component there may move to
-// it, provided that all planes of this component pass through the tip. That vertex is then the
-// corner, although the crossings of its cell lie only on some of the corner's planes.
+// it. All planes of this component must then pass through the tip. That vertex becomes the corner,
+// although the crossings of its cell lie only on some of the corner's planes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -32,8 +32,8 @@ void VertexSplit::findFolds(const Cell& cell, const Components& components, int 
 }
 
 Eigen::Vector3d VertexSplit::alongCrease(const Qef& planes, const Eigen::Vector3d& best) const {
-  /// On a crease, the smallest eigenvalue of the mean normal tensor (for the direction along the
-  /// crease) is at most kMaxAlong, and the other two are at least kMinAcross.
+  /// Limits of the eigenvalues of the mean normal tensor on a crease. The smallest one (along the
+  /// crease) is at most kMaxAlong, the other two are at least kMinAcross.
   constexpr double kMaxAlong = 0.01, kMinAcross = 0.03;
   // cells: how much larger the distance of the planes from the new point may be.
   constexpr double kMaxExtraMiss = 0.02;

@@ -43,9 +43,9 @@ struct VertexSplit {
   std::vector<std::array<std::int8_t, 2>> folds;
   std::vector<std::int8_t> foldFaces;
 
-  /// Finds the folds. The polygons of the component form a ring. There are folds only if `part`
-  /// divides this ring into two connected arcs and leaves no polygon out, and if the arcs meet on
-  /// faces whose crossings can be paired in one way only.
+  /// Finds the folds. The polygons of the component form a ring, which `part` must divide into two
+  /// connected arcs without leaving a polygon out. The arcs must meet on faces whose crossings can
+  /// be paired in one way only. Otherwise there are no folds.
   void findFolds(const Cell& cell, const Components& components, int component,
                  const Crossing* crossings);
 

@@ -90,7 +90,7 @@ std::array<bool, 8> outsideCorners(const Cell& cell) {
     if (!cell.has(2 * edge) && !cell.has(2 * edge + 1)) continue;
     for (const int end : {0, 1}) sign[cornerOf(edge, end)] = cell.has(2 * edge + end) ? 1 : 0;
   }
-  for (int round = 0; round < 3; ++round) {  // over edges without a crossing
+  for (int round = 0; round < 3; ++round) {  // passes known signs along edges without a crossing
     for (int edge = 0; edge < kEdges; ++edge) {
       const int low = cornerOf(edge, 0), high = cornerOf(edge, 1);
       if (cell.has(2 * edge) || cell.has(2 * edge + 1)) continue;

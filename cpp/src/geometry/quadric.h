@@ -55,9 +55,9 @@ struct Quadric {
   }
   /// Returns the mean squared distance of x from the planes.
   double mean(const Eigen::Vector3d& x) const { return weight > 0 ? error(x) / weight : 0; }
-  /// Returns the minimiser with a damping towards `about` that weighs a millionth of the planes. In
-  /// directions that the planes do not determine, the result stays at `about`. About ten times as
-  /// fast as minimise().
+  /// Returns the minimiser, with a small damping (a millionth of the planes' weight) that pulls
+  /// it towards `about`. In directions that the planes do not determine, the result stays at
+  /// `about`. About ten times as fast as minimise().
   Eigen::Vector3d dampedMinimiser(const Eigen::Vector3d& about) const {
     constexpr double kDamping = 1e-6;  // as strong as planes that differ by a tenth of a degree
     Eigen::Matrix3d m = matrix();

@@ -7,9 +7,9 @@
 // Source: simulation of simplicity (Edelsbrunner and Muecke 1990).
 //
 // Vertices are odd integers in units of 2^-17 cell, and lattice lines lie at multiples of 2^17. So
-// no vertex ever lies on the row or column of a line. If a line lies exactly on an edge, or a
-// lattice point exactly on a plane, the lattice is treated as shifted by (e, e^2, e^3) with e -> 0.
-// The shift is the same for all axes.
+// no vertex ever lies on the row or column of a line. A line may still lie exactly on an edge, or a
+// lattice point exactly on a plane. Then the lattice is treated as shifted by (e, e^2, e^3), where
+// e tends to 0. The shift is the same for all axes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -70,7 +70,8 @@ void dropTriangles(TriMesh& mesh, const std::vector<std::uint8_t>& dead) {
   keepLiving(mesh.faceOf, dead);
 }
 
-/// Marks duplicates in `group`: all triangles with the same three corners, in ascending order.
+/// Marks the triangles to remove in `dead`. `group`: all triangles with the same three corners, in
+/// ascending order.
 void markGroup(const TriMesh& mesh, const std::vector<std::int64_t>& group, bool keepSheets,
                std::vector<std::uint8_t>& dead, CleanCounts& counts) {
   std::int64_t firstOf[2] = {-1, -1};

@@ -1,6 +1,6 @@
 // The pivot of a trajectory: the body point that moves along a straight line between two poses. Let
 // S be the translation to the pivot. The poses P S with the body S^-1 x give the same motion as the
-// poses P with the body x, and the origin of the moved body is the pivot. So no other part of the
+// poses P with the body x. The origin of the moved body is then the pivot, so no other part of the
 // core needs to know the pivot. Units: mm. Cost: O(vertices), O(poses).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -22,8 +22,9 @@ struct Following {
 };
 
 /// Returns the edge length with the shortest sampling time, and the chord to use. The chord is
-/// doubled until there are at most `mostCopies` copies of triangles, or at most twice as many as a
-/// chord of one cell needs, if this is more. `maySplit`: false if the body must not be split.
+/// doubled until there are few enough copies of triangles. Allowed are `mostCopies`, or twice as
+/// many as a chord of one cell needs, if this is more. `maySplit`: false if the body must not be
+/// split.
 Following planFollowing(const TriMesh& body, const Trajectory& trajectory, double chord,
                         double cell, double mostCopies, bool maySplit, RunContext& run);
 

@@ -41,8 +41,8 @@ ClosedMesh closedMesh(const TriMesh& mesh, const std::string& name);
 struct Node {
   std::int32_t edge = 0;      ///< index of the edge in its mesh
   std::int32_t triangle = 0;  ///< index of the triangle in the other mesh
-  /// True: in the direction of the edge, it enters the other solid at the node; false: it leaves
-  /// it.
+  /// True: the edge, followed in its direction, enters the other solid at the node; false: it
+  /// leaves it.
   bool enters = false;
   double share = 0;  ///< position of the node on the edge, from 0 to 1
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm
@@ -60,8 +60,8 @@ struct Windings {
   /// For each vertex, the winding number of the other mesh about it: 0 outside the other solid, 1
   /// inside.
   std::vector<std::int32_t> ofVertex;
-  /// Total length (mm) of the parts of this mesh's edges on which the winding number of the other
-  /// mesh is 1, and of the parts on which it is neither 0 nor 1.
+  /// `once`: total length (mm) of the parts of this mesh's edges on which the winding number of the
+  /// other mesh is 1. `more`: of those on which it is neither 0 nor 1.
   double once = 0, more = 0;
 };
 

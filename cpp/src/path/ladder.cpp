@@ -16,7 +16,7 @@ namespace {
 // Number of parallel searches. They differ in their random numbers. The first path found wins.
 constexpr std::size_t kSearches = 2;
 constexpr int kRounds = 20;  // rounds of one search before all searches are compared
-// Nodes of both trees at which a search restarts for the first time.
+// A search restarts for the first time when its two trees together have this many nodes.
 constexpr std::size_t kNodesAtFirst = 3000;
 constexpr std::size_t kMostStarts = 8;                // with more starts, no grids are searched
 constexpr int kPlaces = 8000, kPlacesOfProof = 6000;  // placements tried on one grid

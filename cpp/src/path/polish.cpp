@@ -88,8 +88,8 @@ class Shortener {
     double replaced = b - a;
     if (scene_.distance(from, to) > 0.999 * replaced - 1e-3 * scene_.radius() * 0.01) return false;
     if (!isFree(from, to)) return false;
-    // The remaining parts of the two moves are tested again, because with screw interpolation, a
-    // part of a move can differ from the screw between the ends of this part.
+    // With screw interpolation, a part of a move can differ from the screw between the ends of this
+    // part. So the remaining parts of the two moves are tested again.
     if (!isFree(keys_[first], from) || !isFree(to, keys_[last + 1])) return false;
     std::vector<State> next(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(first) + 1);
     for (const State& state : {from, to})

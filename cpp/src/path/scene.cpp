@@ -18,7 +18,8 @@ using Eigen::Vector3d;
 // With a larger rotation between two keys, the direction of turning could become ambiguous
 // (input/trajectory_check.h requires less than 179 degrees).
 constexpr double kLargestTurn = 170 * std::numbers::pi / 180;
-// Pairs of boxes for the first proof; doubled with each split.
+// Largest number of pairs of boxes that the first proof of a move examines. It doubles each time
+// the move is halved.
 constexpr std::int64_t kEffort = 300;
 
 Vector3d rotationVector(const Eigen::Quaterniond& q) {

@@ -1,4 +1,5 @@
-// Finds paths without turning: by a search over a grid of placements, or proves that there is none.
+// Finds paths on which the part does not turn, by a search over a grid of placements. Can also
+// prove that there is no such path.
 // In:      the part in its orientation at the goal.
 // Out:     keys from a start to the goal with each move proven free; or a proof that the part
 //          cannot leave its goal without turning.

@@ -28,8 +28,8 @@ struct WidenLimits {
   std::function<bool()> over;  ///< returns true when no further raise may begin
 };
 
-/// Raises all distances of the rule by the same amount, as far as the ends of the path and the
-/// neighbours allow while the path becomes at most a quarter longer. A path of one move does not
+/// Raises all distances of the rule by the same amount. The ends of the path and the neighbours
+/// limit this amount, and the path may become at most a quarter longer. A path of one move does not
 /// change. Returns the amount in mm. Returns 0 and keeps the keys if no move came close to a
 /// neighbour.
 double widen(const Scene& scene, const Rule& rule, const WidenLimits& limits, RandomNumbers& random,

@@ -23,8 +23,8 @@ constexpr std::array<double, 4> kMarginCells{1.0, 1.5, 2.0, 2.5};
 constexpr double kMaxMarginCells = kMarginCells.back();
 
 struct Prepared {
-  /// Pivot of the trajectory in coordinates of the given body. It is the origin of `body` and
-  /// `trajectory`.
+  /// Pivot of the trajectory in coordinates of the given body. It is the origin of the coordinates
+  /// of `body` and `trajectory`.
   Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
   CheckedBody body;
   CheckedTrajectory trajectory;

@@ -19,7 +19,7 @@ namespace swept {
 /// Approximate limits of a rough sweep.
 struct RoughRoom {
   double faces = 1.5e6;  ///< faces of the body times placements
-  /// Raw crossings, before all but the first from each end of an edge are dropped.
+  /// Raw crossings: all of them, not only the first from each end of an edge.
   double crossings = 1e7;
   double stripes = 1.5e7;  ///< faces of the body times cells that it travels
 };

@@ -57,7 +57,7 @@ SamplingTrial::SamplingTrial(const SamplerInput& whole, RunContext& run)
 
 double SamplingTrial::bytesOf(const SamplingCost& sampling, double surface, double threads) const {
   const SamplerInput whole = input(whole_.motion);
-  // Work items drop crossings that cannot matter before the end (thinning), but only if they have
+  // Work items drop some crossings while they still sample (thinning), but only if they have
   // many. A union of many placements has thousands of items, so perhaps none of them has enough.
   const double items = static_cast<double>(workItems(whole).size());
   const bool thins =
@@ -148,11 +148,11 @@ SamplingCost SamplingTrial::byAllSteps(std::size_t count, const Parts& parts) co
   return largerOf(sum, shown);
 }
 
-/// Samples windows of `steps` steps and windows twice as long. The fixed cost of a window is at
-/// most about the cost of `steps` steps. So `steps` steps cost between a third and a half of the
-/// cost of a long window. Within these bounds, the difference of both windows is used; without the
-/// bounds it would be unreliable on a busy machine. A window without clusters gives the fixed cost
-/// of a work item.
+/// Samples windows of `steps` steps and windows twice as long. The difference of their costs is the
+/// cost of `steps` steps, without the fixed cost of a window. This fixed cost is at most about the
+/// cost of `steps` steps. So the difference lies between a third and a half of the cost of a long
+/// window. It is clamped to this range, because times are unreliable on a busy machine. A window
+/// without clusters gives the fixed cost of a work item.
 SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) const {
   const std::size_t item = placementsOfItem(input(whole_.motion));
   const std::size_t windows = std::clamp(parts.steps / 3, kFewestWindows, kMostWindows);

@@ -111,7 +111,8 @@ void Collapser::push(std::int32_t a, std::int32_t b) {
 void Collapser::pushAround(std::int32_t v, bool once) {
   neighbours(v, ring_);
   for (const std::int32_t w : ring_) {
-    // With `once`, an edge with both ends in part_.vertices is pushed only from the smaller vertex.
+    // With `once`, an edge with both ends in part_.vertices is put into the queue only from the
+    // smaller one.
     if (!once || v < w || !std::binary_search(part_.vertices.begin(), part_.vertices.end(), w))
       push(v, w);
   }

@@ -34,8 +34,9 @@ Seen seenAlong(const Vector3d& normal, const std::vector<Vector3d>& ring) {
   return seen;
 }
 
-/// Returns whether the triangles between the origin and the ring go round the origin exactly once,
-/// and the triangles between ring[0] and the rest of the ring all have the same orientation.
+/// Returns whether the triangles do not overlap, before and after the collapse. Those between the
+/// origin and the ring must go round the origin exactly once. Those between ring[0] and the rest of
+/// the ring must all have the same orientation.
 bool liesSideBySide(const std::vector<Vector2d>& at, double minArea) {
   int rounds = 0;
   for (std::size_t k = 0; k < at.size(); ++k) {
@@ -51,8 +52,8 @@ bool liesSideBySide(const std::vector<Vector2d>& at, double minArea) {
 /// Returns the height of the new surface at the origin.
 double heightAtOrigin(const Seen& seen) {
   const Vector2d& v = seen.at[0];
-  // The triangles cover the origin once. So the triangle that contains the origin has the largest
-  // least barycentric coordinate there, whatever rounding does.
+  // The triangle that contains the origin is the one whose smallest barycentric coordinate there is
+  // largest. This choice needs no tolerance for rounding.
   double best = -std::numeric_limits<double>::infinity(), height = 0;
   for (std::size_t k = 1; k + 1 < seen.at.size(); ++k) {
     const Vector2d &a = seen.at[k], &b = seen.at[k + 1];

@@ -1,20 +1,18 @@
 // Simplifies the envelope: fewer triangles, nowhere farther from the original surface than the
 // tolerance.
 // In:      a closed manifold surface and the cell size of its grid.
-// Out:     a closed manifold mesh without self-intersections.
-// Method:  The dense surface is thinned (thin.h) within a small part of the tolerance. Edge
 // Out:     a closed manifold mesh without new self-intersections.
 // Method:  The dense surface is thinned (thin.h) within a small part of the tolerance. Edge
-// collapses (collapse.h) use the rest. Then the deviation is measured in both directions. Where it
-// is too large, steps are undone, and a second round also tests the missed points there. Further
-// rounds use less of the tolerance.
+//          collapses (collapse.h) use the rest. Then the deviation is measured in both directions.
+//          Where it is too large, steps are undone, and a second round also tests the missed points
+//          there. Further rounds use less of the tolerance.
 // The surface is kept, so that it can be simplified again with another tolerance. All tolerances
 // share a series of thinned surfaces, called levels. The first level is thinned from the surface,
 // each further level from the previous one with a limit twice as large. A level is built at its
 // first use.
 // Units:   mm.
 // Cost:    O(n) for the levels of a surface with n triangles, O(m log m) to simplify a level with m
-//        triangles.
+//          triangles.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

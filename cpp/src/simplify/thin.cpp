@@ -335,7 +335,8 @@ class Thinner {
   TriangleFans fans_;
   std::vector<Quadric> quadric_;
   std::vector<double> off_;  // for each vertex, how far vertices merged into it may deviate
-  // For each triangle, a bound on its distance from the input mesh; if `proven`.
+  // For each triangle, a bound on its distance from the input mesh. Only used if Manner::proven is
+  // set.
   std::vector<double> moved_;
   // For each triangle, 1 if it moved in this round. Then it may not move again in this round: the
   // bounds of moves add up, and they grow least if each triangle moves once per round.

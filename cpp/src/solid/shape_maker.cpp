@@ -276,8 +276,8 @@ class ShapeMaker {
     }
   }
 
-  // Returns the faces that are loose or that the judge refuses. If no face is loose, the judge has
-  // taken the model afterwards.
+  // Returns the faces that are loose or that the judge refuses. After the call, the judge has taken
+  // the model if no face is loose.
   std::vector<std::int32_t> findUnsound(Model& model) {
     if (options_.tolerance > 0) {
       std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);

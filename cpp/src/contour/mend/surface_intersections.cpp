@@ -176,7 +176,7 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
           part.push_back(static_cast<std::int32_t>(t));
       });
   if (unsure != nullptr) *unsure = static_cast<std::int64_t>(members.size());
-  // A polygon that lies in the tetrahedra of its own edge spans two cells, so every point of a
+  // A polygon that lies in the tetrahedra of its own edge spans two cells. So every point of a
   // triangle is within this distance of its first corner.
   constexpr int kReachCells = 2;
   const TriangleBlocks blocks(surface.mesh, grid.plan);

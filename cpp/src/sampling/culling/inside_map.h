@@ -59,7 +59,8 @@ class InsideMap {
     return fraction * kParts >= front.from && fraction * kParts <= front.to;
   }
 
-  /// True if the map can hide single crossings: only on grids of at most kMaxBlocks points.
+  /// Returns whether the map can hide single crossings. It can on grids of at most kMaxBlocks
+  /// points.
   bool hasFronts() const { return !fronts_[0].empty(); }
   std::size_t bytes() const { return depth_.size() + 3 * fronts_[0].size() * sizeof(Front); }
 

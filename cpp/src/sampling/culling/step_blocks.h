@@ -24,8 +24,8 @@
 
 namespace swept {
 
-/// Bounds where some placements carry the body: x -> turn (x - centre of the body) + place, in
-/// cells, with these largest deviations.
+/// Bounds on a group of placements. Each of them maps a point x of the body to about turn (x -
+/// centre of the body) + place, in cells.
 struct PlaceBlock {
   Eigen::Matrix3d turn;
   Eigen::Vector3d place;

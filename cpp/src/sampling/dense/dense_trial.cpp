@@ -30,8 +30,8 @@ constexpr std::size_t kMostOfStar = 48;
 /// point.
 constexpr std::size_t kTests = 500;
 constexpr double kFollowed = 3;
-/// Bytes of a placement (in the tree and in cells), of a face (in the lists of candidates, whole
-/// copies and leaks), of a candidate (while lists of blocks are joined), and of a crossing in the
+/// Bytes per item. Placement: in the tree and in cells. Face: in the lists of candidates, whole
+/// copies and leaks. Pair: a candidate, while lists of blocks are joined. Sorted: a crossing in the
 /// batch that is being sorted.
 constexpr double kPlacementBytes = 250, kFaceBytes = 300, kPairBytes = 8,
                  kSortedBytes = 2 * sizeof(CrossingRecord);

@@ -25,7 +25,7 @@ struct ElementSource {
   std::uint32_t placements = 0;
   std::vector<std::uint32_t> faceOrder, edgeOrder;  ///< empty: the order of the body
   std::vector<std::int32_t> topology;               ///< buffer of shaders/element.glsl
-  std::vector<float> balls;                         ///< likewise; empty without culling
+  std::vector<float> balls;  ///< another buffer of that shader; empty without culling
 
   double farthest = 0;  ///< mm, distance of the farthest vertex from the origin of the body
 

@@ -3,12 +3,11 @@
 // Out:     a line, circle or spline with all points within kOnCarrier of both carriers. Nothing if
 //        the carriers are nearly parallel (less than 0.6 degrees) somewhere along it, or if the
 //        curve leaves the points by more than `strays`.
-//          curve strays from the points.
 // Units:   mm.
 // Method:  Newton's method on both distances at evenly spaced points, joined by cubics whose
 //          tangents follow from the normals. The number of points doubles until each span is
-//          accurate. With a sheet, a spline of degree 5 is interpolated instead, which needs far
-//          fewer poles, unless the curve turns away from the line between its ends.
+//          accurate. With a sheet, a spline of degree 5 is interpolated instead, unless the curve
+//          turns away from the line between its ends. Such a spline needs far fewer poles.
 // Cost:    O(points).
 // Source:  following the intersection with exact tangents (Patrikalakis and Maekawa 2002, ch. 5).
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -48,7 +48,7 @@ gp_Dir dirOf(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
 // never below kKernelTolerance.
 double stated(double measured) { return std::max(kKernelTolerance, 1.01 * measured); }
 
-// The knots of a B-spline as the kernel takes them.
+// The knots of a B-spline in the form that the kernel expects.
 struct KernelKnots {
   explicit KernelKnots(const Knots& knots)
       : at(1, static_cast<Standard_Integer>(knots.breaks().size())), multiplicities(1, at.Upper()) {

@@ -66,7 +66,7 @@ bool isBrep(const std::filesystem::path& file) {
   return head.find("ISO-10303-21") == std::string::npos;
 }
 
-// `faces` are those of the whole file.
+// `faces`: the faces of the whole file, whose order gives the face numbers.
 TriMesh meshOf(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces) {
   TriMesh mesh;
   for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())

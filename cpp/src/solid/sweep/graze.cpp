@@ -183,7 +183,8 @@ struct OnRails {
   Range rangeW, rangeS;
   bool isOpen = true;   // true: on closed rails, there is a gap between the contacts
   double crossing = 0;  // the smallest sine of the angle between rails and contact curves
-  double fastest = 0, farthest = 0;  // largest speeds (mm per unit of s): normal, any
+  // Largest speed (mm per unit of s): along the normal, in any direction.
+  double fastest = 0, farthest = 0;
 };
 
 OnRails place(const Rails& rails, const std::vector<Contact>& contacts, const StepPath& path,

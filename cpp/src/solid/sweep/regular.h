@@ -12,8 +12,8 @@
 
 namespace swept::step {
 
-/// For a regular sheet: the smallest sine of the angle between S_u and S_t, and the smallest ratio
-/// of the length of a derivative to the largest one in the sheet.
+/// Smallest values allowed: for the sine of the angle between S_u and S_t, and for the length of a
+/// derivative relative to the longest one of the sheet.
 constexpr double kLeastRegular = 0.01;
 
 /// Returns parameters (u, t) within the two ranges at which the sheet is not regular, if there are

@@ -13,19 +13,18 @@
 //   and tori, they are parallels or generator lines. On spheres the contact curve is a great
 //   circle, and w is the angle on it.
 //
-//   If such a surface is, within the bound, a plane, cylinder, cone, sphere or torus, or an
-//   extrusion or revolution with a profile of few cubics, the carrier is of this kind
-//   (exact_kinds.h). Otherwise it is a Sheet, which interpolates the exact surface on a grid and is
-//   within `bound` of it between the grid points. The parameters u, t of the sheet are u (or w) and
-//   s. So the iso-line t = 0 is the curve at the start of the step, and u = 0 is the path of the
+//   Such a surface may be, within the bound, a plane, cylinder, cone, sphere or torus, or an
+//   extrusion or revolution with a profile of few cubics. Then the carrier is of this kind
+//   (exact_kinds.h). Otherwise it is a Sheet. The sheet interpolates the exact surface on a grid
+//   and is within `bound` of it between the grid points. Its parameters u, t are u (or w) and s. So
+//   the iso-line t = 0 is the curve at the start of the step. The iso-line u = 0 is the path of the
 //   start of the curve. Adjacent sheets agree along a shared path within the bound. By default, the
 //   bound is as small as the tolerance of the kernel. With 1e-6 mm the files are a third smaller,
 //   but then the kernel's test of a shape for Boolean operations (BOPAlgo_ArgumentAnalyzer) finds
 //   curves off their surfaces.
-//
 //   Carriers extend beyond the requested range by kMargin on each side (motion and curves are
-//   continued analytically), so borders of faces never touch the borders of the surface.
-//
+//   Carriers extend beyond the requested range by kMargin on each side, where motion and curves are
+//   continued analytically. So borders of faces never touch the borders of the surface.
 //   No faulty surface is returned. If the surface degenerates within the requested range, there is
 //   no carrier: `why` says how it degenerates, and `where` at which parameters. The caller then
 //   uses facets.
