@@ -30,10 +30,10 @@ bool findKnownSide(const Cell& cell, const Eigen::Vector3i& at, const Components
                    int component, const Crossing* crossings, const SurfaceProbe& probe,
                    VertexSplit& out);
 
-/// Looks for a side between two other sides of the component that no grid edge meets. Returns false
-/// if there is none, or if no edge of this side lies in the cell. With `betweenPlanes`, looks only
-/// between two flat arcs, because the planes of a curved surface may have no common point although
-/// there is no such side.
+/// Looks for a side that no grid edge meets, between two other sides of the component. Returns
+/// false if there is none, or if no edge of this side lies in the cell. With `betweenPlanes`, looks
+/// only between two flat arcs, because the planes of a curved surface may have no common point even
+/// without such a side.
 bool findHiddenSide(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                     int component, const Crossing* crossings, const SurfaceProbe& probe,
                     bool betweenPlanes, VertexSplit& out);

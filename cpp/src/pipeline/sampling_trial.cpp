@@ -17,9 +17,9 @@ namespace {
 
 /// Work of the trial, in copies of triangles. A crossing counts as kCrossingWork copies.
 constexpr double kTrialWork = 2.4e6, kCrossingWork = 0.25;
-/// Bounds of the number of steps that are sampled (kFewestCopies: of copies of a union). For bodies
-/// with few triangles the upper bound grows up to kMostCheap. Parts of the motion that are far
-/// apart in time can hide each other only in long windows.
+/// Bounds of the number of sampled steps; kFewestCopies: of sampled copies of a union. For bodies
+/// with few triangles, the upper bound grows up to kMostCheap. Then the windows are long, so that
+/// parts of the motion that are far apart in time can hide each other.
 constexpr std::size_t kFewest = 24, kFewestCopies = 8, kMost = 192, kMostCheap = 1536;
 constexpr double kCheapCopies = 4e5;
 /// Number of windows of the motion that are sampled. Each is sampled with two lengths, one twice

@@ -150,7 +150,7 @@ auto GlSampler::withDevice(const Work& work) {
 }
 
 double GlSampler::expectedSeconds(RunContext& run) {
-  // Pass 2 goes over all elements twice, so both passes make three rounds.
+  // Pass 2 goes over all elements twice, so both passes together make three rounds.
   constexpr double kRounds = 3;
   // Seconds per byte of marks, for transfers and for the work of the CPU. Measured: 0.68 s for 190
   // MB with an H200 and 16 cores (bunny_keys16 at 1024 cells).

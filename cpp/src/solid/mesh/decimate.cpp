@@ -14,10 +14,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Spacing of sample points, in tolerances. It is larger than for envelopes: the distance of facets
-// from the mesh is not measured afterwards, but the solid gets new vertices where it is too far
-// from the mesh. With 1.5, the gripper test mesh moved over 34 keys takes an eighth more time and
-// gets a fiftieth more facets.
+// Spacing of sample points, in tolerances. It is larger than for envelopes, because the solid later
+// gets new vertices where it is too far from the mesh. The distance of facets from the mesh is not
+// measured afterwards. With 1.5, the gripper test mesh moved over 34 keys takes an eighth more time
+// and gets a fiftieth more facets.
 constexpr double kCoarseness = 5;
 
 // The surface of a patch, in the form that the simplifier needs.
