@@ -28,8 +28,8 @@ _FORMER = {new: old for names in RENAMED.values() for old, new in names.items()}
 
 
 def hashed(values):
-    """Returns JSON of settings for a hash, with their first names, so that renaming does not make
-    results stale."""
+    """Returns JSON of settings for a hash, under their original names, so that renaming does not
+    make results stale."""
     return json.dumps({_FORMER.get(k, k): v for k, v in values.items()}, sort_keys=True)
 
 

@@ -108,7 +108,7 @@ class StayingPanel(StartPanel):
         self.show_result()
 
     def renew_inputs(self):
-        """Called after changes of the document. Subclasses update what they list of it."""
+        """Called after changes of the document. Subclasses update the objects that they list."""
 
     def lost(self):
         """Called when the object was deleted while the panel shows it, for example by Undo."""

@@ -189,7 +189,7 @@ def pair(objects):
 
 def signature(objects, name):
     """Returns a text that changes when the mechanism changes. It contains the value and the present
-    place of the part."""
+    placement of the part."""
     driver, part = pair(objects)
     place = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
     return "{!r} {}".format(Handle(driver, name).value(), place.tolist())

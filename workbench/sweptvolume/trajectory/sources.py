@@ -184,7 +184,7 @@ def interpolation_of(kind):
 
 def frame_of(kind):
     """Returns the default pose type for such a source: a part follows a wire from its present
-    place."""
+    placement."""
     return "RelativeToFirst" if kind == "Curve" else "Absolute"
 
 
