@@ -62,8 +62,8 @@ def install_of_0_20(addon, packages):
 
 
 def without_constraints(call):
-    """Makes FreeCAD 1.1 use the local index: it would have pip read the versions of allowed packages
-    from the internet."""
+    """Makes FreeCAD 1.1 use the local index. Otherwise FreeCAD would make pip read the versions of
+    allowed packages from the internet."""
 
     def pip_call(args):
         words = call(args)

@@ -36,7 +36,7 @@ def computed():
 
 
 def icons():
-    """(buttons of the workbench, those without a drawn icon)."""
+    """Returns (buttons of the workbench, those without a drawn icon)."""
     import FreeCADGui as Gui
 
     Gui.activateWorkbench("SweptVolumeWorkbench")

@@ -18,7 +18,7 @@ class Absent(Exception):
 
 def _simulations():
     """Returns FreeCAD's module of simulations. Without a window the module uses QtCore without
-    importing it, so this does."""
+    importing it, so this function imports QtCore."""
     from PySide import QtCore
 
     builtins.QtCore = QtCore

@@ -16,7 +16,8 @@ class Paths(Case):
     NEEDS_CORE = True
 
     def channel(self, group=None, size=10.0):
-        """Makes a cube between two walls, on a floor. more() adds the same below a group."""
+        """Makes a cube between two walls, 1 mm above a floor, all in `group` if it is given.
+        Returns (cube, walls)."""
         part = self.box("Cube", size)
         walls = []
         for name, sizes, at in (

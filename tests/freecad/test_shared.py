@@ -135,7 +135,7 @@ class Shared(Case):
         self.assertEqual(obj.Status, UP_TO_DATE)
         obj.Placement = shift(0, 0, 5)
         self.doc.recompute()
-        self.assertEqual(obj.Status, STALE)  # it is not where both are
+        self.assertEqual(obj.Status, STALE)  # the result was moved away from its sides
         shared.compute(obj)
         self.assertAlmostEqual(obj.Mesh.BoundBox.ZMin, 1, 5)
         self.doc.undo()

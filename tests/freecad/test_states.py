@@ -445,7 +445,7 @@ class External(Case):
             other.recompute()
             self.doc.recompute()
             self.assertEqual((obj.Status, check.Status), (status, status))
-        part.Placement = shift(0, 5)  # a link has its own
+        part.Placement = shift(0, 5)  # a link has its own placement
         other.recompute()
         self.doc.recompute()
         self.assertEqual((obj.Status, check.Status), (UP_TO_DATE, UP_TO_DATE))

@@ -154,7 +154,8 @@ class StatesOfArrays(Table):
         self.look("nothing")
 
     def seen(self):
-        """Computes again which parts the check with all visible parts names, and where they are."""
+        """Computes the check with all visible parts again. Returns the places of the parts that it
+        names."""
         clearance.compute(self.doc.Clearance)
         return {tuple(r["place"]) for r in clearance.report_of(self.doc.Clearance)["neighbours"]}
 

@@ -137,7 +137,7 @@ class Edges(Case):
         largest = max(edge.Tolerance for edge in body.Shape.Edges)
         self.assertAlmostEqual(body.EdgeTolerance.Value, largest, 12)
         self.assertEqual("the gap between two faces" in body.Message, largest > 0.3)
-        body.EdgeTolerance = 1.25  # as one was seen
+        body.EdgeTolerance = 1.25  # a value that occurred in practice
         self.doc.recompute()
         self.assertIn("1.25 mm", body.Message)
         self.assertNotIn("deviates", body.Message)

@@ -23,7 +23,8 @@ class Versions(Case):
         os.makedirs(self.shared, exist_ok=True)
 
     def write(self):
-        """A document with a motion from a file, an envelope, a solid and a clearance, all computed."""
+        """Writes a document with a motion from a file, an envelope, a solid and a clearance check,
+        all computed."""
         table = self.file("m.csv", "0,0,0,0,0,0,0,1\n1,30,0,0,0,0,0,1\n")
         path = motion.motion_from_file(self.doc, table, "mm")
         second = motion.motion_from_poses(self.doc, [0, 2], [shift(), turn(60, base=shift(9).Base)])

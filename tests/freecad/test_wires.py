@@ -94,7 +94,7 @@ class Wires(Case):
     def test_directions_that_rounding_alone_tells_apart(self):
         helix = self.doc.addObject("Part::Helix", "Helix")
         for turns, orientation in itertools.product((1, 2, 4, 12), ("Fixed", "Tangent")):
-            # The same direction and the same side after each turn.
+            # Points one turn apart have the same tangent and lie above each other.
             helix.Pitch, helix.Height, helix.Radius = 10, 10 * turns, 20
             self.doc.recompute()
             path = motion.motion_from_source(

@@ -243,7 +243,8 @@ def test_wrong_types_are_found(root, tmp_path):
 
 @pytest.fixture
 def example(root, tmp_path):
-    """Runs a program of examples/python in an empty folder. Returns its output."""
+    """Returns a function that runs a program of examples/python in an empty folder and returns its
+    output."""
     build = pathlib.Path(sys.modules["_swept"].__file__).parent
 
     def run(name, *words):

@@ -98,7 +98,7 @@ def scenario():
     press = keyboard.press
     doc = new_document("Keyboard")
     box = doc.addObject("Part::Box", "Box")
-    box.Placement.Base = App.Vector(-5, -5, -5)  # its middle, whose places the table shows, at 0
+    box.Placement.Base = App.Vector(-5, -5, -5)  # its middle, which the table shows, is at 0
     doc.recompute()
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")

@@ -61,7 +61,7 @@ def colour_at(view, point):
 
 
 def point_at(graph, place):
-    """Moves the mouse to this place."""
+    """Moves the mouse to a position in the graph (pixels)."""
     none = QtCore.Qt.NoButton
     event = QtGui.QMouseEvent(
         QtCore.QEvent.MouseMove,
