@@ -65,7 +65,7 @@ TEST(Clearance, BallPastBall) {
   EXPECT_GE(row.distance, 10 - 1e-9);
   EXPECT_LE(row.distance, 10 + chord + 1e-9);
   const auto exact = [](double t) { return std::hypot(-100 + 270 * t, 25) - 15; };
-  EXPECT_LE(exact(row.timeSeconds), 10 + chord);  // the time: the balls are as near as that there
+  EXPECT_LE(exact(row.timeSeconds), 10 + chord);  // at this time they are really so near
   EXPECT_EQ(row.verdict, ClearanceVerdict::BelowRequired);
   ASSERT_EQ(row.below.size(), 1u);
   const double reach = std::sqrt(27 * 27 - 25 * 25);  // centres 27 apart: 12 mm between the balls
@@ -376,7 +376,7 @@ TEST(Clearance, AgreesWithStampingEveryPose) {
       EXPECT_NEAR(clearance::stampEveryPose(body, {row.pose}, part, run).distance, row.distance,
                   1e-9);
     }
-    for (std::size_t i = 0; i < dense.size(); i += 7) {  // no moment below is left out
+    for (std::size_t i = 0; i < dense.size(); i += 7) {  // every moment below is reported
       const double d =
           pair.distanceAt(dense[i].rotation.toRotationMatrix(), dense[i].translation, 1e9).distance;
       bool listed = false;

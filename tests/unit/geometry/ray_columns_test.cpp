@@ -128,7 +128,7 @@ TEST(RayColumns, LongTrianglesStandInTheColumnsThatTheyCover) {
   std::size_t crossed = 0;
   for (std::size_t n = 0; n < 300; ++n) {
     const Vector3d along = random.point(0.5).array() + 0.5;
-    const Vector3d p = n % 3 == 0  // a corner, too
+    const Vector3d p = n % 3 == 0  // also corners of triangles
                            ? mesh.vertices[7 * n % mesh.vertices.size()]
                            : Vector3d(rays.low() + along.cwiseProduct(rays.high() - rays.low()));
     rays.crossings(p.y(), p.z(), line);

@@ -29,7 +29,7 @@ SequencePart partOut(const std::string& name, const TriMesh& mesh, double radius
   return part;
 }
 
-/// Open at the top, 20 mm wide inside.
+/// A shaft that is open at the top, 20 mm wide inside.
 TriMesh shaft(double height) {
   TriMesh mesh = makeSquareRing(13, 10, 0, height);
   append(mesh, makeBox({-13, -13, -3}, {13, 13, 0.5}));
@@ -201,7 +201,8 @@ TEST(FindSequence, TheFirstPartComesFreelyWhereNothingStands) {
   p.parts.back().task.extraction = Extraction{0, Vector3d(0, 0, -1)};
   p.still.clear();
   p.options.findOrder = true;
-  // The shaft can be moved down from around the blocks: this is the given order.
+  // The blocks need not leave first: the shaft can be moved down off them. So the given order
+  // works.
   const SequenceReport report = solve(p);
   EXPECT_EQ(wrongWith(p, report), "");
   EXPECT_EQ(report.steps.front().path.method, "nothing in the way");

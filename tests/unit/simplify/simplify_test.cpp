@@ -235,7 +235,7 @@ TEST(Thin, TrianglesAmongKeptVerticesStay) {
   EXPECT_LT(thin.mesh.triangles.size(), torus.triangles.size() * 3 / 4);
 }
 
-/// A state to collapse edges of, with points that stay near.
+/// Returns a state for collapsing edges of a mesh. New points must stay near the mesh.
 CollapseState startOf(const TriMesh& mesh, const NearestTriangle& nearest, double tolerance) {
   CollapseState state;
   state.mesh = mesh;
