@@ -151,9 +151,10 @@ class _Observer:
     groups that are moved, objects that are shown, hidden, renamed or created, and inputs that
     fail. After Undo it only touches objects, because Undo restores the links itself.
 
-    It runs at each change of any property. A change of a length then takes 58 us of CPU instead of
     Runs at each change of any property. With it, a change of a length takes 58 us of CPU instead of
     55, of a placement 8 instead of 4, of a name 36 instead of 28. A recompute of 1,000 objects
+    takes no longer.
+
     Without it, results would stay "Up to date" after a group was moved, a part hidden, or a link's
     target lost (test_states_in_groups.py, test_states_of_other_documents.py)."""
 

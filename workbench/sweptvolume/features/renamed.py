@@ -34,8 +34,8 @@ def hashed(values):
 
 
 def take_over(obj, names):
-    """Moves the properties of a restored object to their new names, which the object already has.
-    names: {old: new}."""
+    """Moves the values of a restored object from properties with old names to those with the new
+    names, which it already has, and removes the old properties. names: {old: new}."""
     names = {old: new for old, new in names.items() if old in obj.PropertiesList}
     if not names:
         return

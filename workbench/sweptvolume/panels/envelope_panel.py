@@ -378,7 +378,7 @@ class EnvelopePanel(StartPanel):
         return text.format(*cells, quantities.quantity(found["cell"]))
 
     def _one_pose(self):
-        """Shows a hint if the motion has only one pose."""
+        """Returns a hint if the motion has only one pose, otherwise ""."""
         motion = self.parts.motion()
         if motion is None or len(motion.Placements) != 1:
             return ""

@@ -66,7 +66,7 @@ class StartPanel:
         return False
 
     def reject(self):
-        """Cancel: first stops a run, which writes nothing before its end."""
+        """Cancel: first stops the run, if there is one. A run writes nothing before its end."""
         if self.run is not None:
             self.run.ended.disconnect(self.ended)
             self.run.cancel()

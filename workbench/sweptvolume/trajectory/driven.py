@@ -123,7 +123,7 @@ class Handle:
 
 
 def names_of(driver):
-    """Returns the values of an object that can be driven, by their names in expressions."""
+    """Returns the names, as used in expressions, of the values of an object that can be driven."""
     if driver.isDerivedFrom("Spreadsheet::Sheet"):
         cells = [c for c in driver.PropertiesList if re.fullmatch("[A-Z]{1,2}[0-9]+", c)]
         cells = [c for c in cells if not driver.getContents(c).startswith("=")]

@@ -183,8 +183,8 @@ def interpolation_of(kind):
 
 
 def frame_of(kind):
-    """Returns the default pose type for such a source: a part follows a wire from its present
-    placement."""
+    """Returns the default pose type for a kind of source. A part follows a wire from its present
+    placement; other sources give placements of the part."""
     return "RelativeToFirst" if kind == "Curve" else "Absolute"
 
 
