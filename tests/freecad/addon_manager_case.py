@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Run in FreeCAD without a window by test_addon_manager.py. Installs this add-on and its Python packages
 with the code of FreeCAD's own Addon Manager. ADDON_SOURCE is the address: a git repository with the branch
-main. Prints the packages that the Addon Manager finds the add-on needs.
+main. Prints the packages that the add-on needs according to the Addon Manager.
 """
 import json
 import os

@@ -81,7 +81,7 @@ def _begin(assembly, simulation):
 
 
 def _frames(assembly):
-    return FOUND + 1  # the first is the part as it stands
+    return FOUND + 1  # the first frame is the present placement
 
 
 def _show(assembly, frame):

@@ -59,7 +59,7 @@ def put_into(group, obj, place=shift(0, 3)):
 
 class Table(Case):
     """Checks the state after each change and after its undo: a result may be up to date only if a fresh
-    computation, in a copy of the document, gives the same. Subclasses provide the document, and rows()
+    computation, in a copy of the document, gives the same result. Subclasses provide the document, and rows()
     their tests."""
 
     NEEDS_CORE = True

@@ -165,7 +165,8 @@ class Paths(Case):
         self.assertEqual(len(self.doc.Objects), known)
 
     def wayward(self, **settings):
-        """A motion passes through a post that stands in the channel; the improved one goes around it."""
+        """Makes a motion through a post that stands in the channel; an improved one must go around it.
+        Returns (motion, pairs of its parts)."""
         part, walls = self.channel()
         post = self.doc.addObject("Part::Box", "Post")
         post.Length = post.Width = post.Height = 4

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """States of mechanism checks, sequences, shared volumes, studies and records of what made an envelope, whose
 parts, neighbours and values are in another document. After each change, in either document, a result may be
-up to date, and show what it shows, only if a fresh computation gives the same.
+up to date, and show what it shows, only if a fresh computation gives the same result.
 """
 import os
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""States of checks whose moving parts and neighbours are link arrays, groups of links and plain groups, with
-hidden members. After each change, a check may be up to date only if a fresh computation gives the same.
-gui/shown.py compares the parts that a check uses with those that FreeCAD draws.
+"""States of checks whose moving parts and neighbours are link arrays, groups of links and plain
+groups, with hidden members. After each change, a check may be up to date only if a fresh
+computation gives the same result. gui/shown.py compares the parts that a check uses with those that
+FreeCAD draws.
 """
 import FreeCAD as App
 import numpy as np

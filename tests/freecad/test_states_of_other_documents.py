@@ -4,7 +4,7 @@
 The inputs are parts, neighbours, wires, envelopes and values. Each function marked `change` makes one
 change: to an input, in either document, or to the other document itself, which is closed, changed while
 it is closed, saved under another name or renamed. A result may be up to date afterwards only if a fresh
-computation gives the same.
+computation gives the same result.
 """
 import os
 import time

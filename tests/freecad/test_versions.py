@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Documents saved by one version of FreeCAD open in the others.
 
-Writes a document of its own, then looks at all in its folder. With SWEPT_DOCUMENTS=FOLDER several
-versions share one (.ci/matrix runs this test in each, and once more in the first).
+Writes a document, then opens all documents in its folder. With SWEPT_DOCUMENTS=FOLDER, several
+versions use the same folder (.ci/matrix runs this test in each, and once more in the first one).
 """
 import glob
 import json

@@ -31,8 +31,8 @@ class Wires(Case):
         return obj
 
     def assert_within(self, path, wire, accuracy):
-        """Checks both directions: the motion deviates from the wire by no more, and leaves out no part
-        of the wire."""
+        """Checks both directions: the motion deviates from the wire by at most `accuracy`, and leaves out
+        no part of the wire."""
         fine = [np.array([tuple(p) for p in e.discretize(Number=3000)]) for e in wire.Shape.Edges]
         own = np.array([tuple(place.Base) for place in path.Placements])
         # The fine pieces are chords themselves, each 1/3000 of an edge.

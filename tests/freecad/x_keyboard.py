@@ -147,7 +147,7 @@ def chosen_in_tree(keyboard, *labels):
     assert focused() == "Gui::TreeWidget", focused()
     tree = QtWidgets.QApplication.focusWidget()
     for number, label in enumerate(labels):
-        held = "Control_L+" if number else ""  # with it the others stay chosen
+        held = "Control_L+" if number else ""  # keeps the others selected
         for key, ends in (("Up", ()), ("Down", (label,))):
             before = ""
             while tree.currentItem() is None or tree.currentItem().text(0) not in (before, *ends):

@@ -21,7 +21,7 @@ from test_reports import reproducible, validator  # noqa: F401
 def test_standard_output_has_the_bytes_of_the_file(run, folder, name):  # noqa: F811
     for output in RUNS[name].streams:
         option, file = output.split()
-        environment = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000"}  # of pages
+        environment = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000"}  # date of pages
         assert run(name, output, "-q", env=environment).returncode == RUNS[name].status
         done = run(name, option, "-", env=environment, text=False)
         assert done.returncode == RUNS[name].status and not (folder / "-").exists()

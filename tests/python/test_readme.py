@@ -55,7 +55,7 @@ def test_the_commands_within_the_text(root, folder):
     assert any("xzcat" in text for text in found) and any("manual" in text for text in found)
     path = f"{BUILD / 'bin'}:{os.environ['PATH']}"
     for text in found:
-        text = text.replace("man -l -", "cat")  # which a machine without manual pages lacks
+        text = text.replace("man -l -", "cat")  # man may be missing
         done = subprocess.run(
             ["bash", "-e", "-o", "pipefail", "-c", text], cwd=folder, capture_output=True,
             text=True, env={**os.environ, "PATH": path},

@@ -124,7 +124,7 @@ def scenario():
     camera = view.getCamera()
 
     def colours():
-        view.setCamera(camera)  # a row that is chosen moves it
+        view.setCamera(camera)  # choosing a row moves it
         return {name: colour_at(view, point) for name, point in seen.items()}
 
     before = colours()

@@ -275,7 +275,7 @@ TEST(Mechanism, APairHasARuleOfItsOwn) {
   EXPECT_EQ(ruled.pairs[1].clearance.verdict, ClearanceVerdict::Contact);
   EXPECT_TRUE(ruled.pairs[1].clearance.meetsRule());
   EXPECT_GE(ruled.range, 1.5);
-  options.rules[1].rule = parseRule("contact:0.15");  // not so deep
+  options.rules[1].rule = parseRule("contact:0.15");  // less than the actual depth
   EXPECT_FALSE(check(parts, options).pairs[1].clearance.meetsRule());
 }
 

@@ -153,8 +153,8 @@ std::uint64_t spread(std::uint64_t bits, const std::vector<int>& places) {
   return out;
 }
 
-/// One cell: all patterns of signs, each with all choices of doubly crossed edges. They include
-/// all 2^12 sets of crossed edges.
+/// Calls use() with single cells: all patterns of signs, each with all choices of doubly crossed
+/// edges. They include all 2^12 sets of crossed edges. Returns the number of cells.
 std::int64_t everyCell(const std::function<void(const Block&)>& use) {
   const auto edges = blockEdges({2, 2, 2});
   std::int64_t count = 0;

@@ -58,7 +58,7 @@ TEST(RayColumns, WindingAgreesWithSolidAngles) {
     const RayColumns rays(mesh);
     for (int n = 0; n < 1500; ++n) {
       const Vector3d p = n % 2 == 0 ? random.point(25)
-                                    : Vector3d(random.point(14).array().round());  // rays in edges
+                                    : Vector3d(random.point(14).array().round());  // hits edges
       if (isOnSurface(mesh, p)) continue;
       const double angles = bySolidAngles(mesh, p);
       ASSERT_NEAR(angles, std::round(angles), 1e-6);

@@ -59,8 +59,8 @@ TEST(TriangleDistance, PointsAgreeWithTheDefinition) {
   }
 }
 
-// Heights from a thousandth of the longest edge down to zero. Rounding of the coordinates alone
-// moves such a triangle by 1e-16, but never its nearest point along its whole length.
+// Heights from a thousandth of the longest edge down to zero. Rounding of the coordinates may move
+// such a triangle by 1e-16, but must not move the nearest point along the triangle.
 TEST(TriangleDistance, NeedlesAndPointsAgreeWithTheDefinition) {
   Random random(5);
   for (int n = 0; n < 20000; ++n) {

@@ -291,7 +291,7 @@ TEST(FindSequence, PartsThatTouchAreReleased) {
 TEST(FindSequence, PairsMayAskForTheirOwn) {
   Problem p = stack(2);
   std::reverse(p.parts.begin(), p.parts.end());
-  p.options.path.clearance = 1.5;  // between the blocks is 1 mm, round them too
+  p.options.path.clearance = 1.5;  // all gaps are 1 mm
   EXPECT_EQ(codeOf(p), "PartsTooNear");
   p.options.rules = {{"block2", "block1", parseRule("0.5")},
                      {"block1", "shaft", parseRule("0.3")},
@@ -306,7 +306,8 @@ TEST(FindSequence, PairsMayAskForTheirOwn) {
 }
 
 TEST(FindSequence, TheSameBytesForAnyCountOfThreads) {
-  Problem found = stack(3), none = links();  // by quick methods; after searches in six dimensions
+  // Quick methods solve the first problem; the second one needs searches in six dimensions.
+  Problem found = stack(3), none = links();
   found.options.findOrder = true;
   for (const Problem& p : {found, none}) {
     const auto bytes = [&](int threads) {

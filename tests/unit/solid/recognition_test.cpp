@@ -97,7 +97,7 @@ TEST_F(Recognition, BoredCylinderHasPlanesAndTwoCylinders) {
 }
 
 TEST_F(Recognition, ConeAndSphereMeetInACircle) {
-  // Frustum 8 -> 5 over 10 mm under a dome of a ball of radius 13 about (0, 0, -2).
+  // A frustum with radii 8 and 5 mm, 10 mm high, under a dome of radius 13 mm about (0, 0, -2).
   std::vector<Eigen::Vector2d> profile;
   line(profile, {0, 0}, {8, 0}, 12, false);
   line(profile, {8, 0}, {5, 10}, 16);

@@ -53,9 +53,9 @@ struct Case {
   const char* name;
   TriMesh mesh;
   double tolerance;
-  /// Whether the two solids have the same bytes. If the kernel cuts edges that lie off their faces
-  /// between the points at which a reader measures them, they have not: a reader cannot find such
-  /// edges, so its solid has fewer vertices.
+  /// Whether the two solids have the same bytes. False if edges lie off their faces between the
+  /// points at which a reader measures them: the kernel cuts such edges, but a reader cannot find
+  /// them, so the other solid has fewer vertices.
   bool sameBytes = true;
 };
 

@@ -100,8 +100,8 @@ def make(plan, outcome):
 
 
 def improve(plan, control=None):
-    """Improves in this thread (for scripts without a GUI) as one undo step. Returns (report, motion
-    or None). Raises core.CoreError, InputProblem."""
+    """Improves the motion in this thread (for scripts without a GUI) as one undo step. Returns
+    (report, motion or None). Raises core.CoreError, InputProblem."""
     outcome = work(plan.request(), control or core.Control())
     if outcome.poses is None:
         return outcome.report, None

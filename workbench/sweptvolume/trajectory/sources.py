@@ -178,7 +178,7 @@ FROM_JOINTS = ("Driven", "Simulation")
 
 
 def interpolation_of(kind):
-    """Returns the default interpolation for such a source."""
+    """Returns the default interpolation for a kind of source."""
     return "Screw" if kind in FROM_JOINTS else "Linear"
 
 

@@ -17,7 +17,7 @@ std::optional<Vector3d> bisected(const Carrier& face, const std::function<Vector
   const auto speed = [&](double v) {
     return motion.turned(face.normal(x(v)), s).dot(motion.velocity(x(v), s));
   };
-  // The first change of sign.
+  // Finds the first interval in which the sign changes.
   constexpr int kScan = 16;
   const double step = (to - from) / kScan, first = speed(from);
   int k = 1;
