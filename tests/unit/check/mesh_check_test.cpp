@@ -198,7 +198,8 @@ TEST(SelfIntersections, FoldedEdge) {
   TriMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0.4, 1, 0}, {0.6, 0.5, 0}};
   mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
-  EXPECT_EQ(check(mesh).selfIntersections, 1);  // both triangles lie on one side of the edge, in one plane
+  EXPECT_EQ(check(mesh).selfIntersections,
+            1);  // both triangles lie on one side of the edge, in one plane
   mesh.vertices[3].z() = 1e-300;
   EXPECT_EQ(check(mesh).selfIntersections, 0);  // there is a tiny angle between them
   mesh.vertices[3] = {0.6, -0.5, 0};

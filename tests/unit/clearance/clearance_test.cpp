@@ -266,8 +266,7 @@ TEST(Clearance, SmallPartInsideABigOne) {
         swap ? checkOne(big, motion, small) : checkOne(small, motion, big);
     EXPECT_TRUE(row.inside);
     EXPECT_EQ(row.verdict, ClearanceVerdict::Clash);
-    // In the middle of the motion, the faces x = 1 and x = -1 are 19 and 21 mm inside the face x
-    // = 20.
+    // At half time, the faces x = 1 and x = -1 are 19 and 21 mm inside the face x = 20.
     EXPECT_LE(row.penetration.depth, 21);
     EXPECT_GE(row.penetration.depth, 19 - 0.2);
     ASSERT_EQ(row.contact.size(), 1u);

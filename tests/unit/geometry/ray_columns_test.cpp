@@ -57,8 +57,8 @@ TEST(RayColumns, WindingAgreesWithSolidAngles) {
        {nested(), soup(nested()), transformed(nested(), turn), makeTorus(10, 3, 60, 30)}) {
     const RayColumns rays(mesh);
     for (int n = 0; n < 1500; ++n) {
-      const Vector3d p = n % 2 == 0 ? random.point(25)
-                                    : Vector3d(random.point(14).array().round());  // hits edges
+      const Vector3d p =
+          n % 2 == 0 ? random.point(25) : Vector3d(random.point(14).array().round());  // hits edges
       if (isOnSurface(mesh, p)) continue;
       const double angles = bySolidAngles(mesh, p);
       ASSERT_NEAR(angles, std::round(angles), 1e-6);
