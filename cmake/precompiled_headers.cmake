@@ -1,6 +1,6 @@
 # Headers that many sources include, compiled once for each library and program (SWEPT_PRECOMPILED_HEADERS).
-# The preset `release` builds with them, the others without: with them, a source that forgets an #include
-# compiles all the same.
+# The preset `release` uses them, the others do not, because with them a source compiles even if it forgets an
+# #include.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set(headers algorithm array atomic bit charconv cmath cstdint exception functional limits map memory mutex numeric
   optional set span sstream string string_view tuple unordered_map unordered_set utility vector
@@ -9,7 +9,7 @@ list(TRANSFORM headers REPLACE "(.+)" "<\\1>")
 function(swept_precompile target)
   if(TARGET ${target})
     target_precompile_headers(${target} PRIVATE ${headers} ${ARGN})
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")  # no dates inside: a compiler cache finds them again
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")  # leave out the date, so that a compiler cache can reuse them
       target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
     endif()
   endif()

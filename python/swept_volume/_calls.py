@@ -102,12 +102,12 @@ class Result:
 
     @property
     def vertices(self) -> Floats:
-        """Returns those of the mesh."""
+        """Returns the vertices of the mesh."""
         return self.mesh.vertices
 
     @property
     def triangles(self) -> Integers:
-        """Returns those of the mesh."""
+        """Returns the triangles of the mesh."""
         return self.mesh.triangles
 
     def recut(self, tolerance: float, *, run: Optional[RunContext] = None) -> Result:
@@ -376,7 +376,7 @@ def estimate_solid(
     triangles, faces, megabytes (of a 'step' or 'brep' file), seconds (elapsed), tolerance and deviation
     (mm), tried.
 
-    quick: only looks at the mesh, which takes microseconds for each triangle. Then tried is False, and
+    quick: uses only the mesh, which takes microseconds for each triangle. Then tried is False, and
     faces, megabytes and seconds are upper bounds, far too large if surfaces are recognised. Raises
     ExportFailed if write_solid() would refuse the mesh or its options, Cancelled."""
     body = mesh_of(mesh)

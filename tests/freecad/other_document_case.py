@@ -84,7 +84,8 @@ def the_link_is_deleted(doc):
 
 
 class OtherDocumentTable(Table):
-    """A change may be made in both documents. Subclasses make Elsewhere, with undo, in setUp()."""
+    """A change may be made in both documents. Subclasses create the document Elsewhere, with undo,
+    in setUp()."""
 
     def results(self):
         return [obj for obj in super().results() if obj.Document is self.doc]

@@ -24,7 +24,7 @@ def _box(doc, name, lengths, low):
 
 
 def make(doc):
-    """(sheet, crank, rod, slider, wall)."""
+    """Returns (sheet, crank, rod, slider, wall)."""
     sheet = doc.addObject("Spreadsheet::Sheet", "Drive")
     sheet.set("A1", "0")
     sheet.setAlias("A1", "angle")

@@ -35,15 +35,16 @@ def rows(case):
 
 
 def add_box(doc, name, place):
-    """A new box of FreeCAD's usual size (10 mm)."""
+    """Returns a new box of FreeCAD's default size (10 mm)."""
     obj = doc.addObject("Part::Box", name)
     obj.Placement = place
     return obj
 
 
 def hidden_link(doc, name, linked):
-    """Returns a link at the place of its object, for a change to use. FreeCAD 1.0 crashes if a document
-    is closed after the creation of a link was undone, so changes create none."""
+    """Returns a hidden link at the placement of its object, for a change to use. FreeCAD 1.0
+    crashes if a document is closed after the creation of a link was undone, so changes create
+    none."""
     link = doc.addObject("App::Link", name)
     link.LinkedObject, link.Placement = linked, linked.Placement
     link.Visibility = False
@@ -61,7 +62,7 @@ class Table(Case):
     computation, in a copy of the document, gives the same. Subclasses provide the document, and rows()
     their tests.
 
-    After an undo, what was shown before the change is as good as a fresh computation. With SWEPT_LONG_TESTS,
+    After an undo, the contents before the change replace a fresh computation. With SWEPT_LONG_TESTS,
     everything is computed again there as well."""
 
     NEEDS_CORE = True
@@ -187,7 +188,7 @@ class Table(Case):
         self.doc.commitTransaction()
         self.doc.recompute()
         self.look(name)
-        if self.doc.UndoNames[0] == name:  # what is shown is not recorded at all
+        if self.doc.UndoNames[0] == name:  # changes of visibility alone are not recorded
             self.doc.undo()
         # FreeCAD's Undo changes neither the visibility of objects nor values set by an expression.
         for obj in self.doc.Objects:

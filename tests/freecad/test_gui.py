@@ -44,7 +44,7 @@ def test_icons_are_drawn_without_the_plug_ins_for_svg():
     script = "; ".join(["set -e"] + ["mount -t tmpfs none " + f for f in folders] + ['exec "$@"'])
     mapped = (
         ["--map-root-user"] if os.geteuid() else []
-    )  # root needs it not, and in a chroot it is refused
+    )  # root does not need it, and a chroot refuses it
     apart = ["unshare", "--mount"] + mapped + ["sh", "-c", script, "sh"]
     if not folders or subprocess.run(apart + ["true"], capture_output=True).returncode:
         pytest.skip("Qt has no such plug-ins here, or this user may not mount anything")
@@ -72,9 +72,9 @@ def _run(scenario, before=()):
             env=environment,
             stdin=subprocess.DEVNULL,
             capture_output=True,
-            encoding="utf-8",  # the locale of this process is FreeCAD's business
+            encoding="utf-8",  # whatever the locale of this process is
             errors="replace",
-            timeout=900,  # ends what hangs, on a machine that is busy as well
+            timeout=900,  # s, for runs that hang; long enough for a busy machine
         )
     print(done.stdout[-4000:])
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]

@@ -30,7 +30,8 @@ LEVEL = {name: i for i, names in enumerate(ORDER) for name in names}
 
 
 def imports(path):
-    """(module, names) of every import statement, relative ones made absolute."""
+    """Yields (module, node) for each module that is imported; relative imports are made
+    absolute."""
     package = os.path.relpath(os.path.dirname(path), HERE).replace(os.sep, ".").strip(".")
     with open(path, encoding="utf-8") as file:
         tree = ast.parse(file.read())

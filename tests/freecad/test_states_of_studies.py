@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """States of studies. After each change of an input, in the document or in a file, a study may be up to date
-only if a fresh computation gives the same.
+only if a fresh computation gives the same result.
 """
 import os
 import shutil

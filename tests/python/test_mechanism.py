@@ -13,7 +13,7 @@ from test_program import call, inputs  # noqa: F401
 
 
 def slide(start, end, times=(0.0, 1.0), **options):
-    """A motion from start to end without a turn."""
+    """Returns a motion from start to end without a turn."""
     turn = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1))
     return sv.Motion(times, turn, [start, end], **options)
 

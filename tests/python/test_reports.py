@@ -25,7 +25,8 @@ def validator(root):
 
 @pytest.fixture
 def report_of(call, validator):  # noqa: F811
-    """Runs the program with --report -. Returns the report, which must match the schema."""
+    """Returns a function that runs the program with --report - and returns the report, which must
+    match the schema."""
 
     def run(*words, status=0):
         done = call(*words, "--report", "-")

@@ -96,7 +96,7 @@ std::vector<MechanismPart> randomMechanism(unsigned seed) {
     part.motion = someMotion(random, random.point(7.5));
     parts.push_back(part);
   }
-  // At least one part moves, and another one moves with it.
+  // The first part moves. In some cases, the second one moves with it.
   while (!moves(parts[0])) parts[0].motion = someMotion(random, Vector3d::Zero());
   if (random.number(0, 1) < 0.3) parts[1].motion = parts[0].motion;
   return parts;

@@ -1,5 +1,6 @@
-// How many cases of a long series a test takes: all, or a part of them under sanitizers. There a
-// run is ten times slower, and the code that runs matters, not the numbers.
+// How many cases of a long series a test takes: all, or a part of them under sanitizers. Under a
+// sanitizer a run is ten times slower, and the code that runs matters more than the number of
+// cases.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

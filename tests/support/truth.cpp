@@ -183,7 +183,7 @@ Truth ringAcrossAxis() {
   truth.motion = alongLine({2.2, 0, 0});
   Profile profile;
   profile.polygon(rectangle(-4, -4, 6.2, 4));
-  profile.polygon(hole(-0.4, -2.6, 2.6, 2.6));  // what stays free all the time
+  profile.polygon(hole(-0.4, -2.6, 2.6, 2.6));  // the space that stays free all the time
   profile.extrude(0, 1.5, 0.12, truth);
   return truth;
 }

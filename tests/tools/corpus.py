@@ -31,7 +31,7 @@ import corpus_bodies  # noqa: E402
 from shared_data import FOLDER, MOTIONS, matrices, scaled_motion  # noqa: E402
 
 HANG = 900  # s of processor time
-MOST_BYTES = 8 << 30  # address space of the child; a run is told to take 2.5 GB
+MOST_BYTES = 8 << 30  # address space of the child; the limit of a run is 2.5 GB
 
 
 def load(build):

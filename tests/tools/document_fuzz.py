@@ -106,7 +106,7 @@ def base_document(folder):
 
 @contextlib.contextmanager
 def watched(found):
-    """FreeCAD only prints exceptions of proxies. Adds those that are not of our own kinds to `found`."""
+    """Collects exceptions of proxies in `found`, except our own kinds. FreeCAD only prints them."""
     from sweptvolume import core
     from sweptvolume.convert import InputProblem
     from sweptvolume.features import clearance, envelope, motion, solid

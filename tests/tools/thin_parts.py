@@ -55,7 +55,7 @@ def ears(polygon):
 
 
 def _side(p, q, r):
-    """Twice the area of p q r, positive if counter-clockwise; r may be many points."""
+    """Returns twice the area of p q r, positive if counter-clockwise; r may be many points."""
     u, v = q - p, np.asarray(r) - p
     return u[0] * v[..., 1] - u[1] * v[..., 0]
 
@@ -188,7 +188,7 @@ FONT = {
 
 
 def _letters(text):
-    """Rows of a text as an array of pixels [x, y], with a blank column after each letter."""
+    """Returns a text as an array of pixels [x, y], with a blank column after each letter."""
     columns = []
     for letter in text:
         rows = np.array([[int(c) for c in row] for row in FONT[letter].split()], bool)
@@ -240,7 +240,8 @@ def bracket():
 
 
 def motion(rng, size):
-    """16 keys along a bent way about as long as the part, turning by about 70 degrees."""
+    """Returns 16 keys along a curved path about as long as the part, with turns of about 70
+    degrees."""
     s = np.linspace(0, 1, KEYS)[:, None]
     straight, bend = rng.normal(size=(2, 3))
     straight /= np.linalg.norm(straight)

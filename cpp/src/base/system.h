@@ -1,6 +1,6 @@
-// What the C++ library cannot ask of the operating system: the implementation is the only file of
-// the project with calls of POSIX, Linux, macOS or Windows (checked by
-// tests/tools/include_rules.py). Names of files are UTF-8 or std::filesystem::path on every system.
+// Functions of the operating system that the C++ library lacks. Only their implementation
+// (system*.cpp) calls POSIX, Linux, macOS or Windows (checked by tests/tools/include_rules.py).
+// Names of files are UTF-8 or std::filesystem::path on every system.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,17 +14,18 @@ namespace swept::os {
 
 // --- memory, in bytes; 0 if the system does not say
 
-/// Resident size of the process. Allocates nothing in Linux, since it is also asked for when the
+/// Resident size of the process. Allocates nothing in Linux, since it is also called when the
 /// memory may be exhausted.
 std::uint64_t residentMemory();
 /// Largest resident size that the process ever had.
 std::uint64_t peakMemory();
-/// What the process can take without swapping.
+/// Memory that the process can take without swapping.
 std::uint64_t availableMemory();
 /// Returns free memory to the system, if the C library has a call for that.
 void returnFreeMemory();
-/// Where malloc() takes memory from. OneHeap: from the end of its heap alone, and free space stays
-/// there; KeepFree: from anywhere, but free space still stays; Usual: as in any program.
+/// Where malloc() takes memory from. OneHeap: only from the end of its heap, where free space
+/// stays. KeepFree: from anywhere, but free space at the end of the heap still stays. Usual: the
+/// defaults.
 enum class HeapSetting { OneHeap, KeepFree, Usual };
 /// Returns false if the C library has no such settings.
 bool setHeap(HeapSetting setting);
@@ -45,9 +46,9 @@ bool mayRead(const std::filesystem::path& file);
 /// std::fopen() for any path.
 std::FILE* openFile(const std::filesystem::path& file, const char* mode);
 
-/// A file for a copy of what can be read only once. Only its owner may read it. It disappears with
-/// this object; in Linux it has no name from the start, and also disappears if the process is
-/// killed.
+/// A temporary file for a copy of data that can be read only once. Only its owner may read it. It
+/// disappears with this object; in Linux it has no name from the start, and also disappears if the
+/// process is killed.
 class ScratchFile {
  public:
   ScratchFile();  ///< throws std::system_error
@@ -55,7 +56,7 @@ class ScratchFile {
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
   void write(const char* bytes, std::size_t count);  ///< throws std::system_error
-  /// Writes what a buffer holds, and returns a name by which the file can be opened for reading.
+  /// Flushes the file, and returns a name by which it can be opened for reading.
   std::string finish();
 
  private:
@@ -81,7 +82,7 @@ std::string nullDeviceName();
 bool isDeviceName(const std::string& name);
 bool isTerminal(std::FILE* stream);
 /// Calls handler(number) at each signal that asks the program to end (SIGINT, SIGTERM, SIGHUP),
-/// instead of ending it. What the caller of the program ignores (nohup) stays ignored.
+/// instead of ending it. Signals that were ignored when the program started (nohup) stay ignored.
 void onInterrupt(void (*handler)(int));
 /// Ignores these signals from now on.
 void ignoreInterrupts();
@@ -97,7 +98,7 @@ std::uint64_t processId();
 
 // --- the calling thread, and libraries
 
-/// Lets other threads of the machine go first. Has no effect if the system refuses.
+/// Gives other threads of the machine precedence. Has no effect if the system refuses.
 void lowerThreadPriority();
 /// Loads a library for the rest of the process. Returns null and the reason if that fails.
 void* openLibrary(const std::string& name, std::string& why);

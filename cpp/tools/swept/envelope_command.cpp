@@ -204,7 +204,8 @@ using SolidResult = std::optional<StepReport>;
 using SolidResult = std::optional<int>;
 #endif
 
-// Whether the solid can have the faces of the body, and what its edges sweep.
+// Returns whether the solid can get the surfaces of the body's faces and those that its edges
+// sweep.
 bool wantsBodyFaces(const EnvelopeJob& job, const Body& body) {
 #ifdef HAVE_SWEPT_SOLID
   const Options& options = job.options;

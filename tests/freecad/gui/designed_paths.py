@@ -113,7 +113,7 @@ def robot_arm(keyboard):
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     yield lambda: focused() == "SweptVolumeKeys"
     assert table.rowCount() == 0
-    choose("SweptVolumePivot", "Origin")  # what was recorded is the placement
+    choose("SweptVolumePivot", "Origin")  # the file contains placements
     for count, (time, place) in enumerate(recorded[:captured], 1):
         gripper.Placement = place
         yield from keyboard.press("Control_L+Return")

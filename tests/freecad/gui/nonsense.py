@@ -29,7 +29,7 @@ from driver import (  # noqa: E402
 V = App.Vector
 NONSENSE = ["abc", "-5", "0.000001", "5 kg", "999999999"]
 CSV = "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n"
-#: s before a run is stopped: a field may have accepted what was typed.
+#: Time (s) until a run is stopped: a field may have accepted what was typed.
 PATIENCE = 0.3
 
 
@@ -88,7 +88,7 @@ def storm(name, reopen, confirm):
 
 
 def table_storm(panel):
-    """The table of keys, whose cells take text."""
+    """Types invalid text into the cells of the table of keys."""
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     for column in range(table.columnCount()):
         for text in NONSENSE:

@@ -61,7 +61,7 @@ def colour_at(view, point):
 
 
 def point_at(graph, place):
-    """Moves the mouse to this place."""
+    """Moves the mouse to a position in the graph (pixels)."""
     none = QtCore.Qt.NoButton
     event = QtGui.QMouseEvent(
         QtCore.QEvent.MouseMove,
@@ -124,7 +124,7 @@ def scenario():
     camera = view.getCamera()
 
     def colours():
-        view.setCamera(camera)  # a row that is chosen moves it
+        view.setCamera(camera)  # choosing a row moves it
         return {name: colour_at(view, point) for name, point in seen.items()}
 
     before = colours()

@@ -1,6 +1,6 @@
-// The consistent components over every configuration: the mesh is closed, edge- and
+// Tests the consistent components with every configuration: the mesh is closed, edge- and
 // vertex-manifold. Blocks of lattice points stand in a large grid, each in a shell of outside
-// points, so that one contouring settles thousands of configurations.
+// points, so that one run of contouring tests thousands of configurations.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -152,8 +152,8 @@ std::uint64_t spread(std::uint64_t bits, const std::vector<int>& places) {
   return out;
 }
 
-/// One cell: all patterns of signs, each with all choices of doubly crossed edges. They include
-/// all 2^12 sets of crossed edges.
+/// Calls use() with single cells: all patterns of signs, each with all choices of doubly crossed
+/// edges. They include all 2^12 sets of crossed edges. Returns the number of cells.
 std::int64_t everyCell(const std::function<void(const Block&)>& use) {
   const auto edges = blockEdges({2, 2, 2});
   std::int64_t count = 0;
@@ -258,7 +258,7 @@ TEST(ComponentsExhaustive, ComponentsAreSingleLoops) {
     for (int s = 0; s < kSlots; ++s) {
       ASSERT_EQ(found.of[s] >= 0, cell.has(s));
       if (!cell.has(s)) continue;
-      ASSERT_EQ(degree[s], 2);  // with one link component a class of degree two is one loop
+      ASSERT_EQ(degree[s], 2);  // so each linked set of slots is a single loop
       roots.insert(root(s));
       for (int r = 0; r < s; ++r) {
         ASSERT_TRUE(!cell.has(r) || (found.of[r] == found.of[s]) == (root(r) == root(s)));
@@ -341,7 +341,8 @@ TEST(ComponentsExhaustive, RandomGrids) {
   }
 }
 
-/// The counter above finds faults: one vertex per cell makes non-manifold edges in such a grid.
+/// The fault counter above finds faults: one vertex per cell makes non-manifold edges in such a
+/// grid.
 TEST(ComponentsExhaustive, PlainDualContouringHasFaults) {
   SyntheticGrid grid(9, 9, 9);
   for (std::int32_t p = 0; p < 343; ++p) {

@@ -100,8 +100,8 @@ TEST(HiddenSide, BothEdgesOfALedgeAcrossTheLattice) {
   }
 }
 
-/// Edges of the grid meet the rim of such a wall in some cells only. The envelope must contain
-/// all four edges of the rim along y.
+/// A wall is nearly as thick as a cell, so grid edges meet its rim in some cells only. The envelope
+/// must contain all four edges of the rim along y.
 TEST(KnownSide, RimOfAWallNearlyAsThickAsACell) {
   constexpr double kWidth = 4, kLength = 5;
   std::vector<double> edges;

@@ -167,8 +167,8 @@ Options at(double cell) {
   return options;
 }
 
-/// The envelope of a recording contains the body at each pose, up to the chord error and what a
-/// surface in cells may be off.
+/// The envelope of a recording contains the body at each pose, up to the chord error and the error
+/// that a surface in cells may have.
 TEST(MergeSteps, TheEnvelopeLosesNoMoreThanItSays) {
   std::mt19937 random(4);
   const TriMesh body = makeBall({0, 0, 0}, 5, 3);

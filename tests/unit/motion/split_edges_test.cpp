@@ -109,8 +109,8 @@ TEST(SplitEdges, TooManyCopiesMakeTheChordLarger) {
   EXPECT_LT(planFollowing(c.body, c.turn, chord, cell, 1, false, run).chord, cell);
 }
 
-/// A box that turns about an edge: a sector of a cylinder beside the box as it stands first and
-/// last.
+/// A box turns about one of its edges. It sweeps a sector of a cylinder, and its own space at the
+/// first and the last pose.
 TEST(SplitEdges, ABoxIsFollowedWithFewPlacements) {
   const TriMesh box = makeBox({0, 0, 0}, {4, 1, 10});
   Trajectory turn;

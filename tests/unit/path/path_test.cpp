@@ -58,7 +58,7 @@ TEST(FindPath, MadeUpProblemsHaveTheRightAnswersAndEveryPathIsClear) {
   int found = 0;
   for (unsigned number = 0; number < 45; ++number) {
     const PathCase c = pathCase(number);
-    if (c.name == "hook" || c.name == "slot" || c.name == "elbow") continue;  // below
+    if (c.name == "hook" || c.name == "slot" || c.name == "elbow") continue;  // tested below
     PathOptions options = optionsOf(c);
     options.budgetSeconds = c.possible ? 1000 : 0.3;
     const PathReport report = solve(c, options);

@@ -274,7 +274,7 @@ TEST(Sources, AreRefusedWhereNothingIsKnown) {
   EXPECT_EQ(codeOf(few, options), "BadFaces");
   EXPECT_EQ(codeOf(negative, options), "BadFaces");
   options.sources = false;
-  EXPECT_EQ(codeOf(few, options), "");  // nobody reads them
+  EXPECT_EQ(codeOf(few, options), "");  // without sources, the faces are not used
 }
 
 }  // namespace

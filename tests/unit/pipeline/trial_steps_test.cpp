@@ -67,7 +67,7 @@ struct Planned {
   }
 };
 
-/// Counts what contouring asks.
+/// Counts the probe lines that contouring casts.
 class CountedProbe : public SurfaceProbe {
  public:
   explicit CountedProbe(const ElementProbe& probe) : probe_(probe) {}
@@ -87,7 +87,7 @@ struct Counted {
   double sorted = 0, crossings = 0, casts = 0;
 };
 
-/// As a run does it.
+/// Counts crossings as a run does.
 Counted counted(Planned& planned) {
   SamplerInput input = planned.input();
   std::uint64_t sorted = 0;
@@ -144,15 +144,15 @@ TEST(TrialSteps, SimplificationIsCounted) {
     for (const double cells : {2.0, 0.5, 0.05}) {
       options.tolerance = cells * options.cellSize;
       const Estimate found = estimateByTrial(body, path, options, run);
-      const double least = 2e-6 * static_cast<double>(found.triangles) / 4;  // of 64 threads
+      const double least = 2e-6 * static_cast<double>(found.triangles) / 4;  // s
       EXPECT_GT(found.seconds, before + 0.1 * least) << cells;
       before = found.seconds;
     }
   }
 }
 
-// A heavy body along few steps (all of them, with some clusters), a light one along many (windows),
-// and one that is sampled whole.
+// A heavy body is sampled along few steps (all of them, but only some clusters), a light one along
+// many (in windows), and one body is sampled completely.
 TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
   struct Kind {
     TriMesh body;
@@ -247,7 +247,7 @@ TEST(TrialSteps, ProbesOfContouringAreCountedInCellsOfTheWholeMotion) {
   }
 }
 
-// With little room, the grid is coarser; the estimated surface is nearly the same.
+// With little memory, the grid is coarser; the estimated surface is nearly the same.
 TEST(TrialSteps, LargerCellsTellTheSurfaceToo) {
   Planned planned(makeTorus(20, 8, 120, 60), bow(60, 80, 1.5, 0), 120);
   const Counted run = counted(planned);

@@ -217,7 +217,7 @@ TEST(Thin, TrianglesAmongKeptVerticesStay) {
   for (std::size_t v = 0; v < kept.size(); ++v) kept[v] = torus.vertices[v][0] > 0;
   RunContext run;
   const Thinned thin = thinOut(torus, 0.05, ThinFor::Collapse, Phase::Simplify, run, kept);
-  std::map<std::int32_t, std::size_t> now;  // by triangle before
+  std::map<std::int32_t, std::size_t> now;  // old triangle -> new triangle
   for (std::size_t t = 0; t < thin.triangle.size(); ++t) now[thin.triangle[t]] = t;
   EXPECT_EQ(now.size(), thin.mesh.triangles.size());
   std::size_t stayed = 0;
@@ -235,7 +235,7 @@ TEST(Thin, TrianglesAmongKeptVerticesStay) {
   EXPECT_LT(thin.mesh.triangles.size(), torus.triangles.size() * 3 / 4);
 }
 
-/// A state to collapse edges of, with points that stay near.
+/// Returns a state for collapsing edges of a mesh. New points must stay near the mesh.
 CollapseState startOf(const TriMesh& mesh, const NearestTriangle& nearest, double tolerance) {
   CollapseState state;
   state.mesh = mesh;

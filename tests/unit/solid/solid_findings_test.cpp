@@ -1,8 +1,8 @@
 // What a report of a solid makes known to the user as findings.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <gtest/gtest.h>
-
 #include "solid/solid_findings.h"
+
+#include <gtest/gtest.h>
 
 namespace swept {
 namespace {

@@ -13,7 +13,7 @@
 
 namespace swept::test {
 
-/// Boundary of a set of unit voxels scaled by `cell`, faces two triangles each; shared vertices.
+/// Returns the boundary of a set of voxels of size `cell`: two triangles per face, shared vertices.
 inline TriMesh voxelMesh(const std::function<bool(int, int, int)>& inside, int nx, int ny, int nz,
                          double cell = 1.0) {
   TriMesh mesh;

@@ -106,8 +106,8 @@ TEST_P(AnalyticSweep, KeepsTheLimits) {
   }
 }
 
-/// The same limits on the GPU backend, and the mesh of the CPU. The grid is coarse unless the run is long:
-/// without a GPU, a rasteriser on the CPU takes its place.
+/// The same limits on the GPU backend, and the mesh of the CPU. The grid is coarse unless the run
+/// is long: without a GPU, a rasteriser on the CPU takes its place.
 TEST_P(AnalyticSweep, KeepsTheLimitsOnTheGpu) {
   const Truth truth = placed(truths()[GetParam()], frames().back().placement);
   Options options;

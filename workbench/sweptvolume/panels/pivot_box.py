@@ -67,7 +67,7 @@ class PivotBox(QtWidgets.QWidget):
         self._set(kind)
 
     def show_fixed(self, pivot):
-        """Shows the pivot of a motion without a part."""
+        """Shows the pivot of a motion without a part. The user cannot change it."""
         self._set("Point" if pivot.Length else "Origin")
 
     def in_part(self):

@@ -11,7 +11,7 @@
 namespace swept::test {
 namespace {
 
-constexpr double kLongRun = 1e6;  // s: auto looks for a GPU
+constexpr double kLongRun = 1e6;  // s; a run so long that `auto` uses a GPU
 
 class GlFault : public testing::Test {
  protected:
