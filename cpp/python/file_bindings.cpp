@@ -110,7 +110,7 @@ py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrice
   return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
 }
 
-/// `given`: (sources, motion, interpolation, shape, chord_error).
+/// Converts the argument `origin`: (sources, motion, interpolation, shape, chord_error).
 std::shared_ptr<const SolidOrigin> originFromObject(const py::object& given) {
   if (given.is_none()) return nullptr;
   const auto parts = py::cast<py::tuple>(given);

@@ -32,7 +32,7 @@ Trajectory turningMotion(Interpolation interpolation) {
   return motion;
 }
 
-/// A prism whose faces are the two ends (1 and 2) and the mantle (0).
+/// Returns a prism whose faces are the two ends (1 and 2) and the mantle (0).
 TriMesh cylinderWithFaces(int sides) {
   TriMesh body = makeCylinder(6, -8, 8, sides);
   for (const auto& t : body.triangles) {
@@ -68,8 +68,8 @@ Result sweep(const TriMesh& body, const Trajectory& motion, bool sources, double
   return compute(body, motion, options, run);
 }
 
-/// The mesh has the same bytes as in a run without sources, all sources are true, and few are
-/// missing.
+/// Tests that the mesh has the same bytes as in a run without sources, that all sources are right,
+/// and that few are missing.
 void expectTrue(const TriMesh& body, const Trajectory& motion, const std::string& what) {
   const Result plain = sweep(body, motion, false), result = sweep(body, motion, true);
   ASSERT_EQ(result.report.status, plain.report.status) << what << result.report.message;
