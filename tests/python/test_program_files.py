@@ -264,7 +264,8 @@ def test_solids_simplified_unasked_say_so(call, inputs, program):  # noqa: F811
 
 
 def test_the_chord_is_kept_or_a_finding_and_strict_a_failure(call, inputs):  # noqa: F811
-    """A cone of many long triangles that turns fast: its edges need many placements, which take memory."""
+    """Sweeps a cone of many long triangles that turns fast: its edges need many placements, which
+    take memory."""
     count = 5000
     angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
     rim = np.stack([100 * np.cos(angles), 100 * np.sin(angles), 0 * angles], axis=1)
@@ -297,7 +298,7 @@ def test_the_chord_is_kept_or_a_finding_and_strict_a_failure(call, inputs):  # n
 
 @SOLIDS
 def test_an_inaccurate_solid_is_refused_with_strict(call, inputs):  # noqa: F811
-    """A tolerance that the recognised surfaces of a coarse torus cannot keep."""
+    """The recognised surfaces of a coarse torus cannot keep this tolerance."""
     body = torus(20, 8, 24, 12)
     _swept.write_mesh(inputs / "torus.ply", *body)
     for tolerance in (0.5, 1, 2, 4):
