@@ -162,7 +162,8 @@ StepOptions solidOptions(const py::dict& keywords) {
   return options;
 }
 
-/// Writes with the reader of the caller, else with the kernel of this module.
+/// Writes a solid. The reader of the caller checks it or, without a reader, the kernel of this
+/// module.
 StepReport writeWith(const py::object& reader, const TriMesh& mesh, const std::string& name,
                      const StepOptions& options, RunContext& run) {
   if (!reader.is_none()) {

@@ -19,8 +19,9 @@
 namespace swept::test {
 namespace {
 
-/// Cells: crossings keep a thousandth from lattice points. Where an edge slides along itself the
-/// core finds no exact crossing; it keeps the sampled one or moves it by up to a quarter of a cell.
+/// Largest error of a source point, in cells. kOff: usual, since crossings keep this distance from
+/// lattice points. kMostOff: where an edge slides along itself and the core finds no exact
+/// crossing. kShareOff: largest fraction of triangles with an error above kOff.
 constexpr double kOff = 1e-3, kMostOff = 0.25, kShareOff = 0.01;
 
 Trajectory turningMotion(Interpolation interpolation) {
