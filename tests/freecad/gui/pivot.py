@@ -83,7 +83,7 @@ def scenario():
     yield
     assert panel.dragger.placement().Base.Length < 1e-3
 
-    # The centre of the hole.
+    # The centre of the hole is taken as the pivot, after a message that asks for a selection.
     click(button("TakePivot"))
     assert "Select a vertex" in panel.message.text(), panel.message.text()
     edges = enumerate(part.Shape.Edges, 1)
