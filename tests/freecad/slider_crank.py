@@ -48,7 +48,7 @@ def make(doc):
     for obj in (crank, rod):
         obj.Placement = App.Placement(
             V(), App.Rotation(V(0, 0, 1), 1)
-        )  # the axis about which it turns
+        )  # sets the axis of the turn
     doc.recompute()
     return sheet, crank, rod, slider, wall
 
