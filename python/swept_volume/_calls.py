@@ -135,8 +135,8 @@ class Result:
 
 
 def _given(**options: Any) -> Dict[str, Any]:
-    """Returns the options that the caller has set. resolution and cell exclude one another, and accuracy
-    excludes both, tolerance and chord, as in the program."""
+    """Returns the options that the caller has set. Raises an error for resolution with cell, and for
+    accuracy with resolution, cell, tolerance or chord, as the program does."""
     refuse_both(options.get("resolution"), options.get("cell"))
     if options.get("accuracy") is not None:
         for name in ("resolution", "cell", "tolerance", "chord"):

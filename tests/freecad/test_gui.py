@@ -64,7 +64,7 @@ def _run(scenario, before=()):
         environment = dict(os.environ, FREECAD_USER_HOME=home)
         environment.pop("DISPLAY", None)
         environment.pop("PYTHONPATH", None)
-        display = str(100 + os.getpid() % 800)  # two of these may run side by side
+        display = str(100 + os.getpid() % 800)  # two test runs may overlap
         screen = ["-a", "-n", display, "-s", "-screen 0 1400x900x24"]
         command = ["xvfb-run"] + screen + list(before) + [_freecad()]
         done = subprocess.run(

@@ -117,7 +117,8 @@ class Layers(unittest.TestCase):
                     self.assertIn(alias.name, known, text)
 
     def test_what_is_asked_of_a_module_is_there(self):
-        """Each `module.name` exists in which `module` was imported from a package of the workbench."""
+        """Each `module.name` in the code exists, where `module` was imported from a package of the
+        workbench."""
         for path, _ in modules():
             with open(path, encoding="utf-8") as file:
                 tree = ast.parse(file.read())

@@ -578,7 +578,8 @@ def test_bad_input_38_targets_of_the_module(tmp_path, box, name, code):
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 @pytest.mark.parametrize("limit, tolerance", [(100, 0.005), (8, 0)])
 def test_bad_input_39_too_many_faces(tmp_path, box, limit, tolerance):
-    """More faces than the limit, with the given tolerance or with the largest automatic one."""
+    """Tests solids with more faces than the limit, with the given tolerance or with the largest
+    automatic one."""
     turned = slide(20, 9, 4)
     turned[1, :3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
     result = _swept.compute(*box, turned, resolution=24)

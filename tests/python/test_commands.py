@@ -98,7 +98,8 @@ def test_reports_keep_the_schema_and_say_how_it_ended(run, folder, name, validat
 
 @EACH
 def test_what_cannot_be_written_is_named(run, folder, program, name, validator):  # noqa: F811
-    """Files whose size is limited: the report says so, and no incomplete file is left."""
+    """The size of files is limited: the report says that a file could not be written, and no
+    incomplete file is left."""
     before = sorted(contents(folder))
     for output in RUNS[name].outputs:
         if output.startswith("--report"):

@@ -118,7 +118,8 @@ def test_the_program_writes_a_table(call, inputs):  # noqa: F811
 
 
 def test_bad_input_of_the_programs_is_named(call, inputs):  # noqa: F811
-    """A part as moving part and neighbour, missing motions, times that do not overlap."""
+    """Tests a part that is a moving part and a neighbour, missing motions, and times that do not
+    overlap."""
     part = ["box.ply", "--motion", "slide.csv"]
     done = call("clearance", *part, "box.ply", cwd=inputs)
     assert (

@@ -264,7 +264,8 @@ def test_solids_simplified_unasked_say_so(call, inputs, program):  # noqa: F811
 
 
 def test_the_chord_is_kept_or_a_finding_and_strict_a_failure(call, inputs):  # noqa: F811
-    """A cone of many long triangles that turns fast: its edges need many placements, which take memory."""
+    """Sweeps a cone of many long triangles that turns fast: its edges need many placements, which
+    take memory."""
     count = 5000
     angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
     rim = np.stack([100 * np.cos(angles), 100 * np.sin(angles), 0 * angles], axis=1)

@@ -87,7 +87,7 @@ def test_reports_of_solids(report_of, inputs):  # noqa: F811
 
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 def test_reports_of_estimates_of_solids(report_of, inputs):  # noqa: F811
-    """They print what they would make, and write nothing."""
+    """Estimates print what a run would make, and write nothing."""
     report_of(*envelope(inputs, "swept.ply", "--resolution", 32))
     for words in (("--solid-tolerance", 0.05), ("--facets",), ("--output-format", "brep")):
         files = sorted(inputs.iterdir())

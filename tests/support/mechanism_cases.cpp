@@ -53,7 +53,7 @@ std::string nameOf(const std::vector<MechanismPart>& parts, PartPair pair) {
 
 bool moves(const MechanismPart& part) { return part.motion.poses.size() > 1; }
 
-/// A part that stands still at a pose.
+/// Returns the part, standing still at a pose.
 MechanismPart standing(const MechanismPart& part, const Pose& pose) {
   MechanismPart still = part;
   still.motion = {{pose}, Interpolation::Linear};

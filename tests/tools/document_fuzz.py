@@ -203,7 +203,7 @@ def judged(path, copy):
 
 
 def serve(folder):
-    """The child process: reads seeds and prints a line of JSON for each."""
+    """Runs as the child process: reads seeds and prints a line of JSON for each."""
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # for whatever FreeCAD and the kernel print
     sys.path[:0] = [str(ROOT / "tests/freecad")]

@@ -14,12 +14,12 @@ namespace swept::os {
 
 // --- memory, in bytes; 0 if the system does not say
 
-/// Resident size of the process. Allocates nothing in Linux, since it is also called when the
-/// memory may be exhausted.
+/// Returns the resident size of the process. Allocates nothing in Linux, since it is also called
+/// when the memory may be exhausted.
 std::uint64_t residentMemory();
-/// Largest resident size that the process ever had.
+/// Returns the largest resident size that the process ever had.
 std::uint64_t peakMemory();
-/// Memory that the process can take without swapping.
+/// Returns the memory that the process can take without swapping.
 std::uint64_t availableMemory();
 /// Returns free memory to the system, if the C library has a call for that.
 void returnFreeMemory();
@@ -40,10 +40,10 @@ unsigned createPrivate(const std::filesystem::path& file);
 /// Flushes the file to the disk. Some systems report a full disk only at this point. Returns 0 or
 /// the errno of the failure. A file that cannot be opened again or flushed is no failure.
 int flushToDisk(const std::filesystem::path& file);
-/// Whether the user may write to an existing file or read it. Sets errno if not.
+/// Returns whether the user may write to an existing file or read it. Sets errno if not.
 bool mayWrite(const std::filesystem::path& file);
 bool mayRead(const std::filesystem::path& file);
-/// std::fopen() for any path.
+/// Does the same as std::fopen(), for any path.
 std::FILE* openFile(const std::filesystem::path& file, const char* mode);
 
 /// A temporary file for a copy of data that can be read only once. Only its owner may read it. It
@@ -69,16 +69,16 @@ std::filesystem::path newTemporaryFile(const std::string& suffix);
 
 // --- the program, its terminal and its signals
 
-/// The words of the command line, in UTF-8. Also prepares the standard streams, so that Windows
-/// does not change the bytes that are read or written.
+/// Returns the words of the command line, in UTF-8. Also prepares the standard streams, so that
+/// Windows does not change the bytes that are read or written.
 std::vector<std::string> commandLine(int argc, char** argv);
-/// A name by which standard input can be opened; empty if there is none.
+/// Returns a name by which standard input can be opened; empty if there is none.
 std::string standardInputName();
-/// A name by which standard output can be opened.
+/// Returns a name by which standard output can be opened.
 std::string standardOutputName();
-/// The null device, which discards everything that is written to it.
+/// Returns the name of the null device, which discards everything that is written to it.
 std::string nullDeviceName();
-/// True for names that may lead to a terminal, a pipe or any other file without a suffix.
+/// Returns true for names that may lead to a terminal, a pipe or any other file without a suffix.
 bool isDeviceName(const std::string& name);
 bool isTerminal(std::FILE* stream);
 /// Calls handler(number) at each signal that asks the program to end (SIGINT, SIGTERM, SIGHUP),
@@ -89,7 +89,7 @@ void ignoreInterrupts();
 /// Ignores the signals of failed writes. On a closed pipe or at a limit of the file size, the write
 /// then fails with an error, instead of ending the program.
 void ignoreWriteSignals();
-/// The file of the running program; empty if not known.
+/// Returns the file of the running program; empty if not known.
 std::filesystem::path programPath();
 /// Replaces this program by another one, or runs it and ends with its status. Returns only after a
 /// failure: its errno.

@@ -67,7 +67,7 @@ void put(const char* bytes, std::size_t count) {
   if (std::fwrite(bytes, 1, count, stdout) != count) failedOutput();
 }
 
-/// The copies that keepStreams() has made, by their given names.
+/// Returns the copies that keepStreams() has made, by their given names.
 std::map<std::string, std::shared_ptr<const RepeatableInput>>& keptStreams() {
   static std::map<std::string, std::shared_ptr<const RepeatableInput>> kept;
   return kept;

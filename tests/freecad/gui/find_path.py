@@ -65,8 +65,8 @@ def slot_scene(doc):
 
 
 def slot(doc):
-    """A path is found from a typed start. Also: neighbours, a required distance for one of them, undo,
-    and a second search."""
+    """Finds a path from a typed start. Also tests neighbours, a required distance for one of them,
+    undo, and a second search."""
     _, part = slot_scene(doc)
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
@@ -133,8 +133,8 @@ def slot(doc):
 
 
 def too_narrow(doc):
-    """A plate that does not fit through: one search is stopped, another reaches its time limit. The
-    panel and the view show how far the plate came."""
+    """Tests a plate that does not fit through: one search is stopped, another reaches its time
+    limit. The panel and the view show how far the plate came."""
     part = doc.getObject("Plate")
     part.Height = 18
     part.Placement.Base.z = -9
@@ -169,7 +169,7 @@ def too_narrow(doc):
 
 
 def just_out(doc):
-    """A part in a moved group, without a given start: the motion still ends at the installed
+    """Tests a part in a moved group, without a given start: the motion still ends at the installed
     position."""
     from sweptvolume.features import motion
 

@@ -29,7 +29,7 @@ V = App.Vector
 
 
 def scene(doc):
-    """A box, a part that goes into it, and a lid: the part must be installed first."""
+    """Makes a box, a part that goes into it, and a lid: the part must be installed first."""
     import Part
 
     outer, inner = Part.makeBox(60, 40, 30, V(-30, -20, 0)), Part.makeBox(

@@ -66,7 +66,7 @@ def box(doc, label, x=0.0, y=0.0, size=10.0):
 
 
 def make(doc):
-    """A slide between walls, with three checks, one of them with a clash, and an envelope."""
+    """Makes a slide between walls, with three checks, one of them with a clash, and an envelope."""
     from sweptvolume.features import clearance, envelope, motion
 
     part = box(doc, "Slide")

@@ -25,7 +25,7 @@ MeshCheck check(const TriMesh& mesh, int threads = 0) {
 
 TriMesh unitBox() { return makeBox({0, 0, 0}, {1, 1, 1}); }
 
-/// Tests every pair, without a tree and without the rule for fans.
+/// Counts intersecting pairs by a test of every pair, without a tree and without the rule for fans.
 std::int64_t bruteForce(const TriMesh& mesh) {
   std::int64_t count = 0;
   const auto n = static_cast<std::int64_t>(mesh.triangles.size());

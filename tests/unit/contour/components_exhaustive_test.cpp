@@ -39,7 +39,7 @@ struct BlockShape {
 struct BlockEdge {
   int axis;
   std::int32_t i, j, k;
-  int low, high;  ///< bits of the ends
+  int low, high;  ///< bit numbers of both ends in insideBits
 };
 
 std::vector<BlockEdge> blockEdges(const BlockShape& s) {
@@ -133,7 +133,7 @@ class BlockTester {
   Faults total_;
 };
 
-/// The edges of a block with both ends outside: these may be doubly crossed.
+/// Returns the edges of a block with both ends outside: these may be doubly crossed.
 std::vector<int> wallPlaces(const std::vector<BlockEdge>& edges, std::uint64_t inside) {
   std::vector<int> places;
   for (std::size_t e = 0; e < edges.size(); ++e) {

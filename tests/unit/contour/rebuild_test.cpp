@@ -98,7 +98,7 @@ std::string faultsOf(const DrawnCell& drawn, bool layered) {
   return found.count == 0 ? "" : std::to_string(found.count) + " pairs meet";
 }
 
-/// All patterns of signs with all choices of doubly crossed edges.
+/// Calls use() for all patterns of signs with all choices of doubly crossed edges.
 template <class Use>
 void forAllCells(const Use& use) {
   for (std::uint32_t corners = 0; corners < 256; ++corners) {

@@ -32,7 +32,7 @@ double bySolidAngles(const TriMesh& mesh, const Vector3d& p) {
   return angle / (4 * M_PI);
 }
 
-/// A solid, a cavity, an overlap, and a ball with inward triangles.
+/// Returns a mesh of a solid, a cavity, an overlap, and a ball with inward triangles.
 TriMesh nested() {
   TriMesh mesh = makeBox(Vector3d::Constant(-10), Vector3d::Constant(10));
   append(mesh, inverted(makeBox(Vector3d::Constant(-4), Vector3d::Constant(4))));

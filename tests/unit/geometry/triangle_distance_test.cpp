@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector3d;
 using LongVector = Eigen::Matrix<long double, 3, 1>;
 
-/// Distance by definition: that of the foot of the perpendicular if it lies within the edges,
-/// otherwise that of the nearest edge.
+/// Returns the distance by definition: that of the foot of the perpendicular if it lies within the
+/// edges, otherwise that of the nearest edge.
 double distanceByDefinition(const Vector3d& p, const Triangle3d& triangle) {
   LongVector x = p.cast<long double>(), c[3];
   for (int k = 0; k < 3; ++k) c[k] = triangle[k].cast<long double>();
@@ -78,8 +78,8 @@ TEST(TriangleDistance, NeedlesAndPointsAgreeWithTheDefinition) {
   }
 }
 
-// Distance of two triangles: points of a fine grid on one are projected onto the other, in both
-// directions.
+// Returns the distance of two triangles: points of a fine grid on one are projected onto the other,
+// in both directions.
 double sampledDistance(const Triangle3d& a, const Triangle3d& b, int steps) {
   double best = 1e300;
   for (int i = 0; i <= steps; ++i) {

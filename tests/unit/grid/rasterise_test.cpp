@@ -48,7 +48,8 @@ Polynomial number(std::int64_t x) {
   out.c[0] = x;
   return out;
 }
-/// Coordinate of lattice index n along an axis: the lattice is shifted by (e, e^2, e^3).
+/// Returns the coordinate of lattice index n along an axis. The lattice is shifted by (e, e^2,
+/// e^3).
 Polynomial shifted(std::int32_t n, int axis) {
   Polynomial out = number(std::int64_t{n} * kSubUnits);
   out.c[static_cast<std::size_t>(axis) + 1] = 1;
@@ -58,7 +59,7 @@ Polynomial shifted(std::int32_t n, int axis) {
 using Edge = std::tuple<int, std::int32_t, std::int32_t, std::int32_t>;  // axis, i, j, k
 using Corners = std::array<SnappedPoint, 3>;
 
-/// Twice the area of (from, to, line) as seen along the third axis.
+/// Returns twice the area of (from, to, line) as seen along the third axis.
 Polynomial side(const SnappedPoint& from, const SnappedPoint& to, int u, int v,
                 const std::array<Polynomial, 3>& line) {
   return number(to[u] - from[u]) * (line[v] - number(from[v])) -

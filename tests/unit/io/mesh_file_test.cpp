@@ -14,8 +14,8 @@ namespace {
 using test::errorText;
 using test::TemporaryFolder;
 
-// Three triangles at one edge, two with the same three vertices, and numbers with many digits:
-// all that a half-edge mesh would refuse, drop or round.
+// Returns triangles that a half-edge mesh would refuse, drop or round: three at one edge, two with
+// the same three vertices, and numbers with many digits.
 TriMesh awkwardSoup() {
   TriMesh mesh;
   mesh.vertices = {

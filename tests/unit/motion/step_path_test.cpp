@@ -30,7 +30,7 @@ class Random {
     return {number(-size, size), number(-size, size), number(-size, size)};
   }
   Isometry3d place() { return placement(point(1), number(0, 360), point(50)); }
-  /// Angles of all sizes, the smallest no turn at all.
+  /// Returns a random angle of any size, sometimes 0.
   double degrees() { return number(0, 1) < 0.1 ? 0 : 179 * std::pow(10, number(-13, 0)); }
 
  private:

@@ -47,7 +47,8 @@ std::string codeOf(const PathCase& c, const PathOptions& options) {
   return report.code;
 }
 
-/// Enough seconds for sanitizers too: a search that ends at its time limit tests nothing.
+/// Returns options with enough time for sanitizers too: a search that ends at its time limit tests
+/// nothing.
 PathOptions patient(const PathCase& c) {
   PathOptions options = optionsOf(c);
   options.budgetSeconds = 1000;

@@ -29,7 +29,7 @@ SequencePart partOut(const std::string& name, const TriMesh& mesh, double radius
   return part;
 }
 
-/// A shaft that is open at the top, 20 mm wide inside.
+/// Returns a shaft that is open at the top, 20 mm wide inside.
 TriMesh shaft(double height) {
   TriMesh mesh = makeSquareRing(13, 10, 0, height);
   append(mesh, makeBox({-13, -13, -3}, {13, 13, 0.5}));

@@ -25,7 +25,8 @@
 namespace swept::test {
 namespace {
 
-/// `keys` poses along a bow of `length` mm; turning; each of them up to `noise` mm off.
+/// Returns `keys` poses along a bow of `length` mm with a turn of `turn` (rad). `noise`: standard
+/// deviation of their errors (mm).
 Trajectory bow(int keys, double length, double turn, double noise) {
   std::mt19937 random(7);
   std::normal_distribution<double> off(0, noise);
@@ -37,7 +38,7 @@ Trajectory bow(int keys, double length, double turn, double noise) {
     pose.rotation = Eigen::AngleAxisd(turn * s, Eigen::Vector3d::UnitZ());
     // Drawn in a fixed order, since compilers evaluate arguments in different orders.
     const double z = off(random), y = off(random), x = off(random);
-    // Slow at first.
+    // The motion is slow at first.
     pose.translation =
         length * Eigen::Vector3d(s * s, 0.3 * std::sin(3 * s * s), 0) + Eigen::Vector3d(x, y, z);
     path.poses.push_back(pose);

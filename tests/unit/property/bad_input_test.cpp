@@ -57,7 +57,7 @@ void expectOk(const Result& result) {
   EXPECT_TRUE(result.report.message.empty());
 }
 
-/// A named failure leaves nothing that looks like a result.
+/// Tests that a run failed with this status and code, and left nothing that looks like a result.
 void expectFailure(const Result& result, Status status, const std::string& code) {
   EXPECT_EQ(result.report.status, status) << result.report.message;
   EXPECT_EQ(result.report.code, code) << result.report.message;

@@ -40,7 +40,7 @@ Result sweep(const TriMesh& body, const std::vector<Pose>& poses, int resolution
   return result;
 }
 
-/// Distance of a point from a mesh, by a test of all triangles, without a tree.
+/// Returns the distance of a point from a mesh, by a test of all triangles, without a tree.
 double distanceTo(const TriMesh& mesh, const Eigen::Vector3d& p) {
   double best = 1e300;
   for (const auto& t : mesh.triangles) {
@@ -50,7 +50,8 @@ double distanceTo(const TriMesh& mesh, const Eigen::Vector3d& p) {
   return std::sqrt(best);
 }
 
-/// Largest distance of points of `from` (corners and points within the triangles) from `to`.
+/// Returns the largest distance of points of `from` (corners and points within the triangles) from
+/// `to`.
 double oneSided(const TriMesh& from, const TriMesh& to, int points) {
   double largest = 0;
   const std::size_t step = std::max<std::size_t>(1, from.triangles.size() / points);

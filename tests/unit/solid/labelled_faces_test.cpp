@@ -72,7 +72,7 @@ class LabelledFaces : public testing::Test {
     return report;
   }
 
-  // A solid with exact faces has the exact volume, which no mesh has.
+  // Tests that the solid has the exact volume, as with exact faces. No mesh has this volume.
   void expectExact(double volume) {
     const StepOptions options = optionsWithOrigin();
     const StepReport report = write(options);

@@ -177,8 +177,8 @@ TEST_F(Recognition, FreeFormIsSimplifiedWithinTheTolerance) {
   EXPECT_NEAR(report.volume, meshVolume(mesh), 0.01 * report.volume);
 }
 
-// A post on wavy ground. At the foot of the post, points of the border lie on the ground even if
-// the border cuts into the post.
+// Returns a post on wavy ground. At the foot of the post, points of the border lie on the ground
+// even if the border cuts into the post.
 TriMesh postOnWaves(double radius) {
   std::vector<Eigen::Vector2d> profile{{0, -10}};
   line(profile, {0, -10}, {40, -10}, 20);

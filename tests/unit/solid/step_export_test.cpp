@@ -41,7 +41,7 @@ class StepExport : public testing::Test {
     RunContext run;
     return writeSolid(mesh, path(name), options, run);
   }
-  /// The code of the failure; empty if there was none.
+  /// Returns the code of the failure; empty if there was none.
   std::string failure(const TriMesh& mesh, const std::string& target,
                       const StepOptions& options = {}) {
     RunContext run;

@@ -43,7 +43,7 @@ class Outside : public StepReader {
   std::function<bool(const SolidCheck&)> refuses = [](const SolidCheck&) { return false; };
 };
 
-/// The file without its header, which has the time.
+/// Returns the file without its header, which has the time.
 std::string dataOf(const std::string& file) {
   const std::string text = TemporaryFolder::read(file);
   return text.substr(std::min(text.size(), text.find("DATA;")));

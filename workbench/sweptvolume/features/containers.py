@@ -193,8 +193,8 @@ class _Observer:
                 _look_behind(obj)
 
     def slotDeletedObject(self, obj):  # noqa: N802
-        """Undo may delete an object that our links still hold, because they were set outside the
-        undo record."""
+        """Removes our links to a deleted object. Undo may delete an object that they still hold,
+        because they were set outside the undo record."""
         for check in set(obj.InList):
             if kind_of(check) and obj in getattr(check, "Seen", []):
                 check.Seen = [seen for seen in check.Seen if seen is not obj]

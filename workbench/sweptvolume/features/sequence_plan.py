@@ -139,7 +139,8 @@ class Plan(mechanism_plan.Plan):
         return self._words
 
     def take(self, order, motions):
-        """Puts the parts into the order that was found (old indices), with all their motions."""
+        """Puts the parts into the order that was found (a list of old indices). motions: one for each
+        part, in the old order."""
         self.pairs = [self.pairs[k] for k in order]
         self.motions = [motions[k] for k in order]
         self._words = None

@@ -92,7 +92,7 @@ def solids(path, deflection, angle):
         raise InputProblem(text.format(path, problem)) from None
     name = os.path.splitext(os.path.basename(path))[0]
     parts = shape.Solids or [shape]
-    # Face numbers continue from solid to solid, unless two solids share a face.
+    # Face numbers continue from solid to solid. If two solids share a face, they are left out.
     whole = sum(len(part.Faces) for part in parts) == len(shape.Faces)
     found, first = [], 0
     for number, part in enumerate(parts, 1):

@@ -236,7 +236,7 @@ def add_to(layout, part, source=""):
         rows.addRow(translate("SweptVolume", "Source"), _name(source))
     table = KeyTable(rows)
     table.part = button
-    # The first field of the panel is the list of keys.
+    # The button of the part comes last in the tab order, so the list of keys is the first field.
     QtWidgets.QWidget.setTabOrder(list(table.buttons.values())[-1], button)
     return table
 

@@ -54,7 +54,8 @@ class PivotBox(QtWidgets.QWidget):
         self.setEnabled(False)  # without a part there is no choice, so disabled until begin()
 
     def begin(self, middle, point):
-        """middle, point: in coordinates of the part (mm). point None: the origin of the poses."""
+        """Shows the pivot of a part. middle, point: in coordinates of the part (mm). point None:
+        the origin of the poses."""
         self.middle = middle
         near = point is not None and (point - middle).Length <= SAME
         self.point = middle if point is None or near else point

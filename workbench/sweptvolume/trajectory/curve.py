@@ -235,8 +235,8 @@ def _turns(samples, shares, orientation, objects):
 
 
 def _turns_by_tangent(samples):
-    """Turns from x to the first tangent, and then from tangent to tangent, always by the least
-    turn."""
+    """Returns rotations that turn x to the first tangent, and then from tangent to tangent, always
+    by the least turn."""
     turns, turn, before = [], App.Rotation(), App.Vector(1, 0, 0)
     for _, tangent in samples:
         turn = _least_turn(before, tangent).multiply(turn)
@@ -246,8 +246,9 @@ def _turns_by_tangent(samples):
 
 
 def _turns_by_second(samples, others, objects):
-    """x points along the tangent, z as closely as possible to the point of the second curve. If
-    that point lies on the line of the tangent, z is carried on from the pose before."""
+    """Returns rotations: x points along the tangent, z as closely as possible to the point of the
+    second curve. If that point lies on the line of the tangent, z is carried on from the pose
+    before."""
     turns, before = [], None
     for (point, tangent), other in zip(samples, others):
         up = other - point

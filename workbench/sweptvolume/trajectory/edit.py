@@ -89,7 +89,7 @@ class Keys:
         self.placements[index] = App.Placement(placement)
 
     def set_tangent(self, index, kind, velocity=None):
-        """kind: one of spline.TANGENTS; velocity (mm/s): for Given."""
+        """Sets the tangent of a key. kind: one of spline.TANGENTS; velocity (mm/s): for Given."""
         self.tangents[index] = (kind, App.Vector(velocity) if kind == "Given" else None)
 
     def delete(self, index):

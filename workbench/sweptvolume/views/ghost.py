@@ -118,7 +118,7 @@ class MovingParts(Overlay):
             self.shown.append(shown)
 
     def show(self, placements, marked=()):
-        """marked: indices of the parts that are shown in another colour."""
+        """Shows the parts at these placements. marked: indices of the parts in another colour."""
         for k, placement in enumerate(placements):
             self.places[k].matrix = _matrix(placement)
             self.paints[k].diffuseColor = MOVING_COLOUR if k in marked else KEY_COLOUR

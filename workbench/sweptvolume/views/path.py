@@ -82,7 +82,7 @@ class _Lines:
         self.lengths = []
 
     def fill(self, points, lengths, width):
-        """points (n,3); lengths: number of points in each line."""
+        """Sets the lines. points (n,3); lengths: number of points in each line."""
         fill(self.where.point, np.asarray(points, np.float32))
         if lengths != self.lengths:
             self.lengths = lengths

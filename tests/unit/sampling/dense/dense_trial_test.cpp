@@ -17,7 +17,7 @@
 namespace swept::test {
 namespace {
 
-/// A part that stands still, as a recorder with noise sees it.
+/// Returns the motion of a part that stands still, as a recorder with noise reports it.
 Trajectory trembling(int poses, double travel, double turn) {
   Random random(7);
   Trajectory out;

@@ -21,7 +21,7 @@ struct Scene {
   SamplerInput input() const { return {body, topology, motion, grid, cull, orientable}; }
 };
 
-/// A torus that turns and travels.
+/// Returns a path along which a body turns and moves.
 Trajectory turningPath(int poses, Interpolation interpolation);
 
 struct Difference {

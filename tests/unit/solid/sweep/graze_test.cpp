@@ -11,7 +11,7 @@
 namespace swept::step {
 namespace {
 
-// A point of contact found by bisection between two points of a face: x(v), v in [from, to].
+// Returns the point of contact on a curve x(v) of a face, v in [from, to], found by bisection.
 std::optional<Vector3d> bisected(const Carrier& face, const std::function<Vector3d(double)>& x,
                                  double from, double to, const TestMotion& motion, double s) {
   const auto speed = [&](double v) {
@@ -71,7 +71,7 @@ Vector3d onCylinder(const Carrier& c, double h, double angle) {
   return c.point + h * c.axis + c.radius * (std::cos(angle) * x + std::sin(angle) * y);
 }
 
-// The two angles, half a turn apart, between which the contact of a cylinder must lie.
+// Returns two angles, half a turn apart, between which the contact of a cylinder must lie.
 Range aroundContact(const Carrier& face, const TestMotion& motion, double shift = 0) {
   const Vector3d v = motion.velocity(face.point, 0.5);
   const Vector3d body = Vector3d(motion.turned(Vector3d::UnitX(), 0.5).dot(v),
