@@ -6,7 +6,7 @@ cd "$root"
 export LC_ALL=C.UTF-8
 # FreeCAD and its modules belong to the system's Python, whatever else is first on the path.
 python=/usr/bin/python3
-jobs=$(nproc)
+jobs=${SWEPT_JOBS:-$(nproc)}
 step_name="start"
 step_start=$SECONDS
 trap 'echo "FAILED in step: $step_name" >&2' ERR

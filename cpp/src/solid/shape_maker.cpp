@@ -12,6 +12,7 @@
 #include "solid/label/label_faces.h"
 #include "solid/mesh/decimate.h"
 #include "solid/mesh/patches.h"
+#include "solid/model/bent_arcs.h"
 #include "solid/model/deviation.h"
 #include "solid/model/gaps.h"
 #include "solid/model/split_edges.h"
@@ -256,12 +257,12 @@ class ShapeMaker {
     return left;
   }
 
-  // Gives the model to the judge and cuts edges that are farther from a face than a reader of the
-  // file would find (findUnheldEdges()). An edge with a gap is cut where the distance is largest,
-  // others in the middle. `left` receives the edges for which no number of cuts was enough. Returns
-  // the faces that cannot be made.
+  // Gives the model to the judge. Cuts edges that are farther off a face than a reader would find,
+  // at the largest gap or in the middle; `left`: those that need more cuts. Returns faces that
+  // fail.
   std::vector<std::int32_t> takeHeld(Model& model, std::vector<EdgeCut>& left) {
     constexpr int kCuts = 6;
+    cutBentArcs(model);
     for (int round = 0;; ++round) {
       std::vector<std::int32_t> failed = judge_.take(model, run_);
       if (options_.tolerance <= 0 || !failed.empty()) return failed;
