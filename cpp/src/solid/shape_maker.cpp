@@ -365,8 +365,7 @@ class ShapeMaker {
   std::vector<std::int32_t> refused_;  // patches that lose their surface
   std::string refusedText_;            // number and place of the faces refused last
   bool isLabelled_ = false, isLoose_ = false;
-  const std::vector<Eigen::Vector3d>* points_ =
-      &whole_.points;                     // those that must be near the solid
+  const std::vector<Eigen::Vector3d>* points_ = &whole_.points;  // must be near the solid
   const Partition* labelled_ = nullptr;   // the labelled patches of this round
   std::vector<Eigen::Vector3d> trouble_;  // where labelled ground is opened in the next round
 };
