@@ -6,7 +6,7 @@ cd "$root"
 export LC_ALL=C.UTF-8
 # FreeCAD and its modules need the Python of the system, even if PATH has another one first.
 python=/usr/bin/python3
-jobs=$(nproc)
+jobs=${SWEPT_JOBS:-$(nproc)}
 step_name="start"
 step_start=$SECONDS
 trap 'echo "FAILED in step: $step_name" >&2' ERR

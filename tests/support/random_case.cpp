@@ -2,6 +2,7 @@
 #include "support/random_case.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 #include "support/shapes.h"
@@ -9,8 +10,23 @@
 namespace swept::test {
 namespace {
 
+// The distributions of the standard library differ between systems. These two give the numbers that
+// GNU's gives: two draws for a fraction, and the upper half of a product for an integer.
 double uniform(std::mt19937& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
+  constexpr double kDraws = 4294967296.0;  // of the generator: 2^32
+  const auto first = static_cast<double>(random());
+  const auto second = static_cast<double>(random());
+  return (first + second * kDraws) / (kDraws * kDraws) * (high - low) + low;
+}
+
+// Returns an integer from 0 to count - 1.
+int uniformBelow(std::uint32_t count, std::mt19937& random) {
+  const std::uint32_t uneven = -count % count;  // draws that would prefer some results
+  std::uint64_t product = 0;
+  do {
+    product = static_cast<std::uint64_t>(random()) * count;
+  } while (static_cast<std::uint32_t>(product) < uneven);
+  return static_cast<int>(product >> 32);
 }
 
 Eigen::Vector3d inCube(std::mt19937& random, double half) {
@@ -27,7 +43,7 @@ Eigen::Isometry3d randomPlacement(std::mt19937& random, const Eigen::Vector3d& a
 
 TriMesh randomPiece(std::mt19937& random) {
   TriMesh mesh;
-  switch (std::uniform_int_distribution<int>(0, 4)(random)) {
+  switch (uniformBelow(5, random)) {
     case 0: {
       const Eigen::Vector3d half = Eigen::Vector3d(1.5, 1.5, 1.5) + inCube(random, 0.9);
       mesh = makeBox(-half, half);
@@ -62,8 +78,8 @@ Trajectory randomMotion(std::mt19937& random) {
   Trajectory motion;
   constexpr Interpolation kinds[3] = {Interpolation::None, Interpolation::Linear,
                                       Interpolation::Screw};
-  motion.interpolation = kinds[std::uniform_int_distribution<int>(0, 2)(random)];
-  const int count = std::uniform_int_distribution<int>(2, 4)(random);
+  motion.interpolation = kinds[uniformBelow(3, random)];
+  const int count = 2 + uniformBelow(3, random);
   Eigen::Isometry3d now = randomFrame(random);
   for (int i = 0; i < count; ++i) {
     motion.poses.push_back(poseOf(i, now));
@@ -84,7 +100,7 @@ TriMesh shuffled(const TriMesh& mesh, std::mt19937& random) {
   result.vertices.resize(mesh.vertices.size());
   for (std::size_t v = 0; v < order.size(); ++v) result.vertices[order[v]] = mesh.vertices[v];
   for (const auto& t : mesh.triangles) {
-    const int k = std::uniform_int_distribution<int>(0, 2)(random);
+    const int k = uniformBelow(3, random);
     result.triangles.push_back({order[t[k]], order[t[(k + 1) % 3]], order[t[(k + 2) % 3]]});
   }
   std::shuffle(result.triangles.begin(), result.triangles.end(), random);

@@ -12,6 +12,7 @@
 #include "solid/label/label_faces.h"
 #include "solid/mesh/decimate.h"
 #include "solid/mesh/patches.h"
+#include "solid/model/bent_arcs.h"
 #include "solid/model/deviation.h"
 #include "solid/model/gaps.h"
 #include "solid/model/split_edges.h"
@@ -262,6 +263,7 @@ class ShapeMaker {
   // faces that cannot be made.
   std::vector<std::int32_t> takeHeld(Model& model, std::vector<EdgeCut>& left) {
     constexpr int kCuts = 6;
+    cutBentArcs(model);
     for (int round = 0;; ++round) {
       std::vector<std::int32_t> failed = judge_.take(model, run_);
       if (options_.tolerance <= 0 || !failed.empty()) return failed;
@@ -364,8 +366,7 @@ class ShapeMaker {
   std::vector<std::int32_t> refused_;  // patches that lose their surface
   std::string refusedText_;            // number and position of the faces refused last
   bool isLabelled_ = false, isLoose_ = false;
-  const std::vector<Eigen::Vector3d>* points_ =
-      &whole_.points;                     // points that must be near the solid
+  const std::vector<Eigen::Vector3d>* points_ = &whole_.points;  // must be near the solid
   const Partition* labelled_ = nullptr;   // the labelled patches of this round
   std::vector<Eigen::Vector3d> trouble_;  // where open ground is needed in the next round
 };
