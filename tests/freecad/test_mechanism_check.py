@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mechanisms: the motions of all parts from one run of a driven value, and the results of the check
+"""Mechanisms: the motions of all parts from one run of a driving value, and the results of the check
 compared with formulas.
 """
 import csv
@@ -406,7 +406,7 @@ class BadInput(SliderCrank):
         pair_rules.write(obj, crossing)
         self.doc.recompute()
         with self.assertRaisesRegex(
-            InputProblem, "contradict each other for .*neither is more specific"
+            InputProblem, "contradict each other for .*neither takes precedence"
         ):
             mechanism.compute(obj)
         self.assertEqual(obj.Status, FAILED)

@@ -63,7 +63,7 @@ def test_what_a_page_tells_is_what_the_report_says(report, page):
     assert [row[:2] for row in rows[1:]] == [
         ["clash", "clash"],
         ["Wand", "below required"],
-        ["rail", "contact, allowed"],
+        ["rail", "allowed contact"],
         [HOSTILE.replace("\x01", "\ufffd"), "clear"],
     ], "the worst first"
     wall, clash = report["neighbours"][:2]
@@ -153,7 +153,7 @@ def test_german_pages(report):
     assert [row[1] for row in rows[1:]] == [
         "Kollision",
         "unter Sollabstand",
-        "Kontakt, erlaubt",
+        "erlaubter Kontakt",
         "frei",
     ]
     assert (

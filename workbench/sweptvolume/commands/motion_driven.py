@@ -8,7 +8,7 @@ from .base import BaseCommand
 
 class Command(BaseCommand):
     NAME = "SweptVolume_MotionDriven"
-    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Motion from driven value...")
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Motion from driving value...")
     TIP = QT_TRANSLATE_NOOP(
         "SweptVolume",
         "Changes a value (a spreadsheet cell, a sketch dimension or a variable of an assembly) "

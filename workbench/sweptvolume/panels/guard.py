@@ -30,7 +30,7 @@ def tell(label, problem):
     App.Console.PrintError(text)
     said = translate(
         "SweptVolume",
-        "This is a fault of the workbench ({0}: {1}). The report view has the details; please "
+        "This is an error in the workbench ({0}: {1}). The report view has the details; please "
         "report it.",
     )
     widgets.show_message(label, said.format(type(problem).__name__, problem))

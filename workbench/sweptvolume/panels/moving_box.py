@@ -95,8 +95,8 @@ class MovingBox(MotionTable):
             if not pairs:
                 text = translate(
                     "SweptVolume",
-                    'The motion "{0}" does not say which part it moves: add the part to '
-                    "the list, then choose the motion for it.",
+                    'The motion "{0}" does not say which part it moves: add the part to the '
+                    "table of moving parts, then choose this motion in the row of the part.",
                 )
                 raise InputProblem(text.format(path.Label))
             for pair in pairs:
