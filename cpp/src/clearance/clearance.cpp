@@ -28,7 +28,8 @@ void checkClearanceOptions(const ClearanceOptions& o,
   if (parts.empty())
     throw Error(Status::InvalidInput, "NoNeighbours", "no neighbour is given; choose at least one");
   for (const ClearanceNeighbour& part : parts) {
-    requireLength("neighbour '" + part.name + "': chord error", part.chordError, true);
+    requireLength("neighbour '" + part.name + "': mesh deflection (chord error)", part.chordError,
+                  true);
     checkRule(part.rule, "the rule of neighbour '" + part.name + "'");
   }
 }
@@ -103,7 +104,7 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   CheckedTrajectory checked = checkTrajectory(trajectory, RepeatedPoses::Keep);
   report.warnings = std::move(checked.findings);
   bool mended = false;
-  const Part moving = closedPart(seenFromPivot(body, pivot), "the moving body", run, mended);
+  const Part moving = closedPart(seenFromPivot(body, pivot), "the moving part", run, mended);
   report.bodyTriangles = std::ssize(body.triangles);
   for (const ClearanceNeighbour* part : neighbours)
     report.neighbourTriangles += std::ssize(part->mesh.triangles);
