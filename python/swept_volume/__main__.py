@@ -17,7 +17,8 @@ from ._study_run import Report, json_text
 from ._values import bad_option, core_error
 
 USAGE, FAILED = 2, 1
-EXAMPLES = """Exit status 0 if all runs are done and all their rules are met, 3 if a rule is not met, 1 if a run failed.
+EXAMPLES = """Exit status 0 if all runs are done and all their rules are met, 3 if a rule is not met,
+1 if a run failed.
 
 Examples:
   swept study doors.toml --jobs 4 --page
@@ -87,7 +88,10 @@ def _check_outputs(options: argparse.Namespace) -> None:
     study = read_study(options.file, options.output)
     for name in RESERVED:
         if options.no_clobber and (study.output / name).exists():
-            text = f"'{study.output / name}' exists already, and --no-clobber forbids replacing it; name another folder"
+            text = (
+                f"'{study.output / name}' exists already, and --no-clobber forbids replacing it; "
+                "name another folder"
+            )
             raise core_error(ExportFailed, "Exists", text)
     if options.report:
         inputs = [options.file, *(file for run in study.runs for file in run.files())]
