@@ -423,7 +423,7 @@
     </message>
     <message>
         <source>Envelopes and clearance checks of this document. Each of them is one run</source>
-        <translation>Hüllen und Abstandsprüfungen dieses Dokuments. Jede ist ein Lauf</translation>
+        <translation>Hüllen und Abstandsprüfungen dieses Dokuments. Jede davon ist ein Lauf</translation>
     </message>
     <message>
         <source>Folder for the results. Empty: the folder set in the study file, or the folder &quot;results&quot; beside that file. Without a study file: a folder beside the document</source>
@@ -585,8 +585,8 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
         <translation>Hülle exportieren...</translation>
     </message>
     <message>
-        <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and checks the file. If a solid is selected, its tolerance and limits are used</source>
-        <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft die Datei. Ist ein Festkörper gewählt, gelten dessen Toleranz und Grenzen</translation>
+        <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and checks the file. You can also select a solid that was made from an envelope: the panel then begins with the settings of this solid</source>
+        <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft die Datei. Sie können auch einen Festkörper wählen, der aus einer Hülle erzeugt wurde: Das Panel beginnt dann mit den Einstellungen dieses Festkörpers</translation>
     </message>
     <message>
         <source>Export report...</source>
@@ -817,8 +817,8 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Die Datei kann nicht gelesen werden: Die Angaben in Klammern nennen Stelle und Ursache.</translation>
     </message>
     <message>
-        <source>The file extension is not supported: use one of the extensions in the details in parentheses.</source>
-        <translation>Die Dateiendung wird nicht unterstützt: Verwenden Sie eine der Endungen, die die Angaben in Klammern nennen.</translation>
+        <source>The file extension is not supported: choose another one. The details in parentheses list the supported ones.</source>
+        <translation>Die Dateiendung wird nicht unterstützt: Wählen Sie eine andere. Die Angaben in Klammern nennen die unterstützten Endungen.</translation>
     </message>
     <message>
         <source>The file is larger than the limit for input files: split it, or reduce it.</source>
@@ -1010,7 +1010,7 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>Select at least two objects in the order of the motion: their placements become the poses. Use copies or links of the part, or local coordinate systems.</source>
-        <translation>Wählen Sie mindestens zwei Objekte in der Reihenfolge der Bewegung aus: Ihre Platzierungen werden zu den Lagen. Nehmen Sie Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
+        <translation>Wählen Sie mindestens zwei Objekte in der Reihenfolge der Bewegung aus: Ihre Platzierungen werden zu den Lagen. Verwenden Sie Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
     </message>
     <message>
         <source>Select a wire, sketch, array, CAM operation or robot trajectory; or an assembly simulation and the part whose motion you want.</source>
@@ -1047,7 +1047,7 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>The shape has {0} faces but no solid: make it a solid with Part &gt; Convert to solid or Part &gt; Shape builder, or choose a closed mesh.</source>
-        <translation>Die Form hat {0} Flächen, aber keinen Festkörper: Machen Sie sie mit „Part &gt; In Festkörper umwandeln“ oder „Part &gt; Form-Generator“ zum Festkörper, oder wählen Sie ein geschlossenes Netz.</translation>
+        <translation>Die Form hat {0} Flächen, aber keinen Festkörper: Wandeln Sie sie mit „Part &gt; In Festkörper umwandeln“ oder „Part &gt; Form-Generator“ in einen Festkörper um, oder wählen Sie ein geschlossenes Netz.</translation>
     </message>
     <message>
         <source>The document has no object &quot;{0}&quot; any more: choose the part again.</source>
@@ -1110,17 +1110,17 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.
-Choose Swept Volume &gt; Install the core, or build it in the folder {1}:
+Choose Swept Volume &gt; Install the core, or build the core in the folder {1}:
     cmake --preset release &amp;&amp; cmake --build build
-README.md lists the packages that the build needs. If the core is elsewhere, set the environment variable SWEPT_CORE to its folder.
-Tried:
+.ci/packages.txt lists the packages that the build needs. If the core is elsewhere, set the environment variable SWEPT_CORE to its folder.
+FreeCAD looked for the core in:
   {2}</source>
         <extracomment>longest side for that.</extracomment>
         <translation>Der kompilierte Rechenkern von Swept Volume (_swept, für Python {0}) kann nicht geladen werden.
-Wählen Sie Überstrichener Raum &gt; Rechenkern installieren, oder kompilieren Sie ihn im Ordner {1}:
+Wählen Sie „Überstrichener Raum &gt; Rechenkern installieren“, oder kompilieren Sie ihn im Ordner {1}:
     cmake --preset release &amp;&amp; cmake --build build
-README.md nennt die Pakete, die dafür nötig sind. Liegt der Rechenkern anderswo, setzen Sie die Umgebungsvariable SWEPT_CORE auf seinen Ordner.
-Gesucht wurde in:
+.ci/packages.txt nennt die Pakete, die dafür nötig sind. Liegt der Rechenkern anderswo, setzen Sie die Umgebungsvariable SWEPT_CORE auf seinen Ordner.
+FreeCAD hat den Rechenkern hier gesucht:
   {2}</translation>
     </message>
     <message>
@@ -1410,8 +1410,8 @@ Gesucht wurde in:
         <translation>„{0}“ ist keine Bewegung: Wählen Sie eine Bewegung.</translation>
     </message>
     <message>
-        <source>Two rules for &quot;{0}&quot; contradict each other: remove one of them.</source>
-        <translation>Zwei Regeln für „{0}“ widersprechen einander: Entfernen Sie eine.</translation>
+        <source>There are two different rules for &quot;{0}&quot;: remove one of them.</source>
+        <translation>Für „{0}“ gibt es zwei verschiedene Regeln: Entfernen Sie eine davon.</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; has the unknown rule &quot;{1}&quot;: use Required, Contact or Ignore.</source>
@@ -1523,7 +1523,7 @@ Gesucht wurde in:
     </message>
     <message>
         <source>The envelope is conservative, but a solid with a tolerance could cut into the swept volume: set the Tolerance of the solid to 0.</source>
-        <translation>Die Hülle ist konservativ, aber ein Festkörper mit Toleranz könnte in das überstrichene Volumen schneiden: Setzen Sie die Toleranz des Festkörpers auf 0.</translation>
+        <translation>Die Hülle ist konservativ, aber ein Festkörper mit einer Toleranz könnte in das überstrichene Volumen hineinschneiden: Setzen Sie die Toleranz des Festkörpers auf 0.</translation>
     </message>
     <message>
         <source>{0} solid</source>
@@ -1575,7 +1575,7 @@ Gesucht wurde in:
     </message>
     <message>
         <source>Studies cannot use the setting Components of &quot;{0}&quot;: set it to Consistent.</source>
-        <translation>Studien können die Einstellung Components von „{0}“ nicht verwenden: Setzen Sie sie auf Consistent.</translation>
+        <translation>Studien können die Einstellung „Flächenstücke“ von „{0}“ nicht verwenden: Setzen Sie sie auf „Stimmig“.</translation>
     </message>
     <message>
         <source>The study file no longer contains the run &quot;{0}&quot;: run the study again.</source>
@@ -1711,12 +1711,12 @@ Gesucht wurde in:
         <translation>Dies ist ein Programmfehler der Arbeitsumgebung ({0}: {1}). Einzelheiten stehen im Ausgabefenster; bitte melden Sie ihn.</translation>
     </message>
     <message>
-        <source>{0}: &quot;{1}&quot; is not a valid value (it would count as {2}): correct it.</source>
-        <translation>{0}: „{1}“ ist kein gültiger Wert (er würde als {2} gelten): Berichtigen Sie ihn.</translation>
+        <source>{0}: &quot;{1}&quot; is not a valid value (it would be read as {2}). Correct it.</source>
+        <translation>{0}: „{1}“ ist kein gültiger Wert (er würde als {2} gelesen). Berichtigen Sie ihn.</translation>
     </message>
     <message>
         <source>No record can be made for an envelope that has an offset or is conservative: set Offset to 0 and switch Conservative off.</source>
-        <translation>Für eine Hülle, die einen Versatz hat oder konservativ ist, kann nichts aufgezeichnet werden: Setzen Sie den Versatz auf 0, und schalten Sie „Konservativ“ aus.</translation>
+        <translation>Für eine Hülle, die einen Versatz hat oder konservativ ist, kann nichts aufgezeichnet werden: Setzen Sie „Versatz“ auf 0, und schalten Sie „Konservativ“ aus.</translation>
     </message>
     <message>
         <source>Transform cannot be used while the motion editor is open: drag the chosen key, or enter numbers.</source>
@@ -1887,7 +1887,7 @@ Gesucht wurde in:
     <message>
         <source>Studies need the Python package swept_volume, which is missing in {0}: install the workbench again, or build it with &quot;cmake --build build&quot;.</source>
         <extracomment>time (s) to wait for its process and its reading threads to end.</extracomment>
-        <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder bauen Sie sie mit „cmake --build build“.</translation>
+        <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder kompilieren Sie sie mit „cmake --build build“.</translation>
     </message>
     <message>
         <source>The program that runs the study ended with exit status {0} and wrote no result: run the study again, or run &quot;swept study FILE&quot; in a terminal to see its output.</source>
@@ -1960,9 +1960,9 @@ Gesucht wurde in:
         <translation>Die Bewegungsdatei „{0}“ existiert nicht: Wählen Sie eine andere.</translation>
     </message>
     <message>
-        <source>A curve needs at least two poses: set Count to 2 or more, or to 0 (then Accuracy decides).</source>
+        <source>A curve needs at least two poses: set Count to 2 or more, or to 0 (Accuracy then determines the number).</source>
         <extracomment>Below this fraction of a length, two points count as equal and two directions as parallel.</extracomment>
-        <translation>Eine Kurve braucht mindestens zwei Lagen: Setzen Sie die Anzahl auf mindestens 2, oder auf 0 (dann entscheidet die Genauigkeit).</translation>
+        <translation>Eine Kurve braucht mindestens zwei Lagen: Setzen Sie „Anzahl“ auf mindestens 2, oder auf 0 (die Genauigkeit bestimmt dann die Anzahl).</translation>
     </message>
     <message>
         <source>Select two wires: the curve to follow, then the curve that sets the orientation.</source>

@@ -346,7 +346,7 @@ class BadInput(SliderCrank):
             RuleLengths=[0.0],
         )
         self.refused(
-            'Two rules for "Crank - Rod" contradict each other',
+            'There are two different rules for "Crank - Rod"',
             (self.crank, crank),
             (self.rod, rod),
             RuleParts=[(self.crank, ""), (self.rod, ""), (self.rod, ""), (self.crank, "")],

@@ -203,7 +203,7 @@ class Rules(Neighbours):
         obj.RuleParts = [(self.wall, ""), (self.wall, ""), (self.far, "")]
         with self.assertRaises(InputProblem) as refused:
             clearance.compute(obj)
-        self.assertIn('Two rules for "Wall" contradict each other', str(refused.exception))
+        self.assertIn('There are two different rules for "Wall"', str(refused.exception))
         every = {part: Rule(IGNORE) for part in (self.wall, self.table, self.far)}
         with self.assertRaises(InputProblem) as refused:
             clearance.compute(self.made(every))

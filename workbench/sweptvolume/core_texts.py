@@ -74,8 +74,8 @@ _TEXTS = {
     ),
     "BadFormat": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The file extension is not supported: use one of the extensions in the details in "
-        "parentheses.",
+        "The file extension is not supported: choose another one. The details in parentheses "
+        "list the supported ones.",
     ),
     "FileTooLarge": QT_TRANSLATE_NOOP(
         "SweptVolume", "The file is larger than the limit for input files: split it, or reduce it."

@@ -89,7 +89,7 @@ def checked(obj, parts):
             rule.length = None
         if part in rules and rules[part] != rule:
             text = translate(
-                "SweptVolume", 'Two rules for "{0}" contradict each other: remove one of them.'
+                "SweptVolume", 'There are two different rules for "{0}": remove one of them.'
             )
             raise InputProblem(text.format(label))
         rules[part] = rule

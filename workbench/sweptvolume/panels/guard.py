@@ -63,7 +63,7 @@ def check_fields(form):
             raise InputProblem(
                 translate(
                     "SweptVolume",
-                    '{0}: "{1}" is not a valid value (it would count as {2}): correct it.',
+                    '{0}: "{1}" is not a valid value (it would be read as {2}). Correct it.',
                 ).format(name_of(field, form), edit.text(), _counts_as(field))
             )
 
