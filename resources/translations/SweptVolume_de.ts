@@ -793,8 +793,8 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Eine Einstellung ist nicht erlaubt: Berichtigen Sie sie. Die Angaben in Klammern nennen die Einstellung und sagen, was erlaubt ist.</translation>
     </message>
     <message>
-        <source>The motion has no poses: give at least one.</source>
-        <translation>Die Bewegung hat keine Lagen: Geben Sie mindestens eine an.</translation>
+        <source>The motion has no poses: add at least one.</source>
+        <translation>Die Bewegung hat keine Lagen: Fügen Sie mindestens eine hinzu.</translation>
     </message>
     <message>
         <source>A pose scales, shears or mirrors the part: use poses that only rotate and translate.</source>
@@ -1058,9 +1058,9 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Der Interpreter {0} hat kein pip. Installieren Sie pip (in Debian und Ubuntu das Paket python3-pip), oder wählen Sie in den Einstellungen des Addon-Managers einen anderen Interpreter.</translation>
     </message>
     <message>
-        <source>The package index could not be reached. pip says:
+        <source>The package index could not be reached: check the network connection, or choose a package file. pip says:
 {0}</source>
-        <translation>Der Paketindex ist nicht erreichbar. pip meldet:
+        <translation>Der Paketindex ist nicht erreichbar: Prüfen Sie die Netzwerkverbindung, oder wählen Sie eine Paketdatei. pip meldet:
 {0}</translation>
     </message>
     <message>
@@ -1083,9 +1083,9 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Es wurde kein Python-Interpreter gefunden, der pip ausführen kann: Installieren Sie Python.</translation>
     </message>
     <message>
-        <source>pip could not install the core:
+        <source>pip could not install the core: choose a package file, or build the core. pip says:
 {0}</source>
-        <translation>pip konnte den Rechenkern nicht installieren:
+        <translation>pip konnte den Rechenkern nicht installieren: Wählen Sie eine Paketdatei, oder kompilieren Sie den Rechenkern. pip meldet:
 {0}</translation>
     </message>
     <message>
@@ -1715,7 +1715,7 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>{0}: „{1}“ ist kein gültiger Wert (er würde als {2} gelesen). Berichtigen Sie ihn.</translation>
     </message>
     <message>
-        <source>No record can be made for an envelope that has an offset or is conservative: set Offset to 0 and switch Conservative off.</source>
+        <source>Nothing can be recorded for an envelope that has an offset or is conservative: set Offset to 0 and switch Conservative off.</source>
         <translation>Für eine Hülle, die einen Versatz hat oder konservativ ist, kann nichts aufgezeichnet werden: Setzen Sie „Versatz“ auf 0, und schalten Sie „Konservativ“ aus.</translation>
     </message>
     <message>
@@ -2054,10 +2054,6 @@ FreeCAD hat den Rechenkern hier gesucht:
     <message>
         <source>Pose {0}: its time {1:g} s is earlier than the time {2:g} s of the pose before. Correct one of these times; times must not decrease.</source>
         <translation>Lage {0}: Ihre Zeit {1:g} s liegt vor der Zeit {2:g} s der vorigen Lage. Berichtigen Sie eine dieser Zeiten; Zeiten dürfen nicht abnehmen.</translation>
-    </message>
-    <message>
-        <source>The motion has no poses: add at least one.</source>
-        <translation>Die Bewegung hat keine Lagen: Fügen Sie mindestens eine hinzu.</translation>
     </message>
     <message>
         <source>The pose type &quot;{0}&quot; is unknown: use one of these: {1}.</source>
@@ -2833,8 +2829,8 @@ path&apos;s size.</extracomment>
         <translation>A&amp;lle ihre Teile hinzufügen</translation>
     </message>
     <message>
-        <source>Runs the source once and adds every part that moves. Reads the existing motions of these parts again, and creates the missing ones</source>
-        <translation>Führt die Quelle einmal aus und fügt jedes Teil hinzu, das sich bewegt. Liest vorhandene Bewegungen dieser Teile neu und erzeugt die fehlenden</translation>
+        <source>Runs the chosen simulation or driving value once, and adds every part that moves. Existing motions of these parts are recorded again, missing ones are created</source>
+        <translation>Führt die gewählte Simulation aus, oder ändert den gewählten steuernden Wert, und fügt jedes Teil hinzu, das sich bewegt. Vorhandene Bewegungen dieser Teile werden neu aufgezeichnet, fehlende erzeugt</translation>
     </message>
     <message>
         <source>(choose)</source>

@@ -43,7 +43,7 @@ _TEXTS = {
         "say what is allowed.",
     ),
     "EmptyTrajectory": QT_TRANSLATE_NOOP(
-        "SweptVolume", "The motion has no poses: give at least one."
+        "SweptVolume", "The motion has no poses: add at least one."
     ),
     "NotRigid": QT_TRANSLATE_NOOP(
         "SweptVolume",

@@ -84,11 +84,10 @@ void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
   }
   if (worst == nullptr) return;
   finding.text = counted(finding.count, "allowed contact") +
-                 ": no point deeper than allowed was found, but a deeper point is not excluded; "
-                 "for '" +
-                 worst->name + "', " + numberText(allowedDepth(*worst, options), 3) +
-                 " mm are allowed, and it is only proven that no point is deeper than " +
-                 numberText(worst->penetration.depthBound, 3) + " mm";
+                 " may be deeper than the depth that was found: for '" + worst->name + "', " +
+                 numberText(allowedDepth(*worst, options), 3) +
+                 " mm are allowed, and no deeper point was found, but a depth of up to " +
+                 numberText(worst->penetration.depthBound, 3) + " mm is possible";
   report.warnings.push_back(finding);
 }
 

@@ -66,8 +66,9 @@ class MovingBox(MotionTable):
             translate("SweptVolume", "Add a&ll its parts"),
             translate(
                 "SweptVolume",
-                "Runs the source once and adds every part that moves. Reads the "
-                "existing motions of these parts again, and creates the missing ones",
+                "Runs the chosen simulation or driving value once, and adds every part that "
+                "moves. Existing motions of these parts are recorded again, missing ones are "
+                "created",
             ),
             self.take_all,
         )
