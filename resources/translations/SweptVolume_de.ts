@@ -337,8 +337,8 @@
         <translation>Abstand, den jedes Teil von den schon eingebauten Teilen halten muss</translation>
     </message>
     <message>
-        <source>Release distance: a part that touches another part at the start or end of its motion may go on touching it until some point of the part has moved farther than this</source>
-        <translation>Freigabeabstand: Berührt ein Teil am Start oder Ende seiner Bewegung ein anderes Teil, darf es dieses weiter berühren, bis sich einer seiner Punkte weiter als dies bewegt hat</translation>
+        <source>Release distance. A part may touch another part at the start or end of its motion. It may go on touching it until some point of the part has moved farther than this</source>
+        <translation>Freigabeabstand. Ein Teil darf am Start oder Ende seiner Bewegung ein anderes Teil berühren. Es darf dieses so lange berühren, bis sich einer seiner Punkte weiter als dies bewegt hat</translation>
     </message>
     <message>
         <source>Number of parts that have a path</source>
@@ -3096,8 +3096,8 @@ path&apos;s size.</extracomment>
         <translation>Regeln</translation>
     </message>
     <message>
-        <source>Near the start and the goal: if the part is closer to a neighbour there than required, it may stay that close until some point of the part has moved farther than this</source>
-        <translation>In der Nähe von Start und Ziel: Ist das Teil dort näher an einem Nachbarn als der Sollabstand, darf es so nah bleiben, bis sich einer seiner Punkte weiter als dies bewegt hat</translation>
+        <source>At the start and the goal, the part may be closer to a neighbour than required. It may stay that close until some point of the part has moved farther than this</source>
+        <translation>An Start und Ziel darf das Teil näher an einem Nachbarn sein als der Sollabstand. Es darf so nah bleiben, bis sich einer seiner Punkte weiter als dies bewegt hat</translation>
     </message>
     <message>
         <source>Release distance</source>

@@ -128,9 +128,12 @@ def _reason(python, output):
         )
         return text.format(python)
     if "connection broken" in output or "Could not fetch URL" in output:
-        text = translate("SweptVolume", "The package index could not be reached: check the network connection, or choose a "
+        text = translate(
+            "SweptVolume",
+            "The package index could not be reached: check the network connection, or choose a "
             "package file. pip says:\n"
-            "{0}")
+            "{0}",
+        )
         return text.format("\n".join(lines[-3:]))
     if "No matching distribution" in output or "not a supported wheel" in output:
         text = translate(
@@ -140,8 +143,11 @@ def _reason(python, output):
             "{2}",
         )
         return text.format(__version__, version, last)
-    return translate("SweptVolume", "pip could not install the core: choose a package file, or build the core. pip says:\n"
-        "{0}").format(last)
+    return translate(
+        "SweptVolume",
+        "pip could not install the core: choose a package file, or build the core. pip says:\n"
+        "{0}",
+    ).format(last)
 
 
 def version_in(path):

@@ -36,9 +36,8 @@ INPUT = [
         "ReleaseDistance",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Release distance: a part that touches another part at the start or end of its "
-            "motion may go on touching it until some point of the part has moved farther than "
-            "this",
+            "Release distance. A part may touch another part at the start or end of its motion. "
+            "It may go on touching it until some point of the part has moved farther than this",
         ),
         path_plan.DEFAULTS["ReleaseDistance"],
     ),

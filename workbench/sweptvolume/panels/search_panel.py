@@ -48,9 +48,8 @@ class SearchPanel(StayingPanel):
             widgets.length(now["ReleaseDistance"], 0.0, 5.0),
             translate(
                 "SweptVolume",
-                "Near the start and the goal: if the part is closer to a neighbour there than "
-                "required, it may stay that close until some point of the part has moved farther "
-                "than this",
+                "At the start and the goal, the part may be closer to a neighbour than required. "
+                "It may stay that close until some point of the part has moved farther than this",
             ),
         )
         self.release.setObjectName("SweptVolumeRelease")
