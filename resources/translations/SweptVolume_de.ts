@@ -1422,8 +1422,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Der Abstand in der Regel von „{0}“ ist {1} mm: Geben Sie 0 oder mehr ein.</translation>
     </message>
     <message>
-        <source>The rules of &quot;{0}&quot; do not fit together: there are {1} parts, {2} kinds of rules and {3} lengths, but these numbers must be equal. Enter the rules again.</source>
-        <translation>Die Regeln von „{0}“ passen nicht zusammen: Es gibt {1} Teile, {2} Regelarten und {3} Längen, die Anzahlen müssen aber gleich sein. Geben Sie die Regeln neu ein.</translation>
+        <source>The rules of &quot;{0}&quot; do not fit together (parts: {1}, kinds of rules: {2}, lengths: {3}); these numbers must be equal. Enter the rules again.</source>
+        <translation>Die Regeln von „{0}“ passen nicht zusammen (Teile: {1}, Regelarten: {2}, Längen: {3}); diese Anzahlen müssen gleich sein. Geben Sie die Regeln neu ein.</translation>
     </message>
     <message>
         <source>There is nothing to compare: choose two or more parts, envelopes or solids.</source>
@@ -1438,8 +1438,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Die Regeln für „{0}“ und für „{1}“ widersprechen sich für „{2}“, und keine hat Vorrang: Fügen Sie eine Regel für dieses Paar hinzu.</translation>
     </message>
     <message>
-        <source>The rules of &quot;{0}&quot; do not fit together: there are {1} parts, {2} kinds of rules and {3} lengths, but each rule needs two parts, one kind and one length. Enter the rules again.</source>
-        <translation>Die Regeln von „{0}“ passen nicht zusammen: Es gibt {1} Teile, {2} Regelarten und {3} Längen, aber jede Regel braucht zwei Teile, eine Regelart und eine Länge. Geben Sie die Regeln neu ein.</translation>
+        <source>The rules of &quot;{0}&quot; do not fit together (parts: {1}, kinds of rules: {2}, lengths: {3}); each rule needs two parts, one kind and one length. Enter the rules again.</source>
+        <translation>Die Regeln von „{0}“ passen nicht zusammen (Teile: {1}, Regelarten: {2}, Längen: {3}); jede Regel braucht zwei Teile, eine Regelart und eine Länge. Geben Sie die Regeln neu ein.</translation>
     </message>
     <message>
         <source>Path of {0}</source>
