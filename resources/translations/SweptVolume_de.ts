@@ -1298,9 +1298,9 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Hohlräume können nicht behalten werden, wenn Teile eigene Bewegungen haben: Schalten Sie „Hohlräume behalten“ aus, oder erzeugen Sie für jede Bewegung eine eigene Hülle.</translation>
     </message>
     <message>
-        <source>There are {0} moving parts but {1} own motions: give every part a motion of its own, or none.</source>
+        <source>The number of moving parts is {0}, but the number of own motions is {1}: give every part a motion of its own, or none.</source>
         <extracomment>Deflection of solids for the closer estimate, as a fraction of the part&apos;s size.</extracomment>
-        <translation>Es gibt {0} bewegte Teile, aber {1} eigene Bewegungen: Geben Sie jedem Teil eine eigene Bewegung oder keinem.</translation>
+        <translation>Die Anzahl der bewegten Teile ist {0}, die der eigenen Bewegungen aber {1}: Geben Sie jedem Teil eine eigene Bewegung oder keinem.</translation>
     </message>
     <message>
         <source>{0}, improved</source>

@@ -93,8 +93,8 @@ class Plan:
             raise InputProblem(
                 translate(
                     "SweptVolume",
-                    "There are {0} moving parts but {1} own motions: give every part a motion of "
-                    "its own, or none.",
+                    "The number of moving parts is {0}, but the number of own motions is {1}: "
+                    "give every part a motion of its own, or none.",
                 ).format(len(self.pairs), len(self.motions))
             )
         reference = (self.reference, self.reference_motion)
