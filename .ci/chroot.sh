@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Sourced after common.sh by scripts that use chroots of other Debian releases, as root. About 3 GB each; they
-# stay in build-matrix/ and are used again. SWEPT_MIRROR names another mirror of Debian.
+# Functions for scripts that use chroots of other Debian releases, as root; source it after common.sh. Each
+# chroot takes about 3 GB. It stays in build-matrix/ and is used again. SWEPT_MIRROR: another mirror of Debian.
 [ "$(id -u)" = 0 ] || { echo "chroots can only be made as root" >&2; exit 1; }
-# What is mounted here is seen by this run alone and gone with it, however it ends: whoever deletes a
-# chroot with /dev mounted into it deletes /dev.
+# Only this run sees its mounts, and they end with it even if it is killed. Otherwise /dev could stay mounted in a
+# chroot, and whoever then deletes the chroot would delete the files of /dev.
 [ -n "${SWEPT_OWN_MOUNTS:-}" ] || SWEPT_OWN_MOUNTS=1 exec unshare --mount "$root/.ci/$(basename "$0")" "$@"
 mirror=${SWEPT_MIRROR:-} # empty: the default of debootstrap
 
 inside() { chroot "$chroot_folder" env HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 
-# open_chroot SUITE FOLDER: makes the chroot unless it is there, and mounts what programs in it need.
+# open_chroot SUITE FOLDER: makes the chroot if there is none yet, and mounts what programs in it need.
 open_chroot() {
   local place suite=$1 script=/usr/share/debootstrap/scripts/$1
   chroot_folder=$2
@@ -19,18 +19,18 @@ open_chroot() {
     [ -e "$script" ] || script=/usr/share/debootstrap/scripts/sid
     debootstrap --variant=minbase "$suite" "$chroot_folder" "$mirror" "$script" >"$chroot_folder.log" ||
       { tail "$chroot_folder.log"; return 1; }
-    # Stored copies of a testing release may be past their date.
+    # Package lists of a testing release expire soon; a mirror with stored copies may have only expired ones.
     echo 'Acquire::Check-Valid-Until "false";' >"$chroot_folder/etc/apt/apt.conf.d/99-stored"
     touch "$chroot_folder.made"
   }
-  mount --bind "$chroot_folder" "$chroot_folder" # a root that can be mounted over, as one test does
+  mount --bind "$chroot_folder" "$chroot_folder" # `unshare --mount`, in a test, needs a mount point as root
   for place in proc dev dev/pts sys; do mount --bind "/$place" "$chroot_folder/$place"; done
 }
 
-# make_system SUITE TARGETS: a chroot with all packages and the built targets, in $folder (relative). The
-# working tree stands in /opt/repository there.
+# make_system SUITE TARGETS: makes a chroot with all packages, and builds TARGETS there into $folder, which is
+# relative to the working tree. In the chroot, the working tree is /opt/repository.
 make_system() {
-  local suite=$1 targets=$2 wanted=() launcher=-DCMAKE_CXX_COMPILER_LAUNCHER= # not this system's
+  local suite=$1 targets=$2 wanted=() launcher=-DCMAKE_CXX_COMPILER_LAUNCHER= # no ccache, unless the chroot has it
   step "$suite: chroot"
   open_chroot "$suite" "$root/build-matrix/$suite"
   mkdir -p "$chroot_folder"/opt/repository "$chroot_folder"/opt/shared

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Sourced by the other scripts here: steps with times, packages, build. Works as root or with sudo.
+# Functions for the other scripts here, which source it: timed steps, packages, build. For root, or with sudo.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 export LC_ALL=C.UTF-8
-# FreeCAD and its modules belong to the system's Python, whatever else is first on the path.
+# FreeCAD and its modules need the Python of the system, even if PATH has another one first.
 python=/usr/bin/python3
 jobs=$(nproc)
 step_name="start"
@@ -52,7 +52,7 @@ install_packages() {
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# check_sizes FOLDER: fails if a wheel there is larger than the size that users are told before they install it.
+# check_sizes FOLDER: fails if a wheel there is larger than the size that the workbench shows before it installs one.
 check_sizes() {
   local most large
   most=$(sed -n 's/^PACKAGE, SIZE = .*, \([0-9]*\)$/\1/p' workbench/sweptvolume/core_install.py)
@@ -60,7 +60,7 @@ check_sizes() {
   [ -n "$most" ] && [ -z "$large" ] || { echo "larger than SIZE in core_install.py ($most MB), which has to be raised: $large" >&2; return 1; }
 }
 
-# build PRESET FOLDER [TARGET...]
+# build PRESET FOLDER [TARGET...]: configures with a preset of CMake, and builds; goes on after an error.
 build() {
   local preset=$1 folder=$2
   shift 2

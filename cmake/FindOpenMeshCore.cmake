@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# The target OpenMesh::Core; Debian's package of OpenMesh has no CMake files. Installed with the library,
-# since a static library passes on what it links to.
+# Defines the target OpenMesh::Core, because Debian's package of OpenMesh has no CMake files. This file is installed
+# with the library: programs that link to a static library must also find the libraries that it uses.
 find_library(OpenMeshCore_LIBRARY NAMES OpenMeshCore openmesh)
 mark_as_advanced(OpenMeshCore_LIBRARY)
 include(FindPackageHandleStandardArgs)

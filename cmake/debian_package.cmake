@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# `cpack -G DEB` in the build folder: /usr/bin/swept and FreeCAD's /usr/share/freecad/Mod/SweptVolume. The
-# libraries that it depends on are looked up in the files; what FreeCAD needs is only recommended.
+# Settings for `cpack -G DEB` in the build folder: makes a package with /usr/bin/swept and
+# /usr/share/freecad/Mod/SweptVolume. CPack reads from the programs on which libraries the package depends. FreeCAD is
+# only recommended.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME swept-volume)
 set(CPACK_PACKAGE_CONTACT "The Swept Volume maintainers")
@@ -12,7 +13,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-numpy")
-if(Python3_VERSION_MINOR)  # the module is for the Python it was built with
+if(Python3_VERSION_MINOR)  # the module only works with the version it was built for
   math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
   string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS
     ", python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor})")

@@ -1,4 +1,4 @@
-# Writes a C++ file with a function that gives the text of files by name, null for other names.
+# Writes a C++ file with a function that returns the text of a file by its name, and null for any other name.
 # Use: cmake -DOUTPUT=file.cpp -DHEADER=declares/it.h -DFUNCTION=swept::gl::shaderSource
 #        -DNAMES="a.vert;b.frag" -DFILES="dir/a.vert;dir/b.frag" -P embed_texts.cmake
 # SPDX-License-Identifier: LGPL-2.1-or-later

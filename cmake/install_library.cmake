@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Headers, static libraries and the CMake package `swept`: find_package(swept) gives swept::swept, which
-# stands for all parts that were built. Static, because the C++ interface promises no binary compatibility.
+# Installs headers, static libraries and the CMake package `swept`. find_package(swept) defines the target
+# swept::swept, which links all parts that were built. The libraries are static because the C++ interface promises no
+# binary compatibility.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

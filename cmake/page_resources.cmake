@@ -1,6 +1,6 @@
-# Templates, style and the 3D view of pages as a C++ file. The view (resources/page/view.js) is bundled with
-# three.js by esbuild; both are Debian packages (libjs-three, esbuild), or packages of npm in node_modules:
-# `npm install three esbuild`. Without them pages have no 3D view and say so. Nothing is downloaded here.
+# Writes templates, style and 3D view of pages into a C++ file. esbuild bundles the view (resources/page/view.js)
+# with three.js. Both are Debian packages (libjs-three, esbuild), or packages of npm in node_modules (`npm install
+# three esbuild`). Without them, pages have no 3D view and say so. Nothing is downloaded here.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 option(SWEPT_PAGE_VIEW "3D view in pages, with three.js" ON)
 set(page_folder ${CMAKE_SOURCE_DIR}/resources/page)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Manual page and completions of the program, as it prints them itself, where the systems look for them.
-# Debian's zsh looks in another folder than the one of zsh's own installation.
+# Installs the manual page and the completions, which the program itself prints, into the folders where man and the
+# shells look for them. For zsh there are two folders: Debian's zsh looks in another one than a zsh installed from
+# its sources.
 set(pages ${CMAKE_BINARY_DIR}/pages)
 file(MAKE_DIRECTORY ${pages})
 set(page_files)

@@ -1,6 +1,6 @@
-# Toolchain: zig as a C and C++ compiler for a system that may be older than this one, or another one.
+# Toolchain file: zig compiles C and C++ for a system that may be older than this one, or a different one.
 #   -DCMAKE_TOOLCHAIN_FILE=cmake/zig.cmake -DSWEPT_ZIG_TARGET=x86_64-linux-gnu.2.28
-# The Python whose package `ziglang` is used: -DSWEPT_ZIG_PYTHON=...; both may stand in the environment.
+# -DSWEPT_ZIG_PYTHON=...: the Python whose package `ziglang` is used. Both can also be environment variables.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 foreach(name SWEPT_ZIG_TARGET SWEPT_ZIG_PYTHON)
   if(NOT DEFINED ${name})
@@ -12,16 +12,16 @@ foreach(name SWEPT_ZIG_TARGET SWEPT_ZIG_PYTHON)
 endforeach()
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES SWEPT_ZIG_TARGET SWEPT_ZIG_PYTHON)
 
-# CMake takes a tool without arguments: each gets a script of its own.
+# CMake expects a program without arguments for each tool, so each tool gets its own script.
 set(tools ${CMAKE_BINARY_DIR}/zig)
 foreach(tool cc c++ ar ranlib rc)
   set(words ${tool})
   if(tool MATCHES "^c")
-    # Without -g0, zig writes debugging information that nobody asked for.
+    # Without -g0, zig always writes debugging information.
     string(APPEND words " -target ${SWEPT_ZIG_TARGET} -g0")
   endif()
   if(NOT EXISTS ${tools}/${tool})
-    if(NOT zig_version)  # in the text of the script, so that a compiler cache sees when it changes
+    if(NOT zig_version)  # it is written into the scripts, so that a compiler cache notices a new version
       execute_process(COMMAND ${SWEPT_ZIG_PYTHON} -m ziglang version OUTPUT_VARIABLE zig_version
         OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
     endif()
@@ -35,7 +35,7 @@ set(CMAKE_CXX_COMPILER ${tools}/c++)
 set(CMAKE_AR ${tools}/ar)
 set(CMAKE_RANLIB ${tools}/ranlib)
 set(CMAKE_RC_COMPILER ${tools}/rc)
-# A compiler cache, if there is one: what it cannot know by itself is which compiler the scripts run.
+# Uses a compiler cache, if there is one. It cannot see which compiler the scripts run, so it is told here.
 find_program(SWEPT_CCACHE ccache)
 if(SWEPT_CCACHE)
   set(words env CCACHE_COMPILERTYPE=clang CCACHE_COMPILERCHECK=content
@@ -54,7 +54,7 @@ else()
   set(CMAKE_SYSTEM_NAME Linux)
 endif()
 string(REGEX MATCH "^[^-]+" CMAKE_SYSTEM_PROCESSOR ${SWEPT_ZIG_TARGET})
-# Nothing of this system: its headers and libraries are of another age.
+# Headers and libraries of this system must not be used: they do not fit the target.
 set(CMAKE_FIND_ROOT_PATH ${CMAKE_PREFIX_PATH})
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)

@@ -1,4 +1,4 @@
-// Used by all stages: the fine lattice, the current brick, and 64-bit integers.
+// Used by both passes: the fine lattice, the current brick, and 64-bit integers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // A vertex is three odd integers in units of 2^-17 cell; lattice lines lie at multiples of 2^17.

@@ -1,4 +1,4 @@
-// The elements of the swept surface: which of them are culled, and their snapped corners.
+// Decides which elements of the swept surface are culled, and computes the snapped corners of elements.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Elements are numbered placement by placement: at each placement all faces and then, for a
@@ -17,8 +17,8 @@ layout(std430, binding = 2) readonly buffer Placements { double placements[]; };
 // to 5 are turnBack (the turn of the step, transposed); in w the angle (rad), the effect of snapping
 // (mm) and the rounding in single precision (mm). The first step ends at the first placement.
 layout(std430, binding = 3) readonly buffer Steps { vec4 steps[]; };
-layout(std430, binding = 4) readonly buffer ExactSteps { dvec4 exactSteps[]; };  // likewise
-// 2 rows per face: centre and radius of its ball; normal, and the angle by which snapping turns it.
+layout(std430, binding = 4) readonly buffer ExactSteps { dvec4 exactSteps[]; };  // the same in double precision
+// 2 rows per face: centre and radius of a ball around it; normal, and the angle by which snapping may turn it.
 layout(std430, binding = 5) readonly buffer Balls { vec4 balls[]; };
 
 layout(location = 2) uniform uint placementBase;   // first placement in the buffer

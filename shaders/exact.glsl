@@ -1,7 +1,6 @@
 // Decides whether a lattice line intersects a triangle, and where. The decision is the same exact
-// one as in grid/rasterise.h, in 32-bit integers (products in 64 and 96 bits), with
-// the same simulation of simplicity for ties. So GPU and CPU find the same lattice edge for every
-// triangle and line.
+// one as in grid/rasterise.h, in 32-bit integers (products in 64 and 96 bits), with the same rule for
+// ties. So GPU and CPU find the same lattice edge for every triangle and line.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 struct Triangle {
@@ -10,7 +9,7 @@ struct Triangle {
 };
 
 struct Crossing {
-  ivec3 edge;     // first lattice point, relative to the brick's corner
+  ivec3 edge;     // first lattice point of the edge, relative to brickLow
   uint fraction;  // in units of 1 / (2^23 - 1)
 };
 

@@ -60,8 +60,9 @@ void takeRow(uint element, uint task, uint row, uint id) {
   }
   ivec2 line = ivec2(v.first.x, v.first.y + int(row));
   ivec2 at = line << kSubBits;
-  // Where the sides cross the row, relative to the first line. Sides are at most 2^30 units long, so
-  // single precision is off by less than 400 units. Corners are odd, so none lies on the row.
+  // Where the sides of the triangle cross the row, relative to the first line. Sides are at most 2^30
+  // units long, so single precision is off by less than 400 units. Corners are odd, so none lies on
+  // the row.
   const float kMargin = float(kSubUnits / 64);
   float least = 1e30, most = -1e30;
   ivec3 corner[3] = ivec3[3](v.t.a, v.t.b, v.t.c);

@@ -6,9 +6,9 @@
 // number of an element that crosses the edge there. The edges are listed row by row, as in the
 // marks of pass 1.
 
-// First the index of the first edge of each row, and the number of edges; then the k of each edge.
+// First, for each row, the index of its first edge; then the number of edges; then the k of each edge.
 layout(std430, binding = 6) readonly buffer Targets { uint targets[]; };
-// Per edge: lowest and highest fraction, elements there.
+// Per edge: lowest fraction, highest fraction, and the numbers of the elements there.
 layout(std430, binding = 7) coherent buffer Winners { uint winners[]; };
 
 layout(location = 10) uniform uint secondRound;

@@ -16,7 +16,7 @@ std::string shapeText(const py::array& array) {
   return py::str(py::object(array.attr("shape"))).cast<std::string>();
 }
 
-// -1 in `expected` stands for any length.
+// Throws an error if the array has another shape. -1 in `expected` stands for any length.
 void checkShape(const py::array& array, const char* name, const std::vector<py::ssize_t>& expected,
                 const char* wanted) {
   bool fits = static_cast<std::size_t>(array.ndim()) == expected.size();

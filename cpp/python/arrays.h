@@ -23,8 +23,8 @@ TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles);
 /// Returns TriMesh::faceOf for an integer array (M,).
 std::vector<std::int32_t> facesFromArray(const py::object& faces);
 
-/// `motion`: (times, quaternions, translations), the same and a pivot, (times, matrices), or
-/// matrices (K, 4, 4).
+/// Converts a motion. `motion`: (times, quaternions, translations), these three and a pivot,
+/// (times, matrices), or matrices (K, 4, 4).
 Trajectory trajectoryFromObject(const py::object& motion, const std::string& interpolation);
 py::tuple trajectoryToArrays(const Trajectory& trajectory);
 

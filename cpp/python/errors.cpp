@@ -11,7 +11,8 @@ namespace py = pybind11;
 
 constexpr int kStatusCount = static_cast<int>(Status::InternalError) + 1;
 
-// Owned until the process ends, because exceptions may be raised until the interpreter ends.
+// Returns the exception classes. They are kept until the process ends, because exceptions may be
+// raised until the interpreter ends.
 std::array<PyObject*, kStatusCount>& classes() {
   static std::array<PyObject*, kStatusCount> table{};
   return table;

@@ -110,7 +110,7 @@ py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrice
   return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
 }
 
-/// `given`: (sources, motion, interpolation, shape, chord_error).
+/// Converts the argument `origin`: (sources, motion, interpolation, shape, chord_error).
 std::shared_ptr<const SolidOrigin> originFromObject(const py::object& given) {
   if (given.is_none()) return nullptr;
   const auto parts = py::cast<py::tuple>(given);
@@ -162,7 +162,8 @@ StepOptions solidOptions(const py::dict& keywords) {
   return options;
 }
 
-/// Writes with the reader of the caller, else with the kernel of this module.
+/// Writes a solid. The reader of the caller checks it or, without a reader, the kernel of this
+/// module.
 StepReport writeWith(const py::object& reader, const TriMesh& mesh, const std::string& name,
                      const StepOptions& options, RunContext& run) {
   if (!reader.is_none()) {

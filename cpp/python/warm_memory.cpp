@@ -14,8 +14,8 @@ constexpr std::size_t kMin = std::size_t{8} << 20, kPage = 4096;
 }  // namespace
 
 WarmMemory::WarmMemory(std::size_t bytes) {
-  // With other settings, malloc would map a separate block, which free() returns to the system, or
-  // free() would return the end of the heap to the system.
+  // OneHeap: malloc takes the memory from the heap. A separate block would go back to the system
+  // with free(). KeepFree: free() does not return the end of the heap to the system.
   if (bytes < kMin || !os::setHeap(os::HeapSetting::OneHeap)) return;
   memory_ = std::malloc(bytes);
   os::setHeap(os::HeapSetting::KeepFree);
@@ -24,8 +24,8 @@ WarmMemory::WarmMemory(std::size_t bytes) {
 
 WarmMemory::~WarmMemory() {
   release();
-  // With the usual setting, memory that nobody used returns to the system with the next block that
-  // is freed at the end of the heap.
+  // With the usual setting, unused memory at the end of the heap goes back to the system as soon as
+  // the next block there is freed.
   if (bytes_ > 0) os::setHeap(os::HeapSetting::Usual);
 }
 

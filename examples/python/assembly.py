@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that move at the same time, rules for neighbours, and a way into an assembly.
+"""Parts that move at the same time, rules for neighbours, and an installation path.
 
     python3 assembly.py path.csv
 """
@@ -14,12 +14,12 @@ STILL = [0.0, 0.0, 0.0, 1.0]
 
 
 def slide(start: float, end: float) -> sv.Motion:
-    """Along x from start to end (mm) in one second."""
+    """Returns a motion along x from start to end (mm) in one second."""
     return sv.Motion([0, 1], [STILL, STILL], [[start, 0, 0], [end, 0, 0]])
 
 
 def turn(angle: float) -> sv.Motion:
-    """About z by an angle (rad) in one second."""
+    """Returns a turn about z by an angle (rad) in one second."""
     return sv.Motion(
         [0, 1], [STILL, [0, 0, np.sin(angle / 2), np.cos(angle / 2)]], np.zeros((2, 3))
     )

@@ -17,7 +17,7 @@ import swept_volume as sv
 from robot import cylinder
 
 Array = npt.NDArray[np.float64]
-CHORD = 0.01  # mm: how far a chord may leave its arc
+CHORD = 0.01  # mm: largest distance of a chord from its arc
 RAPID = 5000.0  # mm/min, for G0
 
 
@@ -27,7 +27,7 @@ def words_of(line: str) -> List[Tuple[str, float]]:
 
 
 def arc(start: Array, end: Array, centre: Array, clockwise: bool) -> Iterator[Array]:
-    """Points of an arc in the plane XY after its start; z goes along evenly."""
+    """Yields the points of an arc in the plane XY without its start; z changes evenly."""
     a, b = start[:2] - centre, end[:2] - centre
     radius = float(np.linalg.norm(a))
     first, last = np.arctan2(a[1], a[0]), np.arctan2(b[1], b[0])
@@ -41,7 +41,7 @@ def arc(start: Array, end: Array, centre: Array, clockwise: bool) -> Iterator[Ar
 
 
 def tool_path(text: str) -> Tuple[Array, Array]:
-    """Times (K,), s, and positions (K, 3), mm, of the mill's tip."""
+    """Returns times (K,), s, and positions (K, 3), mm, of the mill's tip."""
     unit, absolute, mode, feed = 1.0, True, 0, 500.0
     points, times = [np.zeros(3)], [0.0]
     for line in text.splitlines():

@@ -15,7 +15,7 @@ import swept_volume as sv
 
 
 class Shape(NamedTuple):
-    """In the place of another library's mesh."""
+    """Stands for the mesh class of another library."""
 
     vertices: npt.NDArray[np.float64]
     faces: npt.NDArray[np.int64]

@@ -45,7 +45,8 @@ def find_motions() -> Dict[str, sv.Motion]:
 
 
 def compare_spaces(motions: Dict[str, sv.Motion]) -> None:
-    """Parts that go the same way one after the other may share the space that they sweep."""
+    """Prints the volume that both swept spaces share. Parts that take the same path one after the
+    other may share space."""
     spaces = [(name, sv.compute(PARTS[name], motions[name]).mesh) for name in PARTS]
     report, shared = sv.overlap(spaces)
     (pair,) = report["pairs"]

@@ -19,12 +19,13 @@ from sweep_box import box
 
 Array = npt.NDArray[np.float64]
 MM = 1000.0
-#: rad or m: a step of a joint. Between two poses a link moves on a screw, joints all move at once.
+#: Largest step of a joint between two poses (rad or m). Between two poses a link moves on a screw,
+#: which is not exactly the motion of several joints that move at once.
 STEP = 0.02
 
 
 def turned(axis: Array, angle: float) -> Array:
-    """Matrix (3, 3) of a turn about a unit axis (Rodrigues)."""
+    """Returns the matrix (3, 3) of a turn about a unit axis (Rodrigues)."""
     x, y, z = axis
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     matrix: Array = np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
@@ -37,7 +38,7 @@ def numbers(element: Optional[ElementTree.Element], name: str, default: str) -> 
 
 
 def origin_of(element: ElementTree.Element) -> Array:
-    """Matrix (4, 4) of the element `origin`; lengths in mm."""
+    """Returns the matrix (4, 4) of the element `origin`; lengths in mm."""
     origin = element.find("origin")
     roll, pitch, yaw = numbers(origin, "rpy", "0 0 0")
     matrix = np.eye(4)
@@ -48,7 +49,7 @@ def origin_of(element: ElementTree.Element) -> Array:
 
 
 def cylinder(radius: float, length: float, sides: int = 48) -> sv.Mesh:
-    """Round the z axis, its middle in the origin."""
+    """Returns a cylinder (mm) about the z axis, centred at the origin."""
     angles = 2 * np.pi * np.arange(sides) / sides
     ring = np.column_stack([radius * np.cos(angles), radius * np.sin(angles)])
     low, high = (np.column_stack([ring, np.full(sides, z)]) for z in (-length / 2, length / 2))
@@ -62,7 +63,7 @@ def cylinder(radius: float, length: float, sides: int = 48) -> sv.Mesh:
 
 
 def shape_of(link: ElementTree.Element) -> Optional[Tuple[sv.Mesh, Array]]:
-    """Mesh of a link's visual and where it sits in the link."""
+    """Returns the mesh of a link's visual element and its placement in the link, or None."""
     visual = link.find("visual")
     geometry = None if visual is None else visual.find("geometry")
     if visual is None or geometry is None:
@@ -77,7 +78,7 @@ def shape_of(link: ElementTree.Element) -> Optional[Tuple[sv.Mesh, Array]]:
 
 
 def link_poses(robot: ElementTree.Element, positions: Dict[str, float]) -> Dict[str, Array]:
-    """Matrix (4, 4) of every link at one position of the joints."""
+    """Returns the matrix (4, 4) of every link for one position of the joints."""
     joints = {joint.find("child").get("link"): joint for joint in robot.iter("joint")}  # type: ignore
 
     def pose(name: str) -> Array:
@@ -97,7 +98,8 @@ def link_poses(robot: ElementTree.Element, positions: Dict[str, float]) -> Dict[
 
 
 def positions_over_time(path: str) -> Tuple[Array, List[Dict[str, float]]]:
-    """Times and positions, with rows between those of the file where a joint moves far."""
+    """Returns times and joint positions. Adds rows between those of the file where a joint moves
+    far."""
     with open(path, newline="") as file:
         rows = [{k: float(v) for k, v in row.items()} for row in csv.DictReader(file)]
     dense = [rows[0]]

@@ -11,9 +11,8 @@
 Lengths are in mm, times in s. A mesh is a Mesh or a pair (vertices, triangles); a motion is a Motion,
 (times, quaternions, translations), (times, matrices), matrices (K, 4, 4) or a list of matrices (4, 4).
 Long calls release the interpreter's lock; watch and cancel them from another thread through a
-RunContext. Failures raise Error or one of its subclasses; a file that is not there raises
-FileNotFoundError. What a run found worth saying goes to the logger "swept_volume" and stands in
-Result.report["warnings"].
+RunContext. Failures raise Error or one of its subclasses; a missing file raises FileNotFoundError.
+Findings of a run go to the logger "swept_volume" and are listed in Result.report["warnings"].
 """
 from ._core import (
     HAS_SOLIDS,

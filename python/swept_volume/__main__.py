@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`python -m swept_volume study FILE`, which the program calls for `swept study`."""
+"""`python -m swept_volume study FILE`: the program `swept` calls this for `swept study`."""
 from __future__ import annotations
 
 import argparse
@@ -26,7 +26,7 @@ Examples:
 
 
 class _Parser(argparse.ArgumentParser):
-    """Refuses in one line, as the program does."""
+    """Reports wrong arguments in one line, as the program `swept` does."""
 
     def error(self, message: str) -> NoReturn:
         raise bad_option(f"{message}; see {self.prog} --help")
@@ -82,7 +82,8 @@ def _tell_kept(rows: Sequence[Row]) -> None:
 
 
 def _check_outputs(options: argparse.Namespace) -> None:
-    """What would be lost is refused before anything is computed."""
+    """Raises an error before anything is computed if existing results or an input would be
+    overwritten."""
     if not (options.report or options.no_clobber):
         return
     study = read_study(options.file, options.output)
@@ -117,7 +118,8 @@ def _study(options: argparse.Namespace) -> int:
         context.cancel()
 
     numbers = [signal.SIGINT, signal.SIGTERM]
-    if sys.platform != "win32" and signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # nohup
+    # Under nohup, SIGHUP stays ignored.
+    if sys.platform != "win32" and signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:
         numbers.append(signal.SIGHUP)
     for number in numbers:
         signal.signal(number, cancel)

@@ -102,12 +102,12 @@ class Result:
 
     @property
     def vertices(self) -> Floats:
-        """Returns those of the mesh."""
+        """Returns the vertices of the mesh."""
         return self.mesh.vertices
 
     @property
     def triangles(self) -> Integers:
-        """Returns those of the mesh."""
+        """Returns the triangles of the mesh."""
         return self.mesh.triangles
 
     def recut(self, tolerance: float, *, run: Optional[RunContext] = None) -> Result:
@@ -137,8 +137,8 @@ class Result:
 
 
 def _given(**options: Any) -> Dict[str, Any]:
-    """Returns the options that the caller has set. resolution and cell exclude one another, and accuracy
-    excludes both, tolerance and chord, as in the program."""
+    """Returns the options that the caller has set. Raises an error for resolution with cell, and for
+    accuracy with resolution, cell, tolerance or chord, as the program does."""
     refuse_both(options.get("resolution"), options.get("cell"))
     if options.get("accuracy") is not None:
         for name in ("resolution", "cell", "tolerance", "chord"):
@@ -378,7 +378,7 @@ def estimate_solid(
     triangles, faces, megabytes (of a 'step' or 'brep' file), seconds (elapsed), tolerance and deviation
     (mm), tried.
 
-    quick: only looks at the mesh, which takes microseconds for each triangle. Then tried is False, and
+    quick: uses only the mesh, which takes microseconds for each triangle. Then tried is False, and
     faces, megabytes and seconds are upper bounds, far too large if surfaces are recognised. Raises
     ExportFailed if write_solid() would refuse the mesh or its options, Cancelled."""
     body = mesh_of(mesh)

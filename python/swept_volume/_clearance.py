@@ -104,7 +104,7 @@ def first_contacts(
         run,
     )
     found: Dict[str, str] = {}
-    for (name, *_), text in zip(parts, texts):  # of neighbours with one name, the deepest contact
+    for (name, *_), text in zip(parts, texts):  # neighbours with the same name: the deepest contact
         depth = [float(t.partition(":")[2] or 0) for t in (text, found.get(name, ""))]
         if text and (name not in found or depth[0] > depth[1]):
             found[name] = text

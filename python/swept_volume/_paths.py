@@ -33,10 +33,11 @@ def find_path(
     run: Optional[RunContext] = None,
 ) -> Tuple[Dict[str, Any], Optional[Motion]]:
     """Searches for a motion that brings a part to its goal and keeps the clearance (mm) from every
-    neighbour, also between its keys. goal, start, via: matrices (4, 4). extract, in place of a start: a
-    radius in mm or a direction (x, y, z). Contact is allowed while no point of the part is farther than
-    `release` (mm) from its place at that end. rules: as for clearance(), but without contact. max_angle
-    in rad, budget in s. Returns the report (docs/paths.md) and the motion; None if none was found.
+    neighbour, also between its keys. goal, start, via: matrices (4, 4). extract, in place of a
+    start: a radius in mm or a direction (x, y, z). Contact is allowed while every point of the part
+    is within `release` (mm) of its position at the start or at the goal. rules: as for clearance(),
+    but without contact. max_angle in rad, budget in s. Returns the report (docs/paths.md) and the
+    motion; None if none was found.
     """
     body = mesh_of(mesh)
     report, arrays = _core.find_path(
@@ -83,11 +84,12 @@ def improve_path(
     rules: Optional[Rules] = None,
     run: Optional[RunContext] = None,
 ) -> Tuple[Dict[str, Any], Optional[Motion]]:
-    """Improves a motion: sections that are closer to a neighbour than the clearance (mm) get another way
-    if one is found; the rest becomes shorter, with fewer keys. With more_clearance, the distance from the
-    neighbours becomes as large as possible. The ends and the keys in `locked` (indices from 0) stay.
-    Sections within `release` (mm) of the ends may be closer and stay as they are. Returns the report
-    (docs/paths.md) and the motion; None if nothing keeps the clearance."""
+    """Improves a motion. Sections that are closer to a neighbour than the clearance (mm) get
+    another path if one is found; the rest becomes shorter, with fewer keys. With more_clearance,
+    the distance from the neighbours becomes as large as possible. The ends and the keys in `locked`
+    (indices from 0) do not change. Sections within `release` (mm) of the ends may be closer and do
+    not change. Returns the report (docs/paths.md) and the motion; None if nothing keeps the
+    clearance."""
     body, path = mesh_of(mesh), motion_of(motion, interpolation)
     report, arrays = _core.improve_path(
         body.vertices,

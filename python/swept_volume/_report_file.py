@@ -20,7 +20,8 @@ def _failed(code: str, message: str) -> _core.Error:
 
 
 def _target(path: str) -> str:
-    """Returns the file of the report: links are followed. A terminal or a pipe is no file."""
+    """Returns the file that receives the report, with links resolved. "-": the file to which
+    standard output is redirected."""
     return os.path.realpath("/dev/stdout" if path == "-" else path)
 
 
@@ -59,8 +60,8 @@ def check_report(
 
 
 def silence_output() -> None:
-    """Drops output that waits for a reader who has gone, so that Python prints no error about it when
-    the program ends."""
+    """Discards output whose reader has closed the pipe, so that Python prints no error about it
+    when the program ends."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 

@@ -15,10 +15,10 @@ from ._values import MeshLike, Motion, MotionLike, matrix, mesh_of, motion_of, w
 
 @dataclass(frozen=True)
 class SequencePart:
-    """A part, its installed position, and how it gets there. goal, start, via: matrices (4, 4); without
-    a goal, the part is installed at the place of its mesh. extract, in place of a start: a radius in mm
-    or a direction (x, y, z). motion, in place of all these: a motion that ends in the installed position.
-    chord_error in mm; default: that of the mesh."""
+    """A part, its installed position, and how it gets there. goal, start, via: matrices (4, 4);
+    without a goal, the part is installed where its mesh is. extract, in place of a start: a radius
+    in mm or a direction (x, y, z). motion, in place of all these: a motion that ends in the
+    installed position. chord_error in mm; default: that of the mesh."""
 
     name: str
     mesh: MeshLike

@@ -16,8 +16,8 @@ class Sources:
     """What made each of the M triangles of an envelope. All arrays are read-only.
 
     kind    int8 (M,): index into KINDS; -1: unknown
-    faces   int32 (M, 2): for a cap or graze, the face and -1; for an edge, its two faces, and for a graze
-            between faces that meet smoothly, these two, the lower one first
+    faces   int32 (M, 2): for a cap or graze, the face and -1; for an edge, or for a graze between faces
+            that meet smoothly, the two faces, the lower number first
     step    int32 (M,): pose of a cap; pose at which the step of an edge or graze begins; counted from 0
     time    float64 (M,), s; nan: unknown
     point   float64 (M, 3), mm: a point of the exact surface near the triangle, through which the face

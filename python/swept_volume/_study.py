@@ -29,7 +29,7 @@ from ._values import Path, bad_option
 
 NOT_RUN = "not run"
 _ORDER = (FAILED, NOT_CLEAR, NOT_RUN, DONE)  # the worst first
-#: Of the table: names of columns and the keys of a row that they show.
+#: Names of the columns of the table -> keys of a row.
 COLUMNS = {
     "run": "run",
     "state": "state",
@@ -51,8 +51,8 @@ Row = Dict[str, Any]
 
 
 def _worst_neighbour(report: Report) -> Optional[Row]:
-    """The row of a clearance that meets its rule least: what breaks a rule first, then the nearest; what may
-    be touched only where no other is there."""
+    """Returns the row of the neighbour to show for a run. Neighbours that break their rule come
+    first, then those without a contact rule, then the nearest, then the deepest."""
     rows: List[Row] = report.get("clearance", {}).get("neighbours", [])
 
     def order(row: Row) -> Tuple[bool, bool, float, float]:
@@ -91,8 +91,9 @@ def _row(run: Run, report: Optional[Report], strict: bool = False) -> Row:
 
 
 def worst_first(rows: Sequence[Row]) -> List[int]:
-    """Numbers of the rows: failures, then what is not clear (the deepest clash, then the nearest), then what
-    is left, then what is done, the nearest first."""
+    """Returns the indices of the rows: failures, then rows that are not clear (the deepest clash
+    first, then the nearest), then runs that were not computed, then runs that are done, the nearest
+    first."""
 
     def order(number: int) -> Tuple[int, float, float]:
         row = rows[number]
@@ -150,7 +151,7 @@ def _reports(
 
 
 class _Looked:
-    """A study file that was read, with the hashes of its files and what its folder holds of its runs."""
+    """A study file that was read, the hashes of its files, and the results in its folder."""
 
     def __init__(self, path: Path, output: Optional[Path], strict: bool = False) -> None:
         self.strict = strict
@@ -232,7 +233,7 @@ def run_study(
     looked, context, began = _Looked(path, output, strict), run or RunContext(), time.monotonic()
     study, folder = looked.study, looked.folder
     if page or study.page:
-        page_date()  # says what is wrong with it before anything is computed
+        page_date()  # raises an error for a wrong date before anything is computed
     with folder.filled_alone():
         if not again:
             looked.look()
@@ -270,11 +271,12 @@ def study_page(
     template: Optional[str] = None,
     run: Optional[RunContext] = None,
 ) -> str:
-    """One HTML file, as text, that tells of all runs of a study file what its folder for results holds; runs
-    whose results are not there, or are of other input, are "not run". Nothing is computed. output: another
-    folder than the file says; folder: how the page gets there from its own place, such as "results/"; then it
-    links to the pages of single runs. template: text, in place of that of the file. Raises InvalidInput
-    (BadStudy, BadTemplate), FileNotFoundError, Cancelled."""
+    """Returns one HTML file, as text, about all runs of a study file, from the results in its
+    folder. Nothing is computed: runs without results, or with results of other input, are shown as
+    "not run". output: another folder than the file names. folder: path from the page to the folder
+    of results, such as "results/"; with it, the page links to the pages of single runs. template:
+    text, in place of that of the file. Raises InvalidInput (BadStudy, BadTemplate),
+    FileNotFoundError, Cancelled."""
     looked = _Looked(path, output)
     if template is not None:
         looked.study = dataclasses.replace(looked.study, template=template)

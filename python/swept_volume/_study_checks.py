@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Checks of the runs of a study beyond their keys: names, files, roles, rules, template. Each check adds
-problems to a list.
+"""Checks of the runs of a study other than those of single keys: names, files, roles, rules,
+template. Each check adds problems to a list.
 """
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def read_template(name: str, folder: pathlib.Path, problems: List[str]) -> str:
 
 def check_files(runs: Sequence[Run], output: pathlib.Path, problems: List[str]) -> None:
     inside = os.path.join(os.path.realpath(output), "")
-    folders: Dict[str, str] = {}  # a study has thousands of files in a few folders
+    folders: Dict[str, str] = {}  # remembers folders: thousands of files may lie in a few
     for file in dict.fromkeys(file for run in runs for file in run.files()):
         folder, name = os.path.split(file)
         if folder not in folders:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Study files: TOML that names parts, motions, neighbours, rules and what to compute of each.
+"""Study files: TOML that names parts, motions, neighbours, rules and the stages to compute.
 
 A file has a table [study], a table [defaults] with any key of a run, and a table [[run]] for each run.
 Where `part` or `motion` is a list, there is one run for each combination. Nothing in a study file is
@@ -25,12 +25,13 @@ Table = Mapping[str, Any]
 
 STAGES = ("envelope", "solid", "clearance")
 _UNITS = ("mm", "cm", "m", "in")
-_KNOWN_PROBLEMS = 12  # that one message lists
+_KNOWN_PROBLEMS = 12  # largest number that one message lists
 
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """One run of a study: files as absolute paths; options: of the files ("") and of each stage."""
+    """One run of a study: files as absolute paths; options: {stage: options}, with "" for the
+    options of the files."""
 
     name: str
     part: str
@@ -47,9 +48,9 @@ class Run:
 
 @dataclasses.dataclass(frozen=True)
 class Study:
-    """A study file that was read: its path, its name, the folder for results, its runs in their order;
-    whether a page is made of it, and the language and the text of the template ("": the program's) of all its
-    pages."""
+    """A study file that was read: its path, its name, the folder for results, its runs in their
+    order; whether a page is made of it; language and template of all its pages. template: text, ""
+    for the built-in template."""
 
     file: pathlib.Path
     name: str
@@ -118,7 +119,7 @@ _RUN_KEYS: Dict[str, Check] = {
     "rules": _RULES,
     "compute": _STAGES,
 }
-#: Of the files, and of each stage: as the arguments of the calls in this package are named.
+#: Options of the files ("") and of each stage, named like the arguments of the functions here.
 _OPTIONS: Dict[str, Dict[str, Check]] = {
     "": {
         "part_unit": _one_of(*_UNITS),
@@ -166,7 +167,7 @@ _OPTIONS: Dict[str, Dict[str, Check]] = {
 
 
 class _Problems(List[str]):
-    """The problems of a file, each with its place."""
+    """The problems of a file, each with the place in the file."""
 
     def unknown(self, where: str, key: str, known: Sequence[str]) -> None:
         near = difflib.get_close_matches(key, known, 1)
@@ -203,7 +204,8 @@ def _parsed(path: pathlib.Path) -> Dict[str, Any]:
 
 
 def _checked(table: Table, where: str, problems: _Problems) -> Dict[str, Any]:
-    """Returns the keys of a table [[run]] or [defaults] that are valid."""
+    """Returns the valid keys of a table [[run]] or [defaults], and adds the others to
+    `problems`."""
     good: Dict[str, Any] = {}
     known = {**_RUN_KEYS, **_OPTIONS[""]}
     for key, value in table.items():
@@ -240,7 +242,7 @@ def _merged(defaults: Table, table: Table) -> Dict[str, Any]:
     for stage in STAGES:
         merged[stage] = {**defaults.get(stage, {}), **table.get(stage, {})}
         given = table.get(stage, {})
-        # What a run gives takes the place of what is common to all and excludes it.
+        # An option of a run removes those options of [defaults] that it excludes.
         for key in _EXCLUDES:
             if key in given and stage == "envelope":
                 for other in _EXCLUDES[key] - set(given):
@@ -277,7 +279,7 @@ def _combinations(
     if "solid" in stages and not _core.HAS_SOLIDS:
         problems.append(f"{where}: this build has no OpenCASCADE and cannot make solids")
     neighbours = tuple(_joined(folder, name) for name in table.get("neighbours", ()))
-    used = {*stages, "envelope"} if "solid" in stages else {*stages}  # a solid is made of one
+    used = {*stages, "envelope"} if "solid" in stages else {*stages}  # a solid needs one
     options: Dict[str, Table] = {s: table[s] for s in STAGES if s in used}
     options[""] = {key: table[key] for key in _OPTIONS[""] if key in table}
     pattern = table.get("name", "{part} {motion}")
@@ -297,9 +299,9 @@ def _with_pages(run: Run, language: str, template: str) -> Run:
 
 
 def read_study(path: Path, output: Optional[Path] = None) -> Study:
-    """Reads and checks a study file. output: folder for the results, in place of the one that the file
-    names. Relative paths start at the folder of the file. Raises InvalidInput (BadStudy) with all that
-    is wrong in the file, and FileNotFoundError."""
+    """Reads and checks a study file. output: folder for the results, in place of the one that the
+    file names. Relative paths start at the folder of the file. Raises InvalidInput (BadStudy) with
+    all problems of the file, and FileNotFoundError."""
     file = pathlib.Path(os.fsdecode(path))
     parsed, problems = _parsed(file), _Problems()
     for key in parsed:

@@ -76,7 +76,8 @@ class Folder:
         return report if whole and same else None
 
     def take(self, run: Run, report: Report, filled: Optional[str]) -> None:
-        """Moves the folder that a run filled to its place; it replaces an older one."""
+        """Gives the folder that a run has filled the name of the run. It replaces an older
+        folder."""
         folder = self.path / run.name
         if filled is None:
             filled = partial_folder(str(self.path))

@@ -31,7 +31,7 @@ def page_date() -> str:
 
 
 def _inputs(study: Study, hashes: Mapping[str, str]) -> List[PageInput]:
-    """Returns each file once, with its first role."""
+    """Returns the files of the study as rows of the page, each once with its first role."""
     rows: Dict[str, PageInput] = {}
 
     def add(role: str, file: str) -> None:
@@ -55,8 +55,9 @@ def study_text(
     folder: str = "",
     run: Optional[RunContext] = None,
 ) -> str:
-    """The page as text. summary: the report of the study; reports: of its runs; order: their numbers, the
-    worst first; folder: from that of the page to that of the results, with a slash at its end."""
+    """Returns the page as text. summary: the report of the study; reports: those of its runs;
+    order: indices of the runs, the worst first; folder: path from the page to the folder of
+    results, which ends in a slash."""
     rows = []
     for number in order:
         one, report = study.runs[number], reports[number]

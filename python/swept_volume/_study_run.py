@@ -23,7 +23,7 @@ REPORT_FILE = "report.json"
 PAGE_FILE = "clearance.html"
 PARTIAL = ".partial-"  # begins the name of a folder that is being filled
 DONE, NOT_CLEAR, FAILED = "done", "not clear", "failed"
-_SUFFIXES = {"envelope": "ply", "solid": "step"}  # where the file does not choose
+_SUFFIXES = {"envelope": "ply", "solid": "step"}  # unless the study file names a format
 
 
 def json_text(report: Mapping[str, Any]) -> str:
@@ -87,7 +87,7 @@ class _Stages:
         self.motion: Motion = read_motion(
             locate(run.motion), unit=unit, interpolation=interpolation, pivot=pivot
         )
-        self.warnings: List[Dict[str, Any]] = []  # of the solid
+        self.warnings: List[Dict[str, Any]] = []  # findings of the stage solid
         self._result: Optional[Result] = None
 
     def _body(self, **how: Any) -> Mesh:

@@ -23,8 +23,8 @@ from ._study_file import Run
 from ._study_run import REPORT_FILE, Report, execute, failed, output_names, partial_folder
 from ._values import bad_option
 
-_POLL = 0.1  # s between two looks whether the study was cancelled
-#: Without the current folder in the path of modules: anything may lie there.
+_POLL = 0.1  # s between two checks whether the study was cancelled
+#: Removes the current folder from the module path, because it may contain modules of any name.
 _SERVE = (
     "import sys; sys.path[:] = [p for p in sys.path if p]; "
     "from swept_volume import _study_workers; _study_workers.serve(int(sys.argv[1]))"
@@ -212,8 +212,9 @@ def compute_on_cluster(
     tasks: Sequence[Task], address: str, send_files: bool, cancelled: Callable[[], bool]
 ) -> Iterator[Done]:
     """Computes tasks on the workers of the dask scheduler at an address; yields them as they end. A
-    worker that is lost costs nothing but time: the scheduler gives its runs to another one. send_files:
-    inputs and results go through the scheduler; else all machines see the same folders."""
+    worker that is lost costs nothing but time: the scheduler gives its runs to another one.
+    send_files: inputs and results go through the scheduler; otherwise all machines must share the
+    same folders."""
     client = _distributed().Client(address, timeout=20, set_as_default=False)
     with client, client.as_current():
         sent: Dict[str, Any] = {}  # the bytes of a file travel once and can be sent again
@@ -243,7 +244,7 @@ def _as_they_end(
         if not ended:
             time.sleep(_POLL / 10)
         for future in ended:
-            if future.status in ("pending", "lost"):  # its worker died with it: another computes it
+            if future.status in ("pending", "lost"):  # its worker died, so another one computes it
                 ends.add(future)
                 continue
             task = futures[future]
@@ -251,7 +252,7 @@ def _as_they_end(
             if future.status == "finished":
                 result = future.result()
                 report, folder = _received(task, result) if send_files else result
-            else:  # its workers died again and again, or the cluster was closed
+            else:  # its workers died repeatedly, or the cluster was closed
                 error = future.exception() if future.status == "error" else "it was cancelled"
                 text = f"the cluster gave up this run: {error}"
                 report = failed(task.run, task.key, "InternalError", "WorkerLost", text)
@@ -263,7 +264,7 @@ def serve(threads: int) -> None:
     """Reads tasks from standard input and writes reports to standard output, until the input ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the study tells its processes when to end
     reports = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # nothing else writes between the reports
+    os.dup2(2, 1)  # so that nothing else is written between the reports
     while True:
         try:
             task: Task = pickle.load(sys.stdin.buffer)

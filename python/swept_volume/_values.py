@@ -67,7 +67,7 @@ def matrix(values: npt.ArrayLike, name: str) -> Floats:
 
 
 def way_out(extract: Union[float, Sequence[float], None]) -> Union[float, Floats, None]:
-    """A radius in mm or a direction (x, y, z)."""
+    """Returns a radius in mm or a direction (3,)."""
     if extract is None or np.ndim(extract) == 0:
         return extract if extract is None else float(extract)  # type: ignore[arg-type]
     return frozen(extract, np.float64, (3,), "extract")
@@ -75,10 +75,11 @@ def way_out(extract: Union[float, Sequence[float], None]) -> Union[float, Floats
 
 class Mesh:
     """Triangles: vertices float64 (N, 3) in mm, triangles int32 (M, 3), counter-clockwise seen from
-    outside. Both are read-only. chord_error: how far the triangles of a tessellated solid may leave
-    its surface, mm; findings: how it was read, as in a report's warnings. faces int32 (M,): number of
-    the face of a solid that each triangle is a piece of, in the file's order; None: not known. shape:
-    the faces and edges of the solid, for write_solid(); None for a mesh, and after unpickling."""
+    outside. Both are read-only. chord_error: how far the triangles of a tessellated solid may
+    deviate from its surface, mm; findings: from reading the file, as in a report's warnings. faces
+    int32 (M,): for each triangle, the number of the solid's face on which it lies, in the file's
+    order; None: not known. shape: the faces and edges of the solid, for write_solid(); None for a
+    mesh, and after unpickling."""
 
     __slots__ = ("vertices", "triangles", "chord_error", "findings", "faces", "shape")
     vertices: Floats
@@ -202,7 +203,8 @@ class Motion:
         interpolation: str = "linear",
         pivot: npt.ArrayLike = (0.0, 0.0, 0.0),
     ) -> Motion:
-        """Of rigid matrices (K, 4, 4); without times at 0, 1, 2 ... s."""
+        """Returns the motion for rigid matrices (K, 4, 4). Without times, the poses are at 0, 1, 2
+        ... s."""
         checked = frozen(matrices, np.float64, (-1, 4, 4), "matrices")
         at = np.arange(len(checked), dtype=np.float64) if times is None else times
         at = frozen(at, np.float64, (len(checked),), "times")
@@ -313,12 +315,12 @@ def motion_of(motion: MotionLike, interpolation: Optional[str] = None) -> Motion
 
 
 def read_mesh(path: Path, *, unit: str = "mm") -> Mesh:
-    """Mesh.read()."""
+    """Reads a mesh file, as Mesh.read()."""
     return Mesh.read(path, unit=unit)
 
 
 def write_mesh(path: Path, mesh: MeshLike, *, no_clobber: bool = False) -> None:
-    """Mesh.write()."""
+    """Writes a mesh file, as Mesh.write()."""
     mesh_of(mesh).write(path, no_clobber=no_clobber)
 
 
@@ -329,7 +331,7 @@ def read_motion(
     interpolation: str = "linear",
     pivot: npt.ArrayLike = (0.0, 0.0, 0.0),
 ) -> Motion:
-    """Motion.read()."""
+    """Reads a table of poses, as Motion.read()."""
     return Motion.read(path, unit=unit, interpolation=interpolation, pivot=pivot)
 
 
@@ -369,10 +371,10 @@ def read_parts(
     deflection: float = 0.05,
     reader: Optional["_core.SolidReader"] = None,
 ) -> List[Tuple[str, Mesh]]:
-    """Reads parts that keep their names, as neighbours of clearance(): a mesh file is one, named after
-    the file; of a STEP or BREP file each solid is one, named after its product and tessellated within
-    deflection (mm). chord_error: mm, how far a mesh file leaves its exact surface. reader: as for
-    read_body()."""
+    """Reads parts that keep their names, as neighbours of clearance(). A mesh file is one part,
+    named after the file. Each solid of a STEP or BREP file is one part, named after its product and
+    tessellated within deflection (mm). chord_error: mm, how far a mesh file deviates from its exact
+    surface. reader: as for read_body()."""
     require_file(path)
     parts = _core.read_parts(path, unit, chord_error, deflection, reader=reader)
     return [(name, Mesh._of_core(mesh)) for name, mesh in parts]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Run in FreeCAD without a window by test_addon_manager.py. Installs this add-on and its Python packages
 with the code of FreeCAD's own Addon Manager. ADDON_SOURCE is the address: a git repository with the branch
-main. Prints the packages that the Addon Manager finds the add-on needs.
+main. Prints the packages that the add-on needs according to the Addon Manager.
 """
 import json
 import os
@@ -62,8 +62,8 @@ def install_of_0_20(addon, packages):
 
 
 def without_constraints(call):
-    """Makes FreeCAD 1.1 use the local index: it would have pip read the versions of allowed packages
-    from the internet."""
+    """Makes FreeCAD 1.1 use the local index. Otherwise FreeCAD would make pip read the versions of
+    allowed packages from the internet."""
 
     def pip_call(args):
         words = call(args)

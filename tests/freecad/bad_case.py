@@ -39,7 +39,7 @@ class BadCase(Case):
         return [[tuple(points[i]) for i in triangle] for triangle in triangles]
 
     def box_arrays(self, size=10.0):
-        """Vertices (8, 3) and triangles (12, 3) of a box, outward."""
+        """Returns the vertices (8, 3) and triangles (12, 3) of a box, outward."""
         corners = [(x, y, z) for x in (0, size) for y in (0, size) for z in (0, size)]
         quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
         triangles = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]

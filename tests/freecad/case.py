@@ -51,7 +51,7 @@ class Case(unittest.TestCase):
         return obj
 
     def straight_wire(self):
-        """A wire of 20 mm along x."""
+        """Returns a wire of 20 mm along x."""
         obj = self.doc.addObject("Part::Feature", "Wire")
         obj.Shape = Part.makeLine(V(), V(20, 0, 0))
         return obj
@@ -64,7 +64,7 @@ class Case(unittest.TestCase):
         return obj
 
     def line(self, length=30.0):
-        """A motion straight along x."""
+        """Returns a straight motion along x."""
         return motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(length)])
 
     def envelope(self, parts, path, **settings):

@@ -36,7 +36,7 @@ def computed():
 
 
 def icons():
-    """(buttons of the workbench, those without a drawn icon)."""
+    """Returns (buttons of the workbench, those without a drawn icon)."""
     import FreeCADGui as Gui
 
     Gui.activateWorkbench("SweptVolumeWorkbench")
@@ -81,6 +81,6 @@ def told():
 if App.GuiUp:
     from PySide import QtCore
 
-    QtCore.QTimer.singleShot(3000, told)  # the window first comes up
+    QtCore.QTimer.singleShot(3000, told)  # after the window has opened
 else:
     told()

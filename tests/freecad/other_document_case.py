@@ -84,7 +84,8 @@ def the_link_is_deleted(doc):
 
 
 class OtherDocumentTable(Table):
-    """A change may be made in both documents. Subclasses make Elsewhere, with undo, in setUp()."""
+    """A change may be made in both documents. Subclasses create the document Elsewhere, with undo,
+    in setUp()."""
 
     def results(self):
         return [obj for obj in super().results() if obj.Document is self.doc]
@@ -94,6 +95,7 @@ class OtherDocumentTable(Table):
         both = self.doc, elsewhere()
         before = [document.UndoCount for document in both]
         shown = [(o, o.Visibility) for document in both for o in document.Objects]
+        content = self.shown()
         for document in both:
             document.openTransaction(name)
         self.CHANGES[name](self.doc)
@@ -109,7 +111,7 @@ class OtherDocumentTable(Table):
         for obj, visible in shown:
             obj.Visibility = visible
         self.recomputed()
-        self.look(name + ", undone")
+        self.look_again(name, content)
         if "expression" not in name:
             self.assertEqual(self.behind(), {})
 

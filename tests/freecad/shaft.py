@@ -14,7 +14,7 @@ def solid(doc, name, sizes, at):
 
 
 def shaft(doc, height=40):
-    """Four walls and a floor, 20 mm wide inside, open at the top."""
+    """Returns four walls and a floor: 20 mm wide inside, open at the top."""
     return [
         solid(doc, "Floor", (26, 26, 3), (-13, -13, -3)),
         solid(doc, "West", (3, 26, height), (-13, -13, 0)),

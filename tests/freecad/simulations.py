@@ -18,7 +18,7 @@ class Absent(Exception):
 
 def _simulations():
     """Returns FreeCAD's module of simulations. Without a window the module uses QtCore without
-    importing it, so this does."""
+    importing it, so this function imports QtCore."""
     from PySide import QtCore
 
     builtins.QtCore = QtCore
@@ -81,7 +81,7 @@ def _begin(assembly, simulation):
 
 
 def _frames(assembly):
-    return FOUND + 1  # the first is the part as it stands
+    return FOUND + 1  # the first frame is the present placement
 
 
 def _show(assembly, frame):

@@ -24,7 +24,7 @@ def _box(doc, name, lengths, low):
 
 
 def make(doc):
-    """(sheet, crank, rod, slider, wall)."""
+    """Returns (sheet, crank, rod, slider, wall)."""
     sheet = doc.addObject("Spreadsheet::Sheet", "Drive")
     sheet.set("A1", "0")
     sheet.setAlias("A1", "angle")
@@ -46,9 +46,7 @@ def make(doc):
     ):
         obj.setExpression(name, text)
     for obj in (crank, rod):
-        obj.Placement = App.Placement(
-            V(), App.Rotation(V(0, 0, 1), 1)
-        )  # the axis about which it turns
+        obj.Placement = App.Placement(V(), App.Rotation(V(0, 0, 1), 1))  # sets the axis of the turn
     doc.recompute()
     return sheet, crank, rod, slider, wall
 

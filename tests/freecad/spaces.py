@@ -4,7 +4,7 @@ import FreeCAD as App
 
 
 def at(*base):
-    """The placement of a part that stands there and is not turned."""
+    """Returns the placement of a part at this position, without a turn."""
     return App.Placement(App.Vector(*base), App.Rotation())
 
 
@@ -16,7 +16,7 @@ def add_box(doc, name, size, base):
 
 
 def hidden_motion(doc, start, end, seconds=1):
-    """A straight motion between two places, which is not drawn."""
+    """Returns a straight motion between two placements. The motion is not drawn."""
     from sweptvolume.features import motion
 
     path = motion.motion_from_poses(doc, [0, seconds], [start, end])
@@ -25,7 +25,7 @@ def hidden_motion(doc, start, end, seconds=1):
 
 
 def swept_space(doc, part, path, resolution):
-    """The computed envelope of a part."""
+    """Returns the computed envelope of a part."""
     from sweptvolume.features import envelope
 
     doc.recompute()

@@ -35,15 +35,16 @@ def rows(case):
 
 
 def add_box(doc, name, place):
-    """A new box of FreeCAD's usual size (10 mm)."""
+    """Returns a new box of FreeCAD's default size (10 mm)."""
     obj = doc.addObject("Part::Box", name)
     obj.Placement = place
     return obj
 
 
 def hidden_link(doc, name, linked):
-    """Returns a link at the place of its object, for a change to use. FreeCAD 1.0 crashes if a document
-    is closed after the creation of a link was undone, so changes create none."""
+    """Returns a hidden link at the placement of its object, for a change to use. FreeCAD 1.0
+    crashes if a document is closed after the creation of a link was undone, so changes create
+    none."""
     link = doc.addObject("App::Link", name)
     link.LinkedObject, link.Placement = linked, linked.Placement
     link.Visibility = False
@@ -59,7 +60,10 @@ def put_into(group, obj, place=shift(0, 3)):
 class Table(Case):
     """Checks the state after each change and after its undo: a result may be up to date only if a fresh
     computation, in a copy of the document, gives the same. Subclasses provide the document, and rows()
-    their tests."""
+    their tests.
+
+    After an undo, the contents before the change replace a fresh computation. With SWEPT_LONG_TESTS,
+    everything is computed again there as well."""
 
     NEEDS_CORE = True
     #: name -> what a user does to the document.
@@ -151,8 +155,21 @@ class Table(Case):
             os.remove(path)
             shutil.rmtree(path + "1", ignore_errors=True)
 
-    def look(self, name):
-        fresh = self.fresh()
+    def shown(self):
+        """Returns {name: content} of all results if all are up to date, else None."""
+        if any(obj.Status != UP_TO_DATE for obj in self.results()):
+            return None
+        return {obj.Name: self.content(obj) for obj in self.results()}
+
+    def look_again(self, name, before):
+        """Like look(), after the change was undone. before: what shown() returned before the change."""
+        exact = "expression" not in name and not os.environ.get("SWEPT_LONG_TESTS")
+        self.look(name + ", undone", before if exact else None)
+
+    def look(self, name, fresh=None):
+        """fresh: what fresh() would return, if it is known."""
+        if fresh is None:
+            fresh = self.fresh()
         for obj in self.results():
             with self.subTest(change=name, result=obj.Name, status=obj.Status):
                 anew = fresh[obj.Name]
@@ -165,19 +182,19 @@ class Table(Case):
 
     def changed(self, name):
         """Makes a change, and undoes it."""
-        shown = {obj.Name: obj.Visibility for obj in self.doc.Objects}
+        shown, before = {obj.Name: obj.Visibility for obj in self.doc.Objects}, self.shown()
         self.doc.openTransaction(name)
         self.CHANGES[name](self.doc)
         self.doc.commitTransaction()
         self.doc.recompute()
         self.look(name)
-        if self.doc.UndoNames[0] == name:  # what is shown is not recorded at all
+        if self.doc.UndoNames[0] == name:  # changes of visibility alone are not recorded
             self.doc.undo()
         # FreeCAD's Undo changes neither the visibility of objects nor values set by an expression.
         for obj in self.doc.Objects:
             obj.Visibility = shown[obj.Name]
         self.doc.recompute()
-        self.look(name + ", undone")
+        self.look_again(name, before)
         if "expression" not in name:
             self.assertEqual(
                 {o.Name: o.Status for o in self.results() if o.Status != UP_TO_DATE}, {}

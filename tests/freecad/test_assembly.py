@@ -112,6 +112,6 @@ class Simulated(Case):
         path.Interpolation = "Screw"
         obj = self.envelope([self.arm], path, Resolution=64)
         envelope.compute(obj)
-        # The rectangle, and the sector of its diagonal.
+        # Area: the rectangle of the arm, plus the sector that its diagonal sweeps.
         true = 10 * (20 * 10 + (20**2 + 10**2) * SPEED / 2)
         self.assertAlmostEqual(obj.Volume.Value, true, delta=0.01 * true)

@@ -20,7 +20,8 @@ from sweptvolume.panels import tasks
 
 
 class FailingTask(runner.Task):
-    """Adds an object. Fails at one place before; calls fail() only after work()."""
+    """Adds an object. Raises an error in the method with the name `place`. For "fail", work() also
+    raises one, so that fail() is called."""
 
     title = "Failing"
 

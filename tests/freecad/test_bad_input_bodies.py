@@ -46,7 +46,7 @@ class BadBodies(BadCase):
 
     def test_bad_input_09_non_manifold(self):
         vertices, triangles = self.box_arrays()
-        two = np.vstack([vertices, vertices + [10, 10, 0]])  # share an edge
+        two = np.vstack([vertices, vertices + [10, 10, 0]])  # the boxes share an edge
         part = self.net(two, np.vstack([triangles, triangles + 8]))
         up = motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(0, 0, 20)])
         self.accepted(part, up, "NonManifoldEdges")
@@ -81,8 +81,8 @@ class BadBodies(BadCase):
 
         obj = self.accepted(self.box(), from_place(1e6, -2e6, 3e6))
         self.assertAlmostEqual(obj.Volume.Value, 4000, delta=40)
-        # FreeCAD stores single precision, a quarter of a millimetre there. So its mesh has local
-        # coordinates.
+        # In single precision, coordinates this far out are a quarter of a millimetre apart. So the mesh
+        # has local coordinates.
         self.assertAlmostEqual(obj.Mesh.Volume, 4000, delta=40)
         self.assertAlmostEqual(obj.Mesh.BoundBox.YMin, -2e6, delta=1)
         obj.Motion = from_place(4e9, 0, 0)

@@ -39,8 +39,7 @@ class Clearance(Neighbours):
         )
 
     def test_parts_that_others_use_are_neighbours_too(self):
-        # An expression, a second envelope and a link refer to it: it still exists, and still is a
-        # neighbour.
+        # An expression, an envelope and a link refer to `far`. It is still a neighbour.
         self.far.setExpression("Placement.Base.z", "Wall.Height - 10 mm")
         envelope.make_envelope(self.doc, [self.far], self.path)
         link = self.doc.addObject("App::Link", "Copy")
@@ -57,7 +56,7 @@ class Clearance(Neighbours):
         clearance.compute(obj)
         names = [row["name"] for row in clearance.report_of(obj)["neighbours"]]
         self.assertTrue({"Copy", "Far", "Inner", "Wall"}.issubset(names), names)
-        self.assertEqual(len(names), 6, names)  # and the two of the row, each once
+        self.assertEqual(len(names), 6, names)  # also the two elements of the row, each once
 
     def test_hidden_parts_are_left_out_and_chosen_ones_taken(self):
         self.far.Visibility = False

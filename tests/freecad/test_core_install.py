@@ -78,7 +78,7 @@ class Installing(unittest.TestCase):
 
         def refuse(source, target, move=os.replace):
             moves.append(source)
-            if len(moves) == 5:  # three old ones away, one new one in
+            if len(moves) == 5:  # after three old parts were moved away and a new one was moved in
                 raise OSError(28, "No space left on device")
             move(source, target)
 

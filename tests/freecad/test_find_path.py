@@ -16,7 +16,8 @@ class Paths(Case):
     NEEDS_CORE = True
 
     def channel(self, group=None, size=10.0):
-        """Makes a cube between two walls, on a floor. more() adds the same below a group."""
+        """Makes a cube between two walls, 1 mm above a floor, all in `group` if it is given.
+        Returns (cube, walls)."""
         part = self.box("Cube", size)
         walls = []
         for name, sizes, at in (
@@ -164,7 +165,8 @@ class Paths(Case):
         self.assertEqual(len(self.doc.Objects), known)
 
     def wayward(self, **settings):
-        """A motion passes through a post that stands in the channel; the improved one goes around it."""
+        """Makes a motion through a post that stands in the channel; an improved one must go around it.
+        Returns (motion, pairs of its parts)."""
         part, walls = self.channel()
         post = self.doc.addObject("Part::Box", "Post")
         post.Length = post.Width = post.Height = 4

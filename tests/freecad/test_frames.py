@@ -43,7 +43,8 @@ class Frames(Case):
         self.assertEqual(path.Interpolation, "Screw")
         obj = self.envelope([self.bar], path, Resolution=100)
         envelope.compute(obj)
-        # A quarter of a disc, and the width of the bar before and behind it.
+        # Area: a quarter of a disc whose radius is the diagonal of the bar, and half of the bar at
+        # each end.
         exact = 5 * (math.pi / 4 * (60**2 + 5**2) + 2 * 60 * 5 / 2)
         self.assertAlmostEqual(obj.Volume.Value, exact, delta=0.01 * exact)
         self.assertNotIn("are large: near", obj.Message)
@@ -63,7 +64,7 @@ class Frames(Case):
         self.doc.recompute()
         clearance.compute(check)
         self.assertIn("are large: near", check.Message)
-        path.SourceType = "Stored"  # keys are what they are
+        path.SourceType = "Stored"  # poses of keys are not judged
         self.doc.recompute()
         envelope.compute(obj)
         self.assertNotIn("are large: near", obj.Message)

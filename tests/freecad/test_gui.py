@@ -44,7 +44,7 @@ def test_icons_are_drawn_without_the_plug_ins_for_svg():
     script = "; ".join(["set -e"] + ["mount -t tmpfs none " + f for f in folders] + ['exec "$@"'])
     mapped = (
         ["--map-root-user"] if os.geteuid() else []
-    )  # root needs it not, and in a chroot it is refused
+    )  # root does not need it, and a chroot refuses it
     apart = ["unshare", "--mount"] + mapped + ["sh", "-c", script, "sh"]
     if not folders or subprocess.run(apart + ["true"], capture_output=True).returncode:
         pytest.skip("Qt has no such plug-ins here, or this user may not mount anything")
@@ -64,7 +64,7 @@ def _run(scenario, before=()):
         environment = dict(os.environ, FREECAD_USER_HOME=home)
         environment.pop("DISPLAY", None)
         environment.pop("PYTHONPATH", None)
-        display = str(100 + os.getpid() % 800)  # two of these may run side by side
+        display = str(100 + os.getpid() % 800)  # two test runs may overlap
         screen = ["-a", "-n", display, "-s", "-screen 0 1400x900x24"]
         command = ["xvfb-run"] + screen + list(before) + [_freecad()]
         done = subprocess.run(
@@ -72,9 +72,9 @@ def _run(scenario, before=()):
             env=environment,
             stdin=subprocess.DEVNULL,
             capture_output=True,
-            encoding="utf-8",  # the locale of this process is FreeCAD's business
+            encoding="utf-8",  # whatever the locale of this process is
             errors="replace",
-            timeout=900,  # ends what hangs, on a machine that is busy as well
+            timeout=900,  # s, for runs that hang; long enough for a busy machine
         )
     print(done.stdout[-4000:])
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]

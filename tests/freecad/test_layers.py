@@ -30,7 +30,8 @@ LEVEL = {name: i for i, names in enumerate(ORDER) for name in names}
 
 
 def imports(path):
-    """(module, names) of every import statement, relative ones made absolute."""
+    """Yields (module, node) for each module that is imported; relative imports are made
+    absolute."""
     package = os.path.relpath(os.path.dirname(path), HERE).replace(os.sep, ".").strip(".")
     with open(path, encoding="utf-8") as file:
         tree = ast.parse(file.read())
@@ -116,7 +117,8 @@ class Layers(unittest.TestCase):
                     self.assertIn(alias.name, known, text)
 
     def test_what_is_asked_of_a_module_is_there(self):
-        """Each `module.name` exists in which `module` was imported from a package of the workbench."""
+        """Each `module.name` in the code exists, where `module` was imported from a package of the
+        workbench."""
         for path, _ in modules():
             with open(path, encoding="utf-8") as file:
                 tree = ast.parse(file.read())

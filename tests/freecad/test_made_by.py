@@ -108,7 +108,7 @@ class MadeBy(Case):
         self.assertRegex(made_by.text_of(answer), r"^Face\d of .*, at \d+\.\d\d\d s\n")
 
     def test_two_motions(self):
-        """An envelope around two envelopes has the records of both."""
+        """The outer surface of two envelopes has the records of both."""
         one, two = self.box("One"), self.box("Two")
         two.Placement = shift(0, 5, 0)
         first = self.line(30)

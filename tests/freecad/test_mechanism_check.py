@@ -71,7 +71,7 @@ class Motions(SliderCrank):
             found, notes = joint_motions.of_source(self.doc, self.source(5))
         finally:
             motion.sources.driven.Handle.set = keep
-        self.assertEqual(runs, [0.0, 90.0, 180.0, 270.0, 360.0, "0"])  # "0" puts it back
+        self.assertEqual(runs, [0.0, 90.0, 180.0, 270.0, 360.0, "0"])  # "0" restores it
         self.assertEqual(notes, [])
         self.assertEqual([m.SourceObjects[1].Name for m in found], ["Crank", "Rod", "Slider"])
         self.assertEqual([m.Label for m in found][0], "Motion of Crank")
@@ -287,7 +287,7 @@ class Kept(SliderCrank):
         told = {pair_rules.label_of(pair): rule.text() for pair, rule in found.items()}
         self.assertEqual(sorted(told), ["Crank - Rod", "Rod - Slider"])
         for text in told.values():
-            self.assertAlmostEqual(float(text.split(":")[1]), 0.55, delta=0.02)  # 0.5 and a tenth
+            self.assertAlmostEqual(float(text.split(":")[1]), 0.55, delta=0.02)  # 0.5 mm + 10 %
         plan.pair_rules = found
         report = mechanism.work(plan.request(), core.Control()).report
         verdicts = {p["first"] + " - " + p["second"]: p["clearance"] for p in report["pairs"]}

@@ -165,7 +165,8 @@ class MotionFile(Case):
     NEEDS_CORE = True
 
     def test_poses_with_one_time_keep_their_order_as_in_the_core(self):
-        """The part moves on between two motions: its placement at a time is that of the last motion."""
+        """Two poses have the same time. The part moves between them; its placement at this time is
+        the last."""
         places = [shift(), shift(10), shift(10, 20), shift(30, 20)]
         obj = motion.motion_from_poses(self.doc, [0, 1, 1, 2], places)
         hull = self.envelope([self.box()], obj, CellSize=0.5)

@@ -73,7 +73,7 @@ class Moving(Case):
         control = core.Control()
         control.enter(1, 3)
         control.cancel()
-        control.enter(2, 3)  # the next part hears of it as well
+        control.enter(2, 3)  # the next part is cancelled as well
         with self.assertRaises(core.CoreError) as caught:
             envelope.compute(obj, control)
         self.assertEqual(caught.exception.status, "Cancelled")

@@ -74,7 +74,7 @@ class Renamed(Case):
     def test_expressions_go_with_them(self):
         own = self.expressions("Clearance")
         self.assertEqual(set(own), {"RequiredDistance", "MeshDeflection"})
-        self.assertRegex(own["RequiredDistance"], r"^Values.length \* 1 ?mm$")  # 1.0 writes 1 mm
+        self.assertRegex(own["RequiredDistance"], r"^Values.length \* 1 ?mm$")  # FreeCAD 1.0: 1 mm
         self.assertRegex(own["MeshDeflection"], r"^\.?RequiredDistance / 100$")
         others = self.expressions("Gauge")
         self.assertRegex(others["Length"], r"RequiredDistance \+ Sequence\.ReleaseDistance$")

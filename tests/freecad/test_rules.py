@@ -80,13 +80,13 @@ class Rules(Neighbours):
         obj = self.made()
 
         def hash_with(rules):
-            plan = clearance.Plan.of(obj)  # looks at its inputs once
+            plan = clearance.Plan.of(obj)  # reads its inputs once
             plan.rules = rules
             return plan.hash()
 
         now = hash_with({})
         self.assertEqual(clearance.Plan.of(obj).hash(), now)
-        self.assertEqual(hash_with({(self.wall, ""): Rule()}), now)  # says nothing
+        self.assertEqual(hash_with({(self.wall, ""): Rule()}), now)  # a default rule
         self.assertNotEqual(hash_with({(self.wall, ""): Rule(length=5.0)}), now)
 
     def test_results_of_before_there_were_rules_open_as_they_were(self):

@@ -89,7 +89,7 @@ class BeforePivots(Case):
 
 
 class Stored(Case):
-    """documents/results_of_before.FCStd, made by make_results_of_before.py."""
+    """Results in documents/results_of_before.FCStd, which make_results_of_before.py made."""
 
     NEEDS_CORE = True
     HERE = os.path.join(os.path.dirname(os.path.realpath(__file__)), "documents")

@@ -86,8 +86,8 @@ class Shared(Case):
             self.assertGreater(exact, 100)
             obj = self.make([one], [other], MeshDeflection=0.01)
             shared.compute(obj)
-            # A polygon in a circle of radius r, with chords of height d: its area is smaller by a share
-            # of 4/3 d/r.
+            # A polygon in a circle of radius r, with chords of height d: its area is smaller by the
+            # fraction 4/3 d/r.
             lacks = 1 - obj.Volume.Value / exact
             self.assertGreater(lacks, 0)
             self.assertLess(lacks, 4 / 3 * 0.01 * (1 / 5 + 1 / 6))
@@ -135,7 +135,7 @@ class Shared(Case):
         self.assertEqual(obj.Status, UP_TO_DATE)
         obj.Placement = shift(0, 0, 5)
         self.doc.recompute()
-        self.assertEqual(obj.Status, STALE)  # it is not where both are
+        self.assertEqual(obj.Status, STALE)  # the result was moved away from its sides
         shared.compute(obj)
         self.assertAlmostEqual(obj.Mesh.BoundBox.ZMin, 1, 5)
         self.doc.undo()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A solid has the stored bytes whether the core's OpenCASCADE judges it or FreeCAD's; so the core of a wheel,
-which has none, is compared with the others. SWEPT_STORE_HASHES=1 stores the bytes again."""
+"""Solids have the stored bytes, whether the core's OpenCASCADE or FreeCAD's judges them. So a core
+from a wheel, which has no OpenCASCADE, can be compared with the others. SWEPT_STORE_HASHES=1 stores
+the bytes again."""
 import hashlib
 import math
 import os
@@ -19,14 +20,16 @@ sys.path.append(os.path.dirname(core.module().__file__))  # the package lies bes
 import swept_volume as swept  # noqa: E402
 
 STORED = pathlib.Path(__file__).with_name("solid_hashes.txt")
-#: OpenCASCADE cuts its edges, since the curves that it computes in the parameters of a sphere leave the edges
-#: between the points at which a reader measures. A reader of a text cannot tell.
+#: Case whose edges OpenCASCADE cuts. The curves that it computes in the parameter plane of a sphere
+#: deviate from the edges between the points that a reader measures. So a reader does not notice
+#: this.
 CUT_BY_THE_KERNEL = "ball"
 
 
 def grid(around, along, at, closed):
-    """The mesh of a surface of revolution: point at(angle, j), rounded, so that no last digit of a sine
-    counts; open in j unless closed."""
+    """Returns the mesh (points, triangles) of a surface of revolution with the points at(angle, j).
+    They are rounded, so that the last digit of a sine does not matter. The grid is open in j unless
+    closed."""
     points = [
         [round(x, 9) for x in at(2 * math.pi * i / around, j)]
         for i in range(around)
@@ -42,7 +45,7 @@ def grid(around, along, at, closed):
 
 
 def capped(around, along, points, triangles, low, high):
-    """Closes a grid that is open in j with two points."""
+    """Closes a grid that is open in j with two points. Returns (points, triangles)."""
     n = len(points)
     for i in range(around):
         a, b = i * along, (i + 1) % around * along
@@ -60,7 +63,7 @@ def torus(radius, minor, around, along):
 
 
 def cone(low, high, height, around):
-    """A cylinder if both radii are equal."""
+    """Returns the mesh of a truncated cone; of a cylinder if both radii are equal."""
 
     def at(u, j):
         return (high if j else low) * math.cos(u), (high if j else low) * math.sin(u), j * height
@@ -85,7 +88,7 @@ def box(*size):
 
 
 def both(one, other, way):
-    """Two bodies, the other moved along x."""
+    """Returns two bodies as one mesh, the other one moved along x."""
     n = len(one[0])
     moved = [[x + way, y, z] for x, y, z in other[0]]
     return one[0] + moved, one[1] + [[a + n, b + n, c + n] for a, b, c in other[1]]
@@ -93,7 +96,7 @@ def both(one, other, way):
 
 SLIDE = ([0, 1], [[0, 0, 0, 1]] * 2, [[0, 0, 0], [30, 4, 0]])
 TURN = ([0, 1], [[0, 0, 0, 1], [0, 0, 0.28, 0.96]], [[0, 0, 0], [20, 0, 5]])
-#: name -> (mesh, tolerance, motion of the mesh if the solid is of its envelope)
+#: name -> (mesh, tolerance, motion). With a motion, the solid is that of the envelope of the mesh.
 CASES = {
     "box": (box(3, 2, 1), 0, None),
     "cylinder": (cone(4, 4, 12, 96), 0.02, None),
@@ -111,7 +114,8 @@ CASES = {
 
 
 def written(name, path, reader):
-    """(hash of the data of the STEP file, report). The header has the time."""
+    """Returns (hash of the data of the STEP file, report). The hash leaves out the header with its
+    time."""
     (vertices, triangles), tolerance, motion = CASES[name]
     body = swept.Mesh(np.array(vertices, float), np.array(triangles, np.int32))
     options = {"tolerance": tolerance, "reader": reader}

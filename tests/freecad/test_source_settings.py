@@ -97,7 +97,7 @@ class Settings(Made):
 
 
 class Files(Case):
-    NEEDS_CORE = True  # it reads them
+    NEEDS_CORE = True  # the core reads them
 
     def test_another_unit_of_the_file_makes_the_poses_stale(self):
         path = self.file("a.csv", "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,1,0,0,0,0,0,1\n")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""States of all kinds of results. Each function marked `change` changes one input. Afterwards a result may
-be up to date only if a fresh computation gives the same; the test computes it in a copy of the document.
+"""States of all kinds of results. Each function marked `change` changes one input. Afterwards a
+result may be up to date only if a fresh computation gives the same result; the test computes it in
+a copy of the document.
 """
 import os
 
@@ -445,7 +446,7 @@ class External(Case):
             other.recompute()
             self.doc.recompute()
             self.assertEqual((obj.Status, check.Status), (status, status))
-        part.Placement = shift(0, 5)  # a link has its own
+        part.Placement = shift(0, 5)  # a link has its own placement
         other.recompute()
         self.doc.recompute()
         self.assertEqual((obj.Status, check.Status), (UP_TO_DATE, UP_TO_DATE))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """States of mechanism checks, sequences, shared volumes, studies and records of what made an envelope, whose
 parts, neighbours and values are in another document. After each change, in either document, a result may be
-up to date, and show what it shows, only if a fresh computation gives the same.
+up to date, and show what it shows, only if a fresh computation gives the same result.
 """
 import os
 
@@ -17,7 +17,7 @@ from table_case import add_box, changes, put_into, rows
 CHANGES, change = changes(COMMON_CHANGES)
 
 
-# --- there
+# --- changes in the other document
 
 
 @change
@@ -62,7 +62,7 @@ def the_block_is_in_a_group_there(doc):
     put_into(other.addObject("App::Part", "Outer"), other.Block)
 
 
-# --- here
+# --- changes in this document
 
 
 @change
@@ -153,7 +153,7 @@ class AcrossDocuments(OtherDocumentTable):
         doc.save()
 
     def make_other(self):
-        """Elsewhere.FCStd."""
+        """Creates the document Elsewhere."""
         other = App.newDocument("Elsewhere")
         other.UndoMode = 1
         for name in ("Part", "Wall"):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""States of checks whose moving parts and neighbours are link arrays, groups of links and plain groups, with
-hidden members. After each change, a check may be up to date only if a fresh computation gives the same.
-gui/shown.py compares the parts that a check uses with those that FreeCAD draws.
+"""States of checks whose moving parts and neighbours are link arrays, groups of links and plain
+groups, with hidden members. After each change, a check may be up to date only if a fresh
+computation gives the same result. gui/shown.py compares the parts that a check uses with those that
+FreeCAD draws.
 """
 import FreeCAD as App
 import numpy as np
@@ -154,7 +155,8 @@ class StatesOfArrays(Table):
         self.look("nothing")
 
     def seen(self):
-        """Computes again which parts the check with all visible parts names, and where they are."""
+        """Computes the check with all visible parts again. Returns the places of the parts that it
+        names."""
         clearance.compute(self.doc.Clearance)
         return {tuple(r["place"]) for r in clearance.report_of(self.doc.Clearance)["neighbours"]}
 

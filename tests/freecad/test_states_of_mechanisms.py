@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """States of a mechanism check. After each change of the table, it may be up to date only if a fresh
-computation gives the same.
+computation gives the same result.
 """
 from case import V, shift, turn
 from sweptvolume.features import mechanism

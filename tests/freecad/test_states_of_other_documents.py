@@ -4,7 +4,7 @@
 The inputs are parts, neighbours, wires, envelopes and values. Each function marked `change` makes one
 change: to an input, in either document, or to the other document itself, which is closed, changed while
 it is closed, saved under another name or renamed. A result may be up to date afterwards only if a fresh
-computation gives the same.
+computation gives the same result.
 """
 import os
 import time
@@ -21,12 +21,12 @@ from table_case import add_box, changes, put_into, rows
 CHANGES, change = changes(COMMON_CHANGES)
 
 
-# --- there
+# --- changes in the other document
 
 
 @change
 def the_part_moves_there(doc):
-    elsewhere().Part.Placement = shift(0, 5)  # a link has a place of its own
+    elsewhere().Part.Placement = shift(0, 5)  # a link has its own placement
 
 
 @change
@@ -99,7 +99,7 @@ def something_new_there(doc):
     add_box(elsewhere(), "Fresh", shift(0, 0, 90))
 
 
-# --- here
+# --- changes in this document
 
 
 @change
@@ -185,7 +185,7 @@ class OtherDocuments(OtherDocumentTable):
         doc.save()
 
     def make_other(self):
-        """Elsewhere.FCStd."""
+        """Creates the document Elsewhere."""
         other = App.newDocument("Elsewhere")
         other.UndoMode = 1
         self.file_there = os.path.join(self.folder, "Elsewhere.FCStd")

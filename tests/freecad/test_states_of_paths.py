@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """States of paths, of checks and envelopes along them, and of the records of what made each triangle. After
-each change of the table, a result may be up to date only if a fresh computation gives the same.
+each change of the table, a result may be up to date only if a fresh computation gives the same result.
 """
 from case import V, shift, turn
 from sweptvolume.features import clearance, envelope, made_by, path_plan

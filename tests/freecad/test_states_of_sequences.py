@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""States of sequences after each change of a part, a neighbour, a motion or a rule. A sequence may be up to
-date only if a fresh check of its motions gives the same. The names in its messages, the order, and the times
-at which its parts are played must be those of the document.
+"""States of sequences after each change of a part, a neighbour, a motion or a rule. A sequence may
+be up to date only if a fresh check of its motions gives the same result. The names in its messages,
+the order, and the times at which its parts are played must be those of the document.
 """
 import FreeCAD as App
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """States of shared volumes: of parts, of a moving part at one time, of envelopes and links. After each
-change of the table, a result may be up to date only if a fresh computation gives the same.
+change of the table, a result may be up to date only if a fresh computation gives the same result.
 """
 import FreeCAD as App
 

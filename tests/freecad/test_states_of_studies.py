@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """States of studies. After each change of an input, in the document or in a file, a study may be up to date
-only if a fresh computation gives the same.
+only if a fresh computation gives the same result.
 """
 import os
 import shutil
@@ -313,7 +313,8 @@ motion = "near.csv"
         return [(r["run"], r["state"], r.get("distance")) for r in study.report_of(other)["runs"]]
 
     def test_every_file(self):
-        """After a change it is not up to date; after the change is reversed it is again."""
+        """After a change of a file the study is not up to date. After the change is reversed, it is
+        again."""
         text = self.TEXT
         for name, change, refused in (
             ("near.csv", lambda path: self.file("near.csv", motion_text(33)), False),

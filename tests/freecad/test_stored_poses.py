@@ -140,7 +140,8 @@ class KeptPoses(Case):
         self.assert_told()
 
     def assert_told(self):
-        """Returns the numbers of all motions."""
+        """Checks that the stored poses of all motions equal those that FreeCAD gives. Returns the
+        words of all motions."""
         found = [obj for obj in self.doc.Objects if motion.is_motion(obj)]
         self.assertTrue(found)
         for obj in found:
@@ -158,7 +159,7 @@ class KeptPoses(Case):
 
 
 class _ByLabel:
-    """A document whose linked motion has this name."""
+    """A document in which the attribute Linked is the given motion."""
 
     def __init__(self, doc, linked):
         self._doc, self.Linked = doc, linked
@@ -169,7 +170,7 @@ class _ByLabel:
 
 class Reading(Case):
     def long_motion(self, count=3000):
-        """Archives of more than one block."""
+        """Returns a motion whose archive has more than one block."""
         rng = random.Random(7)
         places = [
             App.Placement(

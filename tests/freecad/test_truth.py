@@ -70,7 +70,7 @@ class Lost(Scene):
         self.assertIn('"Wire" was deleted', path.Status)
         self.assertEqual(self.swept.Status, envelope.FAILED)
         self.assertIn('"Wire" was deleted', self.swept.Message)
-        motion.make_stored(path)  # the poses it has are its own from now on
+        motion.make_stored(path)  # the motion keeps its poses, without a source
         self.doc.recompute()
         self.assertEqual(self.swept.Status, envelope.UP_TO_DATE)
         self.doc.removeObject(self.swept.Name)
@@ -107,7 +107,7 @@ class Placed(Scene):
         self.assert_states(envelope.UP_TO_DATE, envelope.STALE, envelope.UP_TO_DATE)
 
     def test_a_solid_that_failed_says_so_until_its_inputs_change(self):
-        self.body.MaxFaces = 1  # no solid has as few
+        self.body.MaxFaces = 1  # every solid has more
         self.doc.recompute()
         with self.assertRaises((core.CoreError, InputProblem)):
             solid.compute(self.body)
@@ -137,7 +137,7 @@ class Edges(Case):
         largest = max(edge.Tolerance for edge in body.Shape.Edges)
         self.assertAlmostEqual(body.EdgeTolerance.Value, largest, 12)
         self.assertEqual("the gap between two faces" in body.Message, largest > 0.3)
-        body.EdgeTolerance = 1.25  # as one was seen
+        body.EdgeTolerance = 1.25  # a value that occurred in practice
         self.doc.recompute()
         self.assertIn("1.25 mm", body.Message)
         self.assertNotIn("deviates", body.Message)
@@ -168,7 +168,7 @@ class Neighbours(Scene):
         self.wall.Visibility = False
         self.doc.recompute()
         self.assertEqual(self.check.Status, clearance.FAILED)  # nothing is left to be checked
-        self.wall.Placement = shift(75)  # hidden, and followed all the same
+        self.wall.Placement = shift(75)  # the check also follows hidden parts
         self.wall.Visibility = True
         self.doc.recompute()
         self.assertEqual(self.check.Status, clearance.STALE)

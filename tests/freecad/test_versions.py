@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Documents saved by one version of FreeCAD open in the others.
 
-Writes a document of its own, then looks at all in its folder. With SWEPT_DOCUMENTS=FOLDER several
-versions share one (.ci/matrix runs this test in each, and once more in the first).
+Writes a document, then opens all documents in its folder. With SWEPT_DOCUMENTS=FOLDER, several
+versions use the same folder (.ci/matrix runs this test in each, and once more in the first one).
 """
 import glob
 import json
@@ -23,7 +23,8 @@ class Versions(Case):
         os.makedirs(self.shared, exist_ok=True)
 
     def write(self):
-        """A document with a motion from a file, an envelope, a solid and a clearance, all computed."""
+        """Writes a document with a motion from a file, an envelope, a solid and a clearance check,
+        all computed."""
         table = self.file("m.csv", "0,0,0,0,0,0,0,1\n1,30,0,0,0,0,0,1\n")
         path = motion.motion_from_file(self.doc, table, "mm")
         second = motion.motion_from_poses(self.doc, [0, 2], [shift(), turn(60, base=shift(9).Base)])

@@ -31,8 +31,8 @@ class Wires(Case):
         return obj
 
     def assert_within(self, path, wire, accuracy):
-        """Checks both directions: the motion deviates from the wire by no more, and leaves out no part
-        of the wire."""
+        """Checks both directions: the motion deviates from the wire by at most `accuracy`, and leaves out
+        no part of the wire."""
         fine = [np.array([tuple(p) for p in e.discretize(Number=3000)]) for e in wire.Shape.Edges]
         own = np.array([tuple(place.Base) for place in path.Placements])
         # The fine pieces are chords themselves, each 1/3000 of an edge.
@@ -94,7 +94,7 @@ class Wires(Case):
     def test_directions_that_rounding_alone_tells_apart(self):
         helix = self.doc.addObject("Part::Helix", "Helix")
         for turns, orientation in itertools.product((1, 2, 4, 12), ("Fixed", "Tangent")):
-            # The same direction and the same side after each turn.
+            # Points one turn apart have the same tangent and lie above each other.
             helix.Pitch, helix.Height, helix.Radius = 10, 10 * turns, 20
             self.doc.recompute()
             path = motion.motion_from_source(

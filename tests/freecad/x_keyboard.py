@@ -33,7 +33,7 @@ def entry(name):
     return ["Alt_L+s"] + ["Down"] * len(steps) + ["Return"]
 
 
-#: s in which a key must reach the window, also on a busy machine.
+#: Longest time (s) in which a key must reach the window, also on a busy machine.
 LATE = 2.0
 
 
@@ -106,7 +106,7 @@ class Keyboard:
         yield 0.2
 
     def tab_to(self, name, key="Tab"):
-        """A generator that presses Tab until the field with this name has the keyboard."""
+        """A generator that presses Tab until the field with this name has the keyboard focus."""
         passed = []
         while focused() != name:
             passed.append(focused())
@@ -136,7 +136,7 @@ def keyboard_or_leave():
 
 
 def focused():
-    """Returns the name of the field that has the keyboard."""
+    """Returns the name of the widget that has the keyboard focus."""
     widget = QtWidgets.QApplication.focusWidget()
     return (widget.objectName() or widget.metaObject().className()) if widget else None
 
@@ -147,7 +147,7 @@ def chosen_in_tree(keyboard, *labels):
     assert focused() == "Gui::TreeWidget", focused()
     tree = QtWidgets.QApplication.focusWidget()
     for number, label in enumerate(labels):
-        held = "Control_L+" if number else ""  # with it the others stay chosen
+        held = "Control_L+" if number else ""  # keeps the others selected
         for key, ends in (("Up", ()), ("Down", (label,))):
             before = ""
             while tree.currentItem() is None or tree.currentItem().text(0) not in (before, *ends):

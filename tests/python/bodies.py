@@ -4,7 +4,7 @@ import numpy as np
 
 
 def box(low, high):
-    """Vertices (8, 3), triangles (12, 3), outward."""
+    """Returns a box: vertices (8, 3), triangles (12, 3), facing outward."""
     axes = [(low[i], high[i]) for i in range(3)]
     vertices = np.array([[x, y, z] for x in axes[0] for y in axes[1] for z in axes[2]], float)
     quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
@@ -12,7 +12,7 @@ def box(low, high):
 
 
 def prism(sides, radius, height, taper=1.0):
-    """Prism or, with another taper, a frustum round the z axis."""
+    """Returns a prism round the z axis; with another taper a frustum."""
     angle = 2 * np.pi * np.arange(sides) / sides
     ring = np.stack([np.cos(angle), np.sin(angle)], axis=1) * radius
     low = np.column_stack([ring, np.zeros(sides)])
@@ -27,7 +27,7 @@ def prism(sides, radius, height, taper=1.0):
 
 
 def torus(ring, tube, around, across):
-    """Torus round the z axis."""
+    """Returns a torus round the z axis."""
     u, v = np.meshgrid(
         2 * np.pi * np.arange(around) / around, 2 * np.pi * np.arange(across) / across,
         indexing="ij",
@@ -45,7 +45,7 @@ def torus(ring, tube, around, across):
 
 
 def ball(radius, around=16, across=8):
-    """Ball of parallels and meridians."""
+    """Returns a ball with vertices on parallels and meridians."""
     rows = [[(0.0, 0.0, -radius)]]
     for k in range(1, across):
         polar = -np.pi / 2 + np.pi * k / across
@@ -74,14 +74,14 @@ def ball(radius, around=16, across=8):
 
 
 def joined(*parts):
-    """Several bodies as one list of triangles."""
+    """Returns several bodies as one mesh."""
     vertices = np.vstack([v for v, _ in parts])
     starts = np.cumsum([0] + [len(v) for v, _ in parts[:-1]])
     return vertices, np.vstack([t + start for start, (_, t) in zip(starts, parts)])
 
 
 def rotation(axis, degrees):
-    """3 x 3 matrix."""
+    """Returns the 3 x 3 matrix of a turn about an axis."""
     x, y, z = np.asarray(axis, float) / np.linalg.norm(axis)
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
@@ -89,7 +89,7 @@ def rotation(axis, degrees):
 
 
 def frame(axis, degrees, shift):
-    """4 x 4 matrix."""
+    """Returns the 4 x 4 matrix of a turn about an axis through the origin, followed by a shift."""
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = rotation(axis, degrees), shift
     return matrix

@@ -75,8 +75,8 @@ STUDY = (
 
 @pytest.fixture
 def folder(tmp_path):
-    """Folder of the inputs: a part that moves 50 mm along x, a wall beside its path, and a part with
-    which it overlaps."""
+    """Makes the folder of the inputs: a part that moves 50 mm along x, a wall beside its path, and
+    a part with which it overlaps."""
     parts = {
         "part": block([-1, -1, -1], [1, 1, 1]),
         "wall": block([-5, 3, -5], [60, 5, 5]),

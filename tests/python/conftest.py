@@ -23,7 +23,7 @@ def root():
 
 @pytest.fixture(scope="session")
 def program():
-    """The command line program."""
+    """Returns the path of the command line program."""
     path = BUILD / "bin" / "swept"
     assert path.exists(), f"{path} is missing: build first (cmake --build {BUILD})"
     return str(path)
@@ -31,7 +31,7 @@ def program():
 
 @pytest.fixture(scope="session")
 def shared():
-    """Folder of real meshes and motions beside the checkout."""
+    """Returns the folder of real meshes and motions beside the checkout."""
     if not SHARED.is_dir():
         pytest.skip(f"shared inputs are not here: {SHARED}")
     return SHARED
@@ -39,7 +39,7 @@ def shared():
 
 @pytest.fixture
 def box():
-    """Box 10 x 20 x 30 mm: vertices, triangles."""
+    """Returns a box of 10 x 20 x 30 mm: vertices, triangles."""
     vertices = np.array([[x, y, z] for x in (0, 10) for y in (0, 20) for z in (0, 30)], float)
     quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     triangles = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
@@ -48,12 +48,12 @@ def box():
 
 @pytest.fixture
 def still():
-    """A motion of one pose: the part does not move."""
+    """Returns a motion of one pose: the part does not move."""
     return np.zeros(1), np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 3))
 
 
 @pytest.fixture
 def slide():
-    """Two poses, 50 mm apart along x, one second."""
+    """Returns a motion of 50 mm along x in one second: two poses."""
     translations = np.array([[0.0, 0.0, 0.0], [50.0, 0.0, 0.0]])
     return np.array([0.0, 1.0]), np.tile([0.0, 0.0, 0.0, 1.0], (2, 1)), translations

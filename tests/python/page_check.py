@@ -45,7 +45,7 @@ def check_alone(text):
 
 
 def data(text, name):
-    """The JSON of a script element."""
+    """Returns the JSON value in a script element."""
     found = re.search(rf'<script type="application/json" id="{name}">(.*?)</script>', text, re.S)
     return json.loads(found[1])
 
@@ -61,7 +61,7 @@ def steady(report):
 
 
 def cells(text, section):
-    """The texts of a section's table, row by row."""
+    """Returns the texts of a section's table, row by row."""
     for element in parsed(text).iter():
         if element.get("id") == section:
             rows = [e for e in element.iter() if e.tag.endswith("}tr")]
@@ -70,7 +70,7 @@ def cells(text, section):
 
 
 def shown(part):
-    """Vertices (mm) and triangles of a part of the 3D view."""
+    """Returns the vertices (mm) and triangles of a part of the 3D view."""
 
     def numbers(key, kind):
         return np.frombuffer(base64.b64decode(part[key]), kind)

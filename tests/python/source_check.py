@@ -10,7 +10,7 @@ CAP, EDGE, GRAZE = range(3)
 
 
 def _rotations(vectors):
-    """Rotation vectors (n, 3), rad -> matrices (n, 3, 3), by Rodrigues' formula."""
+    """Converts rotation vectors (n, 3), rad, to matrices (n, 3, 3), by Rodrigues' formula."""
     angle = np.linalg.norm(vectors, axis=1)
     axis = vectors / np.where(angle > 0, angle, 1)[:, None]
     zero = np.zeros(len(axis))
@@ -21,7 +21,7 @@ def _rotations(vectors):
 
 
 def matrices_of(quaternions):
-    """x, y, z, w (n, 4) -> (n, 3, 3)."""
+    """Converts quaternions x, y, z, w (n, 4) to matrices (n, 3, 3)."""
     x, y, z, w = (quaternions / np.linalg.norm(quaternions, axis=1)[:, None]).T
     return np.array(
         [
@@ -72,7 +72,7 @@ def moved_back(points, sources, motion, steps_are_poses=False):
 
 
 def _to_segments(points, a, b):
-    """(n, m): distance of points (n, 3) to segments (m, 3) each."""
+    """Returns the distances (n, m) of points (n, 3) from the segments from a to b, (m, 3) each."""
     d = b - a
     along = np.einsum("nmk,mk->nm", points[:, None] - a, d) / np.maximum((d * d).sum(1), 1e-300)
     nearest = a + np.clip(along, 0, 1)[:, :, None] * d
@@ -80,7 +80,7 @@ def _to_segments(points, a, b):
 
 
 def to_triangles(points, corners):
-    """(n,): distance of points (n, 3) to the nearest of triangles (m, 3, 3)."""
+    """Returns the distances (n,) of points (n, 3) from the nearest of triangles (m, 3, 3)."""
     a, b, c = corners.transpose(1, 0, 2)
     normal = np.cross(b - a, c - a)
     normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
@@ -126,8 +126,9 @@ class BodyFaces:
 
 
 def residuals(points, sources, body, motion):
-    """Returns (n,): the distance (mm) of the point of each row of sources from the face or edge that it
-    names; inf if this does not exist or not at that time, nan if the row names none."""
+    """Returns (n,): the distance (mm) of the point of each row of sources from the face or edge
+    that the row names. inf if the body has no such face or edge, or if the time is not in the step;
+    nan if the row names none."""
     found = np.full(len(points), np.nan)
     known = np.nonzero(sources.kind >= 0)[0]
     rows = Rows(sources, known)

@@ -20,7 +20,7 @@ STILL = np.eye(4)[None]
 
 
 def slide(x=50.0, y=0.0, z=0.0):
-    """Two poses, one second apart."""
+    """Returns two poses as matrices. Without times, they are one second apart."""
     motion = np.tile(np.eye(4), (2, 1, 1))
     motion[1, :3, 3] = x, y, z
     return motion
@@ -28,8 +28,8 @@ def slide(x=50.0, y=0.0, z=0.0):
 
 @pytest.fixture
 def both(program, tmp_path):
-    """Runs body and motion through the module, and through files and the program. Both must end in the
-    same way. Returns the report."""
+    """Returns a function that runs body and motion through the module, and through files and the
+    program. Both must end in the same way. The function returns the report."""
 
     program_names = {"memory_limit_mb": "--memory-limit"}
 
@@ -295,8 +295,9 @@ def test_bad_input_26_memory_budget(both, box):
 
 
 def test_bad_input_26_plate_that_turns_often():
-    """The estimate is within the limit, but hundreds of copies that overlap are not. With
-    interpolation, the motion is followed less closely instead, and a finding says so."""
+    """The estimate is within the limit, but a run with hundreds of overlapping copies is not. With
+    interpolation, the run stays within the limit: it follows the motion less closely, and a finding
+    says so."""
     plate = bodies.box((-20, -20, -1), (20, 20, 1))
     motion = np.array([bodies.frame((1, 2, 3), a, (a / 40, 0, 0)) for a in range(0, 1440, 10)])
     run = _swept.RunContext(memory_limit_mb=100)
@@ -382,8 +383,9 @@ for backend in ("gpu", "auto"):
 
 @pytest.fixture
 def on_a_device(program, box, tmp_path):
-    """Runs a small job with backend gpu, then auto, in processes with this environment. Returns the two
-    lines of the module and the two reports of the program."""
+    """Returns a function that runs a small job with backend gpu, then auto, in processes with this
+    environment. The function returns the two lines of the module and the two reports of the
+    program."""
 
     def run(**environment):
         environment = {**os.environ, "PYTHONPATH": os.path.dirname(_swept.__file__), **environment}
@@ -447,7 +449,8 @@ BROKEN_TABLES = [
 
 @pytest.fixture
 def refused_table(program, box, tmp_path):
-    """The module and the program refuse a motion file with the same error. Returns it."""
+    """Returns a function that checks that the module and the program refuse a motion file with the
+    same error. The function returns the error."""
 
     def refuse(text):
         (tmp_path / "m.csv").write_bytes(text)
@@ -575,7 +578,8 @@ def test_bad_input_38_targets_of_the_module(tmp_path, box, name, code):
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 @pytest.mark.parametrize("limit, tolerance", [(100, 0.005), (8, 0)])
 def test_bad_input_39_too_many_faces(tmp_path, box, limit, tolerance):
-    """More faces than the limit, with the given tolerance or with the largest automatic one."""
+    """Tests solids with more faces than the limit, with the given tolerance or with the largest
+    automatic one."""
     turned = slide(20, 9, 4)
     turned[1, :3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
     result = _swept.compute(*box, turned, resolution=24)

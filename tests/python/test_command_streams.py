@@ -21,7 +21,7 @@ from test_reports import reproducible, validator  # noqa: F401
 def test_standard_output_has_the_bytes_of_the_file(run, folder, name):  # noqa: F811
     for output in RUNS[name].streams:
         option, file = output.split()
-        environment = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000"}  # of pages
+        environment = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000"}  # date of pages
         assert run(name, output, "-q", env=environment).returncode == RUNS[name].status
         done = run(name, option, "-", env=environment, text=False)
         assert done.returncode == RUNS[name].status and not (folder / "-").exists()
@@ -30,11 +30,12 @@ def test_standard_output_has_the_bytes_of_the_file(run, folder, name):  # noqa: 
 
 @EACH
 def test_inputs_come_from_pipes(run, folder, program, name):  # noqa: F811
-    """A pipe with the same name in another folder: the report must be that of the file."""
+    """Replaces each input by a pipe with the same name in another folder. The report must not
+    change."""
     command = RUNS[name]
     expected = json.loads(run(name, command.needed, "--report -").stdout)
     for input in command.inputs:
-        if name == "study":  # reads its files in several processes, and again
+        if name == "study":  # several processes read its files, more than once
             break
         (folder / "pipes").mkdir(exist_ok=True)
         os.mkfifo(folder / "pipes" / input)
@@ -71,7 +72,7 @@ def test_a_signal_ends_the_wait_for_a_pipe(folder, program, name):  # noqa: F811
 def long_words(folder, name):  # noqa: F811
     """Returns the arguments of a run that takes minutes."""
     write = _swept.write_mesh
-    if name in ("path", "sequence"):  # a bent part in a closed box: searched as long as it may be
+    if name in ("path", "sequence"):  # a bent part in a closed box: there is no path
         bent = joined(box((-3, -3, -3), (3, 3, -2)), box((-3, -3, -1.9), (-2, 3, 3)))
         write(folder / "part.ply", *bent)
         walls = [((-5, -5, -5), (5, 5, -4)), ((-5, -5, 4), (5, 5, 5)), ((-5, -5, -4), (5, -4, 4)),

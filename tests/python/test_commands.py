@@ -29,7 +29,7 @@ def test_every_command_is_here():
 @EACH
 def test_no_output_takes_the_place_of_an_input_or_another_output(run, folder, name):  # noqa: F811
     command = RUNS[name]
-    if name == "sequence":  # its outputs are files of a folder, called after the parts
+    if name == "sequence":  # its outputs are files of a folder, named after the parts
         (folder / "motions/part.csv").symlink_to(folder / "wall.ply")
         os.link(folder / "way.csv", folder / "motions/other.csv")
     os.link(folder / command.inputs[-1], folder / "hard.ply")
@@ -90,7 +90,7 @@ def test_reports_keep_the_schema_and_say_how_it_ended(run, folder, name, validat
         return
     again = report_of(command.status)
     for report in (first, again):
-        report.get("solid", {}).pop("file_bytes", None)  # with the date
+        report.get("solid", {}).pop("file_bytes", None)  # contains the date
     assert reproducible(again) == reproducible(first)
     (folder / command.inputs[0]).write_text("ply\nnothing")
     assert report_of(1)["status"] == "InvalidInput"
@@ -98,7 +98,8 @@ def test_reports_keep_the_schema_and_say_how_it_ended(run, folder, name, validat
 
 @EACH
 def test_what_cannot_be_written_is_named(run, folder, program, name, validator):  # noqa: F811
-    """Files whose size is limited: the report says so, and no incomplete file is left."""
+    """The size of files is limited: the report says that a file could not be written, and no
+    incomplete file is left."""
     before = sorted(contents(folder))
     for output in RUNS[name].outputs:
         if output.startswith("--report"):
@@ -131,7 +132,7 @@ def test_the_report_of_a_study_is_none_of_its_results(run, folder):  # noqa: F81
     for target in ("results/study.csv", "results/part way/x.json", "results/STUDY.json"):
         done = run("study", "--report", f"'{target}'")
         if target == "results/STUDY.json":
-            assert done.returncode in (0, 1, 2)  # another file where names differ by case
+            assert done.returncode in (0, 1, 2)  # a different file if names differ by case
             continue
         assert done.returncode == 2 and "SameFile" in done.stderr, done.stderr
     assert not (folder / "results/study.csv").exists() or run("study").returncode == 0

@@ -9,7 +9,7 @@ import _swept
 
 
 def ball(rings, radius=10.0):
-    """A sphere of rings x 2 rings quadrilaterals, closed."""
+    """Returns a closed sphere of rings x 2 rings quadrilaterals."""
     u = np.linspace(0, np.pi, rings + 1)[1:-1]
     v = np.linspace(0, 2 * np.pi, 2 * rings, endpoint=False)
     u, v = np.meshgrid(u, v, indexing="ij")

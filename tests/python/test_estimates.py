@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What estimates foresee against what runs take, over drawn inputs; and what the inputs are.
+"""Compares estimates with runs, over random inputs. Also tests these inputs.
 
 tests/tools/estimate_suite.py does this over all orders of size, which takes minutes.
 """
@@ -63,7 +63,7 @@ def test_far_off_estimates_would_be_found():
 
 
 def wobble(poses):
-    """The recorded positions of a part that hardly moves, and then moves 50 mm aside."""
+    """Returns the recorded motion of a part that hardly moves, and at the end moves 50 mm aside."""
     rng = np.random.default_rng(5)
     places = rng.normal(scale=1e-3, size=(poses, 3))
     places[-10:, 0] += np.linspace(5, 50, 10)

@@ -13,7 +13,7 @@ from test_program import call, inputs  # noqa: F401
 
 
 def slide(start, end, times=(0.0, 1.0), **options):
-    """A motion from start to end without a turn."""
+    """Returns a motion from start to end without a turn."""
     turn = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1))
     return sv.Motion(times, turn, [start, end], **options)
 
@@ -118,7 +118,8 @@ def test_the_program_writes_a_table(call, inputs):  # noqa: F811
 
 
 def test_bad_input_of_the_programs_is_named(call, inputs):  # noqa: F811
-    """A part as moving part and neighbour, missing motions, times that do not overlap."""
+    """Tests a part that is a moving part and a neighbour, missing motions, and times that do not
+    overlap."""
     part = ["box.ply", "--motion", "slide.csv"]
     done = call("clearance", *part, "box.ply", cwd=inputs)
     assert (

@@ -80,7 +80,7 @@ ARGUMENTS = (
 
 
 def browse(tmp_path, page, *words):
-    """Chromium's output for a page: (standard output, lines of the console)."""
+    """Returns Chromium's output for a page: (standard output, lines of the console)."""
     file = tmp_path / "page.html"
     file.write_text(page, encoding="utf-8")
     done = subprocess.run(
@@ -104,7 +104,8 @@ def acted(tmp_path, page, *words):
 
 
 def keep(tmp_path, name, page, *words):
-    """Takes a picture of the page if SWEPT_SCREENSHOTS is set."""
+    """Takes a picture of the page and returns its bytes. Keeps the file if SWEPT_SCREENSHOTS is
+    set."""
     folder = os.environ.get("SWEPT_SCREENSHOTS")
     picture = (pathlib.Path(folder) if folder else tmp_path) / f"{name}.png"
     browse(tmp_path, page, "--window-size=1100,2600", f"--screenshot={picture}", *words)

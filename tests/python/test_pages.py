@@ -98,7 +98,7 @@ def test_the_graph_shows_every_curve_and_the_required_distance(report, page):
     assert 0.2 * height < floor - required, "3 mm can be seen beside 37 mm"
     told = report["neighbours"][0]["curve"]
     assert len(points) == len(told)
-    for (_, y), (_, distance) in zip(points, told):  # below the line is below the distance
+    for (_, y), (_, distance) in zip(points, told):  # below the line: too near
         assert (y >= required - 0.1) == (distance <= 3 + 0.02)
     assert points == sorted(points) and "required: 3 mm" in page
 

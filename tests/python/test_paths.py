@@ -214,7 +214,7 @@ def test_neighbours_ask_for_clearances_of_their_own_and_a_watch_sees_the_way():
     )
     assert (
         report["verdict"] == "found" and watch.farthest() is None
-    )  # a straight way is not searched
+    )  # a straight path needs no search
     rows[2] = rows[2][:4] + (4.1,)
     with pytest.raises(sv.InvalidInput, match="floor"):
         _swept.find_path(PART.vertices, PART.triangles, shift(0, 0, 0), rows, **options)

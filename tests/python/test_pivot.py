@@ -20,7 +20,7 @@ TIMES, QUATERNIONS = [0, 1], [[0, 0, 0, 1], [0, 0, math.sqrt(0.5), math.sqrt(0.5
 
 
 def turned_in_place(**options):
-    """A cube that turns by 90 degrees about its own middle."""
+    """Returns a motion of the cube: a turn by 90 degrees about its middle."""
     return sv.Motion(TIMES, QUATERNIONS, [np.zeros(3), MIDDLE - TURN @ MIDDLE], **options)
 
 

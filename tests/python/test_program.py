@@ -18,7 +18,7 @@ import _swept
 
 @pytest.fixture
 def inputs(tmp_path, box):
-    """Folder with box.ply and slide.csv (50 mm along x)."""
+    """Makes a folder with box.ply and slide.csv (50 mm along x)."""
     _swept.write_mesh(tmp_path / "box.ply", *box)
     (tmp_path / "slide.csv").write_text(
         "# mm\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,50,0,0,0,0,0,1\n"
@@ -28,7 +28,7 @@ def inputs(tmp_path, box):
 
 @pytest.fixture
 def call(program):
-    """Runs the program with pipes. Returns the finished process."""
+    """Returns a function that runs the program with pipes and returns the finished process."""
 
     def run(*words, **keywords):
         keywords.setdefault("timeout", 120)
@@ -286,7 +286,7 @@ def test_bad_input_24_and_25_interrupts_cancel_cleanly(program, shared, inputs):
     start = time.monotonic()
     child.send_signal(signal.SIGINT)
     time.sleep(0.02)
-    child.send_signal(signal.SIGINT)  # twice is once
+    child.send_signal(signal.SIGINT)  # a second signal changes nothing
     _, said = child.communicate(timeout=60)
     assert child.returncode == 130, said
     assert time.monotonic() - start < 10

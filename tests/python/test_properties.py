@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What must hold for any body and motion, on cases that Hypothesis makes up and makes smaller.
+"""What must hold for any body and motion, tested on random cases. Hypothesis draws them, and
+reduces the cases that fail.
 
-A few cases each by default; SWEPT_EXAMPLES=500 tries so many (.ci/properties). The cases are the
-same in every run. Volumes in units of area x cell; where two results are compared each may be off
+Each test tries a few cases; with SWEPT_EXAMPLES=500 it tries 500 (.ci/properties). The cases are
+the same in every run. Volumes are compared in units of area x cell; each of two results may be off
 by 0.05.
 """
 import os
@@ -50,7 +51,7 @@ bodies = st.one_of(placed, st.builds(joined, placed, placed))
 
 @st.composite
 def motions(draw, least=2):
-    """(matrices, interpolation): turns up to 100 degrees a step."""
+    """Draws (matrices, interpolation), with turns of up to 100 degrees a step."""
     now, path = draw(frames(50, 180)), []
     for _ in range(draw(st.integers(least, least + 2))):
         path.append(now)
@@ -69,7 +70,7 @@ def sweep(body, motion, **options):
 
 
 def gap(a, b):
-    """Difference of two volumes in units of area x cell."""
+    """Returns the difference of two volumes in units of area x cell."""
     cell = max(a.report["cell"], b.report["cell"])
     return (a.report["volume"] - b.report["volume"]) / (max(a.report["area"], 1e-9) * cell)
 
@@ -142,7 +143,7 @@ def test_motion_cut_in_two_is_the_union_of_its_parts(body, motion):
 
 
 def orders(low, high):
-    """Numbers from 10^low to 10^high, each power of ten equally likely."""
+    """Draws numbers from 10^low to 10^high, each power of ten equally likely."""
     return st.floats(low, high).map(lambda x: 10**x)
 
 

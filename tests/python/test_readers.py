@@ -24,7 +24,7 @@ class Reader:
 @pytest.fixture
 def step(tmp_path):
     path = tmp_path / "gehäuse.step"
-    path.write_text("ISO-10303-21;\n")  # the reader does not look
+    path.write_text("ISO-10303-21;\n")  # the reader ignores the content
     return path
 
 

@@ -18,7 +18,8 @@ SOLIDS = pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="no OpenCASCADE in thi
 
 @pytest.fixture
 def folder(tmp_path, root):
-    """The files of the examples: a gripper and its path in metres, past a housing and a bracket."""
+    """Makes the files of the examples: a gripper and its path in metres, past a housing and a
+    bracket."""
     gripper = joined(box((0, 0, 0), (40, 20, 20)), box((10, 5, 20), (30, 15, 60)))
     _swept.write_mesh(tmp_path / "gripper.stl", *gripper)
     _swept.write_mesh(tmp_path / "bracket.stl", *box((0, 300, 0), (50, 350, 50)))
@@ -54,7 +55,7 @@ def test_the_commands_within_the_text(root, folder):
     assert any("xzcat" in text for text in found) and any("manual" in text for text in found)
     path = f"{BUILD / 'bin'}:{os.environ['PATH']}"
     for text in found:
-        text = text.replace("man -l -", "cat")  # which a machine without manual pages lacks
+        text = text.replace("man -l -", "cat")  # man may be missing
         done = subprocess.run(
             ["bash", "-e", "-o", "pipefail", "-c", text], cwd=folder, capture_output=True,
             text=True, env={**os.environ, "PATH": path},

@@ -25,7 +25,8 @@ def validator(root):
 
 @pytest.fixture
 def report_of(call, validator):  # noqa: F811
-    """Runs the program with --report -. Returns the report, which must match the schema."""
+    """Returns a function that runs the program with --report - and returns the report, which must
+    match the schema."""
 
     def run(*words, status=0):
         done = call(*words, "--report", "-")
@@ -86,7 +87,7 @@ def test_reports_of_solids(report_of, inputs):  # noqa: F811
 
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 def test_reports_of_estimates_of_solids(report_of, inputs):  # noqa: F811
-    """They print what they would make, and write nothing."""
+    """Estimates print what a run would make, and write nothing."""
     report_of(*envelope(inputs, "swept.ply", "--resolution", 32))
     for words in (("--solid-tolerance", 0.05), ("--facets",), ("--output-format", "brep")):
         files = sorted(inputs.iterdir())

@@ -14,8 +14,8 @@ from test_program import call, inputs  # noqa: F401
 
 @pytest.fixture
 def scene(inputs):  # noqa: F811
-    """A block slides along a table, past a post at 1.5 mm, towards a wall 3 mm behind the end of its
-    motion."""
+    """Makes the files of a scene: a block slides along a table, past a post at 1.5 mm, towards a
+    wall 3 mm behind the end of its motion."""
     parts = {
         "block": block([0, 0, 0], [10, 10, 10]),
         "table": block([-20, -20, -5], [80, 30, 0]),

@@ -144,7 +144,7 @@ PROMISES = {
     "index.obj": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 %d\n" % HUGE,
 }
 STILL = b"0,0,0,0,0,0,0,1\n1,1,0,0,0,0,0,1\n"
-BOX = b"OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"  # a corner
+BOX = b"OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
 
 
 #: Runs a command with little address space, and writes its peak of memory (kB). The peak of a process

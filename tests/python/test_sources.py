@@ -35,7 +35,8 @@ def motion():
 
 
 def wrong(sources, mesh, motion, cell):
-    """Returns the share of triangles with a wrong source, among those with a source."""
+    """Returns (share of wrong sources among the triangles with a source, share of triangles
+    without)."""
     body = source_check.BodyFaces(mesh.vertices, mesh.triangles, mesh.faces)
     way = motion.times, motion.quaternions, motion.translations, motion.pivot
     off = source_check.residuals(sources.point, sources, body, way)

@@ -36,8 +36,8 @@ def write_motion(path, distance):
 
 @pytest.fixture
 def study(inputs, box):  # noqa: F811
-    """Folder with a box, motions of 30, 40 and 50 mm, a post at a distance of 5 mm, and a rail in the
-    way."""
+    """Makes a folder with a box, motions of 30, 40 and 50 mm, a post at a distance of 5 mm, and a
+    rail in the way."""
     vertices, triangles = box
     _swept.write_mesh(inputs / "post.ply", vertices + [0, 25, 0], triangles)
     _swept.write_mesh(inputs / "rail.ply", vertices + [45, 0, 0], triangles)
@@ -52,7 +52,7 @@ def study(inputs, box):  # noqa: F811
 
 @pytest.fixture
 def run(program, study):
-    """Runs `swept study FILE`. Returns the finished process."""
+    """Returns a function that runs `swept study FILE` and returns the finished process."""
 
     def run(*words, file="study.toml", **keywords):
         command = [program, "study", str(study / file), *map(str, words)]

@@ -37,7 +37,8 @@ motion = "bad.csv"
 
 @pytest.fixture
 def light(study):  # noqa: F811
-    """Four clearance runs: two that are done, one with a clash and a page, and one that fails."""
+    """Makes a study of four clearance runs: two that are done, one with a clash and a page, and one
+    that fails."""
     (study / "bad.csv").write_text("0,0,0,0,0,0,0,1\n1,nan,0,0,0,0,0,1\n")
     (study / "study.toml").write_text(LIGHT + RUNS)
     return study

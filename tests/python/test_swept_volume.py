@@ -126,7 +126,7 @@ def test_files_that_exist_are_kept_if_asked_for(box, mesh, tmp_path):
     sv.write_mesh(tmp_path / "new.ply", mesh, no_clobber=True)
     if sv.HAS_SOLIDS:
         solid = tmp_path / "a.step"
-        solid.symlink_to(tmp_path / "nowhere.step")  # a link to nothing is there as well
+        solid.symlink_to(tmp_path / "nowhere.step")  # a broken link counts as a file
         with pytest.raises(sv.ExportFailed, match="exists"):
             sv.write_solid(solid, mesh, no_clobber=True)
         report = sv.write_solid(tmp_path / "b.step", mesh, no_clobber=True)
@@ -243,7 +243,8 @@ def test_wrong_types_are_found(root, tmp_path):
 
 @pytest.fixture
 def example(root, tmp_path):
-    """Runs a program of examples/python in an empty folder. Returns its output."""
+    """Returns a function that runs a program of examples/python in an empty folder and returns its
+    output."""
     build = pathlib.Path(sys.modules["_swept"].__file__).parent
 
     def run(name, *words):

@@ -79,4 +79,4 @@ def test_no_drawn_cell_is_larger_than_the_part():
         part, way = np.ptp(case.mesh[0], axis=0).max(), np.ptp(case.motion[2], axis=0).max()
         assert way / case.options["resolution"] < part
         fewest.append(way / part)
-    assert max(fewest) > 24  # which the smallest resolution would not do for
+    assert max(fewest) > 24  # the smallest resolution would be too coarse

@@ -53,7 +53,7 @@ std::string nameOf(const std::vector<MechanismPart>& parts, PartPair pair) {
 
 bool moves(const MechanismPart& part) { return part.motion.poses.size() > 1; }
 
-/// A part that stands still at a pose.
+/// Returns the part, standing still at a pose.
 MechanismPart standing(const MechanismPart& part, const Pose& pose) {
   MechanismPart still = part;
   still.motion = {{pose}, Interpolation::Linear};
@@ -96,7 +96,7 @@ std::vector<MechanismPart> randomMechanism(unsigned seed) {
     part.motion = someMotion(random, random.point(7.5));
     parts.push_back(part);
   }
-  // At least one part moves, and another one moves with it.
+  // The first part moves. In some cases, the second one moves with it.
   while (!moves(parts[0])) parts[0].motion = someMotion(random, Vector3d::Zero());
   if (random.number(0, 1) < 0.3) parts[1].motion = parts[0].motion;
   return parts;

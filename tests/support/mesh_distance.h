@@ -21,7 +21,7 @@ class MeshDistance {
   /// Returns the nearest point of the mesh within `limit`; if there is none, `triangle` is -1.
   Nearest nearest(const Eigen::Vector3d& p, double limit = 1e300) const;
   double distance(const Eigen::Vector3d& p) const { return nearest(p).distance; }
-  /// True if the point lies inside, by the generalised winding number of the triangles.
+  /// Returns true if the point lies inside, by the generalised winding number of the triangles.
   bool inside(const Eigen::Vector3d& p) const;
   Eigen::Vector3d normal(std::int32_t triangle) const;
   const TriMesh& mesh() const { return mesh_; }

@@ -33,8 +33,8 @@ Pose after(const Eigen::Isometry3d& frame, const Pose& pose) {
   return out;
 }
 
-// Turns everything so that nothing is parallel to an axis of the world; the part has a coordinate
-// system of its own.
+// Moves the whole case to a random frame, and the part to another one, so that nothing is parallel
+// to an axis.
 PathCase inFrames(PathCase c, Random& random) {
   const Eigen::Isometry3d world = randomFrame(random);
   Eigen::Isometry3d own = randomFrame(random);
@@ -51,7 +51,8 @@ PathCase inFrames(PathCase c, Random& random) {
   return c;
 }
 
-// Walls round a space open towards +x: half width w, from x = 0 to length.
+// Returns walls of thickness `thick` around a space from x = 0 to `length`, open towards +x. Half
+// width of the space: w.
 TriMesh channelWalls(double w, double length, double thick) {
   TriMesh walls;
   append(walls, boxAt(-thick, 0, -w - thick, w + thick, -w - thick, w + thick));
@@ -136,8 +137,7 @@ PathCase hookCase(unsigned seed) {
   PathCase c;
   c.name = "hook";
   const double r = random.number(1.5, 2.5), gap = random.number(0.8, 1.2), s = r + gap;
-  // A C of boxes around a bar along z that ends in plates. Its opening is narrower than the bar
-  // is high.
+  // A C-shaped hook of boxes around a bar, which lies along z and ends in plates.
   TriMesh hook;
   append(hook, boxAt(-s - 3, s + 3, -s - 3, -s, -3, 3));
   append(hook, boxAt(-s - 3, -s, -s, s + 3, -3, 3));
@@ -253,7 +253,8 @@ PathCase keyCase(unsigned seed) {
   Random random(seed);
   PathCase c;
   c.name = "key";
-  // An L whose foot lies under the lips of a groove that is open at one end; the stem stands in it.
+  // The foot of a T-shaped key lies under the lips of a groove that is open at one end. The stem of
+  // the key stands in the groove.
   const double w = random.number(2, 3), gap = random.number(0.5, 1), foot = random.number(5, 7);
   append(c.part, boxAt(-8, 8, -w, w, 4, 20));
   append(c.part, boxAt(-8, 8, -foot, foot, 0, 4));

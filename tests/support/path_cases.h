@@ -1,6 +1,6 @@
-// Problems for the search for installation paths, made of boxes: channels, tunnels with corners,
-// slots that ask for a turn, hooks, sealed boxes, gaps that are too small, parts that touch.
-// In: the kind, a seed for sizes and for the frame in which everything lies. Units: mm.
+// Test cases for the search for installation paths, most of them built from boxes: channels,
+// tunnels with corners, slots that require a turn, hooks, sealed boxes, gaps that are too small,
+// parts that touch. In: a seed for sizes and for the frame in which everything lies. Units: mm.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -41,10 +41,11 @@ PathCase touchingCase(unsigned seed);
 /// Start and goal among some scattered boxes.
 PathCase scatteredCase(unsigned seed);
 
-/// Returns one of the kinds above, all of them in turn.
+/// Returns a case of the kinds above. Successive numbers go through all kinds and then change the
+/// seed.
 PathCase pathCase(unsigned number);
 
-/// An L-shaped key in a T-slot that is open at one end.
+/// A T-shaped key in a T-slot that is open at one end.
 PathCase keyCase(unsigned seed);
 /// A square ring over a rod with two right bends.
 PathCase ringCase(unsigned seed);
@@ -61,7 +62,7 @@ PathCase drawerCase(unsigned seed);
 /// A block in a bay, under a beam.
 PathCase engineCase(unsigned seed);
 
-/// Returns one of the kinds from the key on, all of them in turn.
+/// Returns a case of the kinds from the key on. Successive numbers go through all kinds.
 PathCase hardPathCase(unsigned number);
 
 }  // namespace swept::test

@@ -25,11 +25,11 @@ class Profile {
 
   double area() const;
   double length() const;
-  /// Negative inside.
+  /// Returns the distance of a point from the outline, negative inside.
   double signedDistance(const Eigen::Vector2d& p) const;
-  /// Points along the outline, `spacing` apart or closer.
+  /// Returns points along the outline, `spacing` apart or closer.
   std::vector<Eigen::Vector2d> points(double spacing) const;
-  /// Corners at which the direction changes by more than 10 degrees.
+  /// Returns the corners at which the direction changes by more than 10 degrees.
   std::vector<Eigen::Vector2d> corners() const;
 
   /// Fills distance, surface, creases, volume and area with those of the prism from z0 to z1.

@@ -8,14 +8,15 @@
 
 namespace swept::test {
 
-/// A box, ball, cylinder, torus, square ring or two overlapping ones of these, oddly turned.
+/// Returns a box, ball, cylinder, torus, square ring or two overlapping ones of these, turned by
+/// odd angles.
 TriMesh randomBody(std::mt19937& random);
-/// Two to four poses: turns up to 100 degrees a step, travel up to the size of the bodies; none,
-/// linear or screw interpolation.
+/// Returns a motion of two to four poses: turns up to 100 degrees a step, travel up to the size of
+/// the bodies, any of the interpolations none, linear and screw.
 Trajectory randomMotion(std::mt19937& random);
 /// Rotation and translation of any size.
 Eigen::Isometry3d randomFrame(std::mt19937& random);
-/// The same triangles with vertices and triangles in another order.
+/// Returns the same mesh with vertices and triangles in another order.
 TriMesh shuffled(const TriMesh& mesh, std::mt19937& random);
 
 }  // namespace swept::test

@@ -13,7 +13,7 @@ class Random {
   double number(double low, double high) {
     return low + (high - low) * (double(engine_()) / double(std::mt19937::max()));
   }
-  /// In a cube of half this size about the origin.
+  /// Returns a random point with coordinates between -half and half.
   Eigen::Vector3d point(double half) {
     return {number(-half, half), number(-half, half), number(-half, half)};
   }

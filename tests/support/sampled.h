@@ -1,9 +1,11 @@
-// How many cases of a long series a test takes: all, or a part of them under sanitizers. There a
-// run is ten times slower, and the code that runs matters, not the numbers.
+// How many cases of a long series a test takes: all, or a part of them under sanitizers. Under a
+// sanitizer a run is ten times slower, and the code that runs matters more than the number of
+// cases.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace swept::test {
 
@@ -26,5 +28,8 @@ constexpr bool kUnderSanitizer = false;
 constexpr int sampled(int all, int oneIn) {
   return kUnderSanitizer ? std::max(1, all / oneIn) : all;
 }
+
+/// Returns whether long series are to run completely (the environment variable SWEPT_LONG_TESTS).
+inline bool longRun() { return std::getenv("SWEPT_LONG_TESTS") != nullptr; }
 
 }  // namespace swept::test

@@ -8,26 +8,27 @@
 
 namespace swept::test {
 
-/// Axis-parallel box, 8 vertices, 12 triangles.
+/// Returns an axis-parallel box: 8 vertices, 12 triangles.
 TriMesh makeBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
-/// Ball as a subdivided icosahedron: 20 * 4^levels triangles with their corners on the sphere.
+/// Returns a ball as a subdivided icosahedron: 20 * 4^levels triangles with their corners on the
+/// sphere.
 TriMesh makeBall(const Eigen::Vector3d& centre, double radius, int levels);
-/// Prism over a circle round the z axis, from z0 to z1.
+/// Returns a prism that approximates a cylinder round the z axis, from z0 to z1.
 TriMesh makeCylinder(double radius, double z0, double z1, int sides);
-/// Square ring: outer half width `outer`, inner half width `inner`, from z0 to z1.
+/// Returns a square ring: outer half width `outer`, inner half width `inner`, from z0 to z1.
 TriMesh makeSquareRing(double outer, double inner, double z0, double z1);
-/// Torus round the z axis.
+/// Returns a torus round the z axis.
 TriMesh makeTorus(double ringRadius, double tubeRadius, int around, int across);
 
 void append(TriMesh& mesh, const TriMesh& other);
 TriMesh inverted(TriMesh mesh);
 TriMesh transformed(TriMesh mesh, const Eigen::Isometry3d& placement);
-/// Every triangle with corners of its own, as in an STL file.
+/// Returns the mesh with separate corners for every triangle, as in an STL file.
 TriMesh soup(const TriMesh& mesh);
 double signedVolume(const TriMesh& mesh);
 double surfaceArea(const TriMesh& mesh);
 
-/// Placement from an axis (any length), an angle in degrees and a translation.
+/// Returns a placement from an axis (any length), an angle in degrees and a translation.
 Eigen::Isometry3d placement(const Eigen::Vector3d& axis, double degrees,
                             const Eigen::Vector3d& translation);
 Pose poseOf(double timeSeconds, const Eigen::Isometry3d& placement);

@@ -33,8 +33,8 @@ double distanceToSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b
   return (p - a - part * way).norm();
 }
 
-/// The body by its faces. Corners at the same place count as one; of repeated triangles, the
-/// first counts.
+/// The faces of a body and the edges between them. Vertices at the same position count as one; of
+/// identical triangles, only the first counts.
 class BodyFaces {
  public:
   explicit BodyFaces(const TriMesh& body) {

@@ -65,7 +65,8 @@ V3 SweptDistance::velocity(double time, const V3& x, bool before) const {
   return (placement(time + step) * y - x) / step;
 }
 
-/// 0: the interior of the face, 1: an edge, 2: a vertex; then its index.
+/// Returns where the nearest point lies: 0 in the interior of a triangle, 1 on an edge, 2 at a
+/// vertex. `index` receives the index of this triangle, edge or vertex.
 int SweptDistance::featureOf(const Sample& sample, std::int32_t& index) const {
   const TriMesh& mesh = tree_.mesh();
   const auto& tri = mesh.triangles[sample.triangle];
@@ -158,7 +159,7 @@ SweptDistance::Contact SweptDistance::contact(const V3& x) const {
       const Pose &a = poses_[i], &b = poses_[i + 1];
       const double reach = std::max((x - a.translation).norm(), (x - b.translation).norm());
       const double speed = (b.translation - a.translation).norm() +
-                           a.rotation.angularDistance(b.rotation) * reach;  // mm a key
+                           a.rotation.angularDistance(b.rotation) * reach;  // mm per step
       const double middle = (interval.from + interval.to) / 2;
       const double half = (interval.to - interval.from) / 2;
       const double distance = look(middle);

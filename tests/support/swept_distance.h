@@ -1,6 +1,7 @@
-// Distance from points to a swept volume over continuous time, by a path of its own: the distance
-// to the body is asked in the body's frame and minimised over time by subdivision with a bound on
-// how fast the point moves there. Shares nothing with sampling, contouring or motion refinement.
+// Distance from points to a swept volume over continuous time, by an independent method: the
+// distance to the body is computed in the body's frame. Its minimum over time is found by
+// subdivision, with a bound on the speed of the point in this frame. Shares no code with sampling,
+// contouring or motion refinement.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,14 +16,14 @@ namespace swept::test {
 
 class SweptDistance {
  public:
-  /// `finest`: intervals of time are split until the point moves less than this in one (mm).
+  /// Intervals of time are split until the point moves less than `finest` (mm) in each of them.
   SweptDistance(const TriMesh& closedBody, const Trajectory& trajectory, double finest);
 
   struct Contact {
-    double distance = 0;  ///< negative inside; outside it is exact, inside a lower bound of depth
-    double time = 0;      ///< in keys: 2.5 is half way from pose 2 to pose 3
-    Eigen::Vector3d point{0, 0, 0};        ///< nearest point of the posed body
-    std::vector<Eigen::Vector3d> normals;  ///< what the envelope's normal can be there
+    double distance = 0;             ///< outside exact; inside negative, a lower bound of the depth
+    double time = 0;                 ///< in keys: 2.5 is half way from pose 2 to pose 3
+    Eigen::Vector3d point{0, 0, 0};  ///< nearest point of the posed body
+    std::vector<Eigen::Vector3d> normals;  ///< possible normals of the envelope there
   };
   Contact contact(const Eigen::Vector3d& x) const;
   double distance(const Eigen::Vector3d& x) const { return contact(x).distance; }

@@ -16,7 +16,7 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     static int counter = 0;
-    const bool memory = std::filesystem::exists("/dev/shm");  // thousands of small files
+    const bool memory = std::filesystem::exists("/dev/shm");  // faster for thousands of small files
     path_ = (memory ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path()) /
             ("swept-test-" + std::to_string(os::processId()) + "-" + std::to_string(counter++));
     std::filesystem::create_directories(path_);

@@ -30,7 +30,7 @@ Trajectory alongLine(const V3& way) {
   return keys({placement({0, 0, 1}, 0, {0, 0, 0}), placement({0, 0, 1}, 0, way)});
 }
 
-/// Evenly spread directions (golden-angle spiral).
+/// Returns evenly spread directions (golden-angle spiral).
 std::vector<V3> directions(int count) {
   std::vector<V3> result;
   for (int i = 0; i < count; ++i) {
@@ -63,8 +63,7 @@ Truth ballAlongLine() {
   return truth;
 }
 
-/// Minkowski sum of a box with the given half sizes and a line segment: a solid with
-/// parallelogram faces.
+/// The envelope is the Minkowski sum of a box and a line segment: a solid with parallelogram faces.
 Truth boxAlongLine() {
   Truth truth;
   truth.name = "box_along_line";
@@ -183,7 +182,7 @@ Truth ringAcrossAxis() {
   truth.motion = alongLine({2.2, 0, 0});
   Profile profile;
   profile.polygon(rectangle(-4, -4, 6.2, 4));
-  profile.polygon(hole(-0.4, -2.6, 2.6, 2.6));  // what stays free all the time
+  profile.polygon(hole(-0.4, -2.6, 2.6, 2.6));  // the space that stays free all the time
   profile.extrude(0, 1.5, 0.12, truth);
   return truth;
 }

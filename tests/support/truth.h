@@ -1,6 +1,6 @@
 // Sweeps whose envelope is known in closed form.
-// A truth has the moving body, its motion, the distance of any point to the true envelope, points
-// on it and on its creases, its volume and its area. Units mm.
+// A Truth consists of the moving body, its motion, the distance of any point to the true envelope,
+// points on it and on its creases, its volume and its area. Units mm.
 //
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -25,9 +25,10 @@ struct Truth {
   double thickness = 0;  ///< thinnest wall of the envelope, where that is what the case is about
 };
 
-/// The whole list: ball along a line, box along a general line, box turning about an edge, cylinder
-/// along its axis, ball on a circle for more than a turn, square ring along and across its axis,
-/// helix of a ball, two equal keys, generator with a sealed cavity.
+/// Returns all cases: ball along a line, box along a line in general direction, box turning about
+/// an edge, cylinder along its axis, ball on a circle for more than a turn, square ring along its
+/// axis and across it (two cases), ball on a helix, motion with two equal keys, body with a sealed
+/// cavity.
 std::vector<Truth> allTruths();
 /// Plates of the given thickness: moved in their plane, across it, and turned in their plane.
 std::vector<Truth> thinPlates(double thickness);

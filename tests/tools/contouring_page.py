@@ -103,7 +103,7 @@ def all_edges(triangles):
 
 
 def edges_by_use(triangles, count):
-    """(open, non-manifold): edges with one triangle, and with more than two."""
+    """Returns (open, non-manifold) edges: those with one triangle, and those with more than two."""
     edges = np.sort(all_edges(triangles))
     keys, used = np.unique(edges[:, 0].astype(np.int64) * count + edges[:, 1], return_counts=True)
     pairs = np.stack([keys // count, keys % count], 1)
@@ -158,7 +158,7 @@ class Comparison:
         return Envelope(np.asarray(made.vertices), np.asarray(made.triangles), made.report)
 
     def distance(self, points, mesh):
-        """In cells."""
+        """Returns the distances of points from a mesh, in cells."""
         return np.abs(self.swept.distance_to_mesh(points, *mesh[:2])) / self.cell
 
     def outer(self, points):
@@ -166,7 +166,8 @@ class Comparison:
         return points[self.distance(points, self.fine) <= 0.5 / FINER]
 
     def far(self, way, count):
-        """(distances, lost points, filled points) of `count` points of the body's outer surface."""
+        """Returns (distances, lost points, filled points) of `count` points of the body's outer
+        surface."""
         points = self.outer(spread(*self.mesh, count))
         distances = self.distance(points, self.envelopes[way])
         points = points[distances > FAR]
@@ -185,13 +186,15 @@ class Comparison:
         return (way, f"{report['triangles']:,}", *counts, *figures, *shares)
 
     def marks(self, way):
-        """Ends of open edges, ends of non-manifold edges, lost points of the body's outer surface."""
+        """Returns the ends of open edges, the ends of non-manifold edges, and the lost points of
+        the body's outer surface."""
         made = self.envelopes[way]
         ends = [made.vertices[e] for e in edges_by_use(made.triangles, len(made.vertices))]
         return (*ends, self.far(way, 2 * POINTS)[1])
 
     def panel(self, body, way, marks):
-        """The body, or an envelope with its marks, in the body's window."""
+        """Draws the body, or an envelope with its marks, in the body's window. Returns the
+        pixels."""
         picture = Picture(body.panel, body.centre, body.toward, body.up, body.width)
         if way not in self.envelopes:
             picture.fill(*self.mesh)
@@ -205,7 +208,7 @@ class Comparison:
 
 
 def draw_net(picture, vertices, triangles):
-    """Triangles and their edges."""
+    """Draws the triangles of a mesh and their edges."""
     picture.fill(vertices, triangles)
     edges = all_edges(triangles)
     edges = edges[edges[:, 0] < edges[:, 1]]
@@ -213,7 +216,7 @@ def draw_net(picture, vertices, triangles):
 
 
 def write(panels, columns, legend, path):
-    """One picture of panels {title: pixels}, side by side, with a legend {colour: text}."""
+    """Writes one picture of panels {title: pixels}, side by side, with a legend {colour: text}."""
     from PIL import Image, ImageDraw, ImageFont
 
     down = -(-len(panels) // columns)
@@ -235,7 +238,7 @@ def write(panels, columns, legend, path):
 
 
 def simplified(swept, folder):
-    """The fandisk at 128 cells, and within 1.5 mm of that."""
+    """Draws the fandisk at 128 cells, and simplified within 1.5 mm."""
     mesh = swept.read_mesh(str(FOLDER / "meshes/fandisk_13k.ply"), "m")
     panels = {}
     for tolerance in (0, 1.5):
@@ -259,7 +262,7 @@ def show(*cells):
 
 
 def walls(swept):
-    """Cells twice as wide as the thinnest and the median wall."""
+    """Measures thin walls with cells twice as wide as the thinnest and the median wall."""
     for file, unit, widths in WALLS:
         for width in widths:
             made = Comparison(swept, file, unit, ("consistent",), cell=2 * width)

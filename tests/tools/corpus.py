@@ -31,7 +31,7 @@ import corpus_bodies  # noqa: E402
 from shared_data import FOLDER, MOTIONS, matrices, scaled_motion  # noqa: E402
 
 HANG = 900  # s of processor time
-MOST_BYTES = 8 << 30  # address space of the child; a run is told to take 2.5 GB
+MOST_BYTES = 8 << 30  # address space of the child; the limit of a run is 2.5 GB
 
 
 def load(build):
@@ -86,8 +86,8 @@ def one_run(swept, body, motion, resolution):
 
 
 def serve(build):
-    """The child process: reads a job as a line of JSON and prints the outcome as a line. A job that takes
-    far more memory than its limit ends the child, not the machine."""
+    """Runs as the child process: reads each job as a line of JSON and prints its outcome as a line.
+    A job that takes far more memory than its limit ends the child, not the machine."""
     resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
     swept = load(build)
     makers = {name: make for name, _, _, make in corpus_bodies.all_bodies(swept)}

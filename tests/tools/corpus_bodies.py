@@ -88,7 +88,8 @@ def mixed(rng, body):
 
 
 def touching(rng, body):
-    """Two boxes that share an edge, or a corner, with shared vertices."""
+    """Returns two boxes that share an edge or a corner, including its vertices, and a third body
+    apart."""
     first = box((0, 0, 0), (1, 1, 1))
     shift = np.array([1, 1, 0]) if rng.random() < 0.5 else np.array([1, 1, 1])
     v, t = joined(first, (first[0] + shift, first[1]), moved(body, frame((0, 0, 1), 0, (9, 0, 0))))

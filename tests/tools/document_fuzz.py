@@ -106,7 +106,7 @@ def base_document(folder):
 
 @contextlib.contextmanager
 def watched(found):
-    """FreeCAD only prints exceptions of proxies. Adds those that are not of our own kinds to `found`."""
+    """Collects exceptions of proxies in `found`, except our own kinds. FreeCAD only prints them."""
     from sweptvolume import core
     from sweptvolume.convert import InputProblem
     from sweptvolume.features import clearance, envelope, motion, solid
@@ -203,7 +203,7 @@ def judged(path, copy):
 
 
 def serve(folder):
-    """The child process: reads seeds and prints a line of JSON for each."""
+    """Runs as the child process: reads seeds and prints a line of JSON for each."""
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # for whatever FreeCAD and the kernel print
     sys.path[:0] = [str(ROOT / "tests/freecad")]

@@ -74,7 +74,8 @@ MAY_INCLUDE = {
     "support": set(),  # tests/support
 }
 
-# Third party -> parts that may see it; a part names its rooms too.
+# Third-party libraries: pattern of their headers, folders that may include them, name. The folders
+# inside a listed folder may include them, too.
 EVERYWHERE = {room.split("/")[0] for room in MAY_INCLUDE}
 THIRD_PARTIES = [
     (re.compile(r"Eigen/"), EVERYWHERE, "Eigen"),
@@ -90,7 +91,7 @@ THIRD_PARTIES = [
     (re.compile(r"EGL/|GL/|glm/"), {"sampling/gl"}, "OpenGL"),
     (re.compile(r"[A-Za-z0-9_]+\.hxx"), {"solid/kernel"}, "OpenCASCADE"),
 ]
-# Headers of POSIX, Linux, macOS and Windows, and what names them without a header.
+# Files that may use the headers and the names of POSIX, Linux, macOS and Windows.
 SYSTEM_FILES = {
     "cpp/src/base/system.cpp",
     "cpp/src/base/system_program.cpp",
@@ -112,19 +113,20 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
 def room_of(folders):
-    """'solid/mesh' for ('solid', 'mesh'), 'contour' for ('contour', 'qef.h'), whether known or not."""
+    """Returns the room: 'solid/mesh' for ('solid', 'mesh'), 'contour' for ('contour', 'qef.h'). The
+    room may be unknown."""
     inner = "/".join(folders[:2])
     return inner if inner in MAY_INCLUDE else folders[0]
 
 
 def room_of_file(path, root):
-    """'contour' for cpp/src/contour/..., 'tools' for cpp/tools/..."""
+    """Returns the room of a file: 'contour' for cpp/src/contour/..., 'tools' for cpp/tools/..."""
     parts = path.relative_to(root).parts
     return room_of(parts[2:] if parts[1] == "src" else parts[1:])
 
 
 def breach(path, root, quoted, header):
-    """What is wrong with one include, or None."""
+    """Returns what is wrong with one include, or None."""
     room = room_of_file(path, root)
     unknown = "/ is no known room; add it to tests/tools/include_rules.py"
     if room not in MAY_INCLUDE:
@@ -147,7 +149,7 @@ def breach(path, root, quoted, header):
 
 
 def breaches(root):
-    """All breaches below ROOT/cpp as (path, line number, text)."""
+    """Returns all breaches below ROOT/cpp as (path, line number, text)."""
     found = []
     for path in sorted(root.glob("cpp/**/*")):
         if path.suffix not in (".h", ".cpp"):
@@ -162,7 +164,7 @@ def breaches(root):
 
 
 def system_breaches(root):
-    """Where the operating system is met outside the files for that, as breaches() gives them."""
+    """Returns uses of the operating system outside SYSTEM_FILES, in the form of breaches()."""
     found = []
     for path in sorted(root.glob("cpp/**/*")) + sorted(root.glob("tests/**/*")):
         name = path.relative_to(root).as_posix()
@@ -182,7 +184,7 @@ def system_breaches(root):
 
 
 def circle(rooms):
-    """A circle of rooms that may include one another, or None."""
+    """Returns a circle of rooms that may include one another, or None."""
     try:
         graphlib.TopologicalSorter(rooms).prepare()
     except graphlib.CycleError as error:

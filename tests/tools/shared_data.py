@@ -13,13 +13,14 @@ MOTIONS = (
 
 
 def rotate(q, x):
-    """Unit quaternions (N, 4), scalar last, applied to points (N, 3)."""
+    """Returns points (N, 3) rotated by unit quaternions (N, 4), scalar last."""
     u, w = q[:, :3], q[:, 3:]
     return x + 2 * np.cross(u, np.cross(u, x) + w * x)
 
 
 def scaled_motion(swept, name, size):
-    """(quaternions, translations): a recorded path spans a room, here twice `size`."""
+    """Returns (quaternions, translations) of a recorded path, scaled so that it spans twice
+    `size`."""
     _, quaternions, translations = map(
         np.asarray, swept.read_trajectory_csv(str(FOLDER / "motions" / name))
     )
@@ -28,7 +29,7 @@ def scaled_motion(swept, name, size):
 
 
 def matrices(quaternions, translations):
-    """Poses as (N, 4, 4)."""
+    """Returns poses as matrices (N, 4, 4)."""
     poses = np.tile(np.eye(4), (len(quaternions), 1, 1))
     for column in range(3):
         axis = np.tile(np.eye(3)[column], (len(quaternions), 1))

@@ -57,7 +57,7 @@ def motion_rows(path, size):
 
 
 def box_of(mesh):
-    """Sides (3) of the box of a binary PLY file of the program, mm."""
+    """Returns the sides (3,) of the bounding box of a binary PLY file of the program, mm."""
     data = mesh.read_bytes()
     header, rest = data.split(b"end_header\n", 1)
     count = int(header.split(b"element vertex ")[1].split()[0])
@@ -65,7 +65,7 @@ def box_of(mesh):
 
 
 def run(words):
-    """Returns the CPU seconds of a program, and its result."""
+    """Returns the CPU seconds of a program, and the completed process."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = subprocess.run([str(w) for w in words], capture_output=True, text=True)
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, done

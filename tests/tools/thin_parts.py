@@ -55,7 +55,7 @@ def ears(polygon):
 
 
 def _side(p, q, r):
-    """Twice the area of p q r, positive if counter-clockwise; r may be many points."""
+    """Returns twice the area of p q r, positive if counter-clockwise; r may be many points."""
     u, v = q - p, np.asarray(r) - p
     return u[0] * v[..., 1] - u[1] * v[..., 0]
 
@@ -121,7 +121,7 @@ def _band(middle, wall):
 
 
 def rotor():
-    """A hub with seven twisted blades of 1.6 mm."""
+    """Returns a hub with seven twisted blades of 1.6 mm."""
     outline = []
     for blade in range(7):
         turn = 2 * math.pi * blade / 7
@@ -138,7 +138,7 @@ def rotor():
 
 
 def thread():
-    """A screw with a flat thread of 1.5 mm, eight turns."""
+    """Returns a screw with a flat thread of 1.5 mm, eight turns."""
     angles = np.linspace(0, 2 * math.pi, 96, endpoint=False)
     radii = np.where(angles < 2.2, 11.0, 8.5)
     heights = np.linspace(0, 100, 321)
@@ -146,14 +146,14 @@ def thread():
 
 
 def gear():
-    """A ring gear of 60 teeth on a disc."""
+    """Returns a ring gear of 60 teeth on a disc."""
     angles = np.arange(240) * 2 * math.pi / 240
     radii = np.tile([48.0, 48.0, 50.2, 50.2], 60)
     return loft(_polar(radii, angles), np.linspace(0, 9, 4), turns=np.linspace(0, 0.06, 4))
 
 
 def clip():
-    """A spring clip: a band of 1.4 mm bent round 300 degrees, with ends bent outward."""
+    """Returns a spring clip: a band of 1.4 mm bent round 300 degrees, with ends bent outward."""
     arc = _polar(30, np.linspace(0.5, 5.7, 60))
     low, high = arc[0], arc[-1]
     ends = np.linspace(0.2, 1, 5)[:, None]
@@ -162,14 +162,14 @@ def clip():
 
 
 def volute():
-    """A spiral wall of 1.2 mm that widens upward."""
+    """Returns a spiral wall of 1.2 mm that widens upward."""
     angles = np.linspace(0, 5 * math.pi, 150)
     middle = _polar(8 + 2.4 * angles, angles)
     return loft(_band(middle, 1.2), np.linspace(0, 30, 6), scales=np.linspace(0.8, 1.1, 6))
 
 
 def tray():
-    """An open tray with walls of 1.3 mm, three ribs and a rim."""
+    """Returns an open tray with walls of 1.3 mm, three ribs and a rim."""
     xs = [0, 1.3, 24, 25.3, 50, 51.1, 75, 76.3, 98.7, 100]
     ys = [0, 1.3, 20, 21.2, 58.7, 60]
     zs = [0, 1.5, 12, 17, 20]
@@ -188,7 +188,7 @@ FONT = {
 
 
 def _letters(text):
-    """Rows of a text as an array of pixels [x, y], with a blank column after each letter."""
+    """Returns a text as an array of pixels [x, y], with a blank column after each letter."""
     columns = []
     for letter in text:
         rows = np.array([[int(c) for c in row] for row in FONT[letter].split()], bool)
@@ -197,7 +197,7 @@ def _letters(text):
 
 
 def label(depth):
-    """A plate with letters, engraved (depth above 0) or raised."""
+    """Returns a plate with letters, engraved (depth above 0) or raised."""
     pixels = _letters("SWEPT7")
     for x, y in np.argwhere(
         pixels[:-1, 1:] & pixels[1:, :-1] & ~pixels[:-1, :-1] & ~pixels[1:, 1:]
@@ -215,7 +215,7 @@ def label(depth):
 
 
 def fins():
-    """A heat sink with 16 fins of 1.2 mm."""
+    """Returns a heat sink with 16 fins of 1.2 mm."""
     xs = np.sort(np.concatenate([6.2 * np.arange(16), 6.2 * np.arange(16) + 1.2]))
     full = np.zeros((len(xs) - 1, 1, 2), bool)
     full[:, :, 0] = True
@@ -224,7 +224,7 @@ def fins():
 
 
 def bracket():
-    """An angle of 2 mm sheet with gussets, slots and tabs."""
+    """Returns an angle of 2 mm sheet with gussets, slots and tabs."""
     xs = [0, 2, 15, 22, 40, 60, 62]
     ys = [0, 8, 10, 30, 38, 40, 60, 68, 70, 90, 92, 100]
     zs = [0, 2, 12, 20, 40, 46]
@@ -240,7 +240,8 @@ def bracket():
 
 
 def motion(rng, size):
-    """16 keys along a bent way about as long as the part, turning by about 70 degrees."""
+    """Returns 16 keys along a curved path about as long as the part, with turns of about 70
+    degrees."""
     s = np.linspace(0, 1, KEYS)[:, None]
     straight, bend = rng.normal(size=(2, 3))
     straight /= np.linalg.norm(straight)

@@ -26,7 +26,7 @@ FIGURES = (
 
 
 def write(part, folder):
-    """Paths of the mesh (OFF) and the motion (CSV)."""
+    """Writes a part. Returns the paths of the mesh (OFF) and the motion (CSV)."""
     mesh, motion = folder / f"{part.name}.off", folder / f"{part.name}.csv"
     rows = [f"OFF\n{len(part.vertices)} {len(part.triangles)} 0"]
     rows += [" ".join(repr(float(x)) for x in vertex) for vertex in part.vertices]
@@ -40,7 +40,7 @@ def write(part, folder):
 
 
 def figures(text):
-    """The figures of one run, as printed."""
+    """Returns the figures of one run, as printed."""
     found = []
     for pattern in FIGURES:
         match = re.search(pattern, text)

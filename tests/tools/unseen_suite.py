@@ -43,7 +43,7 @@ class Outcome:
 
     @property
     def microseconds(self):
-        """Returns the CPU seconds for each triangle of the result."""
+        """Returns the CPU microseconds for each triangle of the result."""
         return 1e6 * self.seconds / max(LEAST_OUTPUT, self.triangles)
 
 

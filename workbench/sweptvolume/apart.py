@@ -6,10 +6,10 @@ geometry. The text of a mesh comes from all its points and triangles. Different 
 different text. The text is kept for each object: for a shape as long as the object holds the same
 shape (at any placement), for a mesh until FreeCAD reports a change.
 Cost: 0.1 to 0.3 ms for each face of a new shape, 0.3 s for a new mesh of 1M triangles, otherwise
-some microseconds. FreeCAD writes display triangles into the topology of its shapes, so no other
-thread may read a shape. For another thread, a shape is written to the bytes of a binary file (0.01
-ms for each face in the window's thread; a copy by FreeCAD takes 0.05 ms). That thread creates its
-own shape from the bytes (0.01 ms for each face).
+some microseconds. FreeCAD writes display triangles into the topology of its shapes, so only the
+window's thread may read a shape. For other threads, it writes the shape as the bytes of a binary
+file (0.01 ms for each face; a copy by FreeCAD takes 0.05 ms). Another thread creates its own shape
+from the bytes (0.01 ms for each face).
 """
 import collections
 import hashlib
@@ -30,7 +30,7 @@ SAME = 1e-6
 #: values that no two-, three- or fourfold symmetry maps onto each other.
 _EDGE = (0.0, 0.27, 0.5, 0.81, 1.0)
 _FACE = (0.13, 0.5, 0.92)
-#: Number of mesh triangles that are read in the time of one face.
+#: Number of mesh triangles that take as long to read as one face of a shape.
 _PER_FACE = 700
 
 _known = {}  # (document, object) -> Apart
@@ -39,7 +39,7 @@ _observer = None
 
 class Apart:
     """A shape or a mesh in its own coordinates. Created in the window's thread. After detached(),
-    any thread may read it; the first one that asks computes the values."""
+    any thread may read it. Values are computed on first use and kept."""
 
     def __init__(self, obj):
         self.is_mesh = obj.isDerivedFrom("Mesh::Feature")
@@ -50,7 +50,8 @@ class Apart:
         self._locks = collections.defaultdict(threading.Lock)
 
     def is_of(self, obj):
-        """Returns whether an object still holds this geometry. _Observer reports changes of meshes."""
+        """Returns whether an object still holds this geometry. For a mesh always true, because
+        _Observer removes changed meshes."""
         return self.is_mesh or self.shape.isPartner(obj.Shape)
 
     def detached(self):
@@ -77,8 +78,8 @@ class Apart:
             return self._copy
 
     def cost(self):
-        """Returns how much must be read before text() is known, in faces of a shape. 0: nothing, or
-        the geometry could not be read."""
+        """Returns how much must be read before text() is known, as a number of faces. 0 if text()
+        is known or the geometry could not be read."""
         if self.knows("text") or self._broken:
             return 0
         if self.is_mesh:
@@ -120,8 +121,8 @@ class Apart:
         if self.is_mesh:
             box = self._local_mesh().BoundBox
         else:
-            # A copy is needed: once a shape was drawn, its own bounding box is that of its
-            # triangles.
+            # After a shape was drawn, its bounding box is that of its display triangles. So a copy
+            # without triangles is used.
             box = self.detached().copy().BoundBox
         if not box.isValid():
             return None
@@ -160,8 +161,8 @@ def _shape_of(taken):
 
 
 def of(obj):
-    """Returns the Apart of the present geometry of a Part::Feature or Mesh::Feature. Window's
-    thread."""
+    """Returns the Apart of the present geometry of a Part::Feature or Mesh::Feature. Call it in the
+    window's thread."""
     global _observer
     if _observer is None:
         _observer = _Observer()
@@ -174,9 +175,9 @@ def of(obj):
 
 
 class _Observer:
-    """Forgets meshes that were changed, and deleted objects and documents. A mesh does not show
-    whether it was changed, and comparing a mesh of a million triangles takes 0.3 s. The observer
-    takes 1 us for each change of any property."""
+    """Removes changed meshes, and deleted objects and documents, from _known. A mesh gives no sign
+    of a change, and comparing a mesh of a million triangles takes 0.3 s. The observer takes 1 us
+    for each change of any property."""
 
     def slotChangedObject(self, obj, name):  # noqa: N802
         if name == "Mesh":
@@ -200,8 +201,8 @@ def rounded(numbers, unit):
 
 
 def _poles(geometry):
-    """Returns the poles of a free-form curve or surface, which may change between the points that
-    are read."""
+    """Returns the poles (control points) of a free-form curve or surface. Two such curves may agree
+    at all points that are read."""
     if not hasattr(geometry, "getPoles"):
         return []
     poles = geometry.getPoles()
@@ -214,7 +215,7 @@ def _edge_points(edge):
     try:
         curve, (low, high) = edge.Curve, edge.ParameterRange
         return [edge.valueAt(low + (high - low) * u) for u in _EDGE] + _poles(curve)
-    except (TypeError, RuntimeError, AttributeError):  # the pole of a sphere has no curve
+    except (TypeError, RuntimeError, AttributeError):  # a sphere: no curve at its pole
         return [vertex.Point for vertex in edge.Vertexes]
 
 
@@ -225,7 +226,7 @@ def _face_points(face):
 
 
 def _local(shape):
-    """Returns the same topology without its placement."""
+    """Returns the shape without its placement. Both share one topology."""
     import Part
 
     local = Part.Shape(shape)

@@ -66,7 +66,7 @@ class Body:
                 raise InputProblem('"{}": {}'.format(label, problem)) from None
             vertices.append(transform(matrix, points))
             if np.linalg.det(matrix[:3, :3]) < 0:
-                facets = facets[:, ::-1]  # a mirrored link would face inwards
+                facets = facets[:, ::-1]  # the triangles of a mirrored link would face inwards
             triangles.append(facets + count)
             count += len(points)
             single = of is None  # without face numbers, each triangle is its own face
@@ -78,7 +78,7 @@ class Body:
         return np.vstack(vertices), triangles, np.concatenate(faces), parts
 
     def seen(self, matrix):
-        """Returns the vertices after a 4x4 matrix. Keeps those of the last call."""
+        """Returns the vertices moved by a 4x4 matrix. Keeps the result of the last call."""
         if self._seen is None or not np.array_equal(self._seen[0], matrix):
             self._seen = matrix, transform(matrix, self.vertices)
         return self._seen[1]

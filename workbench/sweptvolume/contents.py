@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Texts that identify the geometry and the places of parts. If geometry or place differ, the text
-differs. apart.py reads single shapes and meshes.
+"""Texts that identify the geometry and the placements of parts. Different geometry or placements
+give a different text. apart.py reads single shapes and meshes.
 """
 import hashlib
 
@@ -12,7 +12,8 @@ from .apart import digest, rounded
 #: Entries of matrices are rounded to this number of decimals, because documents keep only sixteen
 #: digits.
 DECIMALS = 9
-#: Most faces that are read at once in the window's thread. They take about a thirtieth of a second.
+#: Largest number of faces that are read at once in the window's thread, which takes about a
+#: thirtieth of a second.
 MOST_AT_ONCE = 150
 
 #: Number of directions in which the outermost points of a part are searched, and deflection of the
@@ -36,9 +37,9 @@ def matrices(found):
 
 
 def words(pairs):
-    """Returns what identifies the geometry and places of parts given as (root, sub): texts, and
-    apart.Apart objects whose text may not have been read yet. Raises InputProblem if a path
-    leads to no object with geometry."""
+    """Returns what identifies the geometry and placements of parts given as (root, sub): texts, and
+    apart.Apart objects whose text may not have been read yet. Raises InputProblem if a path leads
+    to no object with geometry."""
     found = []
     for root, sub in pairs:
         leaves = convert.leaves(root, sub)
@@ -77,7 +78,8 @@ def prepared(found):
 
 
 def signature(pairs):
-    """Returns the text that identifies parts given as (root, sub): their geometry and places."""
+    """Returns the text that identifies parts given as (root, sub): their geometry and
+    placements."""
     return "\n".join(texts(words(pairs)))
 
 

@@ -76,8 +76,8 @@ def _faces_of_facets(mesh, shape):
 
 
 def _read_by_core(shape, deflection):
-    """Returns the triangles of a shape, created by the core, or None. The core does not block the
-    window, while FreeCAD's mesher holds Python's lock. None means that the core was built
+    """Returns the triangles of a shape, created by the core, or None. FreeCAD's mesher holds
+    Python's lock and so blocks the window; the core does not. None means that the core was built
     without OpenCASCADE, or that the shape has faces outside its solids.
     """
     inside = sum(solid.countElement("Face") for solid in shape.Solids)
@@ -98,8 +98,8 @@ def meshed(shape, deflection, angle):
     InputProblem."""
     import MeshPart
 
-    # The shape caches its triangulation, and FreeCAD would reuse a finer one for ever. So a copy is
-    # meshed.
+    # The shape caches its triangulation, and FreeCAD would always reuse one that is finer than
+    # needed. So a copy is meshed.
     local = shape.copy()
     mesh = MeshPart.meshFromShape(
         Shape=local,
@@ -156,8 +156,8 @@ def is_plain_group(obj):
 
 
 def _plain_group_of(holder, member):
-    """Returns the plain group inside `holder`, a group with a placement, through which the tree
-    shows a member of it, or None. FreeCAD also counts such a member as the holder's own."""
+    """Returns the plain group through which the tree shows `member`, or None. The plain group lies
+    in `holder`, a group with a placement. FreeCAD lists such a member in both groups."""
     group = getattr(holder.getLinkedObject(True), "Group", [])
     if is_plain_group(holder) or member not in group:
         return None
@@ -183,7 +183,8 @@ def as_in_tree(root, sub):
 def root_path(obj):
     """Returns (root, sub), the path by which the document shows an object.
 
-    Uses the first chain of groups, so that moving a group around the object is noticed.
+    If several paths lead to it, returns the first. The path starts at the outermost group, so that
+    a move of any group around the object is noticed.
     """
     for root, sub in getattr(obj, "Parents", []) or []:
         if root.isDerivedFrom("App::DocumentObject") and not root.isDerivedFrom("App::Link"):
@@ -204,8 +205,8 @@ def links_in(links):
 
 
 def pairs_of(links):
-    """Returns the links as (root, sub), each starting at the outermost group around the object and
-    leading to an object: a face that is linked stands for its part."""
+    """Returns the links as (root, sub). Each path starts at the outermost group around the object
+    and ends at an object: a link to a face counts as a link to its part."""
     pairs = []
     for obj, sub in links_in(links):
         root, path = root_path(obj)
@@ -257,8 +258,8 @@ def global_matrix(root, sub):
 
 
 def is_shown(obj):
-    """Returns whether an object that stands directly in the document shows what it holds. A plain
-    group does so even if it is hidden: FreeCAD then draws those of its members that are visible."""
+    """Returns whether an object at the top level of the document shows its content. A plain group
+    does so even if it is hidden: FreeCAD then draws those of its members that are visible."""
     return is_plain_group(obj) or getattr(obj, "Visibility", True)
 
 
@@ -353,8 +354,8 @@ def owner(root, path):
 
 
 def object_id(root, path):
-    """Returns the number that FreeCAD gives only to the object at a place, never to a later one with
-    the same name."""
+    """Returns the ID of the object at the end of a path. FreeCAD never gives this number to a later
+    object with the same name."""
     return root.getSubObject(path, retType=1).ID
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The compiled module `_swept`, which core_search finds; no other module calls it.
+"""The compiled module `_swept`, which core_search finds. Only core.py and core_*.py call it.
 
 It is imported on first use. So the workbench starts, opens documents and shows stored results
 without it.
@@ -63,7 +63,8 @@ def tell_if_missing():
 
 
 class CoreError(RuntimeError):
-    """A run without a result. `status`: InvalidInput, Cancelled...; `code`: that of the finding."""
+    """A run without a result. `status`: a status of the core, such as InvalidInput. `code`: the
+    code of the finding."""
 
     def __init__(self, status, code, message):
         super().__init__(message or code or status)

@@ -43,8 +43,8 @@ def target():
 
 
 def obstacle():
-    """Returns the folder of a core that FreeCAD would load instead of an installed one, although it
-    cannot be used; "" if there is none."""
+    """Returns the folder of a core that cannot be used, but that FreeCAD would load instead of an
+    installed one; "" if there is none."""
     for folder in core_search.searched_first():
         if core_search.holds_core(folder):
             return folder
@@ -52,8 +52,8 @@ def obstacle():
 
 
 def _python():
-    """Returns the interpreter that runs pip. Its version does not matter: pip is told that of
-    FreeCAD."""
+    """Returns the interpreter that runs pip. Its version does not matter, because _run_pip() names
+    FreeCAD's version."""
     chosen = App.ParamGet(_PREFERENCES).GetString("PythonExecutableForPip", "")
     for path in (chosen if os.path.isfile(chosen) else "", interpreter.find()):
         if path:

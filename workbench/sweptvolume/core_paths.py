@@ -32,8 +32,8 @@ def rows_of(neighbours):
 
 
 def watch():
-    """Returns a watch. Its farthest() returns the placement (4,4) farthest from the goal so far, or
-    None."""
+    """Returns an observer of find_path(). Its farthest() returns the placement (4,4), among those
+    found so far, that is farthest from the goal, or None."""
     return core.module().PathWatch()
 
 
@@ -83,8 +83,8 @@ def live_clearance(vertices, triangles, neighbours, control):
 
 
 def sequence_watch():
-    """Returns a watch of a search for a sequence. Its seen() returns (index of the current part or
-    -1, number of parts with a path, farthest placement (4,4) or None)."""
+    """Returns an observer of find_sequence(). Its seen() returns (index of the current part or -1,
+    number of parts with a path, farthest placement (4,4) or None)."""
     return core.module().SequenceWatch()
 
 

@@ -12,8 +12,8 @@ HEAVY, LIGHT_CELLS = 20000, 64
 
 
 def _lightened(vertices, triangles, control):
-    """Simplifies a large body for previews: returns its envelope at rest, with far fewer triangles.
-    May take seconds."""
+    """Simplifies a large body for previews: returns the envelope of the body at rest, with far
+    fewer triangles. May take seconds."""
     still = np.zeros(1), np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 3))
     tolerance = 0.5 * float(np.ptp(vertices, axis=0).max()) / LIGHT_CELLS
     options = {"resolution": LIGHT_CELLS, "tolerance": tolerance}
@@ -42,7 +42,7 @@ class Sessions:
         self._kept, self._light, self._lock = [], [], threading.Lock()
 
     def compute(self, request, control):
-        """As the module's compute(), but the surface is only good for display."""
+        """As the module's compute(), but the surface is only accurate enough for display."""
         with self._lock, errors():
             session = self._session(request)
             _, _, motion, interpolation = arguments(request)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Texts of the core's findings in the user's language, by the code of the finding. The core's own
-sentence, with the numbers, follows in brackets. Without a translation it stands alone."""
+English sentence, with the numbers, follows in brackets. If there is no translation, the message is
+that sentence alone."""
 from .texts import QT_TRANSLATE_NOOP, translate
 
 #: Maps a code to a text that says what happened and what to do.
@@ -244,7 +245,7 @@ _TEXTS = {
 }
 
 
-#: Codes that have the text of another one.
+#: Codes that share the text of another code.
 _SAME = {
     "DeviceGarbage": "DeviceLost",
     "ShaderFailed": "DeviceUnavailable",

@@ -2,7 +2,7 @@
 """The demo: a starter motor is installed past exhaust, engine and bell housing.
 
 build() creates the document. main() does the whole job with the ordinary functions of the workbench
-and writes its files: FCStd, STEP, picture.
+and writes a FreeCAD document, a STEP file and a picture.
 """
 import os
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parts of the demo, modelled here: a starter motor and what it has to pass. Units: mm.
+"""The parts of the demo, modelled here: a starter motor and its neighbours on the way. Units: mm.
 
 World frame: x along the crankshaft towards the gearbox, y away from the engine, z up. The origin is
-the centre of the starter's mounting face where it is fitted.
+the centre of the starter's mounting face in its final position.
 """
 import math
 
@@ -14,7 +14,7 @@ from .texts import QT_TRANSLATE_NOOP
 V = App.Vector
 X, Y, Z = V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)
 
-#: Half the distance of the two flange bolts, and radius of their holes.
+#: Half the distance of the two flange bolts, and radius of their holes (mm).
 BOLT_Y, BOLT_RADIUS = 60.0, 5.5
 #: Axis of the crankshaft in the frame of the starter.
 CRANK = V(0, -130, 60)

@@ -2,7 +2,7 @@
 """Runs the demo in a FreeCAD with a GUI (on a real or a virtual display) and closes FreeCAD; see
 run-demo.
 
-Works as a user would: the commands' own tasks run in the runner while the event loop continues.
+Works as a user would: the commands' own tasks run in the background while the event loop continues.
 Exit status 0 only if every file was written and checked.
 """
 import os

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes files from envelopes: STEP and BREP solids and meshes, both through the core.
 
-Every writer writes beside the target, checks the file, and then renames it. After a failure the old
-file is unchanged.
+Each function writes to a temporary file beside the target, checks it, and then renames it. After a
+failure the old file is unchanged.
 """
 import os
 
@@ -25,8 +25,7 @@ def is_solid_file(path):
 
 
 def outdated_note(source):
-    """Returns what people must know before they export a source that is not up to date; "" if it
-    is."""
+    """Returns a warning for the user if a source is not up to date, otherwise ""."""
     if not status.is_behind(source):
         return ""
     text = translate(

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Finds a Python interpreter for programs beside FreeCAD. FreeCAD's own executable cannot run a
-module."""
+"""Finds a Python interpreter that can run a module. FreeCAD's own executable cannot."""
 import contextlib
 import functools
 import os

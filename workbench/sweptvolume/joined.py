@@ -7,7 +7,7 @@ import numpy as np
 from . import core
 
 
-#: What is still told of an envelope after it was joined: the fields of its Outcome.
+#: The fields of an Outcome that are kept after its envelope was joined.
 _Joined = collections.namedtuple("_Joined", "report sources parts")
 
 
@@ -24,13 +24,14 @@ def join(outcomes, options, control):
     request = core.Request(core.Triangles(vertices, triangles), *still, "none", options)
     joined = core.compute(request, control)
     earlier = [_Joined(o.report, o.sources, o.parts) for o in outcomes]
-    if joined.result is not None:  # simplified again, it is the same envelope
+    if joined.result is not None:  # recut() must complete its outcome in the same way
         joined.result = joined.result[:2] + (lambda outcome: _completed(outcome, earlier),)
     return _completed(joined, earlier)
 
 
 def _completed(joined, earlier):
-    """Adds to the outcome of the joining run what the earlier runs know."""
+    """Adds the sources, warnings and effort of the earlier runs to the outcome of the joining
+    run."""
     if joined.sources is not None:
         _hand_on_sources(joined, earlier)
     report = joined.report
@@ -48,8 +49,8 @@ def _completed(joined, earlier):
 
 
 def _hand_on_sources(joined, outcomes):
-    """Copies the sources: what made a triangle of an envelope also made the joined triangle that
-    lies on it."""
+    """Copies the sources: a joined triangle gets the source of the triangle of an envelope on which
+    it lies."""
     kinds, faces, times, parts, first = [], [], [], [], 0
     for outcome in outcomes:
         kind, of, time = outcome.sources

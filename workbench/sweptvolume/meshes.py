@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Converts between FreeCAD meshes and numpy arrays. Units: mm. No GUI.
 
-Meshes are passed as binary PLY, which measured as the fastest way.
+Meshes are passed as binary PLY, which was measured to be the fastest form.
 """
 import io
 
@@ -55,7 +55,7 @@ class _Stream:
 
 def mesh_from_arrays(vertices, triangles, beside=False):
     """Returns a Mesh.Mesh from (n,3) and (m,3) arrays, with the points in the same order. `beside`:
-    called in another thread than the window's, and must not block the window.
+    the call is in another thread than the window's, and must not block the window.
 
     Far from the origin, single precision would distort the mesh. Such a mesh gets local coordinates
     and a placement.
@@ -83,7 +83,7 @@ def mesh_from_arrays(vertices, triangles, beside=False):
 def arrays_from_mesh(mesh):
     """Returns the vertices and triangles of a Mesh.Mesh in its own frame, without its Placement."""
     local = mesh
-    # Copied only if needed, because no other thread can run during the copy.
+    # Copied only if needed, because the copy blocks all other threads.
     if not mesh.Placement.isIdentity():
         local = mesh.copy()
         local.Placement = App.Placement()

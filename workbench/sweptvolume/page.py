@@ -187,7 +187,7 @@ def _poses(label, run):
 
 
 def _inputs(req):
-    """Returns the rows of the page's table of inputs. The hash of a shape is that of the triangles
+    """Returns the rows of the page's table of inputs. For a shape, shows the hash of the triangles
     that were checked."""
     found = req.inputs()
     if req.file is not None:

@@ -6,8 +6,8 @@ import math
 import FreeCAD as App
 from PySide import QtCore
 
-#: The unit of this length (mm) is used for a whole column; very small or large units are thus
-#: avoided.
+#: A whole column uses the unit that FreeCAD chooses for this length (mm). This avoids very small
+#: and very large units.
 TYPICAL = 10.0
 #: Significant digits of a text. Tables have one more, because their lengths are compared.
 DIGITS, TABLE_DIGITS = 3, 4
@@ -43,8 +43,8 @@ def count(value):
 
 
 def quantity(value, digits=DIGITS):
-    """Formats a length (mm) with the unit that FreeCAD would choose. Distances of parts in contact
-    differ from 0 by rounding; they are 0."""
+    """Formats a length (mm) with the unit that FreeCAD would choose. Rounds it before, because the
+    distance of parts in contact may differ from 0 by rounding errors."""
     value = round(float(value), MOST_DECIMALS)
     factor, name = _preferred(value)
     return "{} {}".format(number(value / factor, digits), name)

@@ -110,6 +110,6 @@ def _look_later(obj, parts):
 
 
 def watch():
-    """From now on, objects with large parts are checked for changes only after reading in the
-    background."""
+    """Makes objects with large parts check for changes only after reading in the background, from
+    now on."""
     status.read_beside = _look_later

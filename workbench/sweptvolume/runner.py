@@ -49,7 +49,7 @@ class Task:
     writes = True
 
     def steps(self, control):
-        """Work before work() that only the window's thread can do, in pieces. GUI thread. A
+        """Does work before work() that only the window's thread can do, in pieces. GUI thread. A
         generator that yields, after each piece, the time (ms) for which the window may handle
         events."""
         return iter(())
@@ -65,7 +65,7 @@ class Task:
         raise NotImplementedError
 
     def after(self, value):
-        """GUI thread, after finish(): changes that Undo must not keep."""
+        """Makes changes that Undo must not keep, after finish(). GUI thread."""
 
     def drop(self, value):
         """Handles a result that nobody uses: removes the files that it refers to."""

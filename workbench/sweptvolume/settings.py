@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Preferences of the user (Edit > Preferences > Swept Volume). The defaults equal those of the
-page."""
+preferences page."""
 import FreeCAD as App
 
 PATH = "User parameter:BaseApp/Preferences/Mod/SweptVolume"

@@ -17,8 +17,8 @@ from . import core, interpreter
 from .body import InputProblem
 from .texts import translate
 
-#: _POLL: interval (s) at which the program looks whether a running study must stop. _LEAVE: longest
-#: time (s) to wait for its process and its reading threads to end.
+#: _POLL: interval (s) at which the workbench checks whether a running study must stop. _LEAVE:
+#: longest time (s) to wait for the end of its process and of the threads that read its output.
 _POLL, _LEAVE = 0.05, 20.0
 
 
@@ -175,9 +175,9 @@ def run(path, output, jobs, told, cancelled):
     """Computes the remaining runs of a study and its page, in `jobs` processes (0: one for each
     core).
 
-    Calls told(row, done, runs) in this thread for each run; kept results come first, without
-    numbers. cancelled() returns whether to stop. Returns the report of the study (docs/report.md).
-    Raises core.CoreError, core.CoreMissing, InputProblem."""
+    Calls told(row, done, runs) in this thread for each run. Kept results come first; for them, done
+    and runs are None. cancelled() returns whether to stop. Returns the report of the study
+    (docs/report.md). Raises core.CoreError, core.CoreMissing, InputProblem."""
 
     def take(line):
         found = json.loads(line.decode("utf-8"))

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Translates the texts of the workbench.
 
-The context is "SweptVolume". Two are FreeCAD's: "App::Property" for the help of properties, which documents
-store in English, and "Workbench" for menus and toolbars. FreeCAD translates both where it shows them. Qt's
-lupdate collects the texts: see resources/translations/update.py.
+The context is "SweptVolume". Two other contexts belong to FreeCAD: "App::Property" for the help of
+properties, which documents store in English, and "Workbench" for menus and toolbars. FreeCAD
+translates both where it shows them. Qt's lupdate collects the texts: see
+resources/translations/update.py.
 """
 import FreeCAD as App
 

@@ -49,7 +49,8 @@ bool isSolidFile(const std::string& path);
 /// smallest cell that the sweep of such a body can have at this resolution. Throws
 /// Error(InvalidInput, "BadFile" | "NoSurface" | "BadFormat" | "BadOption"), Error(Cancelled).
 Body readBody(const std::string& path, const BodyFileOptions& options, RunContext& run);
-/// Does the same, but asks `reader` instead of a kernel for solids. Body::shape is null.
+/// Does the same, but `reader` reads the solid files instead of a geometry kernel. Body::shape is
+/// null.
 Body readBody(const std::string& path, const BodyFileOptions& options, SolidReader& reader,
               RunContext& run);
 
@@ -72,7 +73,7 @@ struct NamedPart {
 /// | "NoSurface" | "BadFormat"), Error(Cancelled).
 std::vector<NamedPart> readParts(const std::string& path, const PartFileOptions& options,
                                  RunContext& run);
-/// Does the same, but asks `reader` instead of a kernel for solids.
+/// Does the same, but `reader` reads the solid files instead of a geometry kernel.
 std::vector<NamedPart> readParts(const std::string& path, const PartFileOptions& options,
                                  SolidReader& reader, RunContext& run);
 

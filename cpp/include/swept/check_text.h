@@ -8,7 +8,7 @@
 
 namespace swept {
 
-/// Returns UTF-8 text. The keys are those of docs/report.md, and `passes`.
+/// Returns UTF-8 text. The keys are those of "check" in docs/report.md, and also "passes".
 std::string toJson(const MeshCheck& check);
 
 }  // namespace swept

@@ -5,7 +5,8 @@
 // Out:   for each neighbour: the smallest distance, where and when it occurs, the verdict, the
 //        depth of a clash, and time intervals.
 // Units: mm, s.
-// Cost:  for each neighbour a few hundred to a few thousand distance queries, O(log n) each.
+// Cost:  for each neighbour a few hundred to a few thousand distance queries, each O(log n) for n
+//        triangles.
 // Promise: the motion between two poses is bounded, not only sampled. No part of the motion comes
 //        closer than `distance - tolerance` (docs/clearance.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -42,14 +43,14 @@ struct ClearanceOptions {
 };
 
 /// Contact: the measured distance is at most tolerance + chord errors, so the parts may touch.
-/// Clash: the parts overlap deeper than that and, if the rule allows contact, than it allows.
-/// Otherwise BelowRequired: distance - chord errors is below the required distance, or Clear: it is
-/// not (so the true distance may be below it by up to the tolerance).
+/// Clash: the parts overlap by more than tolerance + chord errors. If the rule allows contact, they
+/// also overlap by more than the rule allows.
+/// BelowRequired: distance - chord errors is below the required distance.
+/// Clear: none of these. The true distance may be below the required one by up to the tolerance.
 enum class ClearanceVerdict { Clear, BelowRequired, Contact, Clash };
 const char* clearanceVerdictName(ClearanceVerdict verdict);  // clear | below | contact | clash
 
-/// Closed span of time. With Interpolation::None it goes from the first to the last of several
-/// successive poses.
+/// Closed span of time. With Interpolation::None, both ends are times of poses.
 struct TimeInterval {
   double from = 0;
   double to = 0;
@@ -62,9 +63,9 @@ struct CurvePoint {
 
 struct PenetrationResult {
   bool known = false;  ///< false: no clash, depth not measured, or neither mesh is closed
-  /// Takes all surface points of one part that lie inside the other part during the motion. `depth`
-  /// is the largest distance (mm) found from such a point to the surface of that other part; the
-  /// search ended when no point could be deeper than depthBound.
+  /// Consider all surface points of one part that lie inside the other part during the motion.
+  /// `depth` is the largest distance (mm) found from such a point to the surface of that other
+  /// part. No point is deeper than depthBound.
   double depth = 0;
   double depthBound = 0;
   double timeSeconds = 0;
@@ -75,8 +76,8 @@ struct PenetrationResult {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< the deepest point, world coordinates
   /// The point of the other surface nearest to `point`
   Eigen::Vector3d surface = Eigen::Vector3d::Zero();
-  /// Box (world coordinates, at `pose`) around the intersection of the surfaces and around all that
-  /// lies inside the other part.
+  /// Box (world coordinates, at `pose`) around the intersection of the surfaces and around all
+  /// vertices of either part that lie inside the other.
   Eigen::Vector3d regionMin = Eigen::Vector3d::Zero();
   Eigen::Vector3d regionMax = Eigen::Vector3d::Zero();
 };
@@ -85,7 +86,7 @@ struct NeighbourClearance {
   std::string name;
   NeighbourRule rule;  ///< the rule that was applied: a required distance, or allowed contact
   ClearanceVerdict verdict = ClearanceVerdict::Clear;
-  double distance = 0;  ///< mm between the triangles, 0 if they meet; at most `tolerance` too large
+  double distance = 0;  ///< mm between the triangles, at most `tolerance` too large; 0: they meet
   /// Distance - chord errors - tolerance (the latter only if interpolated), at least 0.
   double guaranteed = 0;
   double chordError = 0;   ///< mm, sum of the chord errors of both parts
@@ -93,7 +94,8 @@ struct NeighbourClearance {
   Pose pose;               ///< placement of the body at that time
   Eigen::Vector3d pointOnBody = Eigen::Vector3d::Zero();       ///< world coordinates
   Eigen::Vector3d pointOnNeighbour = Eigen::Vector3d::Zero();  ///< world coordinates
-  /// -1: the surfaces meet, or the mesh was repaired before the check.
+  /// Indices of the triangles with these points. -1: in a clash, or if that mesh was repaired
+  /// before the check.
   std::int64_t bodyTriangle = -1;
   std::int64_t neighbourTriangle = -1;
   bool closed = true;   ///< false: the neighbour's mesh is open, so its inside is not defined
@@ -163,8 +165,9 @@ std::string toJson(const ClearanceReport& report);
 std::vector<double> distanceToMesh(const std::vector<Eigen::Vector3d>& points, const TriMesh& mesh,
                                    RunContext& run);
 
-/// Measures distances the slow way, for comparison: one FCL query at each pose and at `between`
-/// times within each motion step. Between these times it sees nothing. Throws Error(Cancelled).
+/// Measures distances the slow way, for comparison: with one FCL query at each pose and at
+/// `between` times within each motion step. Smaller distances between these times are missed.
+/// Throws Error(Cancelled).
 struct StampedClearance {
   double distance = 0;
   double timeSeconds = 0;

@@ -52,7 +52,8 @@ struct Estimate {
 /// report.
 Estimate estimate(const TriMesh& body, const Trajectory& trajectory, const Options& options);
 /// Checks the body and samples a few motion steps for a better estimate. Takes up to about a
-/// second, and never longer than the run. Throws the Error that compute() would report.
+/// second, and never longer than the run itself would. Throws the Error that compute() would
+/// report.
 Estimate estimateByTrial(const TriMesh& body, const Trajectory& trajectory, const Options& options,
                          RunContext& run);
 

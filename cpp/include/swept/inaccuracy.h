@@ -1,4 +1,4 @@
-// Tells which findings mean that a result is less accurate than requested.
+// Decides which findings mean that a result is less accurate than requested.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

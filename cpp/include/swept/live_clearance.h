@@ -1,9 +1,8 @@
-// Measures the clearance of a part while a user moves it: one placement after another, without
-// delay.
+// Measures the clearance of a part while a user moves it, without delay at each placement.
 // In:    the part and the neighbours, prepared once; then placements, in world coordinates. Units:
 //        mm.
-// Out:   the nearest pair of points at a placement; how far a move keeps a distance from all
-//        neighbours.
+// Out:   the nearest pair of points at a placement; how far the part can move while it keeps a
+//        distance from all neighbours.
 // Cost:  preparation as for a check. A placement takes about 10 microseconds far from all
 //        neighbours, and up to some milliseconds near large ones. Only one call may run at a time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -40,10 +39,10 @@ class LiveClearance {
 
   LiveDistance at(const Pose& pose);
 
-  /// Moves the part in a straight line from one placement towards the other. Returns the last
-  /// placement up to which the part stays at least `apart` mm (> 0) from all neighbours. If the
-  /// part is closer than that at `from`, returns `to` if the distance is kept there, otherwise
-  /// `from`. Throws Error(InvalidInput) with code BadOption.
+  /// Moves the part in a straight line from `from` towards `to`. Returns the last placement up to
+  /// which the part stays at least `apart` mm (> 0) from all neighbours. If the part is closer than
+  /// that already at `from`, returns `to` if the part keeps the distance there, otherwise `from`.
+  /// Throws Error(InvalidInput, "BadOption").
   Pose reached(const Pose& from, const Pose& to, double apart);
 
  private:

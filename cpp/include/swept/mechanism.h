@@ -4,11 +4,10 @@
 // Out:   for each pair that comes within `range`: the smallest distance, when and where it occurs,
 //        the verdict, and the depth of a clash.
 // Units: mm, s.
-// Cost:  a search (clearance.h) for each pair that comes within `range`. Bounding boxes over time
-//        exclude all other pairs.
-// Promise: as checkClearance(): at no moment of the common time, also between poses, is a pair
-//        closer than `distance - tolerance`. A pair that is not listed never comes closer than
-//        `range` (docs/clearance.md).
+// Cost:  the cost of checkClearance() for each pair that comes within `range`. Bounding boxes over
+//        time exclude all other pairs.
+// Promise: at no time common to all motions, also between poses, is a pair closer than `distance -
+//        tolerance`. A pair that is not listed never comes closer than `range` (docs/clearance.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -48,7 +47,7 @@ struct MechanismOptions {
   double intervalTolerance = 0;
   int curveSamples = 200;   ///< number of points of the graph of distance over time; 0: no graph
   bool penetration = true;  ///< measure the depth and the place of a clash
-  /// For example, contact or ignored for parts that a joint connects.
+  /// Rules of single pairs, such as allowed contact or no check for parts that a joint connects.
   std::vector<PairRule> rules;
 };
 
@@ -103,9 +102,9 @@ MechanismReport checkMechanism(const std::vector<MechanismPart>& parts,
 /// Returns the report as JSON text (UTF-8). docs/clearance.md describes the keys.
 std::string toJson(const MechanismReport& report);
 
-/// Measures distances the slow way, for comparison. Makes one FCL query at both ends of `time`, at
-/// each pose of the two parts in between, and at `between` evenly spaced times between two
-/// successive ones of these. Between these times it sees nothing. Throws Error.
+/// Measures distances the slow way, for comparison: with one FCL query at both ends of `time`, at
+/// each pose of the two parts in between, and at `between` evenly spaced times in every gap.
+/// Smaller distances between these times are missed. Throws Error.
 StampedClearance stampedPair(const MechanismPart& first, const MechanismPart& second,
                              const TimeInterval& time, int between, RunContext& run);
 

@@ -1,4 +1,4 @@
-// Compares all pairs of parts that stand still: envelopes, other reserved spaces, parts.
+// Compares all pairs of parts that stand still, such as envelopes, other reserved spaces and parts.
 // In:    meshes in world coordinates.
 // Out:   for each pair, the smallest distance, or the depth and place of the overlap and the shared
 //        solid.

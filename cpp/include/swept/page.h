@@ -30,10 +30,10 @@ struct PageInput {
 
 /// A part that the 3D view shows.
 struct PagePart {
-  std::string name;  ///< the name in the report; rows of the report with this name colour the part
+  std::string name;  ///< the name in the report; the verdict for this name colours the part
   TriMesh mesh;
-  /// Motion of a part that moves; its mesh is in its own coordinates. No poses: the part stands
-  /// still in the place of its mesh. If a clearance report has no motion of its body, the view
+  /// Motion of a part that moves; its mesh is then in its own coordinates. Without poses, the part
+  /// stands still where its mesh is. If a clearance report has no motion of its body, the view
   /// shows the body only at the poses of the report.
   Trajectory motion = {};
   bool moves = false;
@@ -59,11 +59,10 @@ struct PageOptions {
   std::size_t viewTriangles = 50000;
 };
 
-/// Returns the page. Throws Error(InvalidInput) with these codes: "BadReport" if the text is no
-/// report of a study, or of a check that succeeded; "BadTemplate" for a template with an unknown
-/// {{placeholder}}; "BadOption" for an unknown language or type of picture; "BadIndex",
-/// "NonFiniteVertex", "OutOfRange" or "BadPose" for a part that cannot be drawn. Throws
-/// Error(Cancelled).
+/// Returns the page. Throws Error(Cancelled), or Error(InvalidInput) with one of these codes.
+/// "BadReport": the text is no report of a study, or of a check that succeeded. "BadTemplate": the
+/// template has an unknown {{placeholder}}. "BadOption": unknown language or type of picture.
+/// "BadIndex", "NonFiniteVertex", "OutOfRange" or "BadPose": a part cannot be drawn.
 std::string reportPage(const std::string& report, const PageOptions& options, RunContext& run);
 
 /// Returns a built-in template: "page" (for browsers, the default) or "print" (uses only the HTML

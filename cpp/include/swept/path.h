@@ -1,4 +1,4 @@
-// Finds installation paths: motions on which a part reaches its place and stays clear of its
+// Finds installation paths: motions on which a part reaches its goal and stays clear of its
 // neighbours.
 // In:    the part, its goal, its start (or a distance or direction in which to take it out),
 //        neighbours with their rules (swept/neighbour_rule.h), and the required clearance. All in
@@ -25,8 +25,8 @@
 
 namespace swept {
 
-/// Takes the part out of its place: at least `radius` mm away, or along a direction until it is
-/// past all neighbours.
+/// Takes the part away from its goal: at least `radius` mm, or along a direction until it is past
+/// all neighbours.
 struct Extraction {
   double radius = 0;
   std::optional<Eigen::Vector3d> direction;
@@ -47,8 +47,8 @@ struct PathOptions {
   double clearance = 0;
   double tolerance = 0.01;    ///< mm, as ClearanceOptions::tolerance
   double bodyChordError = 0;  ///< mm, as ClearanceOptions::bodyChordError
-  /// mm. If the part is closer to a neighbour than the clearance at its start or goal, it may stay
-  /// that close, or touch, while no point of the part is farther than this from its position there.
+  /// mm. The part may be closer to a neighbour than the clearance at its start or goal. It may then
+  /// stay that close, or touch, while no point of it is farther than this from its position there.
   double release = 0;
   /// The part never turns: it keeps the orientation that it has at the goal.
   bool translationOnly = false;

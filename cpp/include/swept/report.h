@@ -61,7 +61,7 @@ struct Report {
   std::array<std::int64_t, 3> grid{0, 0, 0};             ///< cells along x, y, z
   std::int64_t placements = 0;
   std::int64_t refinedPlacements = 0;
-  /// mm: largest distance of the body at a skipped pose from its place at a kept pose.
+  /// mm: largest distance of a body point between a skipped pose and the last pose kept before it.
   double positionFilterDistance = 0;
   std::int64_t sweptFaces = 0;    ///< copies of faces that were sampled after culling
   std::int64_t sweptPatches = 0;  ///< swept patches of edges that were sampled after culling
@@ -71,7 +71,7 @@ struct Report {
   /// mm: bound on the distance between the given body and the thinned one that was swept in its
   /// place; 0: not thinned.
   double bodyDeviation = 0;
-  double simplificationDeviation = 0;  ///< mm, measured both ways; 0: not simplified
+  double simplificationDeviation = 0;  ///< mm, measured in both directions; 0: not simplified
   /// mm: bound on the distance of the envelope from the volume it must contain; 0: not
   /// conservative.
   double conservativeBound = 0;

@@ -9,8 +9,9 @@
 //        parts is removed, and the resulting order is reversed. A part that can be taken out among
 //        many parts can also be taken out among fewer, so it does not matter which one is removed
 //        first.
-// Cost:  in a given order one search for each part. To find an order, for each part at most one
-//        search of each duration for each part that was in its way.
+// Cost:  in a given order one search for each part. To find an order, the searches for a part
+//        become longer from round to round. They are repeated when a part that was in its way has
+//        been removed.
 // Promise: a sequence is returned only if it is certified. The same seed gives the same answer with
 //        any number of threads, unless the time limit ends a search.
 // Source: R. Wilson, J.-C. Latombe, Geometric reasoning about mechanical assembly (1994): order by
@@ -116,7 +117,7 @@ class SequenceWatch {
     if (now.part >= 0) now.farthest = path_->farthest();
     return now;
   }
-  /// For the search: returns the watch of the path that it now looks for.
+  /// For the search: returns the PathWatch of the search that begins now.
   std::shared_ptr<PathWatch> begin(std::size_t part, std::size_t found) {
     const std::lock_guard<std::mutex> lock(mutex_);
     seen_ = {static_cast<int>(part), static_cast<int>(found), {}};

@@ -1,6 +1,6 @@
 // Converts an envelope mesh to a B-rep solid in a STEP or BREP file, and reads meshes from such
-// files. Without OpenCASCADE, the caller reads them: writeSolid() needs a StepReader then, and
-// readBody() and readParts() (swept/body.h) need a SolidReader.
+// files. If the library was built without OpenCASCADE, the application must read them: writeSolid()
+// then needs a StepReader, and readBody() and readParts() (swept/body.h) need a SolidReader.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -28,8 +28,9 @@ StepSchema parseStepSchema(const std::string& text);
 
 struct BodyShape;  // the faces and edges of a body, as readSolids() found them
 
-/// What an envelope was made from. With it, the solid gets the faces that the sweep really has: the
-/// faces of the body at poses, and what its edges and faces sweep on straight motion steps.
+/// What an envelope was made from. With these data, the solid gets the exact faces of the sweep:
+/// faces of the body at poses, and surfaces that edges and faces of the body sweep on straight
+/// motion steps.
 struct SolidOrigin {
   Sources sources;  ///< of the triangles of the mesh, in their order
   Trajectory trajectory;
@@ -41,7 +42,7 @@ struct StepOptions {
   bool mergeCoplanar = true;      ///< merge each flat region to one planar face with holes
   double planarTolerance = 1e-6;  ///< mm: how far a vertex may lie off the plane of its region
   /// mm. Above 0: the solid may deviate by this from the mesh; surfaces are recognised, and the
-  /// rest is simplified. 0: exact, unless a limit requires a tolerance (see below).
+  /// other triangles are simplified. 0: exact, unless a limit requires a tolerance (see maxFaces).
   double tolerance = 0;
   bool exact = false;  ///< never deviate from the mesh: a solid above a limit is refused at once
   /// Refuse a solid that deviates from the mesh by more than the tolerance, with
@@ -50,11 +51,12 @@ struct StepOptions {
   /// With a tolerance: recognise planes, cylinders, cones, spheres, tori, extrusions and
   /// revolutions.
   bool recognise = true;
-  /// With a tolerance and `recognise`: take the faces from here. Null: recognise them in the mesh.
+  /// With a tolerance and `recognise`: take the surfaces from these data. Null: recognise them in
+  /// the mesh.
   std::shared_ptr<const SolidOrigin> origin;
-  /// Limits. If `tolerance` is 0, the smallest tolerance that meets the limits is used, up to 1 %
-  /// of the box diagonal. A solid that still exceeds a limit is refused with Error(ExportFailed,
-  /// "TooManyFaces"), whose text has the figures.
+  /// Limits of faces and file size. If `tolerance` is 0, the smallest tolerance that meets the
+  /// limits is used, up to 1 % of the diagonal of the bounding box. A solid that still exceeds a
+  /// limit is refused with Error(ExportFailed, "TooManyFaces"), whose text has the figures.
   std::int64_t maxFaces = 20000;
   double maxMegabytes = 0;  ///< limit of the file size; 0: no limit
   std::string productName = "Swept envelope";
@@ -76,7 +78,7 @@ struct StepReport {
   /// mm: largest tolerance of an edge or vertex in the solid that was read back. For a simplified
   /// solid, at most `tolerance`.
   double edgeTolerance = 0;
-  std::string note;       ///< what was given up to get a valid solid; empty: nothing
+  std::string note;       ///< what was given up to get a valid solid; empty: nothing was
   bool valid = false;     ///< result of the kernel's check of the solid that was read back
   double volume = 0;      ///< mm^3, of the solid that was read back
   double meshVolume = 0;  ///< mm^3, of the mesh
@@ -99,7 +101,7 @@ struct SolidEstimate {
   std::int64_t faces = 0;
   double megabytes = 0;     ///< of the file
   double seconds = 0;       ///< duration of writeSolid
-  double trialSeconds = 0;  ///< the part of `seconds` that the trial took
+  double trialSeconds = 0;  ///< the part of `seconds` already spent in the trial
   /// mm, only after a trial: the given tolerance, or the one that the limits require.
   double tolerance = 0;
   double deviation = 0;  ///< mm, only after a trial: as in StepReport
@@ -138,29 +140,29 @@ struct SolidCheck {
   double edgeTolerance = 0;  ///< mm: largest tolerance of an edge or vertex
 };
 
-/// A reader of STEP files outside this library, such as FreeCAD's: what the library asks where it
-/// was built without a geometry kernel, so that no two kernels meet in one process.
+/// A reader of STEP files that the application provides, for example with FreeCAD. A library that
+/// was built without a geometry kernel uses it, so that no two kernels get into one process.
 class StepReader {
  public:
   struct Answer {
     SolidCheck check;
-    /// Faces that are not valid, by their place in the file, from 0.
+    /// Indices of the faces that are not valid, from 0, in the order of the file.
     std::vector<std::int32_t> badFaces;
   };
   virtual ~StepReader() = default;
-  /// Reads a STEP file, given as its text, as other programs would. Called in the thread of the
-  /// run. An exception ends the run.
+  /// Reads a STEP file, given as its text. Called in the thread of the run. An exception ends the
+  /// run.
   virtual Answer read(const std::string& text) = 0;
 };
-/// Does the same as the function above, but asks `reader` instead of a kernel. STEP files only. The
-/// file is the same as with a kernel, unless that one finds faces that intersect or edges off their
-/// faces, which `reader` cannot tell.
+/// Does the same as the function above, but uses `reader` instead of a geometry kernel. STEP files
+/// only. The file is the same as with a kernel, except if the kernel would find intersecting faces
+/// or edges that do not lie on their faces. `reader` cannot find these.
 StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
                       StepReader& reader, RunContext& run);
 
 struct ImportedSolid {
-  /// Name of its product, if a STEP file has several products; otherwise the name of the file
-  /// without suffix. Equal names are numbered.
+  /// The name of its product. If all solids have the same product name (also if there is only one
+  /// solid), or if one has none: the name of the file without suffix. Equal names are numbered.
   std::string name;
   TriMesh mesh;  ///< mm; no two faces share vertices; faceOf has the index of the face in the file
 };
@@ -174,8 +176,9 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
                                       double angularDeflection, RunContext& run,
                                       std::shared_ptr<const BodyShape>* shape = nullptr);
 
-/// Reads STEP and BREP files outside this library, such as FreeCAD's Part: for readBody() and
-/// readParts() (swept/body.h) where the library was built without a geometry kernel.
+/// A reader of STEP and BREP files that the application provides, for example with FreeCAD's Part
+/// module. readBody() and readParts() (swept/body.h) use it if this library was built without a
+/// geometry kernel.
 class SolidReader {
  public:
   virtual ~SolidReader() = default;

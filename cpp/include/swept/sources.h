@@ -27,10 +27,10 @@ enum class SourceKind : std::uint8_t {
 /// Returns "cap", "edge" or "graze".
 const char* sourceKindName(SourceKind kind);
 
-/// One point of the envelope and what made it. If the motion of the body is undone for this time,
-/// the point lies on the triangles of its face (Cap, and Graze with one face) or on an edge between
-/// triangles (Edge, Graze). The rounding error is 1e-7 of a cell, or 1e-3 of a cell if the surface
-/// passes that close to a grid point.
+/// One point of the envelope and what made it. In coordinates of the body at this time, the point
+/// lies on the triangles of its face (Cap, and Graze with one face) or on an edge between triangles
+/// (Edge, Graze). The rounding error is 1e-7 of a cell, or 1e-3 of a cell if the surface passes
+/// that close to a grid point.
 struct SurfaceSource {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double timeSeconds = 0;
@@ -47,8 +47,9 @@ struct Sources {
   /// Value in `of`: the source is unknown, for example for the strips that close the ends of thin
   /// walls.
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// For each triangle of the envelope, the index of its row, or kNone. After simplification, kind,
-  /// faces and step of the row are those of the largest part of the triangle's area.
+  /// For each triangle of the envelope, its index in `rows`, or kNone. A simplified triangle may
+  /// replace surface from several sources. Its row then has the kind, faces and step of the source
+  /// with the largest share of its area.
   std::vector<std::uint32_t> of;
   /// All envelopes made from the same surface share these rows. Null unless Options::sources is
   /// set.

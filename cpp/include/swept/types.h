@@ -29,9 +29,9 @@ enum class Status {
 /// Returns the name of a status as reports show it, for example "InvalidInput".
 const char* statusName(Status status);
 
-/// Thrown by stages, and caught only at the boundaries (pipeline/compute.cpp, step/, python/,
-/// tools/). `code` is for programs ("NonFiniteVertex"). what() is for people: what is wrong, where,
-/// by how much, and what to do.
+/// Thrown by stages, and caught only where a call of the library ends, in Python and in the
+/// programs. `code` is for programs ("NonFiniteVertex"). what() is for people: what is wrong,
+/// where, by how much, and what to do.
 class Error : public std::runtime_error {
  public:
   Error(Status status, std::string code, const std::string& message)
@@ -85,14 +85,14 @@ struct Options {
   ComponentMethod components = ComponentMethod::Consistent;
   Backend backend = Backend::Auto;
   bool keepCavities = false;  ///< keep enclosed cavities as inner shells
-  bool cull = true;           ///< skip faces and patches that are provably enclosed
+  bool cull = true;  ///< leave out faces and side patches that provably lie inside the swept volume
   double tolerance = 0;       ///< mm, largest deviation by simplification; 0: no simplification
   double offset = 0;          ///< mm, distance by which the envelope is grown
   bool conservative = false;  ///< the envelope provably contains the swept volume
   /// mm; skip poses while no point of the body moves farther than this; 0: off.
   double positionFilter = 0;
   double chordTolerance =
-      0.02;  ///< in cells: how far a point may deviate from the chord of the refined motion
+      0.02;  ///< in cells: how far the true path of a point may deviate from its chord
   double weldTolerance = 1e-6;  ///< as a fraction of the diagonal of the body's bounding box
   /// Record what made each triangle (sources.h). Not allowed with an offset or with `conservative`.
   bool sources = false;

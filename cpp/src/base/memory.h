@@ -19,7 +19,7 @@ std::uint64_t residentMemoryBytes();
 /// Measures the largest resident size of the process during the life of this object, whatever part
 /// of the process uses the memory. Several watches may run at once: they do not reset the peak of
 /// the process. If the process grows beyond its earlier peak, the result is the new peak. Otherwise
-/// it is the largest size that a thread has read, which reads every kMemoryMilliseconds.
+/// it is the largest of the sizes that a thread reads every kMemoryMilliseconds.
 class MemoryWatch {
  public:
   MemoryWatch();

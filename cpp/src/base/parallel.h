@@ -19,8 +19,8 @@
 namespace swept {
 
 /// Calls body(i) for i in [0, n), one task per item. Use it for items that take microseconds or
-/// more. An exception of an item leaves the loop only after all tasks have ended. An exception that
-/// left its task at once would cancel the nested loops in the other tasks. Such a loop returns
+/// more. An exception of an item leaves the loop only after all tasks have ended. If it left its
+/// task at once, it would cancel the nested loops in the other tasks. A cancelled loop returns
 /// early without an error, and the code after it would read incomplete results.
 template <class Body>
 void parallelFor(std::size_t n, const Body& body) {

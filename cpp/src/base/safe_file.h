@@ -41,10 +41,10 @@ class SafeFile {
   SafeFile(const SafeFile&) = delete;
   SafeFile& operator=(const SafeFile&) = delete;
 
-  /// The stream to write to. It is open from the start.
+  /// Returns the stream to write to. It is open from the start.
   std::ofstream& stream() { return stream_; }
-  /// Name of the temporary file, for writers that open files themselves and for reading the file
-  /// back. It has the suffix of the target.
+  /// Returns the name of the temporary file, for writers that open files themselves and for reading
+  /// the file back. It has the suffix of the target.
   std::string temporary() const { return utf8FromPath(temporary_.path); }
   std::string target() const { return utf8FromPath(target_); }
   /// Closes the stream and checks that all bytes were written. commit() calls it as well.

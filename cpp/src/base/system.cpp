@@ -171,8 +171,8 @@ void returnFreeMemory() {
 
 #ifdef __GLIBC__
 bool setHeap(HeapSetting setting) {
-  // The defaults of the GNU C library, the largest free space that it keeps at the end of its heap
-  // and its largest number of blocks outside the heap.
+  // Upper bound to which the GNU C library raises its threshold for returning free memory at the
+  // end of the heap, and its default for the largest number of blocks outside the heap.
   constexpr int kUsualTrim = 64 << 20, kUsualMaps = 65536, kNoTrim = 1 << 30;
   mallopt(M_TRIM_THRESHOLD, setting == HeapSetting::Usual ? kUsualTrim : kNoTrim);
   mallopt(M_MMAP_MAX, setting == HeapSetting::OneHeap ? 0 : kUsualMaps);

@@ -1,6 +1,6 @@
-// What the C++ library cannot ask of the operating system: the implementation is the only file of
-// the project with calls of POSIX, Linux, macOS or Windows (checked by
-// tests/tools/include_rules.py). Names of files are UTF-8 or std::filesystem::path on every system.
+// Functions of the operating system that the C++ library lacks. Only their implementation
+// (system*.cpp) calls POSIX, Linux, macOS or Windows (checked by tests/tools/include_rules.py).
+// Names of files are UTF-8 or std::filesystem::path on every system.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,17 +14,18 @@ namespace swept::os {
 
 // --- memory, in bytes; 0 if the system does not say
 
-/// Resident size of the process. Allocates nothing in Linux, since it is also asked for when the
-/// memory may be exhausted.
+/// Returns the resident size of the process. Allocates nothing in Linux, since it is also called
+/// when the memory may be exhausted.
 std::uint64_t residentMemory();
-/// Largest resident size that the process ever had.
+/// Returns the largest resident size that the process ever had.
 std::uint64_t peakMemory();
-/// What the process can take without swapping.
+/// Returns the memory that the process can take without swapping.
 std::uint64_t availableMemory();
 /// Returns free memory to the system, if the C library has a call for that.
 void returnFreeMemory();
-/// Where malloc() takes memory from. OneHeap: from the end of its heap alone, and free space stays
-/// there; KeepFree: from anywhere, but free space still stays; Usual: as in any program.
+/// Where malloc() takes memory from. OneHeap: only from the end of its heap, where free space
+/// stays. KeepFree: from anywhere, but free space at the end of the heap still stays. Usual: the
+/// defaults.
 enum class HeapSetting { OneHeap, KeepFree, Usual };
 /// Returns false if the C library has no such settings.
 bool setHeap(HeapSetting setting);
@@ -39,15 +40,15 @@ unsigned createPrivate(const std::filesystem::path& file);
 /// Flushes the file to the disk. Some systems report a full disk only at this point. Returns 0 or
 /// the errno of the failure. A file that cannot be opened again or flushed is no failure.
 int flushToDisk(const std::filesystem::path& file);
-/// Whether the user may write to an existing file or read it. Sets errno if not.
+/// Returns whether the user may write to an existing file or read it. Sets errno if not.
 bool mayWrite(const std::filesystem::path& file);
 bool mayRead(const std::filesystem::path& file);
-/// std::fopen() for any path.
+/// Does the same as std::fopen(), for any path.
 std::FILE* openFile(const std::filesystem::path& file, const char* mode);
 
-/// A file for a copy of what can be read only once. Only its owner may read it. It disappears with
-/// this object; in Linux it has no name from the start, and also disappears if the process is
-/// killed.
+/// A temporary file for a copy of data that can be read only once. Only its owner may read it. It
+/// disappears with this object; in Linux it has no name from the start, and also disappears if the
+/// process is killed.
 class ScratchFile {
  public:
   ScratchFile();  ///< throws std::system_error
@@ -55,7 +56,7 @@ class ScratchFile {
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
   void write(const char* bytes, std::size_t count);  ///< throws std::system_error
-  /// Writes what a buffer holds, and returns a name by which the file can be opened for reading.
+  /// Flushes the file, and returns a name by which it can be opened for reading.
   std::string finish();
 
  private:
@@ -68,27 +69,27 @@ std::filesystem::path newTemporaryFile(const std::string& suffix);
 
 // --- the program, its terminal and its signals
 
-/// The words of the command line, in UTF-8. Also prepares the standard streams, so that Windows
-/// does not change the bytes that are read or written.
+/// Returns the words of the command line, in UTF-8. Also prepares the standard streams, so that
+/// Windows does not change the bytes that are read or written.
 std::vector<std::string> commandLine(int argc, char** argv);
-/// A name by which standard input can be opened; empty if there is none.
+/// Returns a name by which standard input can be opened; empty if there is none.
 std::string standardInputName();
-/// A name by which standard output can be opened.
+/// Returns a name by which standard output can be opened.
 std::string standardOutputName();
-/// The null device, which discards everything that is written to it.
+/// Returns the name of the null device, which discards everything that is written to it.
 std::string nullDeviceName();
-/// True for names that may lead to a terminal, a pipe or any other file without a suffix.
+/// Returns true for names that may lead to a terminal, a pipe or any other file without a suffix.
 bool isDeviceName(const std::string& name);
 bool isTerminal(std::FILE* stream);
 /// Calls handler(number) at each signal that asks the program to end (SIGINT, SIGTERM, SIGHUP),
-/// instead of ending it. What the caller of the program ignores (nohup) stays ignored.
+/// instead of ending it. Signals that were ignored when the program started (nohup) stay ignored.
 void onInterrupt(void (*handler)(int));
 /// Ignores these signals from now on.
 void ignoreInterrupts();
 /// Ignores the signals of failed writes. On a closed pipe or at a limit of the file size, the write
 /// then fails with an error, instead of ending the program.
 void ignoreWriteSignals();
-/// The file of the running program; empty if not known.
+/// Returns the file of the running program; empty if not known.
 std::filesystem::path programPath();
 /// Replaces this program by another one, or runs it and ends with its status. Returns only after a
 /// failure: its errno.
@@ -97,7 +98,7 @@ std::uint64_t processId();
 
 // --- the calling thread, and libraries
 
-/// Lets other threads of the machine go first. Has no effect if the system refuses.
+/// Gives other threads of the machine precedence. Has no effect if the system refuses.
 void lowerThreadPriority();
 /// Loads a library for the rest of the process. Returns null and the reason if that fails.
 void* openLibrary(const std::string& name, std::string& why);

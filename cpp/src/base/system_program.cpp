@@ -1,5 +1,5 @@
-// The one function that starts a program stands alone, so that only a program that calls it asks
-// the system for that. The Python module does not.
+// becomeProgram() has its own file. So only programs that call it contain a system call that starts
+// another program; the Python module contains none.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/system.h"
 

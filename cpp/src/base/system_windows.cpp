@@ -38,7 +38,8 @@ constexpr std::array<int, 3> kInterrupts{SIGINT, SIGTERM, SIGBREAK};
 
 void (*interruptHandler)(int) = nullptr;
 
-// The system forgets a handler when it calls it.
+// Calls the handler of onInterrupt(). The system forgets a handler when it calls it, so it is
+// installed again.
 void onSignal(int number) {
   std::signal(number, onSignal);
   if (interruptHandler != nullptr) interruptHandler(number);

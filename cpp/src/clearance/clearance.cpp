@@ -67,8 +67,8 @@ double allowedDepth(const NeighbourClearance& row, const ClearanceOptions& optio
   return std::max(row.rule.contact.value_or(0), options.tolerance + row.chordError);
 }
 
-/// Adds a finding about allowed contacts for which a greater depth could not be excluded. The text
-/// names the contact with the largest bound.
+/// Adds a finding about allowed contacts for which a larger depth than allowed could not be
+/// excluded. The text names the contact with the largest bound.
 void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
   Finding finding{"ContactNotProven", 0, {}, ""};
   const NeighbourClearance* worst = nullptr;
@@ -99,7 +99,8 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   checkClearanceOptions(options, all);
   const std::vector<const ClearanceNeighbour*> neighbours = withoutIgnored(all, report);
   const Eigen::Vector3d pivot = pivotOf(trajectory);
-  // Repeated poses are kept: if the body waits near a neighbour, its times there include the wait.
+  // Repeated poses are kept: if the body waits near a neighbour, the reported times then include
+  // the wait.
   CheckedTrajectory checked = checkTrajectory(trajectory, RepeatedPoses::Keep);
   report.warnings = std::move(checked.findings);
   bool mended = false;
@@ -165,9 +166,9 @@ ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory
 ClearanceReport firstContacts(const TriMesh& body, const Trajectory& trajectory,
                               const std::vector<ClearanceNeighbour>& neighbours,
                               const ClearanceOptions& options, RunContext& run) {
-  // The allowed depth is a tenth larger than the depth at the first pose, since a rotating bearing
-  // may lie slightly deeper at other times. It is rounded up to hundredths, which are easier to
-  // read.
+  // The allowed depth is a tenth larger than the depth at the first pose, because a rotating
+  // bearing may lie slightly deeper at other times. It is rounded up to hundredths of a mm, which
+  // are easier to read.
   constexpr double kMore = 1.1, kRound = 0.01;
   Trajectory first = trajectory;
   first.interpolation = Interpolation::None;

@@ -1,4 +1,4 @@
-// Measures pieces of the surfaces of two parts, to find where the parts overlap most deeply.
+// Measures pieces of the surfaces of two parts, to find where the parts overlap most.
 // In:      two parts and their relative placement.
 // Out:     bounds on how deep the points of a piece lie inside the other part.
 // Units:   mm.
@@ -12,13 +12,13 @@
 
 namespace swept::clearance {
 
-/// A piece of surface: a node of the hierarchy, or a triangle cut from a leaf's triangle.
+/// A piece of surface: a node of the hierarchy, or a triangle cut from the triangle of a leaf.
 struct Piece {
   bool ofBody = true;
   BoxTree::Node node;
   bool isTriangle = false;
   Triangle3d corners;
-  /// Place of a triangle of the other part that is probably near; -1: none is known.
+  /// Place (in the tree) of a triangle of the other part that is probably near; -1: none is known.
   std::int32_t near = -1;
 };
 
@@ -39,11 +39,11 @@ double depthIn(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Ve
                bool ofBody, const Eigen::Vector3d& local);
 Probe probe(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
             const Piece& piece);
-/// Appends the smaller pieces that a piece consists of: the children of a node, or the four
-/// triangles into which a triangle is cut.
+/// Appends the smaller pieces of a piece: the children of a node, or the four triangles into which
+/// a triangle is cut.
 void cutPiece(const PairSearch& pair, const Piece& piece, std::vector<Piece>& out);
-/// Returns the root piece of each part, but only if the other part is closed. Nothing lies inside
-/// an open part.
+/// Returns the root piece of each part whose other part is closed, because nothing lies inside an
+/// open part.
 std::vector<Piece> roots(const PairSearch& pair);
 
 }  // namespace swept::clearance

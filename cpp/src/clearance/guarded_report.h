@@ -15,7 +15,7 @@
 namespace swept::clearance {
 
 /// Calls work() with the thread count of the run. If work() fails, takeBack(report) removes partial
-/// results, since an unfinished run must not look like a result. In messages, `what` names the
+/// results, because an unfinished run must not look like a result. In messages, `what` names the
 /// computation and `inputs` names its input.
 template <class Report, class TakeBack, class Work>
 void fillGuarded(Report& report, RunContext& run, const std::string& what,

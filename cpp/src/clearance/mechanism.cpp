@@ -1,6 +1,6 @@
-// The parts are prepared in parallel. Boxes over time discard the pairs of parts that stay far
-// apart. Each remaining pair is searched like one moving body: the part relative to which the other
-// one moves less counts as standing still.
+// Checks a mechanism. The parts are prepared in parallel. Boxes over time discard the pairs of
+// parts that stay far apart. Each remaining pair is searched like one moving body: the part
+// relative to which the other one moves less counts as standing still.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/mechanism.h"
 
@@ -51,7 +51,7 @@ double rangeOf(const std::vector<MechanismPart>& parts, const std::vector<Prepar
   return std::max(range, rules.largestRequired() + 2 * chord + 2 * options.tolerance);
 }
 
-/// Result for one pair of parts that the boxes could not separate.
+/// Result for one pair of parts that was searched.
 struct Looked {
   bool joined = false;
   std::optional<PairClearance> near;
@@ -78,7 +78,7 @@ class PairLook {
     Looked looked;
     looked.joined = std::min(one, other) <= o_.tolerance;
     if (looked.joined) return looked;
-    // Whether the second part is the moving body, in the frame of the first.
+    // True: the second part is the moving body, in the frame of the first.
     const bool turned = other < one;
     const PreparedPart& body = turned ? second : first;
     const PreparedPart& frame = turned ? first : second;
@@ -109,8 +109,7 @@ class PairLook {
     return backFromPivot(part.motion.poseAt(time), part.pivot);
   }
 
-  /// Transforms points and boxes from the frame of one part, in which the search works, to the
-  /// world.
+  /// Transforms points and boxes from the frame of one part, which the search uses, to the world.
   static void toWorld(NeighbourClearance& row, const PreparedPart& frame) {
     const Pose at = frame.motion.poseAt(row.timeSeconds);
     for (Vector3d* x : {&row.pointOnBody, &row.pointOnNeighbour})
@@ -210,8 +209,8 @@ void runCheck(MechanismReport& report, const std::vector<MechanismPart>& parts,
   const PairLook look(parts, prepared, rules, options, report, run);
   std::atomic<std::uint64_t> done{0};
   parallelFor(pairs.size(), [&](std::size_t i) {
-    // While a thread waits for the others that work on its pair, it must not start a second pair:
-    // that would cost memory.
+    // While a thread waits for others that work on its pair, it must not start a second pair, which
+    // would take more memory.
     tbb::this_task_arena::isolate([&] { looked[i] = look(pairs[i]); });
     run.checkpoint(Phase::Check, ++done, pairs.size());
   });

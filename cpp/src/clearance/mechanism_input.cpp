@@ -64,7 +64,7 @@ Trajectory timedPoses(const MechanismPart& part, std::vector<Finding>& findings)
 std::vector<PreparedPart> prepareParts(const std::vector<MechanismPart>& parts, RunContext& run) {
   requireNames(parts);
   std::vector<std::optional<PreparedPart>> prepared(parts.size());
-  // Motions come first: checking them is fast, so their errors are reported before the slow
+  // Motions are checked first. This is fast, so their errors are reported before the slow
   // preparation of the meshes.
   std::vector<Trajectory> motions;
   std::vector<std::vector<Finding>> findings(parts.size());

@@ -3,7 +3,7 @@
 // Out:     bounding volume hierarchies and timed motions, with the pivot of each part as the origin
 //          of its coordinates.
 // Units:   mm, s.
-// Cost:    O(n log n) in the number of triangles; parts are prepared in parallel.
+// Cost:    O(n log n) for n triangles; parts are prepared in parallel.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,7 +17,8 @@ namespace swept::clearance {
 
 struct PreparedPart {
   Part part;
-  bool mended;  ///< true: `part` is a repaired copy, so the caller cannot use its triangle numbers
+  bool mended;  ///< true: `part` is a repaired copy, whose triangle indices mean nothing to the
+                ///< caller
   Eigen::Vector3d pivot;
   TimedMotion motion;
   std::vector<Finding> findings;

@@ -27,7 +27,8 @@ Json pairJson(const MechanismReport& report, const PairClearance& pair) {
 
 std::string toJson(const MechanismReport& report) {
   Json json = reportHead("mechanism", report.status, report.code, report.message);
-  if (!report.summary.empty()) {  // a report also has a summary if only writing an output failed
+  // A report also has a summary if only the writing of an output failed.
+  if (!report.summary.empty()) {
     json["summary"] = report.summary;
     json["parts"] = report.names;
     json["required"] = report.required;

@@ -13,7 +13,8 @@ namespace swept::clearance {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kRound = 16;  // nodes per round; fixed: results do not depend on threads
+// Nodes per round; fixed, so that results do not depend on threads.
+constexpr std::size_t kRound = 16;
 
 struct QueuedNode {
   double key = 0;           // mm, lower bound of the distance in this node
@@ -23,8 +24,8 @@ struct QueuedNode {
   int level = 0;
 };
 
-// Returns the effort for a proof. Proofs mostly fail near the root, so the effort is small there
-// and doubles with each split.
+// Returns the effort for a proof. Most proofs fail near the root, so the effort is small there. It
+// doubles with each split.
 std::int64_t effortAt(int level) { return std::int64_t{1000} << std::min(level, 11); }
 
 struct Examined {
@@ -56,8 +57,8 @@ class MinimumSearch {
     queue_.push({key, number_++, node, hint, level});
   }
 
-  // Measures the distance at the representative poses of a few nodes spread over the motion, for a
-  // first bound. Starts the queue with these nodes.
+  // Measures the distance at the representative poses of some nodes spread over the motion. This
+  // gives a first upper bound. Starts the queue with these nodes.
   void seed() {
     std::vector<MotionNode> nodes{c_.motion.root()};
     for (bool grown = true; grown && nodes.size() < 32;) {
@@ -78,9 +79,9 @@ class MinimumSearch {
     for (const MotionNode& node : nodes) {
       const MotionBound b = c_.motion.bound(node);
       const bool overlap = c_.pair.containedAt(b.R, b.t);
-      // Here it only matters whether the surfaces intersect. Their exact distance would take a long
-      // search if one part lies in the middle of the other, where all directions are about equally
-      // near.
+      // Here it only matters whether the surfaces intersect. If one part lies in the middle of the
+      // other, all directions are about equally near, so a search for the exact distance would take
+      // long.
       const double below = overlap ? std::min(meeting(), result_.distance) : result_.distance;
       const PairDistance d = c_.pair.distanceAt(b.R, b.t, below, result_.at.pair);
       ++c_.queries;
@@ -155,8 +156,8 @@ class MinimumSearch {
     }
   }
 
-  // Refines the time of the minimum by a golden section search around it. The distance can only
-  // decrease.
+  // Refines the time of the minimum by a golden section search around it. The distance found can
+  // only decrease.
   void polish() {
     constexpr double kRatio = 0.6180339887498949;
     const double width = span_ > 0 ? span_ : 1.0;
@@ -217,9 +218,9 @@ struct LevelItem {
   Level outcome = Level::Clear;
 };
 
-/// Returns an upper bound, in mm, of the distance of these nearest points anywhere in the node.
-/// Along the line between the points, the distance grows at most by the advance of the body's
-/// point; across the line, at most by the reach.
+/// Returns an upper bound (mm) of the distance of these nearest points anywhere in the node. Along
+/// the line between the points, the distance grows at most by the advance of the body's point.
+/// Perpendicular to the line, it grows at most by the reach.
 double largestDistance(const MotionBound& b, const PairDistance& d) {
   if (d.pair.body < 0 || d.distance <= 0) return d.distance + b.reach;
   const Eigen::Vector3d n = (d.onBody - d.onNeighbour) / d.distance;
@@ -229,10 +230,11 @@ double largestDistance(const MotionBound& b, const PairDistance& d) {
   return std::min(d.distance + b.reach, std::hypot(along, b.reach));
 }
 
-/// Whether the pair of triangles that was nearest last stays below the level in the whole node.
+/// Returns whether the pair of triangles found last (hint) is nearer than the level in the whole
+/// node.
 bool hintIsBelow(const SearchContext& c, const LevelItem& item, const MotionBound& b,
                  double level) {
-  // Where the reach is at least the level, largestDistance() never falls below it.
+  // If the reach is at least the level, largestDistance() is never below the level.
   if (item.hint.body < 0 || b.reach >= level) return false;
   const NearestPoints p = c.pair.leafDistance(b.R, b.t, item.hint);
   return largestDistance(b, {std::sqrt(p.squared), item.hint, p.a, p.b}) < level;
@@ -257,14 +259,14 @@ void classify(SearchContext& c, LevelItem& item, double level, double resolution
   }
   if (proof.obstacle.body >= 0) item.hint = proof.obstacle;
   if (last) {
-    // A step without proof counts as below the level: spans may be too long, never too short.
+    // A step without proof counts as below the level. So spans may be too long, never too short.
     const bool below = b.reach > 0 || c.pair.anyNearerThan(b.R, b.t, level, item.hint).body >= 0 ||
                        c.pair.containedAt(b.R, b.t);
     item.outcome = below ? Level::Below : Level::Clear;
     return;
   }
-  // The exact distance is not measured: it costs more than the proofs for both halves, and the pair
-  // that prevented this proof soon shows that the parts are below the level.
+  // The exact distance is not measured, because it costs more than the proofs for both halves. The
+  // pair that prevented this proof will soon show that the parts are below the level.
   const bool below =
       hintIsBelow(c, item, b, level) || (b.reach >= level && overlaps(b.R, b.t, b.reach - level));
   item.outcome = below ? Level::Below : Level::Split;

@@ -4,8 +4,7 @@
 // Out:     plain values. They do not depend on the number of threads: nodes are examined in rounds
 //          of fixed size and merged in order.
 // Units:   mm.
-// Cost:    one proof or distance query for each node that is not discarded together with its
-//          parent.
+// Cost:    one proof or distance query for each node whose parent could not be discarded.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -39,13 +38,13 @@ struct Minimum {
   bool found() const { return inside || at.pair.body >= 0; }
 };
 
-/// Returns the smallest distance over the motion; it is too large by at most `slack` (mm). Stops
-/// early once the distance is at most `slack`. If nothing comes nearer than `context.within`,
-/// returns that value, and found() is false.
+/// Returns the smallest distance over the motion. It is too large by at most `slack` (mm). The
+/// search ends early once the distance is at most `slack`. If no distance is below
+/// `context.within`, returns that value, and found() is false.
 Minimum searchMinimum(SearchContext& context, double slack);
 
-/// Returns true only if the parts overlap by at least `atLeast` at a pose. May return false
-/// although the parts do overlap that far.
+/// Returns true only if the parts overlap by at least `atLeast` (mm) at a pose. May return false
+/// although they do.
 using OverlapTest =
     std::function<bool(const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double atLeast)>;
 

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Largest number of members of a cluster without child clusters.
+// Largest number of members of a cluster that is not divided into child clusters.
 constexpr std::int32_t kBucket = 4;
 
 // Steps of one body between its successive poses, in world coordinates.

@@ -1,15 +1,15 @@
 // A binary tree over a motion. Its nodes are clusters of similar placements. The members of a
 // cluster are steps between poses or, without interpolation, single poses.
 // In:      trajectory; box of the body in its own frame. The parameter of a motion is pose index +
-//          s, where s in [0, 1] is the share of the step after that pose.
+//        s, where s in [0, 1] is the fraction of the step after that pose.
 // Out:     for each node a representative pose, and bounds on the displacement of any point of the
 //          body from its position at that pose: in all directions, and along one direction.
 // Units:   mm, rad.
-// Cost:    O(n log n), about 600 bytes per pose.
+// Cost:    O(n log n) for n poses, about 600 bytes per pose.
 // The class MotionSteps supplies the steps: those of one body in the world, or those of one moving
 // body relative to another (relative_motion.h).
-// Why:     The corners of a box suffice: a displacement is affine in the point, so its length is
-//          convex and largest at a corner of any box that contains the body.
+// Why:     The corners of a box suffice. A displacement is an affine function of the point, so its
+// length is convex and largest at a corner of any box that contains the body.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,8 +21,8 @@
 
 namespace swept::clearance {
 
-/// Steps between successive poses, as the tree needs them. s in [0, 1] is the share of a step. All
-/// bounds hold for the box of the body from which the tree is built.
+/// Steps between successive poses, for the tree. s in [0, 1] is the fraction of a step. All bounds
+/// hold for the box of the body from which the tree is built.
 class MotionSteps {
  public:
   struct Flow {
@@ -33,7 +33,7 @@ class MotionSteps {
   virtual ~MotionSteps() = default;
   virtual Pose poseAt(std::int64_t step, double s) const = 0;
   virtual Flow flowAt(std::int64_t step, double s) const = 0;
-  /// Returns, in mm, an upper bound of how far any point departs in the step from the chord between
+  /// Returns an upper bound (mm) of how far any point deviates in the step from the chord between
   /// its two end positions. The bound is an eighth of the largest acceleration.
   virtual double bulge(std::int64_t step) const = 0;
 };
@@ -47,13 +47,13 @@ void forCorners(const Eigen::Vector3d& centre, const Eigen::Vector3d& half, F&& 
   }
 }
 
-/// Returns the largest distance, in mm, of a corner of the box (body frame) from the rotation axis
-/// of the step.
+/// Returns the largest distance (mm) of a corner of the box (body frame) from the rotation axis of
+/// the step.
 double largestRadius(const StepPath& path, const Eigen::Vector3d& centre,
                      const Eigen::Vector3d& half);
 
-/// A node: a cluster of members, or the part [from, to] of one member. A member is a step, or a
-/// single pose without interpolation.
+/// A node: a cluster of members, or the part [from, to] of one member. A member is a step or,
+/// without interpolation, a single pose.
 struct MotionNode {
   std::int32_t cluster = -1;
   std::int32_t member = -1;
@@ -66,25 +66,26 @@ struct MotionBound {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   Eigen::Vector3d t = Eigen::Vector3d::Zero();
   double parameter = 0;
-  /// mm, largest displacement of any point from its position at the representative
+  /// mm, largest displacement of any point from its position at the representative pose
   double reach = 0;
 
-  /// Returns the largest advance along the unit vector n of any body point in the given box (body
-  /// frame).
+  /// Returns how far any body point in the given box (body frame) can advance along the unit vector
+  /// n.
   double advance(const Eigen::Vector3d& n, const Eigen::Vector3d& centre,
                  const Eigen::Vector3d& half) const;
 
  private:
   friend class MotionTree;
   enum class Kind { Point, Flow, Cluster } kind_ = Kind::Point;
-  // If kind_ is Flow: a point x has the velocity linear_ + angular_.cross(x) at the representative.
-  // span_ is half of the span; rest_ bounds how far a point leaves its tangent.
+  // If kind_ is Flow: a point x has the velocity linear_ + angular_.cross(x) at the representative
+  // pose. span_ is half of the span. rest_ bounds how far a point deviates from its tangent.
   Eigen::Vector3d linear_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_ = Eigen::Vector3d::Zero();
   double span_ = 0;
   double rest_ = 0;
   // If kind_ is Cluster: the interval of each matrix entry over all members. Columns 0 to 2 are R -
-  // R_rep, column 3 is the displacement of the body's centre.
+  // R_rep (R_rep: rotation of the representative), column 3 is the displacement of the body's
+  // centre.
   const Eigen::Matrix<double, 3, 4>* low_ = nullptr;
   const Eigen::Matrix<double, 3, 4>* high_ = nullptr;
   Eigen::Vector3d bodyCentre_ = Eigen::Vector3d::Zero();
@@ -94,7 +95,7 @@ class MotionTree {
  public:
   MotionTree(const Trajectory& trajectory, const Eigen::Vector3d& bodyCentre,
              const Eigen::Vector3d& bodyHalf);
-  /// `poses` are the ends of the steps, at least two: one pose more than there are steps.
+  /// `poses`: the ends of the steps, at least two. There is one pose more than there are steps.
   MotionTree(std::vector<Pose> poses, std::unique_ptr<const MotionSteps> steps,
              const Eigen::Vector3d& bodyCentre, const Eigen::Vector3d& bodyHalf);
 
@@ -121,7 +122,7 @@ class MotionTree {
     std::int32_t right = -1;
     std::int32_t representative = 0;
     double reach = 0;
-    double bulge = 0;  ///< mm, largest departure of a member step from its chord
+    double bulge = 0;  ///< mm, largest deviation of a member step from its chord
     Eigen::Matrix<double, 3, 4> low, high;
   };
   using Affine = Eigen::Matrix<double, 3, 4>;

@@ -41,7 +41,7 @@ double lengthOf(const std::string& text, const std::string& whole) {
 bool isPattern(const std::string& text) { return text.find_first_of("*?") != std::string::npos; }
 
 /// Returns whether the name matches the pattern, which may contain * and ?. After a mismatch, the
-/// last * absorbs one more character and matching resumes behind it.
+/// last * absorbs one more character, and matching continues behind it.
 bool matches(const std::string& pattern, const std::string& name) {
   std::size_t p = 0, n = 0, star = std::string::npos, resume = 0;
   while (n < name.size()) {

@@ -1,4 +1,4 @@
-// Checks of the numeric options of clearance checks.
+// Checks the numeric options of clearance checks.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -30,8 +30,8 @@ class PairCheck {
     if (!least.found()) least.distance = std::numeric_limits<double>::infinity();
     row.inside = least.inside;
     if (least.inside || least.distance <= slack) {
-      // Where contact is allowed, parts overlap slightly in many places, so the search is given
-      // more effort.
+      // If contact is allowed, parts overlap slightly in many places. So the search gets more
+      // effort.
       const std::int64_t effort = row.rule.contact ? 200000 : o_.penetration ? 40000 : 4000;
       row.penetration = deepestPenetration(context, least, o_.tolerance, effort);
       const bool undecidable = !row.penetration.known && least.distance <= 0 &&
@@ -44,7 +44,7 @@ class PairCheck {
       row.verdict = ClearanceVerdict::Contact;
     }
     fillMinimum(row, least, pair);
-    // The triangle numbers of a repaired copy mean nothing to the caller.
+    // The caller does not know the triangles of a repaired copy.
     if (parts_.neighbourMended) row.neighbourTriangle = -1;
     if (parts_.bodyMended) row.bodyTriangle = -1;
     row.guaranteed = std::max(0.0, row.distance - slack - row.chordError);

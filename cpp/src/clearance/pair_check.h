@@ -1,4 +1,4 @@
-// Checks one neighbour: computes its row of the report.
+// Checks one neighbour: computes the row of the report for it.
 // In:      two parts, which are prepared once for many motions, and the tree of one motion
 //          (motion_tree.h).
 // Out:     the row that docs/clearance.md describes.
@@ -15,8 +15,9 @@
 
 namespace swept::clearance {
 
-/// Prepares the mesh as a part. If the mesh is not closed but a repaired copy is (vertices merged,
-/// orientation made consistent), uses the copy and sets `mended`. Throws the errors of Part.
+/// Prepares the mesh as a part. If the mesh is open but a repaired copy (vertices merged,
+/// orientation made consistent) is closed, uses the copy and sets `mended`. Throws the errors of
+/// Part.
 Part closedPart(const TriMesh& mesh, const std::string& who, RunContext& run, bool& mended);
 
 struct CheckedPair {
@@ -24,8 +25,8 @@ struct CheckedPair {
   bool bodyMended;
   const Part& neighbour;
   bool neighbourMended;
-  /// mm; a pair that never comes nearer than this gets an infinite distance and no curve. Must
-  /// exceed the sum of the required distance, the chord errors and two tolerances.
+  /// mm; a pair that is never nearer than this gets an infinite distance and no curve. Must exceed
+  /// the sum of the required distance, the chord errors and two tolerances.
   double within = std::numeric_limits<double>::infinity();
 };
 
@@ -36,7 +37,7 @@ struct CheckedNeighbour {
   NeighbourRule rule;     ///< the result of askedOf()
 };
 
-/// Returns the rule that holds for a neighbour: its own, or else the common required distance.
+/// Returns the rule for a neighbour: its own, or without one the common required distance.
 NeighbourRule askedOf(const NeighbourRule& own, double commonRequired);
 
 /// Computes the row of one neighbour. Throws Error(Cancelled).

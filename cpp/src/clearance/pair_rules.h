@@ -1,4 +1,4 @@
-// The one place that decides which rule holds for two parts of a mechanism.
+// Decides which rule holds for two parts of a mechanism. Path searches for sequences use it, too.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -11,21 +11,21 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Gap of two boxes at one pose. The gap is a lower bound of the distance. Along the direction of
-// the gap, the boxes are at least that far apart.
+// Gap of two boxes at one pose, a lower bound of their distance. Along the direction of the gap,
+// the boxes are at least this far apart.
 class BoxGap {
  public:
   BoxGap(const Matrix3d& R, const Vector3d& t) : R_(R), t_(t), absolute_(R.cwiseAbs()) {}
 
-  // Returns the gap in the axes of the neighbour. The moving box is replaced by its bounding box in
-  // these axes.
+  // Returns the gap along the axes of the neighbour. The moving box is replaced by its bounding box
+  // with these axes.
   double inWorld(const Box& moving, const Box& still) {
     offset_ = still.centre - (R_ * moving.centre + t_);
     world_ = (offset_.cwiseAbs() - absolute_ * moving.half - still.half).cwiseMax(0.0);
     return world_.norm();
   }
-  // Returns the gap in the axes of the body. Call inWorld() for the same pair first, because it
-  // sets offset_.
+  // Returns the gap along the axes of the body. Requires that inWorld() was called for the same
+  // pair before, which sets offset_.
   double inBody(const Box& moving, const Box& still) {
     local_ = R_.transpose() * offset_;
     gap_ = (local_.cwiseAbs() - moving.half - absolute_.transpose() * still.half).cwiseMax(0.0);
@@ -45,7 +45,8 @@ class BoxGap {
   Vector3d offset_, world_, local_, gap_;
 };
 
-// Gap of two nodes at one pose. Plates are compared only if the boxes are not far enough apart.
+// Gap of two nodes at one pose. Plates (plates.h) are compared only if the boxes are not far enough
+// apart.
 class NodeGap {
  public:
   NodeGap(const Part& body, const Part& neighbour, const Matrix3d& R, const Vector3d& t)
@@ -86,7 +87,7 @@ struct Item {
   }
 };
 
-// Stack of the pairs that are not examined yet. The search goes depth first and replaces one node
+// Stack of the pairs that have not been examined. The search goes depth first and replaces one node
 // by its four children at a time. So the stack holds at most 1 + 3 * (levels of both trees) pairs.
 class Stack {
  public:
@@ -126,7 +127,7 @@ void openLarger(const Part& body, const Part& neighbour, const Item& item, const
   }
 }
 
-// Sorts the entries from `first` on, so that the nearest pair comes out first.
+// Sorts the entries from `first` on, so that the nearest pair is taken from the stack first.
 void sortFrom(int first, Stack& stack) {
   for (int i = first + 1; i < stack.size(); ++i) {
     for (int at = i; at > first && stack[at - 1].gap < stack[at].gap; --at)
@@ -138,17 +139,17 @@ Triangle3d posed(const Matrix3d& R, const Vector3d& t, const Triangle3d& c) {
   return {Vector3d(R * c[0] + t), Vector3d(R * c[1] + t), Vector3d(R * c[2] + t)};
 }
 
-// Returns the largest advance of a triangle along n. Displacements are affine, so a vertex has the
-// largest one.
+// Returns the largest advance of a triangle along n. Displacements are affine, so a corner has the
+// largest advance.
 double advanceOf(const MotionBound& motion, const Vector3d& n, const Triangle3d& c) {
   double a = 0;
   for (const Vector3d& x : c) a = std::max(a, motion.advance(n, x, Vector3d::Zero()));
   return a;
 }
 
-// Gap of two triangles along a direction from a to b: the normal of either triangle or the line
-// between their centroids. The gap is a lower bound of the distance and costs a tenth of the exact
-// distance.
+// Gap of two triangles along a direction from a to b: the normal of either triangle, or the line
+// between their centroids. The gap is a lower bound of the distance. Computing it takes a tenth of
+// the time of the exact distance.
 struct Slab {
   double gap = -1;
   Vector3d direction = Vector3d::Zero();

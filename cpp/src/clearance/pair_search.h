@@ -3,11 +3,12 @@
 // In:      the bounding volume hierarchies of both meshes; a pose, or a node of the motion's tree.
 // Out:     the nearest pair of triangles, or "no pair comes nearer than x anywhere in this node".
 // Units:   mm.
-// Cost:    proportional to the surface area that lies nearer than the distance in question.
+// Cost:    proportional to the surface area that is nearer than the distance that is searched for
+//        or to be proven.
 // Method:  Two convex shapes have the gap g along the unit vector n. If no point of the moving
-//          shape advances by more than a along n, the shapes stay g - a apart. Boxes are tried
-//          first, then triangles. A part that slides along a wall needs no extra work, since n is
-//          the normal of the wall.
+// shape advances by more than a along n, the shapes stay g - a apart. Boxes are tried first, then
+// triangles. A part that slides along a wall causes no extra work, because n is the normal of the
+// wall.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -32,7 +33,7 @@ struct PairDistance {
 struct Certificate {
   bool holds = false;
   LeafPair obstacle;  ///< the pair for which the proof failed; none if the effort ran out
-  /// mm, lower bound of how near the obstacle may come; used to order the search.
+  /// mm, lower bound of the distance to which this pair may come; it orders the search.
   double estimate = 0;
 };
 

@@ -47,7 +47,8 @@ std::pair<int, double> longestEdge(const Triangle3d& c) {
   return {longest, best};
 }
 
-// Whether each edge is used equally often in both directions. Edges of length 0 do not count.
+// Returns whether each edge is used equally often in both directions. Edges of length 0 do not
+// count.
 bool balanced(const TriMesh& welded) {
   bool any = false, even = true;
   EdgeTable(welded).forEachEdge([&](std::int32_t low, std::int32_t high, const std::uint64_t* first,
@@ -122,8 +123,8 @@ std::vector<Part::Piece> Part::cutSlivers(const TriMesh& mesh) {
     sizes[i] = {edge, edge > 0 ? (c[1] - c[0]).cross(c[2] - c[0]).norm() / edge : 0.0};
     sum += edge;
   }
-  // The length to which slivers are cut grows until there are at most half as many new pieces as
-  // triangles.
+  // Slivers are cut into pieces of about this length. It is increased until there are at most half
+  // as many new pieces as triangles.
   double least = sum / static_cast<double>(count) / 16;
   const auto lengthFor = [&](std::size_t i) { return std::max(3 * sizes[i][1], least); };
   const auto extra = [&] {
@@ -196,7 +197,7 @@ Part::Depth Part::depth(const Vector3d& point, std::int32_t hint) const {
   double within = std::numeric_limits<double>::infinity();
   if (hint >= 0) {
     const double d = footOnTriangle(point, corners_[static_cast<std::size_t>(hint)]).offset.norm();
-    within = std::nextafter(d, within);  // the hint itself is found again
+    within = std::nextafter(d, within);  // so that the query finds the triangle `hint` again
   }
   const NearestOnPart near = nearest(point, within);
   return {inside(point) ? near.distance : -near.distance, near.place};

@@ -1,13 +1,14 @@
-// One of the parts of a clearance check, in its own frame, prepared once for all poses.
+// A part of a clearance check, in its own frame, prepared once for all poses.
 // In:      triangles.
 // Out:     their bounding volume hierarchy, nearest point, inside test.
 // Units:   mm.
-// Cost:    O(n) to build, about 220 bytes per triangle; O(log n) per query on well-shaped parts.
+// Cost:    O(n) to build for n triangles, about 220 bytes per triangle; O(log n) per query on
+//        well-shaped parts.
 // Tessellated solids often have long thin triangles. A box around a long oblique sliver is nearly
-// empty, and a search would enter it in vain. So slivers are cut into pieces first, which adds at
-// most half as many triangles. All boxes keep the axes of their mesh. One rotation then serves all
-// pairs of boxes of two meshes, which makes a box test several times cheaper than with individually
-// oriented boxes.
+// empty, so searches would enter it in vain. So slivers are cut into pieces first, which adds at
+// most half as many triangles. All boxes are aligned with the axes of their mesh. One rotation then
+// serves all pairs of boxes of two meshes. A box test then takes a fraction of the time of a test
+// with individually oriented boxes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -49,22 +50,23 @@ class Part {
   const Triangle3d& corners(std::uint32_t place) const { return corners_[place]; }
   std::int64_t triangle(std::uint32_t place) const { return triangles_[place]; }
 
-  /// Whether each edge is used equally often in both directions, so that "inside" has a meaning.
+  /// Returns whether each edge is used equally often in both directions, so that "inside" is
+  /// defined.
   bool closed() const { return rays_.has_value(); }
   /// Returns one surface point of each connected piece.
   const std::vector<Eigen::Vector3d>& pieces() const { return pieces_; }
 
   /// Returns the nearest surface point. If no point is nearer than `within`, place is -1.
   NearestOnPart nearest(const Eigen::Vector3d& point, double within) const;
-  /// Whether the winding number of the point is not 0. Always false if the mesh is open.
+  /// Returns whether the winding number of the point is not 0. Always false if the mesh is open.
   bool inside(const Eigen::Vector3d& point) const;
   struct Depth {
     double depth = 0;         ///< mm, positive inside, negative outside
     std::int32_t place = -1;  ///< place of the nearest triangle
   };
   /// Returns the depth below the surface. For a point outside the bounding box, returns only an
-  /// upper bound (minus the distance to the box) and no place. `hint` is the place of a triangle
-  /// that is probably near; -1: none is known.
+  /// upper bound (minus the distance to the box) and no place. `hint`: place of a triangle that is
+  /// probably near; -1: none is known.
   Depth depth(const Eigen::Vector3d& point, std::int32_t hint = -1) const;
 
  private:
@@ -76,11 +78,12 @@ class Part {
 
   BoxTree tree_;
   std::vector<Triangle3d> corners_;  ///< by place in the tree
-  /// By place in the tree: the triangle's number in the mesh.
+  /// For each place in the tree, the index of its triangle in the mesh.
   std::vector<std::int64_t> triangles_;
   Plates plates_;
   std::vector<Eigen::Vector3d> pieces_;
-  /// On the heap: rays_ refers to the mesh, which must keep its address when the Part is moved.
+  /// A pointer, because rays_ refers to this mesh, which must keep its address when the Part is
+  /// moved.
   std::unique_ptr<const TriMesh> mesh_;
   std::optional<RayColumns> rays_;  ///< only for closed meshes
 };

@@ -17,9 +17,9 @@ using Eigen::Vector3d;
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 /// Some point of a piece probably lies deeper than the centre of the piece. The difference is about
-/// this share of the sum of the piece's radius and the reach of its motion.
+/// this fraction of the sum of the piece's radius and the reach of its motion.
 constexpr double kPromise = 0.3;
-// Largest number of connected pieces of a part at which the search starts.
+// Largest number of connected pieces of a part from which the search starts.
 constexpr std::size_t kMostPieces = 1000;
 constexpr std::size_t kRound = 64;  // pieces per round; fixed, see motion_search.cpp
 
@@ -86,7 +86,7 @@ class DepthSearch {
  private:
   double allowed() const { return std::max(tolerance_, 0.01 * best_.depth); }
 
-  // Returns a new item of the queue. `bound` is that of the item from which the new item is split.
+  // Returns a new item of the queue. `bound`: the bound of the item that is split.
   Item makeItem(const MotionNode& node, const Piece& piece, double bound) {
     Item item;
     item.bound = bound;
@@ -184,8 +184,8 @@ double DepthSearch::tryAt(double u, bool ofBody, const Vector3d& local) {
   return depth;
 }
 
-// Improves the time at which a point is deepest by a section search between the motion parameters u
-// - width and u + width.
+// Improves the time at which a point is deepest, by a golden section search between the motion
+// parameters u - width and u + width.
 void DepthSearch::tryRound(double u, double width, bool ofBody, const Vector3d& local) {
   double low = std::max(0.0, u - width);
   double high = std::min(c_.motion.largestParameter(), u + width);
@@ -199,8 +199,8 @@ void DepthSearch::tryRound(double u, double width, bool ofBody, const Vector3d& 
   }
 }
 
-// Tests the first points: the vertices of the nearest pair of triangles, and its nearest points, at
-// times around the time of smallest distance.
+// Tests the first points at times around the time of the smallest distance: the corners of the
+// nearest pair of triangles, and its nearest points.
 void DepthSearch::begin(const Minimum& touch) {
   if (touch.inside) {  // one of these points lies inside
     const auto tryPieces = [&](bool ofBody, const Part& own) {
@@ -224,8 +224,8 @@ void DepthSearch::begin(const Minimum& touch) {
   for (const Vector3d& x : c_.pair.neighbour().corners(touch.at.pair.neighbour)) tryPoint(false, x);
 }
 
-// Moves the deepest point to better corners of its piece and to a better time. The depth never
-// decreases.
+// Moves the deepest point to better corners of its piece and to a better time. The depth found
+// never decreases.
 void DepthSearch::sharpen() {
   if (!bestHasPiece_) return;
   const bool ofBody = best_.pointOfBody;
@@ -256,8 +256,7 @@ void DepthSearch::finish() {
 }
 
 // Measures the box around the intersection of the surfaces and all vertices inside the other part.
-// A node of the hierarchy lies wholly inside if the centre of its box is deeper than the box's
-// radius. It lies wholly outside if the centre is farther outside than the radius.
+// A node lies wholly outside the other part if its centre is farther outside than its radius.
 void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
   Vector3d low = best_.point.cwiseMin(best_.surface);
   Vector3d high = best_.point.cwiseMax(best_.surface);
@@ -278,7 +277,7 @@ void DepthSearch::measureRegion(const Matrix3d& R, const Vector3d& t) {
       if (node.isItem()) {
         for (const Vector3d& x : own.corners(node.index)) {
           const Vector3d world = root.ofBody ? Vector3d(R * x + t) : x;
-          // A point within the box found so far cannot enlarge it.
+          // A point within the current box cannot enlarge it.
           if ((world.array() >= low.array()).all() && (world.array() <= high.array()).all())
             continue;
           if (depthIn(c_.pair, R, t, root.ofBody, x) > 0) grow(world);

@@ -15,7 +15,7 @@ constexpr std::int32_t kLevels = 4;  // groups of up to 256 triangles; larger gr
 Vector3d doubleArea(const Triangle3d& c) { return (c[1] - c[0]).cross(c[2] - c[0]); }
 
 /// Returns the mean normal; its sign has no meaning. Neighbouring triangles of an open surface may
-/// be oriented in opposite ways, so each normal is first turned to the side of the largest one.
+/// have opposite orientations, so each normal is first turned to the side of the largest one.
 Vector3d meanNormal(const Triangle3d* begin, const Triangle3d* end) {
   const Vector3d first = doubleArea(*std::max_element(begin, end, [](const auto& a, const auto& b) {
     return doubleArea(a).squaredNorm() < doubleArea(b).squaredNorm();

@@ -1,13 +1,13 @@
-// Thin cylinders ("plates") that enclose small groups of triangles. On a curved or slanted surface
-// a box with the axes of the mesh is as thick as it is wide. A cylinder whose axis is the surface
-// normal is flat there.
+// Encloses small groups of triangles in thin cylinders ("plates"). On a curved or slanted surface,
+// a box aligned with the axes of the mesh is as thick as it is wide. A cylinder whose axis is the
+// surface normal is flat there.
 // In:      the leaves of a bounding volume hierarchy.
-// Out:     for a pair of nodes, a lower bound of their distance and the direction in which it
-//          holds.
+// Out:     for a pair of nodes, a lower bound of their distance and the direction in which this
+//        bound holds.
 // Units:   mm.
 // Cost:    about 20 bytes per triangle and one pass over the triangles for each of the lowest
 //          levels. The gap of two plates costs about as much as the gap of two boxes.
-// Promise: each vertex of a node's triangles lies in the plate of the node.
+// Promise: each vertex of the triangles of a node lies in the plate of the node.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -27,8 +27,8 @@ struct Plate {
   double radius = 0;
 };
 
-/// Plates of the lowest levels of a tree. Single triangles have none, since the triangle itself is
-/// more exact.
+/// Plates of the lowest levels of a tree. Single triangles have none, because the triangle itself
+/// is more exact.
 class Plates {
  public:
   Plates() = default;
@@ -44,9 +44,9 @@ class Plates {
   std::vector<std::vector<Plate>> levels_;  ///< levels_[0] belongs to level 1 of the tree
 };
 
-/// Lower bound of the distance of two plates, with the first one at pose (R, t). Along direction(),
-/// which points from the first plate to the second, no two of their points are nearer than this
-/// gap.
+/// A lower bound (gap) of the distance of two plates, the first one at pose (R, t). Along
+/// direction(), which points from the first plate to the second, no two of their points are nearer
+/// than the gap.
 class PlateGap {
  public:
   PlateGap(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) : R_(R), t_(t) {}
@@ -80,8 +80,8 @@ class PlateGap {
   const Eigen::Vector3d& direction() const { return direction_; }
 
  private:
-  /// Returns half of the plate's extent along a direction. `cosine` is that between the direction
-  /// and the axis.
+  /// Returns half the extent of the plate along a direction. `cosine`: cosine of the angle between
+  /// this direction and the axis.
   static double extent(const Plate& plate, double cosine) {
     constexpr double kRounding = 1e-15;  // keeps the root from being too small after rounding
     return std::abs(cosine) * plate.half +

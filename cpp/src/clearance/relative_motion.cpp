@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Steps between successive joined times. Each of them lies within one step of the body and one step
-// of the frame.
+// Steps between successive joined times. Each step lies within one step of the body and one step of
+// the frame.
 class RelativeSteps : public MotionSteps {
  public:
   RelativeSteps(const TimedMotion& body, const TimedMotion& frame, const std::vector<double>& times)
@@ -70,7 +70,7 @@ class RelativeSteps : public MotionSteps {
     const double own = rateA * a.fastest(body_.radius(step.body));
     const double drift = rateB * b.drift();
     // The rotation of the frame does not change the distance of a point from the frame's axis. So
-    // only the motion of the body and the drift along the axis enlarge it.
+    // only the motion of the body and the drift along the axis can increase this distance.
     const Pose middle = seenFrom(a.poseAt(step.body.at(0.5)), b.poseAt(step.frame.at(0.5)));
     double reach = 0;
     forCorners(body_.centre(), body_.half(), [&](const Vector3d& c) {

@@ -1,16 +1,16 @@
-// Motion of one moving body as seen from another moving body.
+// Computes the motion of a moving body as seen from another moving body.
 // In:      timed motions that are interpolated between their poses, and the boxes of the bodies.
 // Out:     a tree over the relative motion (motion_tree.h). With this tree, each search for one
-//          moving body also serves two moving bodies: the frame of reference moves with the second
-//          body.
+//        moving body also works for two moving bodies: the frame of reference moves with the second
+//        body.
 // Units:   mm, s.
 // Cost:    O(n) for the n joined times of both motions, O(log n) for the pose at one time.
-// Why:     The bounds are certain. Between two joined times each body follows one step at constant
-//          angular speed. In the moving frame, the velocity of a point is the difference of both
-//          velocity fields. Its acceleration is at most w1^2 r1 + w2^2 r2 + 2 w2 v: two centripetal
-//          terms and the Coriolis term. Here r2 is the largest distance of the first body from the
-//          rotation axis of the second. The acceleration limits how far the point departs from its
-//          tangent and from its chord.
+// Why:     The bounds hold for every point. Between two joined times each body follows one step at
+// constant angular speed. In the moving frame, the velocity of a point is the difference of both
+// velocity fields. Its acceleration is at most w1^2 r1 + w2^2 r2 + 2 w2 v: two centripetal terms
+// and the Coriolis term (w: angular speeds, v: speed in the moving frame). r1 and r2 are the
+// largest distances of the first body from its own rotation axis and from that of the second body.
+// The acceleration limits how far the point deviates from its tangent and from its chord.
 // Source:  B. Mirtich, Impulse-based dynamic simulation (1996), 2.3; X. Zhang, S. Redon, M. Lee, Y.
 //          J. Kim, Continuous collision detection for articulated models (2007), section 4.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -24,16 +24,16 @@
 
 namespace swept::clearance {
 
-/// Motion of a body over time. A body that stands still has a single pose.
+/// Motion of a body over time. A body that stands still has only one pose.
 class TimedMotion {
  public:
-  /// The times of the poses must ascend strictly. Poses are interpolated if there are two or more.
+  /// The times of the poses must be strictly ascending. Two or more poses are interpolated.
   /// `centre` and `half` describe the box of the body in its own frame.
   TimedMotion(const Trajectory& trajectory, const Eigen::Vector3d& centre,
               const Eigen::Vector3d& half);
 
   bool moves() const { return times_.size() > 1; }
-  /// Returns the time from the first to the last pose; for a body that stands still, all times.
+  /// Returns the time from the first to the last pose. For a body that stands still: all times.
   TimeInterval span() const;
   /// Returns the pose at a time, which is clamped to span().
   Pose poseAt(double time) const;
@@ -42,7 +42,7 @@ class TimedMotion {
   /// Times of the poses.
   const std::vector<double>& times() const { return times_; }
 
-  /// An interval of one step; `from` and `to` are shares of the step, in [0, 1].
+  /// An interval of one step. `from` and `to` are fractions of the step, in [0, 1].
   struct Slice {
     std::int32_t step = 0;
     double from = 0, to = 0;
@@ -52,10 +52,10 @@ class TimedMotion {
   /// [from, to].
   Slice slice(double from, double to) const;
   const StepPath& path(const Slice& slice) const { return paths_[slice.step]; }
-  /// Returns the largest distance, in mm, of the body's box from the rotation axis of the slice's
+  /// Returns the largest distance (mm) of the body's box from the rotation axis of the slice's
   /// step.
   double radius(const Slice& slice) const { return radii_[slice.step]; }
-  /// Returns, in mm, an upper bound of how far any point of the body departs from the chord of its
+  /// Returns an upper bound (mm) of how far any point of the body deviates from the chord of its
   /// path in the slice.
   double bulge(const Slice& slice) const;
 
@@ -80,8 +80,8 @@ Pose seenFrom(const Pose& a, const Pose& b);
 MotionTree relativeMotion(const TimedMotion& body, const TimedMotion& frame,
                           const std::vector<double>& times);
 
-/// Returns the largest distance, in mm, between a corner of the body's box at the first of the
-/// given times and the same corner at another of them, as seen from `frame`.
+/// Consider the corners of the body's box, as seen from `frame`. Returns the largest distance (mm)
+/// between the positions of a corner at the first and at any other of the given times.
 double relativeTravel(const TimedMotion& body, const TimedMotion& frame,
                       const std::vector<double>& times);
 

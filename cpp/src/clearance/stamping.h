@@ -5,7 +5,7 @@
 // Units:   mm.
 // Cost:    one query per pose.
 // This is an independent check for tests and for `swept clearance --stamp`. It shares no search
-// code with the fast computation and sees nothing between the given poses.
+// code with the fast computation. It does not examine the motion between the given poses.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

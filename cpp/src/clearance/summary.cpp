@@ -9,8 +9,8 @@ namespace swept {
 namespace clearance {
 namespace {
 
-/// Whether row a counts as nearer than row b. Allowed contacts come last, since a distance of 0 is
-/// intended there.
+/// Returns whether row a counts as nearer than row b. Allowed contacts come last, because their
+/// distance of 0 is intended.
 bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
   const bool meantA = a.rule.contact && a.meetsRule(), meantB = b.rule.contact && b.meetsRule();
   if (meantA != meantB) return meantB;
@@ -19,7 +19,7 @@ bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
   return a.penetration.depth > b.penetration.depth;
 }
 
-/// Returns a length in mm as text. Less than a nanometre counts as rounding and becomes 0.
+/// Returns a length in mm as text. Less than a nanometre is treated as rounding and becomes 0.
 std::string lengthText(double length) {
   return numberText(std::abs(length) < 1e-6 ? 0 : length, 4);
 }

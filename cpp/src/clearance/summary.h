@@ -1,4 +1,4 @@
-// One line of text about all rows of a clearance report, and the nearest row.
+// Writes one line of text about all rows of a clearance report, and finds the nearest row.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

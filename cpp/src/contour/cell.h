@@ -1,12 +1,13 @@
 // A leaf cell (a cell with crossings), and the numbering of its corners, edges, slots and faces.
 //
-// Edge number a * 4 + ob + 2 * oc runs along axis a. ob and oc (0 or 1) say on which side of the
-// cell the edge lies along the axes b = a + 1 and c = a + 2 (mod 3).
+// Edge number a * 4 + ob + 2 * oc runs along axis a. Let b = a + 1 and c = a + 2 (mod 3) be the
+// other axes. ob and oc (0: low, 1: high) say on which side of the cell the edge lies along b and
+// c.
 // Slot number edge * 2 + side holds the crossing that is "seen" from the low (0) or high (1) end of
-// the edge: the first crossing on the way from this end. The slot is empty unless the end lies
-// outside.
-// Face number a * 2 + s is perpendicular to axis a and lies at the low (s = 0) or high (s = 1) side
-// of the cell.
+// the edge: the first crossing on the edge, starting at this end. The slot is empty unless this end
+// lies outside.
+// Face number a * 2 + s is perpendicular to axis a, at the low (s = 0) or high (s = 1) side of the
+// cell.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -40,8 +41,8 @@ struct Cell {
   }
 };
 
-/// One step of the walk round a face: an edge, and whether the walk follows it from its high end to
-/// its low end.
+/// One step of a walk round a face: an edge, and whether the walk follows the edge from its high
+/// end to its low end.
 struct FaceStep {
   std::int8_t edge;
   bool backward;

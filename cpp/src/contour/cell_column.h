@@ -1,5 +1,5 @@
-// The cells of one column of the grid that have crossings, in the order in which they get vertices.
-// Cost: O(crossings of the column).
+// Collects the cells of one column of the grid that have crossings, in the order in which they get
+// vertices. Cost: O(crossings of the column).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

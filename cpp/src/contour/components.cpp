@@ -18,7 +18,7 @@ constexpr std::array<std::uint32_t, kFaces> makeFaceMasks() {
 }
 constexpr auto kFaceMasks = makeFaceMasks();
 
-/// A crossing on a face. The walk round the face passes the stops in their order.
+/// A crossing on a face, as a stop of the walk round the face.
 struct Stop {
   int slot;
   bool enters;  ///< at this crossing, the walk passes from outside to inside
@@ -34,8 +34,8 @@ int collectStops(const Cell& cell, int face, const Crossing* crossings,
     for (int side = 0; side < 2; ++side) {
       const int slot = 2 * step.edge + (step.backward ? 1 - side : side);
       if (!cell.has(slot)) continue;
-      // The walk enters the inside if the crossing is seen from the end of the edge at which the
-      // walk begins.
+      // The walk enters the inside if the crossing is seen from that end of the edge at which the
+      // walk along this edge begins.
       const bool fromLow = (slot & 1) == 0;
       Stop& stop = stops[n++];
       stop.slot = slot;
@@ -63,9 +63,9 @@ float pairCost(const Stop& p, const Stop& q, int a) {
          std::abs(n[b] * dx + n[c] * dy);
 }
 
-/// A perfect matching of n points on a circle without crossing chords; stores the partner of every
-/// point. The caller numbers the points so that point 0 enters the inside. The first matching of a
-/// list therefore joins each entering crossing to the leaving crossing that follows it.
+/// A perfect matching of n points on a circle without crossing chords. Entry p is the partner of
+/// point p. The caller numbers the points so that point 0 enters the inside. The first matching in
+/// a list therefore joins each entering crossing to the leaving crossing that follows it.
 using Matching = std::array<std::int8_t, 8>;
 void enumerate(Matching partial, int n, std::array<Matching, 14>& out, int& count) {
   int p = 0;
@@ -76,7 +76,7 @@ void enumerate(Matching partial, int n, std::array<Matching, 14>& out, int& coun
   }
   for (int q = p + 1; q < n; q += 2) {
     if (partial[q] >= 0) continue;
-    // The points between p and q must still be free, so that they can be joined among themselves.
+    // Points between p and q may only be joined to each other.
     bool crosses = false;
     for (int r = p + 1; r < q; ++r)
       crosses |= partial[r] >= 0 && (partial[r] < p || partial[r] > q);
@@ -116,7 +116,8 @@ bool hasChoice(std::uint32_t mask, int face) {
 
 FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings) {
   std::array<Stop, 8> stops;
-  // Two crossings can be paired in one way only, so their positions and normals are not needed.
+  // Two crossings can be paired in one way only, so their positions and normals are not needed
+  // then.
   const bool choice = hasChoice(cell.mask, face);
   const int n = collectStops(cell, face, choice ? crossings : nullptr, stops);
   FacePairs pairs;

@@ -1,4 +1,4 @@
-// Surface components of a cell: which of its crossings belong to one piece of surface.
+// Finds the surface components of a cell: which of its crossings belong to one piece of surface.
 //
 // In: one cell and the crossings of the grid. Out: a component number per slot. Units: cells. Cost:
 // O(crossings of the cell).
@@ -8,11 +8,11 @@
 // Source: own method; docs/contouring.md, "Why the consistent rule holds". The other methods are in
 // methods/methods.h with their papers.
 //
-// The consistent method (the default) decides on faces. On the way round a face, crossings that
-// enter the inside alternate with crossings that leave it. The method joins the crossings in pairs
-// whose connecting lines do not cross. Its rule uses only the crossings of this face and their
-// normals, so that both cells of the face decide alike. Every crossing lies on two faces of its
-// cell, so the pairs form closed loops; each loop is a component.
+// The consistent method (the default) pairs the crossings of each face. On a walk round a face,
+// crossings that enter the inside alternate with crossings that leave it. The method joins entering
+// and leaving crossings in pairs whose connecting lines do not cross. Its rule uses only the
+// crossings of this face and their normals, so that both cells of the face pair them alike. Every
+// crossing lies on two faces of its cell, so the pairs form closed loops; each loop is a component.
 // Of all pairings, the method takes the one with the smallest sum of costs:
 //   cost(p, q) = 1 - n_p . n_q + |n_p . d| + |n_q . d|, with d the unit vector from p to q.
 // If sums are equal, it takes the pairing that separates the inside corners.
@@ -29,7 +29,7 @@ namespace swept {
 
 struct Components {
   int count = 0;
-  /// Component of each slot; -1 for a slot without a crossing, or whose crossing the method drops.
+  /// Component of each slot. -1: the slot has no crossing, or the method drops the crossing.
   std::array<std::int8_t, kSlots> of;
 };
 

@@ -18,11 +18,11 @@
 namespace swept {
 namespace {
 
-/// A vertex stays in its cell if the root mean square distance of its planes from the best point in
-/// the cell is at most this (in cells). The planes then nearly meet inside the cell: the crease
-/// passes through the cell, although its point next to the mass point lies outside. Moving these
-/// vertices out of their cells, too, gave 1,484 intersecting pairs on the fandisk test mesh moved
-/// over 16 keys, at 256 cells; this limit gives 62.
+/// Limit (cells) of the root mean square distance of a vertex's planes from the best point in the
+/// cell. Up to this limit, the vertex stays in its cell, because the planes nearly meet inside.
+/// Their crease passes through the cell, although its point nearest to the mass point lies outside.
+/// On the fandisk test mesh, moved over 16 keys, at 256 cells, this limit gives 62 intersecting
+/// pairs. If these vertices may leave their cells, too, there are 1,484.
 constexpr double kMinEscapeMiss = 0.03;
 
 /// Fits the vertex of a component to the planes of its crossings.
@@ -53,12 +53,12 @@ struct VertexFit {
            qef.sharpness() > kMinSharpness;
   }
 
-  /// Draws the minimiser towards the mass point if the planes differ by only a few degrees. Such
+  /// Moves the minimiser towards the mass point if the planes differ by only a few degrees. Such
   /// planes have no reliable common point: if they are some distance apart, the crossings are
-  /// inexact by about this distance. A vertex at the point where the planes seem to meet would then
-  /// slide along the surface and through the other side of a thin wall. The damping grows with the
-  /// mean squared distance to the planes (docs/contouring.md, "Sides of thin walls"). In a trial,
-  /// 25,177 pairs of triangles intersected with damping, and 32,585 without.
+  /// inexact by about this distance. A vertex where they seem to meet could lie far along the
+  /// surface and beyond the other side of a thin wall. The damping grows with the mean squared
+  /// distance to the planes (docs/contouring.md, "Sides of thin walls"). In a trial, 25,177 pairs
+  /// of triangles intersected with damping, and 32,585 without.
   void keepNear() {
     constexpr double kMaxSharpness = 0.002;  // sharpness of two planes that differ by 5 degrees
     // If the planes are this far from the best point (cells), the damping weighs as much as all
@@ -76,7 +76,7 @@ struct VertexFit {
   double meanSquaredMiss;  // mean squared distance of the planes from `best`
 };
 
-/// What later steps need to know of one layer of cells besides its vertices.
+/// Data of one layer of cells that later steps need besides its vertices.
 struct LayerNotes {
   std::vector<FaceSegment> ambiguous;
   std::vector<Escape> escapes;
@@ -105,7 +105,7 @@ class LayerBuilder {
     }
     vertices.shrink_to_fit();
   }
-  /// Contours one cell alone, as if it lay at the origin.
+  /// Contours a single cell as if it lay at the origin.
   void build(const Cell& cell, LayerNotes& notes) {
     notes_ = &notes;
     addCell(cell, 0, 0, out_.vertices[0]);
@@ -155,7 +155,7 @@ class LayerBuilder {
   }
 
   /// Looks for a side between two others in the cell (hidden_side.h, wall_end.h). Returns false if
-  /// one vertex without further planes represents the component.
+  /// there is none; the component then gets one vertex, fitted to its own planes.
   bool findSplit(const Cell& cell, const Eigen::Vector3i& at, int component, const VertexFit& fit,
                  VertexSplit& split) const {
     const Crossing* crossings = grid_.crossings.data();
@@ -168,8 +168,8 @@ class LayerBuilder {
             findHiddenSide(cell, at, components_, component, crossings, *probe_, !misses, split));
   }
 
-  /// Sets the position of a vertex. Notes an escape if the planes meet outside the cell. `at` is
-  /// the index that the vertex will have in its layer.
+  /// Sets the position of a vertex. Records an escape if the planes meet outside the cell. `at`:
+  /// index that the vertex will have in its layer.
   void setPosition(const VertexFit& fit, DualVertex& vertex, std::size_t at) {
     vertex.local = fit.best.cast<float>();
     if (!fit.mayEscape()) return;
@@ -178,8 +178,8 @@ class LayerBuilder {
                                qef.error(fit.free) / qef.count()});
   }
 
-  /// Adds one vertex for each part of the component, fitted to the planes of its part and of the
-  /// side between the parts. Adds a single vertex if the component cannot be split.
+  /// Adds one vertex for each of the two parts, fitted to the planes of the part and of the side
+  /// between the parts. Adds a single vertex if the component cannot be split.
   void addSplit(const Cell& cell, int component, const VertexSplit& split, DualVertex vertex,
                 std::size_t firstTwin, std::vector<DualVertex>& vertices) {
     const bool splits = !split.folds.empty();
@@ -286,7 +286,7 @@ DualSurface buildDualSurface(const HermiteGrid& grid, ComponentMethod method,
     out.ambiguous.insert(out.ambiguous.end(), notes[i].ambiguous.begin(), notes[i].ambiguous.end());
     out.rims.insert(out.rims.end(), notes[i].rims.begin(), notes[i].rims.end());
   }
-  // Both cells of a face may have added the same rim polygon: sort, and keep one of each.
+  // Both cells of a face may have added the same rim polygon, so duplicates are removed.
   const auto key = [](const RimSegment& rim) { return std::tie(rim.crossing, rim.side); };
   std::sort(out.rims.begin(), out.rims.end(),
             [&](const RimSegment& x, const RimSegment& y) { return key(x) < key(y); });

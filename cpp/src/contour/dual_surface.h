@@ -24,8 +24,9 @@
 
 namespace swept {
 
-/// A segment on an ambiguous face (a face whose crossings can be paired in several ways). It joins
-/// two crossings; `side` says which side of each crossing's quad passes through the face.
+/// A segment on an ambiguous face (a face whose crossings can be paired in several ways). The
+/// segment joins two crossings. Each crossing has a quad; `side` says which side of this quad
+/// passes through the face.
 struct FaceSegment {
   std::array<std::uint32_t, 2> crossing;
   std::array<std::uint8_t, 2> side;

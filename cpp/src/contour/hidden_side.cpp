@@ -31,7 +31,7 @@ constexpr double kMaxPlaneMiss = 0.03;
 using Point = CrossingPoint;
 using Points = std::vector<Point>;
 
-/// Returns the crossings of the component in the order of its ring: the polygons of two successive
+/// Returns the crossings of the component in the order of its ring. The polygons of two successive
 /// crossings share an edge.
 Points ringOf(const Cell& cell, const Components& components, int component,
               const Crossing* crossings) {
@@ -55,8 +55,8 @@ Qef planesOf(const Points& points) {
   return planes;
 }
 
-/// Returns whether the ring has crossings on both sides of a thin wall. This search does not apply
-/// to such rings; see wall_end.h.
+/// Returns whether the ring has crossings on both sides of a thin wall. Such rings are left to
+/// wall_end.h.
 bool hasOpposed(const Points& ring) {
   for (const Point& p : ring) {
     for (const Point& q : ring) {
@@ -66,7 +66,7 @@ bool hasOpposed(const Points& ring) {
   return false;
 }
 
-/// Returns the mean of `count` crossings of the ring, starting with number `begin`.
+/// Returns the mean of `count` successive crossings of the ring, starting with number `begin`.
 Point mean(const Points& ring, std::size_t begin, std::size_t count) {
   Point m{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (std::size_t n = begin; n < begin + count; ++n) {
@@ -128,10 +128,10 @@ bool beginsArc(const Points& ring, std::size_t at) {
          std::abs(q.normal.dot(direction)) > kMaxLevelOffset;
 }
 
-/// Looks for a known side: a side between two arcs of the ring, with a crossing of its own. Cuts
-/// the ring into two arcs in all ways, and tries the crossings at the ends of the arcs. The planes
-/// of each arc must meet the plane of such a crossing in an edge or corner within the cell. Returns
-/// the best crossing, and the arcs in `arcs`; nothing if there is no such crossing.
+/// Looks for a known side: a side between two arcs of the ring that has a crossing. Cuts the ring
+/// into two arcs in all ways, and tries the crossings at the ends of the arcs. The planes of each
+/// arc must meet the plane of such a crossing in an edge or corner within the cell. Returns the
+/// best crossing, and its arcs in `arcs`. Returns nothing if there is no such crossing.
 std::optional<Point> bestKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
   std::optional<Point> found;
   double least = kMaxPlaneMiss * kMaxPlaneMiss * static_cast<double>(ring.size());
@@ -162,7 +162,8 @@ std::optional<Point> bestKnownSide(const Points& ring, std::array<Points, 2>& ar
   return found;
 }
 
-/// Returns the largest group of hits with similar normals on a side without crossings of the ring.
+/// Of all hits on a side without crossings of the ring, returns the largest group with similar
+/// normals.
 std::vector<ProbeLine> hitsOfNewSide(const Points& ring, const std::vector<ProbeLine>& lines) {
   std::vector<ProbeLine> fresh, best;
   for (const ProbeLine& line : lines) {
@@ -192,7 +193,7 @@ class Search {
     }
   }
 
-  /// Casts lines between the arcs in both directions. Returns the lines, each with its first hit.
+  /// Casts lines between the arcs, in both directions. Returns the lines with their first hits.
   std::vector<ProbeLine> between(const std::array<Points, 2>& arcs) const {
     std::vector<ProbeLine> lines;
     const auto add = [&](const Point& p, const Point& q) {
@@ -275,8 +276,8 @@ bool findKnownSide(const Cell& cell, const Eigen::Vector3i& at, const Components
   setParts(arcs, split);
   split.findFolds(cell, components, component, crossings);
   if (split.folds.empty()) return false;
-  // A corner, in which all planes meet, is preferred to two edges, even if it lies in the next
-  // cell.
+  // If all planes meet in a corner, a vertex there is preferred to two vertices on edges, even if
+  // the corner lies in the next cell.
   const Search search(cell, at, ring, probe);
   if (search.meets(ring, {}, kCornerReach)) return false;
   ProbeLine side;

@@ -10,9 +10,9 @@ using Vec2 = Eigen::Vector2d;
 
 double cross2(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// How good a diagonal of a quad is. `valid`: seen along the lattice edge, the diagonal lies
-/// between the other two corners. `miss`: distance from the crossing to the point where one of the
-/// two triangles meets the lattice edge. `length2`: squared length of the diagonal.
+/// Quality of a diagonal of a quad. `valid`: seen along the lattice edge, the diagonal lies between
+/// the other two corners. `miss`: distance from the crossing to the point where one of the two
+/// triangles meets the lattice edge. `length2`: squared length of the diagonal.
 struct Diagonal {
   bool valid = false;
   double miss = 0, length2 = 0;
@@ -29,7 +29,7 @@ Diagonal rate(const std::array<Eigen::Vector3d, 4>& v, int from) {
   Diagonal out;
   out.valid = sideR < 0 && sideS > 0;
   out.length2 = (q - p).squaredNorm();
-  // The lattice edge passes through one of the two triangles: find the point where it does.
+  // The lattice edge passes through one of the two triangles. Find the point where they meet.
   const Eigen::Vector3d& third = sideEdge < 0 ? r : s;
   const Eigen::Vector3d n = (q - p).cross(third - p);
   out.miss = std::abs(n[2]) > 1e-12 ? std::abs(n.dot(p) / n[2]) : 1e3;

@@ -30,10 +30,10 @@ Eigen::Vector3d Qef::solve(double margin, double damping, Eigen::Vector3d& free)
 
 Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d& g, double low,
                                 double high, const Eigen::Vector3d& unbounded) const {
-  // y = x - m minimises y^T a y / 2 - g y. The state of each coordinate is 0 (free), 1 (fixed at
+  // y = x - m minimises y^T a y / 2 - g . y. The state of each coordinate is 0 (free), 1 (fixed at
   // low) or 2 (fixed at high).
   const Eigen::Vector3d m = massPoint();
-  // Solves for the free coordinates. Returns false if they leave the box.
+  // Solves for the free coordinates. Returns false if the solution lies outside the box.
   const auto solveFor = [&](const std::array<int, 3>& state, Eigen::Vector3d& y) {
     y.setZero();
     int free[3], n = 0;
@@ -64,8 +64,9 @@ Eigen::Vector3d Qef::solveInBox(const Eigen::Matrix3d& a, const Eigen::Vector3d&
     }
     return true;
   };
-  // First try: fix those coordinates at a wall of the box whose value in `unbounded` lies beyond
-  // this wall. This point is the best one if the error grows from each of these walls into the box.
+  // First try: coordinates whose value in `unbounded` lies beyond a wall of the box are fixed at
+  // this wall. The result is the best point if the error grows from each of these walls into the
+  // box.
   Eigen::Vector3d y;
   std::array<int, 3> out;
   for (int axis = 0; axis < 3; ++axis)

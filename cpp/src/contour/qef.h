@@ -6,12 +6,12 @@
 // Source: Garland and Heckbert 1997 (quadrics); Ju et al. 2002 and Kobbelt et al. 2001 (vertex
 // placement).
 //
-// The system is solved relative to the mass point m: (A + mu I)(x - m) = b - A m. The damping mu is
-// far below the contribution of a real crease. In directions that the planes do not determine, mu
-// keeps x at the mass point. The papers truncate small eigenvalues instead. Damping has no
-// threshold at which the vertex jumps, and a solution by cofactors is some twenty times faster than
-// an eigen-decomposition. A minimiser outside the cell is replaced by the best point of the cell's
-// faces, edges and corners.
+// The system is solved relative to the mass point m, the mean of the crossings: (A + mu I)(x - m) =
+// b - A m. The damping mu is far smaller than the eigenvalues that a real crease contributes. In
+// directions that the planes do not determine, mu keeps x at the mass point. The papers truncate
+// small eigenvalues instead. Damping has no threshold at which the vertex jumps, and a solution by
+// cofactors is some twenty times faster than an eigen-decomposition. A minimiser outside the cell
+// is replaced by the best point of the cell's faces, edges and corners.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

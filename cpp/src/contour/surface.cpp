@@ -132,8 +132,8 @@ class LayerEmitter {
       const auto point = facePoints_.at.find(sideKey(crossing, corner));
       if (point != facePoints_.at.end()) ring[n++] = firstFacePoint_ + point->second;
     }
-    // The ring runs counter-clockwise about +axis, so its triangles face the high end. The polygon
-    // must face the end from which the crossing is seen.
+    // The ring runs counter-clockwise about +axis, so its triangles face the high end of the
+    // lattice edge. The polygon must face the end from which the crossing is seen.
     const auto triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
       if (seenFromLow) std::swap(b, c);
       out.triangles.push_back({a, b, c});
@@ -161,8 +161,8 @@ class LayerEmitter {
 };
 
 /// Adds the polygon between the two vertices of a split component and those of the next cell. It is
-/// a quad, or a triangle if the next cell has one vertex for both sides. It runs along each shared
-/// edge in the opposite direction to the neighbouring polygon, so the surface stays oriented.
+/// a quad, or a triangle if the next cell has one vertex for both sides. Along each shared edge it
+/// runs opposite to the neighbouring polygon, so the surface stays oriented.
 void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& dual,
             std::vector<Triangle>& triangles) {
   struct Corner {
@@ -210,7 +210,7 @@ std::vector<Triangle> rimTriangles(const HermiteGrid& grid, const DualSurface& d
   });
 }
 
-/// Resizes the list, with spare capacity for the elements that mending adds later.
+/// Resizes the list, with spare capacity for elements that mending adds.
 template <class T>
 void resizeWithRoom(std::vector<T>& list, std::size_t size, const T& value) {
   list.reserve(size + size / 32);
@@ -263,7 +263,8 @@ class SurfaceAssembler {
     }
   }
 
-  /// Allocates the lists in parallel, because the operating system clears new memory page by page.
+  /// Allocates the lists in parallel, because the operating system clears new memory at its first
+  /// use.
   void allocate(std::size_t triangles) {
     parallelActions(
         [&] {
@@ -281,7 +282,8 @@ class SurfaceAssembler {
   }
 
   void fillDualVertices(std::size_t i) {
-    constexpr float kInsideMargin = 1e-5f;  // a tenth of kCellMargin; only moved tips are nearer
+    // A tenth of kCellMargin; only vertices that left their cell are nearer to a wall.
+    constexpr float kInsideMargin = 1e-5f;
     const auto& layer = dual_.vertices[i];
     const auto sameCell = [&](std::size_t v, std::size_t w) {
       return layer[v].k == layer[w].k && layer[v].j == layer[w].j;

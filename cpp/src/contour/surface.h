@@ -1,7 +1,7 @@
 // Turns a Hermite grid into a closed triangle mesh: one vertex per component, one polygon per
 // crossing.
 //
-// In: Hermite grid. Out: mesh in mm, and the time of contact per vertex. Cost: O(crossings).
+// In: Hermite grid. Out: mesh in mm, and a contact time for each vertex. Cost: O(crossings).
 // Promise (consistent components): closed, edge- and vertex-manifold, oriented outward. The
 // polygons of the dual surface are closed by construction. Two things could still make the
 // triangles non-manifold, and each is resolved where it occurs. If two segments of one face join
@@ -30,7 +30,8 @@ struct Surface {
   std::vector<std::uint32_t> crossingOf;
   /// Number of component vertices; they come first, before all extra vertices.
   std::size_t dualVertices = 0;
-  /// Bits per component vertex: whether it lies in its own cell, and whether it shares the cell.
+  /// Bits per component vertex: whether it lies in its own cell, and whether other vertices share
+  /// the cell.
   std::vector<std::uint8_t> cellFlags;
   /// The vertex lies inside its own cell.
   static constexpr std::uint8_t kInsideCell = 1;
@@ -43,7 +44,7 @@ struct Surface {
   std::uint8_t cellFlagsOf(std::int32_t v) const {
     return static_cast<std::size_t>(v) < cellFlags.size() ? cellFlags[v] : std::uint8_t{0};
   }
-  /// The vertices that mending has moved or added, in rising order.
+  /// The vertices that mending has moved or added, in ascending order.
   std::vector<std::int32_t> mended;
   std::int64_t fans = 0;         ///< quads cut into fans about their crossing
   std::int64_t facePoints = 0;   ///< vertices added on cell faces
@@ -54,8 +55,8 @@ struct Surface {
 Surface contourUniform(const HermiteGrid& grid, const Options& options, RunContext& run,
                        const SurfaceProbe* probe = nullptr);
 
-/// The lattice edge of a crossing. edgeOfCrossing() finds it from the index alone, in O(log
-/// crossings).
+/// The lattice edge of a crossing. edgeOfCrossing() finds it from the index of the crossing, in
+/// O(log(number of crossings)).
 struct CrossingEdge {
   int axis = 0;
   std::int32_t i = 0, j = 0, k = 0;

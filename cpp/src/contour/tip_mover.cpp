@@ -12,8 +12,8 @@
 namespace swept {
 namespace {
 
-/// Returns any cell of the grid, found by binary search in the edge lists. A cell without crossings
-/// or outside the grid has the mask 0.
+/// Returns any cell of the grid. Finds its crossings by binary search in the edge lists. A cell
+/// without crossings or outside the grid has the mask 0.
 Cell gatherCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
   Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
@@ -61,8 +61,8 @@ class TipMover {
       if (x.corner != y.corner) return x.corner;
       return x.error < y.error;
     });
-    // Moves first the vertices whose own planes meet outside their cell, then the vertices that
-    // take over a neighbour's point.
+    // First moves the vertices whose own planes meet outside their cell. Then moves other vertices
+    // to points at which the planes of a neighbour meet.
     std::unordered_set<std::uint64_t> moved;
     for (const bool own : {true, false}) {
       std::size_t group = 0;  // index of the first claim on the same cell
@@ -124,14 +124,14 @@ class TipMover {
         out.push_back({target, direction.norm(), static_cast<std::uint32_t>(target[0]), vertex,
                        point, false, corner});
       } else if ((there - point).norm() > kMinDistance) {
-        // The neighbour's vertex lies on the same crease, so this vertex may follow the crease as
-        // well.
+        // The neighbour's vertex lies on the same crease at another position, so this vertex may
+        // move along the crease, too.
         out.push_back({target, direction.norm(), layer, escape.vertex, point, true, corner});
       }
       return;
     }
-    // Sample the way to the point. It does no harm if the samples miss a cell that the way only
-    // cuts at a corner.
+    // Sample the segment to the point. The samples may miss a cell that the segment only cuts at a
+    // corner; this does no harm.
     constexpr int kSamples = 16;
     for (int s = 1; s < kSamples; ++s) {
       const Eigen::Vector3d x = escape.from + direction * (static_cast<double>(s) / kSamples);
@@ -153,7 +153,7 @@ class TipMover {
   /// Finds the first component of a leaf cell whose planes agree with the point; `vertex` is kNone
   /// if no component agrees. The planes agree if all of them pass through the point. They also
   /// agree if at least two of them pass through the point and form a crease, and the point lies
-  /// behind the other planes: then the crease ends in a corner inside this cell.
+  /// behind the other planes. In this case the crease ends in a corner inside this cell.
   Agreement agreeing(const Cell& cell, const Eigen::Vector3i& at, const Eigen::Vector3d& point,
                      ComponentFinder& finder) const {
     Components components;
@@ -187,7 +187,8 @@ class TipMover {
   static constexpr double kMinTipSharpness = 0.05;  // two planes that differ by 26 degrees
   /// Determinant of the mean normal tensor; 0.037 for the corner of a cube.
   static constexpr double kMinCornerDeterminant = 1e-3;
-  /// Largest mean squared distance of planes from a point, in cells^2: that of 0.01 cells.
+  /// Largest mean squared distance of planes from a point (cells^2), equal to a distance of 0.01
+  /// cells.
   static constexpr double kMaxPlaneError = 1e-4;
 
   const HermiteGrid& grid_;

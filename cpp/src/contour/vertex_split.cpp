@@ -32,14 +32,15 @@ void VertexSplit::findFolds(const Cell& cell, const Components& components, int 
 }
 
 Eigen::Vector3d VertexSplit::alongCrease(const Qef& planes, const Eigen::Vector3d& best) const {
-  /// On a crease, the smallest eigenvalue of the mean normal tensor (for the direction along the
-  /// crease) is at most kMaxAlong, and the other two are at least kMinAcross.
+  /// Limits of the eigenvalues of the mean normal tensor on a crease. The smallest one (along the
+  /// crease) is at most kMaxAlong, the other two are at least kMinAcross.
   constexpr double kMaxAlong = 0.01, kMinAcross = 0.03;
-  constexpr double kMaxExtraMiss = 0.02;  // cells: how much more the planes may miss the new point
+  // cells: how much larger the distance of the planes from the new point may be.
+  constexpr double kMaxExtraMiss = 0.02;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(planes.matrix() / planes.count());
   if (eigen.eigenvalues()[0] > kMaxAlong || eigen.eigenvalues()[1] < kMinAcross) return best;
   const Eigen::Vector3d direction = eigen.eigenvectors().col(0);
-  // Range of the crease between the walls of the cell.
+  // Finds the range of the crease between the walls of the cell.
   double from = -std::numeric_limits<double>::max(), to = -from;
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(direction[axis]) < kCellMargin) continue;

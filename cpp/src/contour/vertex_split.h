@@ -1,9 +1,9 @@
 // Splits the vertex of a component that has two features, such as edges, in one cell. The crossings
 // are divided into two parts, and each part gets a vertex.
 //
-// Each vertex is fitted to the planes of its part and of the side between the parts, which has
-// hardly any crossings (wall_end.h, hidden_side.h). Strips of polygons join the two vertices.
-// Units: the coordinates of the cell. Source: own method; docs/contouring.md.
+// Each vertex is fitted to the planes of its part and of the side between the parts, which has few
+// crossings or none (wall_end.h, hidden_side.h). Strips of polygons join the two vertices. Units:
+// the coordinates of the cell. Source: own method; docs/contouring.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -38,22 +38,22 @@ struct VertexSplit {
   /// The crossing on the side between the parts, in the coordinates of the cell; empty if there is
   /// none. It lies near one end of both creases.
   std::optional<Eigen::Vector3d> seen;
-  /// Folds: places on the faces of the cell where the polygons of the two parts meet, each a pair
-  /// of slots. There are two folds, or none if the vertex cannot be split.
+  /// Folds: positions on the faces of the cell where the polygons of the two parts meet, each given
+  /// by a pair of slots. There are two folds, or none if the vertex cannot be split.
   std::vector<std::array<std::int8_t, 2>> folds;
   std::vector<std::int8_t> foldFaces;
 
-  /// Finds the folds. The polygons of the component form a ring. There are folds only if `part`
-  /// divides this ring into two connected arcs and leaves no polygon out, and if the arcs meet on
-  /// faces whose crossings can be paired in one way only.
+  /// Finds the folds. The polygons of the component form a ring, which `part` must divide into two
+  /// connected arcs without leaving a polygon out. The arcs must meet on faces whose crossings can
+  /// be paired in one way only. Otherwise there are no folds.
   void findFolds(const Cell& cell, const Components& components, int component,
                  const Crossing* crossings);
 
   /// Returns the position of a part's vertex along the crease of its planes; `best` is the
-  /// minimiser. The few crossings of the part do not tell how long the crease is, and the next cell
+  /// minimiser. The few crossings of the part do not show how long the crease is, and the next cell
   /// may have no crossing that shows it. The vertex is therefore placed half way between the walls
-  /// of the cell. If `seen` shows one end of the crease, it is placed three quarters of the way
-  /// from that end.
+  /// of the cell. If `seen` shows one end of the crease, it is placed at three quarters of the
+  /// distance from that end.
   Eigen::Vector3d alongCrease(const Qef& planes, const Eigen::Vector3d& best) const;
 };
 

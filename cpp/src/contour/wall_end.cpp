@@ -19,13 +19,14 @@ constexpr double kMaxWallThickness = 1.0;
 /// (37 degrees).
 constexpr double kMaxRimCosine = 0.8;
 
-/// The plane half way between the two sides: normal . x = middle, in the coordinates of the cell.
+/// The middle plane of a wall, half way between its sides: normal . x = middle, in the coordinates
+/// of the cell.
 struct Wall {
   Eigen::Vector3d normal;
   double middle = 0;
 };
 
-/// Quick test that rejects nearly every component: returns false if all crossings lie on one side.
+/// Quick test that rejects nearly all components. Returns false if all crossings lie on one side.
 bool spread(const Cell& cell, const Components& components, int component,
             const Crossing* crossings) {
   Eigen::Vector3d first;
@@ -41,7 +42,7 @@ bool spread(const Cell& cell, const Components& components, int component,
   return found;
 }
 
-/// Returns the direction across the wall if two normals of the component are opposed.
+/// If two normals of the component are opposed, returns the direction across the wall.
 std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) {
   double least = kMaxOpposedCosine;
   std::optional<Eigen::Vector3d> best;
@@ -56,8 +57,8 @@ std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) 
   return best;
 }
 
-/// Assigns the crossings to the two sides. Returns nothing if they do not form a thin, nearly flat
-/// wall.
+/// Assigns the crossings to the two sides. Returns nothing if the sides do not form a thin, nearly
+/// flat wall.
 std::optional<Wall> sort(const std::vector<CrossingPoint>& points, const Eigen::Vector3d& normal,
                          VertexSplit& out) {
   std::array<double, 2> sum{0, 0}, low{1e9, 1e9}, high{-1e9, -1e9};
@@ -89,7 +90,7 @@ std::array<bool, 8> outsideCorners(const Cell& cell) {
     if (!cell.has(2 * edge) && !cell.has(2 * edge + 1)) continue;
     for (const int end : {0, 1}) sign[cornerOf(edge, end)] = cell.has(2 * edge + end) ? 1 : 0;
   }
-  for (int round = 0; round < 3; ++round) {  // over edges without a crossing
+  for (int round = 0; round < 3; ++round) {  // passes known signs along edges without a crossing
     for (int edge = 0; edge < kEdges; ++edge) {
       const int low = cornerOf(edge, 0), high = cornerOf(edge, 1);
       if (cell.has(2 * edge) || cell.has(2 * edge + 1)) continue;
@@ -102,8 +103,8 @@ std::array<bool, 8> outsideCorners(const Cell& cell) {
   return outside;
 }
 
-/// Collects the points in which the middle plane of the wall cuts the edges of the cell, outside
-/// and inside the swept volume.
+/// Collects the points where the middle plane of the wall cuts the edges of the cell: those outside
+/// the swept volume in `outside`, the others in `inside`.
 void cutEdges(const Cell& cell, const Wall& wall, const Crossing* crossings,
               std::vector<Eigen::Vector3d>& outside, std::vector<Eigen::Vector3d>& inside) {
   const std::array<bool, 8> out = outsideCorners(cell);

@@ -6,8 +6,9 @@
 
 namespace swept {
 namespace {
-/// Distance of crossings from lattice points (cells), so that the crossings of all edges at one
-/// lattice point stay apart. It is ten times the margin of vertices in their cells (kCellMargin).
+/// Smallest distance (cells) of crossings from lattice points, so that the crossings of all edges
+/// at one lattice point stay apart. It is ten times the margin of vertices in their cells
+/// (kCellMargin).
 constexpr double kMinPointDistance = 1e-3;
 /// If Newton's method ends farther from the lattice line than this (cells), it has not converged.
 constexpr double kMaxOffLine = 1e-3;
@@ -80,8 +81,8 @@ struct LineSearch {
     return std::max(std::abs(at.x[u] - line[u]), std::abs(at.x[v] - line[v]));
   }
 
-  /// Improves (r, s) by Newton's method. If the method does not converge, the result lies beside
-  /// the line.
+  /// Improves (r, s) by Newton's method. If the method does not converge, the result is not on the
+  /// line.
   void newton(double& r, double& s) const {
     for (int iteration = 0; iteration < 4; ++iteration) {
       const CurvedPatch::At at = patch.at(r, s);
@@ -98,9 +99,10 @@ struct LineSearch {
     s = std::clamp(s, 0.0, 1.0);
   }
 
-  /// Finds the point of the patch nearest to the line. Starts at the best of a few places and damps
-  /// the steps until they help (Levenberg 1944, Marquardt 1963). This is for edges that move along
-  /// themselves: such edges sweep hardly any area, and the steps of newton() leave the patch.
+  /// Finds the point of the patch nearest to the line. Starts at the best of several points, and
+  /// damps the steps until they reduce the distance (Levenberg 1944, Marquardt 1963). This is for
+  /// edges that move along themselves: they sweep hardly any area, and the steps of newton() leave
+  /// the patch.
   void nearest(double& r, double& s) const {
     const auto square = [&](double x, double y) {
       const CurvedPatch::At at = patch.at(x, y);
@@ -157,7 +159,8 @@ CrossingRefiner::Hit CrossingRefiner::onSidePatch(const SweptElement& element, i
     at = patch.at(r, s);
   }
   const Eigen::Vector3d n = at.alongEdge.cross(at.alongTime);
-  // The point is still slightly off the lattice line; move along the line to the tangent plane.
+  // The point is still slightly off the lattice line. Use the intersection of the line with the
+  // tangent plane.
   double along = at.x[axis];
   if (std::abs(n[axis]) > 0.1 * n.norm()) {
     along += (n[u] * (at.x[u] - line[u]) + n[v] * (at.x[v] - line[v])) / n[axis];
@@ -177,8 +180,8 @@ double CrossingRefiner::nearestTime(const SweptElement& element,
     const double along = std::clamp((point - at.x).dot(way) / way.squaredNorm(), 0.0, 1.0);
     return (point - at.x - along * way).squaredNorm();
   };
-  // A few samples find the neighbourhood of the minimum, since the step is short. Then a search
-  // with halved widths finds the minimum.
+  // A few samples find the region of the minimum, because the step is short. Then a search with
+  // halved widths finds the minimum.
   constexpr int kLooks = 16, kHalvings = 30;
   int nearest = 0;
   for (int look = 1; look <= kLooks; ++look) {
@@ -207,8 +210,8 @@ Crossing CrossingRefiner::refine(int axis, std::int32_t i, std::int32_t j, std::
   Crossing crossing;
   crossing.timeSeconds = static_cast<float>(hit.timeSeconds);
   const double exact = hit.along - line[axis];
-  // A grazing face or a degenerate side patch has no well-defined intersection. If the exact point
-  // is farther than this (cells) from the sampled crossing, the sampled fraction is kept.
+  // A grazing face or a degenerate side patch has no well-defined intersection. The sampled
+  // fraction is kept if the exact point is farther from it than this (cells).
   constexpr double kMaxCorrection = 0.25;
   const double position =
       std::isfinite(exact) && std::abs(exact - fraction) < kMaxCorrection ? exact : fraction;

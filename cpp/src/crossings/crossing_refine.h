@@ -1,5 +1,5 @@
-// Computes the exact position, normal and time of a crossing, in double, from the element that made
-// it.
+// Computes the exact position, normal and time of a crossing in double precision, from the element
+// that made it.
 //
 // In: sampler input, and the lattice edge, sampled fraction and element of a crossing. Out:
 // Crossing. Units: cells, seconds. Cost: O(1), a few Newton steps for side patches.
@@ -24,9 +24,9 @@ namespace swept {
 class CrossingRefiner {
  public:
   CrossingRefiner(const SamplerInput& input, const MarkedEdges& marked);
-  /// Refines a crossing of the lattice edge (axis, i, j, k). `fraction` is the position that the
-  /// sampler found. `low` is true if the crossing is seen from the low end. `exactSeconds`, if
-  /// given, receives the time in double.
+  /// Refines a crossing of the lattice edge (axis, i, j, k). `fraction`: position that the sampler
+  /// found. `low`: true if the crossing is seen from the low end. `exactSeconds`, if given,
+  /// receives the time in double.
   Crossing refine(int axis, std::int32_t i, std::int32_t j, std::int32_t k, float fraction,
                   std::uint32_t element, bool low, double* exactSeconds = nullptr) const;
 
@@ -35,12 +35,13 @@ class CrossingRefiner {
     double along;
     Eigen::Vector3d normal;
     double timeSeconds;
-    double offLine = 0;  ///< for a side patch: how far from the line Newton's method ended (cells)
+    /// For a side patch: distance (cells) from the line at which Newton's method ended.
+    double offLine = 0;
   };
   Hit onFace(const SweptElement& element, int axis, const Eigen::Vector3d& line) const;
   Hit onSidePatch(const SweptElement& element, int axis, const Eigen::Vector3d& line) const;
-  /// Returns the time at which the edge of a side patch passes nearest to a point, for the few
-  /// crossings at which Newton's method fails.
+  /// Returns the time at which the edge of a side patch passes nearest to a point. Used for the few
+  /// crossings for which Newton's method fails.
   double nearestTime(const SweptElement& element, const Eigen::Vector3d& point) const;
 
   const SamplerInput& input_;

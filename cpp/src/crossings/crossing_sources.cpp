@@ -12,7 +12,7 @@
 namespace swept {
 namespace {
 
-/// The faces beside an edge of the body, and the kind of source of the patches that the edge
+/// The faces beside an edge of the body, and the kind of source of the patches that this edge
 /// sweeps.
 struct EdgeSource {
   std::array<std::int32_t, 2> faces{-1, -1};
@@ -45,7 +45,8 @@ class EdgeSources {
             smooth ? SourceKind::Graze : SourceKind::Edge};
   }
 
-  /// Gives all connected edges between the same two faces one kind, by the median of their angles.
+  /// Gives all connected edges between the same two faces one kind, which follows from the median
+  /// of their angles.
   void decideByChains() {
     std::vector<std::uint32_t> border;
     for (std::uint32_t e = 0; e < sources_.size(); ++e) {
@@ -87,12 +88,12 @@ class EdgeSources {
   std::vector<EdgeSource> sources_;
 };
 
-/// A patch counts as lying in the plane of a face if the cosine between their normals exceeds this
-/// (2e-3 rad).
+/// A patch counts as lying in the plane of a face if the cosine of the angle between their normals
+/// exceeds this (2e-3 rad).
 constexpr double kInPlane = 1 - 2e-6;
 
-/// An edge of the body has swept a patch with this normal. Returns the face beside the edge that
-/// slides along itself in the plane of the patch, or -1 if there is none.
+/// An edge of the body has swept a patch with this normal. If a face beside the edge slides along
+/// itself in the plane of the patch, returns this face, otherwise -1.
 std::int32_t slidingFace(const SamplerInput& input, const SweptElement& patch,
                          const Eigen::Vector3f& normal) {
   const BodyEdge& edge = input.topology.edges[patch.index()];
@@ -105,7 +106,7 @@ std::int32_t slidingFace(const SamplerInput& input, const SweptElement& patch,
   return -1;
 }
 
-/// Returns the last pose at or before a moment in the step that starts at a placement. A merged
+/// Returns the last pose at or before a time within the step that starts at a placement. A merged
 /// step has several poses.
 std::size_t lastPose(const Motion& motion, const Trajectory& trajectory, std::uint32_t placement,
                      double seconds) {

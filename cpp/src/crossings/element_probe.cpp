@@ -11,19 +11,19 @@
 namespace swept {
 namespace {
 
-/// In a cell with more pieces (see the header) than this, the probe finds no hits: the cell holds
-/// more than a single wall, and the search would take too long.
+/// In a cell with more pieces (element_probe.h) than this, the probe finds no hits. Such a cell
+/// contains more than a single wall, and the search would take too long.
 constexpr std::size_t kMaxPieces = 20000;
-/// After this many pieces in a cell, the search leaves out pieces that isPassed() shows to be
-/// covered. Measured on a gripper along 16 keys with cells of 30 mm, and with limits of 100, 300,
-/// 1,000 and none: the mean deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cells. Contouring takes
-/// 0.3, 0.5 and 1.2 s with the first three limits.
+/// After this many pieces in a cell, the search leaves out pieces for which isPassed() is true.
+/// Measured on a gripper along 16 keys with cells of 30 mm, and limits of 100, 300, 1,000 and none:
+/// the mean deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cells. Contouring takes 0.3, 0.5 and 1.2
+/// s with the first three limits.
 constexpr std::size_t kManyPieces = 300;
-/// Pieces within this distance (cells) of the cell count as touching it, so that the search can go
-/// round the corners of the cell.
+/// Pieces within this distance (cells) of the cell count as touching it, so that the search can
+/// pass around the corners of the cell.
 constexpr double kSearchMargin = 0.05;
 
-/// Widens triangles slightly: a line through a common edge hits both triangles rather than none.
+/// Enlarges triangles slightly, so that a line through a common edge hits both triangles, not none.
 constexpr double kEdgeSlack = 1e-7;
 
 /// Where a line intersects a triangle: fraction along the line, and barycentric coordinates.
@@ -96,7 +96,7 @@ bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
 
 }  // namespace
 
-/// Directions of faces during steps of the motion. Keeps the steps and directions used last.
+/// Directions of faces during steps of the motion. Caches the steps and directions used last.
 class ElementProbe::Directions {
  public:
   explicit Directions(const SamplerInput& input) : input_(input) {}
@@ -203,8 +203,8 @@ ElementProbe::Piece ElementProbe::pieceOf(const SweptElement& element) const {
   return piece;
 }
 
-// Two neighbouring pieces share an edge, a path or a face. An edge or path must pass through the
-// box.
+// Two neighbouring pieces share an edge, a path or a face. A shared edge or path must pass through
+// the box.
 template <class Inside, class Use>
 void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece,
                                  const Inside& inside, const Use& use) const {
@@ -257,8 +257,8 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
 }
 
 /// Returns whether the pieces before and after this one in the motion cover it, so that it does not
-/// lie on the envelope. This holds for a face that moves in the same direction (along its normal or
-/// against it) before and after its placement. It also holds for a side patch between two faces
+/// lie on the envelope. This is so for a face that moves in the same direction (along its normal or
+/// against it) before and after its placement. It is also so for a side patch between two faces
 /// that move in the same direction.
 bool ElementProbe::isPassed(const SweptElement& element, Directions& directions) const {
   const std::size_t k = element.placement;
@@ -340,7 +340,7 @@ void ElementProbe::cast(const Eigen::AlignedBox3d& region,
     const auto& [a, b, c, d] = piece.corner;
     const Eigen::Vector3d n = (b - a).cross(c - a);
     // A line wholly above or below the piece cannot hit it. Heights are measured from the plane of
-    // the first triangle; the fourth corner of a side patch may lie off that plane.
+    // the first triangle; the fourth corner of a side patch need not lie in this plane.
     const double fourth = n.dot(d - a);
     const double low = std::min(0.0, fourth), high = std::max(0.0, fourth);
     const double slack = kEdgeSlack * n.norm();

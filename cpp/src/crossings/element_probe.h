@@ -8,8 +8,8 @@
 // neighbours: across shared edges and paths of vertices, and to the steps before and after. It
 // crosses an edge or a path only if this edge or path passes through the cell. In a cell with many
 // pieces, the search leaves out further pieces that the steps before and after cover. Nearly all
-// pieces of such a cell are covered, and the others are connected without them. The search looks
-// nowhere else, so it does not matter which sampler found the crossings.
+// pieces of such a cell are covered, and the others are connected without them. The search uses no
+// other data, so the result does not depend on the sampler that found the crossings.
 // Source: own method; docs/contouring.md, "Rims".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -26,7 +26,7 @@ namespace swept {
 
 class ElementProbe : public SurfaceProbe {
  public:
-  /// `winner` holds, per crossing, the index of its element in `elements`. All arguments must
+  /// `winner`: for each crossing, the index of its element in `elements`. All arguments must
   /// outlive the probe.
   ElementProbe(const SamplerInput& input, const std::vector<SweptElement>& elements,
                const std::vector<std::uint32_t>& winner);
@@ -47,9 +47,9 @@ class ElementProbe : public SurfaceProbe {
   Piece pieceOf(const SweptElement& element) const;
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
                             const std::vector<std::uint32_t>& crossings) const;
-  /// Calls use(other) for the neighbours of an element. These are the elements that share an edge
-  /// or the path of a vertex with it, if inside(p, q) is true for the shared segment; and the
-  /// copies of a face at the placements before and after.
+  /// Calls use(other) for the neighbours of an element. A neighbour shares with it an edge or the
+  /// path of a vertex for which inside(p, q) is true (p, q: ends of the shared segment), or is a
+  /// copy of the same face at the placement before or after.
   template <class Inside, class Use>
   void forNeighbours(const SweptElement& element, const Piece& piece, const Inside& inside,
                      const Use& use) const;
@@ -59,7 +59,8 @@ class ElementProbe : public SurfaceProbe {
   const std::vector<SweptElement>& elements_;
   const std::vector<std::uint32_t>& winner_;
   std::vector<Placement> placements_;  // from body coordinates (mm) to grid coordinates (cells)
-  // Edges of each face; -1 for an edge with more than two faces whose BodyEdge names another face.
+  // Edges of each face. -1: an edge with more than two faces whose BodyEdge does not list this
+  // face.
   std::vector<std::array<std::int32_t, 3>> faceEdges_;
 };
 

@@ -13,7 +13,7 @@
 
 namespace swept {
 
-/// Whether the grid also keeps the times of its crossings in double.
+/// Whether the grid also keeps the exact times of its crossings, in double.
 enum class ExactTimes : std::uint8_t { Dropped, Kept };
 
 HermiteGrid buildHermiteGrid(const SamplerInput& input, MarkedEdges& marked, const SignRuns& signs,

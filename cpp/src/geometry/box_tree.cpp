@@ -127,12 +127,12 @@ Keys makeKeys(const Boxes& boxes, double extent) {
 }
 
 /// Sorts items [first, last) by position, so that the nodes above them have compact boxes. Splits
-/// the list after `capacity` items along the widest spread of the box middles. Then sorts both
-/// parts in the same way, with half the capacity.
+/// the list after `capacity` items, along the axis on which the centres of their boxes spread most.
+/// Then sorts both parts in the same way, with half the capacity.
 template <class Boxes>
 void sortByMedians(const Boxes& boxes, std::int32_t* first, std::int32_t* last,
                    std::size_t capacity) {
-  constexpr std::size_t kAlone = 4096;  // fewer items are sorted without a task of their own
+  constexpr std::size_t kAlone = 4096;  // shorter lists are sorted in the current task
   if (static_cast<std::size_t>(last - first) <= capacity) {
     if (capacity > 1) sortByMedians(boxes, first, last, capacity / 2);
     return;

@@ -1,14 +1,14 @@
 // Bounding volume hierarchy: a tree of boxes with four children per node, in flat arrays.
 //
 // In: the box of each item, finite. The tree reorders the items, so that near items lie side by
-// side. A place (0 .. size() - 1) is an index into this order. Searches report places; item() tells
-// which item lies at a place.
+// side. A place (0 .. size() - 1) is an index into this order. Searches return places; item()
+// returns the item at a place.
 // Out: items near a point or a box, nearest first; boxes of nodes for searches over pairs.
 // Units: any one unit of length.
-// Cost: O(n) to build along a curve, O(n log n) by medians, in parallel; 36 bytes an item. O(log n)
-// for a search that ends nearby.
-// Promise: the same tree for any number of threads. No search misses an item. Boxes are stored in
-// float, relative to the middle of all items, and rounded outward by less than 1e-6 of the largest
+// Cost: for n items, O(n) to build along a curve and O(n log n) by medians, in parallel; 36 bytes
+// per item. O(log n) for a search that ends near its start.
+// Promise: the same tree for any number of threads. No search misses an item. Boxes are stored as
+// floats, relative to the middle of all items, and rounded outward by less than 1e-6 of the largest
 // coordinate. Distances to boxes allow for the rounding of the point.
 // Source: J. Skilling, Programming the Hilbert curve (2004); I. Kamel and C. Faloutsos, Hilbert
 // R-tree (1994).
@@ -83,9 +83,9 @@ class BoxTree {
   /// Curve: by size class (powers of four), then along a Hilbert curve. Neighbours in the list are
   /// then neighbours in space, and large items do not enlarge the boxes of small ones. Best for few
   /// searches, or for one search over all pairs.
-  /// Medians: by repeated halving along the widest spread of the box middles. Takes twice as long
-  /// to build. Time of a search near the items, relative to Curve: 0.5 to 1 for balls and tori of
-  /// 82,000 and 300,000 triangles, 0.6 to 1.4 for a machine part of 32,000.
+  /// Medians: by repeated halving along the axis on which the centres of the boxes spread most.
+  /// Takes twice as long to build. Time of a search near the items, relative to Curve: 0.5 to 1 for
+  /// balls and tori of 82,000 and 300,000 triangles, 0.6 to 1.4 for a machine part of 32,000.
   enum class Order { Curve, Medians };
 
   BoxTree() = default;
@@ -121,8 +121,8 @@ class BoxTree {
   template <class Visit>
   void forBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Visit& visit) const;
 
-  /// Calls look(place, reach) for the items within `reach` of p, in the order of the distance of
-  /// their boxes. look() may lower `reach`, and ends the search by returning false.
+  /// Calls look(place, reach) for every item whose box is within `reach` of p, nearest box first.
+  /// look() may lower `reach`, and ends the search by returning false.
   template <class Look>
   void searchNear(const Eigen::Vector3d& p, double reach, const Look& look) const;
 
@@ -193,7 +193,7 @@ void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& loo
                        static_cast<float>(local[2])};
   const double room = 1.2e-7 * local.norm();  // twice the rounding of `at`
   // Returns the squared limit, with a margin for the rounding of squares and sums. Beyond 1e18
-  // there is no limit, since the square would leave the range of float.
+  // there is no limit, because the square would exceed the range of float.
   const auto limitOf = [&](double r) {
     const double most = std::max(r, 0.0) + room;
     return most < 1e18 ? static_cast<float>(most * most * 1.00001) : HUGE_VALF;
@@ -247,7 +247,7 @@ void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& loo
   }
 }
 
-/// Builds a tree over the triangles of a mesh; its items are the triangle numbers.
+/// Builds a tree over the triangles of a mesh. Its items are the indices of the triangles.
 template <class Triangles>
 BoxTree boxTreeOf(const std::vector<Eigen::Vector3d>& vertices, const Triangles& triangles) {
   return BoxTree(triangles.size(), [&](std::size_t t) {

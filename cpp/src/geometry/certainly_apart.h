@@ -1,8 +1,9 @@
 // Cheap tests whether two triangles of a mesh certainly do not intersect.
 //
 // In: triangles of one mesh. Out: true only if they certainly do not intersect: margins are far
-// above rounding. False means that the question is open; triangle_pairs.h then decides.
-// Cost: some ten nanoseconds, even where the exact predicates are slow (coplanar triangles).
+// above rounding. If the result is false, the triangles may intersect; triangle_pairs.h then
+// decides. Cost: about ten nanoseconds, even where the exact predicates are slow (coplanar
+// triangles).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -46,7 +47,7 @@ class TriedTriangle {
  private:
   bool parted(const Eigen::Vector3d& axis, int origin, bool bothSides,
               const TriedTriangle& other) const {
-    constexpr double kMargin = 2e-14;  // some fifty times the rounding error
+    constexpr double kMargin = 2e-14;  // about fifty times the rounding error
     double lowest = HUGE_VAL, highest = -HUGE_VAL, reach = size_;
     for (const Eigen::Vector3d& point : other.corner_) {
       const Eigen::Vector3d d = point - corner_[origin];

@@ -72,7 +72,7 @@ void joinHole(Polygon& polygon, const Polygon& hole) {
     for (const Polygon* round : {static_cast<const Polygon*>(&polygon), &hole})
       for (std::size_t i = 0; i < round->size(); ++i)
         if (blocks(a, b, (*round)[i].at, (*round)[(i + 1) % round->size()].at)) return false;
-    // The line must start from the polygon's corner towards the inside of the polygon.
+    // The line must lead from the polygon's corner into the polygon.
     const std::size_t n = polygon.size();
     const Point &before = polygon[(bridge.outer + n - 1) % n].at,
                 &after = polygon[(bridge.outer + 1) % n].at;
@@ -112,7 +112,7 @@ class EarClipper {
       emit(at, triangles);
       next_[before_[at]] = next_[at];
       before_[next_[at]] = before_[at];
-      at = next_[next_[at]];  // skips a corner: ears cut in a row would form a fan of slivers
+      at = next_[next_[at]];  // skips a corner, because successive ears would form a fan of slivers
       --left;
       tried = 0;
     }
@@ -139,8 +139,8 @@ class EarClipper {
     return true;
   }
 
-  /// If rounding left no ear, returns the corner that is bent least, where cutting does the least
-  /// harm.
+  /// If rounding left no ear, returns the corner with the least area, because cutting it off
+  /// changes the polygon least.
   std::size_t bestOfNone(std::size_t at, std::size_t left) const {
     std::size_t best = at;
     double least = std::numeric_limits<double>::infinity();
@@ -166,7 +166,8 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
     triangles.push_back({loops[0][0], loops[0][1], loops[0][2]});
     return;
   }
-  // Projects along the axis nearest to the normal, as seen from the normal's side.
+  // Projects along the coordinate axis nearest to the normal, seen from the side to which the
+  // normal points.
   int axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;

@@ -2,11 +2,11 @@
 //
 // In: triangles with indices inside [0, vertexCount), in any condition: open, non-manifold,
 // misoriented. Half-edge h = 3 * triangle + k runs from corner k to corner k + 1 (mod 3).
-// Out: EdgeTable: one 64-bit record a half-edge, grouped by its smaller vertex, sorted within the
-// group. Adjacency: the half-edge on the other side of each half-edge, and the counts of all
+// Out: EdgeTable: one 64-bit record per half-edge, grouped by its smaller vertex, sorted within the
+// group. Adjacency: the half-edge on the other side of each half-edge, and the numbers of all
 // faults.
-// Cost: O(n) time; 8 bytes a half-edge and 4 a vertex for the table, 4 a half-edge for the
-// neighbours. A counting sort on all cores, without hashing.
+// Cost: O(n) time for n triangles; 8 bytes per half-edge and 4 per vertex for the table, 4 per
+// half-edge for the neighbours. A counting sort on all cores, without hashing.
 // Promise: the order depends on the triangles alone, never on threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -52,7 +52,7 @@ class EdgeTable {
   }
 
   /// Calls visit(low, high, first, last) for each undirected edge whose smaller vertex lies in
-  /// [lowBegin, lowEnd). Its records are [first, last), the ascending ones first.
+  /// [lowBegin, lowEnd). [first, last) are the records of its half-edges, the ascending ones first.
   template <class Visit>
   void forEachEdge(std::int64_t lowBegin, std::int64_t lowEnd, Visit&& visit) const {
     for (std::int64_t low = lowBegin; low < lowEnd; ++low) {

@@ -1,6 +1,5 @@
-// Checks the numbers of a mesh: vertex indices and coordinates.
-//
-// Out: the faults and their places.
+// Checks the numbers in a mesh: vertex indices and coordinates.
+// Out: the faults, with the indices of vertices and triangles.
 // Units: mm. Cost: O(n) on all cores.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

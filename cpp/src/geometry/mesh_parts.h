@@ -1,6 +1,6 @@
 // Copies triangles of a mesh into another mesh, and computes the box of a mesh.
 //
-// Units: those of the mesh. Cost: O(1) a triangle; O(vertices) for the box.
+// Units: those of the mesh. Cost: O(1) per triangle; O(vertices) for the box.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,8 +19,9 @@ inline Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
   return box;
 }
 
-/// Appends a triangle of `from` to `mesh`, with those of its vertices that `mesh` lacks. `number`
-/// holds, for each vertex of `from`, its number in `mesh`, or -1 if `mesh` lacks it; it is updated.
+/// Appends a triangle of `from` to `mesh`, and those of its vertices that `mesh` lacks. `number`:
+/// for each vertex of `from`, its index in `mesh`, or -1 if `mesh` lacks it. The function updates
+/// it.
 inline void takeTriangle(const TriMesh& from, std::size_t triangle,
                          std::vector<std::int32_t>& number, TriMesh& mesh) {
   std::array<std::int32_t, 3> corners = from.triangles[triangle];

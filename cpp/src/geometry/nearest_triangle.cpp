@@ -15,7 +15,8 @@ NearestTriangle::NearestTriangle(const std::vector<Eigen::Vector3d>& vertices,
 double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double enough,
                               std::int32_t& hint) const {
   double best = limit;
-  bool isEnough = false;  // set only by a found triangle, since `limit` may be below `enough`
+  // True only after a triangle was found: `limit` alone may already be below `enough`.
+  bool isEnough = false;
   const auto look = [&](std::int32_t t) {
     const double d = squaredDistanceTo(p, t);
     if (d >= best) return false;

@@ -2,7 +2,8 @@
 //
 // In: a finite mesh. Out: the squared distance and the nearest triangle. Units: any one unit of
 // length.
-// Cost: O(n) to build, in parallel, 36 bytes a triangle; O(log n) for a query near the mesh.
+// Cost: O(n) to build for n triangles, in parallel, 36 bytes per triangle; O(log n) for a query
+// near the mesh.
 // Promise: exact up to rounding. If several triangles are equally near, the choice depends only on
 // the mesh and the hint, never on threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -21,27 +22,27 @@ namespace swept {
 class NearestTriangle {
  public:
   using Triangles = std::vector<std::array<std::int32_t, 3>>;
-  /// Whether isNear() may walk from triangle to triangle, which takes 12 more bytes a triangle.
+  /// Whether isNear() may walk from triangle to triangle, which takes 12 more bytes per triangle.
   enum class Walks { No, Yes };
   /// Keeps references to `vertices` and `triangles`; they must outlive the tree.
   NearestTriangle(const std::vector<Eigen::Vector3d>& vertices, const Triangles& triangles,
                   Walks walks = Walks::No);
 
-  /// Returns the squared distance from p to the mesh, or `limit` if no triangle lies nearer than
-  /// that. Stops early at a distance of `enough` or less. Both limits are squared distances.
+  /// Returns the squared distance from p to the mesh, or `limit` if no triangle is nearer. Stops
+  /// early at a squared distance of `enough` or less. `limit` and `enough` are squared distances.
   double query(const Eigen::Vector3d& p, double limit, double enough) const {
     std::int32_t hint = -1;
     return query(p, limit, enough, hint);
   }
-  /// Does the same for a series of nearby points. `hint` is the triangle found last (-1: none). The
-  /// query tests this triangle first, and no other if it lies within `enough`. `hint` receives the
-  /// triangle found.
+  /// Does the same for a series of nearby points. `hint` is the triangle found for the previous
+  /// point (-1: none). It is tested first, and is the only one tested if it lies within `enough`.
+  /// `hint` receives the triangle found.
   double query(const Eigen::Vector3d& p, double limit, double enough, std::int32_t& hint) const;
 
   /// Returns whether a triangle lies within the squared distance `limit` of p, as query(p,
   /// HUGE_VAL, 0) <= limit does. Walks from the triangle `hint` (-1: none) to ever nearer
-  /// neighbours before searching the tree. For a series of nearby points this takes a fraction of
-  /// the time. `hint` receives a triangle near p: one within the limit if there is any.
+  /// neighbours before it searches the tree. For a series of nearby points this takes a fraction of
+  /// the time. `hint` receives a triangle near p, within the limit if there is one.
   bool isNear(const Eigen::Vector3d& p, double limit, std::int32_t& hint) const;
 
  private:

@@ -1,7 +1,7 @@
 // Weighted quadratic error of planes: E(x) = sum w (n . (x - p))^2 (Garland and Heckbert 1997).
 //
-// Units: those of the points. Give points relative to a point nearby, since a distant origin costs
-// digits.
+// Units: those of the points. Points should be relative to a nearby origin, because a distant
+// origin costs digits.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -55,18 +55,18 @@ struct Quadric {
   }
   /// Returns the mean squared distance of x from the planes.
   double mean(const Eigen::Vector3d& x) const { return weight > 0 ? error(x) / weight : 0; }
-  /// Returns the minimiser, pulled towards `about` by a millionth of the planes' weight. In
-  /// directions that the planes do not determine, the result stays at `about`. Some ten times
-  /// faster than minimise().
+  /// Returns the minimiser, with a small damping (a millionth of the planes' weight) that pulls
+  /// it towards `about`. In directions that the planes do not determine, the result stays at
+  /// `about`. About ten times as fast as minimise().
   Eigen::Vector3d dampedMinimiser(const Eigen::Vector3d& about) const {
-    constexpr double kDamping = 1e-6;  // as strong as a turn of a tenth of a degree
+    constexpr double kDamping = 1e-6;  // as strong as planes that differ by a tenth of a degree
     Eigen::Matrix3d m = matrix();
     const Eigen::Vector3d g = b - m * about;
     m.diagonal().array() += kDamping * (a[0] + a[3] + a[5]);
     return about + m.ldlt().solve(g);
   }
-  /// Returns the minimiser nearest to `about`. Eigenvalues below `cut` times the largest are
-  /// ignored; `rank` receives the number of the others (3 for a corner, 2 an edge, 1 a plane).
+  /// Returns the minimiser nearest to `about`. Ignores eigenvalues below `cut` times the largest
+  /// one. `rank` receives the number of the others: 3 for a corner, 2 for an edge, 1 for a plane.
   Eigen::Vector3d minimise(const Eigen::Vector3d& about, double cut, int& rank) const {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     const Eigen::Matrix3d m = matrix();

@@ -14,9 +14,9 @@
 namespace swept {
 namespace {
 
-/// Returns +1 or -1 if the segment a-b, seen in (y, z), crosses the ray from (y, z) towards +y,
-/// otherwise 0. The test is half-open in z, so each corner belongs to one of its two segments. It
-/// evaluates the segment from its lower end, so both triangles of an edge get the same answer.
+/// Projects the segment a-b to (y, z). Returns +1 or -1 if it crosses the ray from (y, z) towards
+/// +y, otherwise 0. The test is half-open in z, so each corner belongs to one of its two segments.
+/// The segment is evaluated from its lower end, so both triangles of an edge get the same answer.
 int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double z) {
   const bool aboveA = a.z() > z;
   const bool aboveB = b.z() > z;
@@ -27,7 +27,8 @@ int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double 
   return aboveB ? 1 : -1;
 }
 
-/// Limits: mean number of columns per triangle, and total entries that 32-bit lists can number.
+/// Limits: mean number of columns per triangle, and total number of entries, which have 32-bit
+/// indices.
 constexpr double kMostColumns = 256, kMostPairs = 4e9;
 constexpr std::size_t kBlock = 1 << 13;
 constexpr double kRoom = 1e-12;  ///< margin as a fraction of the largest coordinate
@@ -84,7 +85,7 @@ void RayColumns::forRows(std::size_t triangle, const Use& use) const {
   const std::int32_t y0 = column(yLow, 1), y1 = column(yHigh, 1);
   const std::int32_t z0 = column(zLow, 2), z1 = column(zHigh, 2);
   const bool few = y1 - y0 < 2 || z1 - z0 < 2;
-  // This margin is far above the rounding of a row's limits and of a point on an edge.
+  // This margin is far above the rounding of the limits of a row and of a point on an edge.
   const Eigen::Vector3d room = kRoom * low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
   const double row = (high_.z() - low_.z()) / columns_;
   for (std::int32_t z = z0; z <= z1; ++z) {
@@ -143,8 +144,8 @@ void RayColumns::forCrossings(double y, double z, const Visit& visit) const {
     const auto& tri = mesh_.triangles[t];
     const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]],
                &c = mesh_.vertices[tri[2]];
-    // If the triangle lies wholly beside the line in y, its sides cancel out or do not cross the
-    // ray.
+    // If the whole triangle lies beside the line in y, its sides cancel each other or do not cross
+    // the ray.
     if (std::min({a.y(), b.y(), c.y()}) > y || std::max({a.y(), b.y(), c.y()}) < y) continue;
     const int turn = passes(a, b, y, z) + passes(b, c, y, z) + passes(c, a, y, z);
     if (turn == 0) continue;

@@ -1,11 +1,11 @@
 // Computes the winding number of a closed mesh about a point, by a ray along +x.
 //
-// In: triangles. Out: winding numbers; for a line (y, z), its crossings in rising x with their
+// In: triangles. Out: winding numbers; for a line (y, z), its crossings in ascending x with their
 // directions. Units: any one unit of length.
-// Cost: O(n) to build; one column of triangles per line. A triangle is listed in the columns that
-// it covers, not in all columns of its box, because CAD parts have long triangles. The same rays
-// through the boxes of a BoxTree take 0.75 to 6 times as long, mostly three times (a machine part,
-// a ball, a torus; 32,000 to 300,000 triangles; points in the box and near the surface).
+// Cost: O(n) to build for n triangles; one column of triangles per line. A triangle is listed in
+// the columns that it covers, not in all columns of its box, because CAD parts have long triangles.
+// With a BoxTree, the same rays take 0.75 to 6 times as long, mostly three times (a machine part, a
+// ball, a torus; 32,000 to 300,000 triangles; points in the box and near the surface).
 // Promise: a line through a shared edge or vertex crosses a closed surface consistently, even if
 // the triangles at an edge have equal but separate vertices. For this, the projected corners follow
 // a half-open rule, and each edge is evaluated in one direction.
@@ -29,7 +29,7 @@ class RayColumns {
   };
 
   explicit RayColumns(const TriMesh& mesh);
-  /// Prepares only for queries whose (y, z) lie in the box from `low` to `high`.
+  /// Prepares only queries whose (y, z) lies in the box from `low` to `high`.
   RayColumns(const TriMesh& mesh, const Eigen::Vector3d& low, const Eigen::Vector3d& high);
   /// Returns the winding number of the surface about x: 1 inside a solid, 0 outside and in
   /// cavities, -1 inside a solid whose normals point inward.

@@ -135,7 +135,7 @@ class PairSearch {
   RawArray<GroupVertices> vertices_;  ///< by node of level 1
 };
 
-/// Tests all pairs of triangles round each entangled vertex.
+/// Tests all pairs of triangles at each vertex marked in `entangled`.
 Found searchFans(const TriMesh& mesh, const std::vector<std::uint8_t>& entangled, RunContext& run) {
   std::vector<std::pair<std::int32_t, std::int32_t>> members;  // vertex, triangle
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

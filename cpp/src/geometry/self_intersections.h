@@ -3,7 +3,7 @@
 // In: a finite mesh with valid indices. Out: every such pair, exactly (no tolerance). Triangles
 // without a common corner intersect if they touch or cross. Triangles with a common edge or corner
 // intersect if they share more than that. Triangles without area are ignored.
-// Cost: O(n log n) for triangles of similar size; about 150 bytes a triangle.
+// Cost: O(n log n) for n triangles of similar size; about 150 bytes per triangle.
 // Promise: the same pairs in the same order for any number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -19,14 +19,14 @@ namespace swept {
 
 struct SelfIntersections {
   std::int64_t count = 0;
-  /// Each pair has the smaller triangle number first; pairs are in rising order. The list is
+  /// Each pair has the smaller triangle index first; pairs are in ascending order. The list is
   /// complete unless a part of the mesh has more than a million pairs; further pairs are only
   /// counted.
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
 };
 
-/// Finds all pairs. `entangled` (MeshTopology) is 0 for vertices whose triangles are known not to
-/// intersect each other; if it is empty, all vertices are tested.
+/// Finds all pairs. `entangled` (MeshTopology): 0 for each vertex whose triangles are known not to
+/// intersect each other. If it is empty, the triangles at all vertices are tested.
 SelfIntersections findSelfIntersections(const TriMesh& mesh,
                                         const std::vector<std::uint8_t>& entangled,
                                         RunContext& run);

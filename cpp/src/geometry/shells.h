@@ -1,8 +1,8 @@
-// Shells: the connected pieces of a mesh, their boxes and volumes, and how they are nested.
-//
+// Finds the shells of a mesh (its connected pieces), their boxes and volumes, and how they are
+// nested.
 // In: a mesh with valid indices. Out: a shell number per triangle; shells are numbered in the order
 // of their first triangles. Units: mm.
-// Cost: O(n) on all cores; a query about nesting takes one ray.
+// Cost: O(n) for n triangles on all cores; a query about nesting takes one ray.
 // Promise: numbers and volumes do not depend on the number of threads. A volume is measured from a
 // vertex of its own shell, so that a distant origin costs no digits.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -27,8 +27,8 @@ struct Shells {
 Shells shellsByEdges(const RawArray<std::uint32_t>& across);
 /// Joins triangles that share a vertex.
 Shells shellsByVertices(const TriMesh& mesh);
-/// Returns, per vertex, the smallest vertex of its piece. The pieces are those of
-/// shellsByVertices(); a vertex without triangles is a piece of its own.
+/// Returns for each vertex the smallest vertex index of its piece. The pieces are those of
+/// shellsByVertices(). A vertex without triangles is a separate piece.
 std::vector<std::int32_t> smallestJoinedVertices(const TriMesh& mesh);
 
 struct ShellExtent {
@@ -42,10 +42,11 @@ std::vector<ShellExtent> measureShells(const TriMesh& mesh, const Shells& shells
 /// Returns whether the inner box lies inside the outer box without touching its sides.
 bool liesStrictlyInside(const Eigen::AlignedBox3d& inner, const Eigen::AlignedBox3d& outer);
 
-/// Returns a point inside a triangle in general position (its weights are no simple fractions).
+/// Returns a point inside a triangle, away from symmetric positions (its weights are no simple
+/// fractions).
 Eigen::Vector3d pointOnTriangle(const TriMesh& mesh, std::int32_t triangle);
 
-/// Tells which shells contain a point of the mesh, by the parity of a ray's crossings with each
+/// Finds the shells that contain a point of the mesh, by the parity of a ray's crossings with each
 /// shell.
 class ShellNesting {
  public:
@@ -53,7 +54,7 @@ class ShellNesting {
   ShellNesting(const TriMesh& mesh, const Shells& shells, const RayColumns& columns)
       : mesh_(mesh), shells_(shells), columns_(columns) {}
 
-  /// Returns the shells round pointOnTriangle(), except the triangle's own, in rising order.
+  /// Returns the shells around pointOnTriangle(), except the triangle's own, in ascending order.
   std::vector<std::int32_t> shellsAround(std::int32_t triangle) const;
 
  private:

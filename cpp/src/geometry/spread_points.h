@@ -9,9 +9,9 @@
 
 namespace swept {
 
-/// Calls stop(point) for points at most about `spacing` apart; each lies next to the previous one.
-/// Triangles larger than 32 times the spacing get 32 steps, so their points lie farther apart.
-/// Returns true as soon as stop() returns true.
+/// Calls stop(point) for points at most about `spacing` apart. Each point is a neighbour of the
+/// previous one. Triangles larger than 32 times the spacing get 32 steps, so their points are
+/// farther apart. Returns true as soon as stop() returns true.
 template <class Stop>
 bool spreadPoints(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                   double spacing, const Stop& stop) {

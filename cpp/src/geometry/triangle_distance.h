@@ -1,4 +1,4 @@
-// Distance between a point and a triangle, and between two triangles, in double precision.
+// Computes the distance between a point and a triangle, and between two triangles.
 //
 // In: corners, in any unit. Out: the nearest points. Cost: constant.
 // Promise: degenerate triangles (needles, points) are allowed: their edges still count. The

@@ -51,7 +51,7 @@ bool segmentsMeet(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
   const int a1 = orientation2d(c, d, a, u, v), b1 = orientation2d(c, d, b, u, v);
   if (c1 * d1 > 0 || a1 * b1 > 0) return false;
   if (c1 != 0 || d1 != 0 || a1 != 0 || b1 != 0) return true;
-  // All four points lie on one line: do the ranges overlap?
+  // All four points lie on one line. Test whether the ranges overlap.
   for (const int axis : {u, v}) {
     if (std::max(a[axis], b[axis]) < std::min(c[axis], d[axis]) ||
         std::max(c[axis], d[axis]) < std::min(a[axis], b[axis])) {
@@ -132,7 +132,8 @@ bool meetBeyondVertex(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const 
   if (sd == 0) return wedgeContains(v, a, b, d);
   if (sa == 0) return wedgeContains(v, c, d, a);
   if (sb == 0) return wedgeContains(v, c, d, b);
-  return sc == sb && sd == sa;  // else the arcs cross the other's plane at opposite points
+  // If this is false, each arc crosses the other's plane at the opposite point.
+  return sc == sb && sd == sa;
 }
 
 bool meetBeyondEdge(const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& p,

@@ -27,15 +27,15 @@ bool meetBeyondVertex(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const 
 bool meetBeyondEdge(const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& p,
                     const Eigen::Vector3d& q);
 
-/// Finds the common corners of two triangles and calls the matching function above. The same three
-/// corners count as intersecting.
+/// Finds the common corners of two triangles and calls the matching function above. Two triangles
+/// with the same three corners intersect.
 bool trianglesIntersect(const std::vector<Eigen::Vector3d>& vertices,
                         const std::array<std::int32_t, 3>& p, const std::array<std::int32_t, 3>& q);
 inline bool trianglesIntersect(const TriMesh& mesh, std::int64_t first, std::int64_t second) {
   return trianglesIntersect(mesh.vertices, mesh.triangles[first], mesh.triangles[second]);
 }
 
-/// Does the same as trianglesIntersect(), after cheap tests. Triangles without area never
+/// Does the same as trianglesIntersect(), but makes cheap tests first. Triangles without area never
 /// intersect.
 bool meetWrongly(const std::vector<Eigen::Vector3d>& vertices, const std::array<std::int32_t, 3>& p,
                  const std::array<std::int32_t, 3>& q);

@@ -10,8 +10,8 @@
 namespace swept {
 namespace {
 
-/// Collects the crossings of one column. Keeps, for each lattice edge, the crossing nearest to
-/// either end. A bit set marks the crossed edges, so no sorting is needed.
+/// Collects the crossings of one column. Keeps, for each lattice edge, the crossings nearest to its
+/// two ends. A bit set marks the crossed edges, so no sorting is needed.
 class ColumnEnds {
  public:
   explicit ColumnEnds(std::size_t points) : ends_(points), crossed_(points / 64 + 1, 0) {}
@@ -25,15 +25,15 @@ class ColumnEnds {
       ends = {r, r};
       return;
     }
-    // Of several crossings at the same place, both ends keep the one with the smallest element.
+    // Of several crossings at the same position, both ends keep the one with the smallest element.
     const auto firstOf = [&](const CrossingRecord& other) {
       return r.key == other.key && r.element < other.element;
     };
     if (r.key < ends.low.key || firstOf(ends.low)) ends.low = r;
     if (r.key > ends.high.key || firstOf(ends.high)) ends.high = r;
   }
-  /// Calls use(k, low, high) for the crossed edges in rising order of k, and removes them from this
-  /// object.
+  /// Calls use(k, low, high) for the crossed edges in ascending order of k, and removes them from
+  /// this object.
   template <class Use>
   void take(const Use& use) {
     for (std::size_t w = 0; w < crossed_.size(); ++w) {
@@ -65,7 +65,8 @@ class ColumnEnds {
 };
 
 /// Sorts records stably by bucket into `out`, which grows if it is too small. forAll(use) must call
-/// use(record) for every record. Returns the start of every bucket and the end of the last one.
+/// use(record) for every record, in the same order each time. Returns the start of every bucket and
+/// the end of the last one.
 template <class ForAll, class BucketOf>
 std::vector<std::uint32_t> sortByBucket(std::size_t buckets, const ForAll& forAll,
                                         const BucketOf& bucketOf,
@@ -79,8 +80,8 @@ std::vector<std::uint32_t> sortByBucket(std::size_t buckets, const ForAll& forAl
   return start;
 }
 
-/// Sorts the records of one layer by axis and column, and keeps for every lattice edge the
-/// crossings next to its ends.
+/// Sorts the records of one layer by axis and column. Keeps for every lattice edge the crossings
+/// next to its ends.
 void reduceLayer(const std::vector<RecordChunk>& chunks,
                  const std::vector<std::uint32_t>& elementBase, std::size_t i,
                  std::vector<CrossingRecord>& scratch, ColumnEnds& ends, std::uint32_t columns,

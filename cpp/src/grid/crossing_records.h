@@ -1,7 +1,7 @@
 // Sorts the raw crossings of any sampler into marked edges, layer by layer.
 //
 // In: chunks of records, in any order. Out: marked edges that depend only on the contents of the
-// chunks. Cost: O(crossings); 12 bytes per crossing, and once more 12 bytes per crossing of one
+// chunks. Cost: O(crossings) time; 12 bytes per crossing, and another 12 bytes per crossing of one
 // work item.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace swept {
 
-/// One crossing. Bits of `key` from the highest: i 13, axis 2, j 13, k 13, fraction 23.
+/// One crossing. Numbers of bits in `key`, from the highest: i 13, axis 2, j 13, k 13, fraction 23.
 struct __attribute__((packed, aligned(4))) CrossingRecord {
   std::uint64_t key;
   std::uint32_t element;
@@ -59,12 +59,12 @@ struct RecordChunk {
   }
 };
 
-/// Orders the records by layer, in an array without spare capacity. `room` receives the previous
+/// Orders the records by layer, in an array without spare capacity. `room` receives the chunk's old
 /// array, emptied, for reuse by the next chunk.
 void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room);
 
-/// Reduces the records to those that sortRecords() would select on each lattice edge. The records
-/// may be in any order.
+/// Keeps only the records that sortRecords() would select on each lattice edge. The records may be
+/// in any order.
 void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid);
 
 /// Turns the chunks into marked edges and empties them. The result does not depend on which thread

@@ -1,5 +1,5 @@
-// Two-sided Hermite data of the envelope: for every lattice edge, the first crossing on the way
-// from each end of the edge that lies outside (the crossing "seen" from this end).
+// Two-sided Hermite data of the envelope. For every end of a lattice edge that lies outside, it has
+// the first crossing on the edge, starting at this end (the crossing "seen" from this end).
 //
 // Memory: 8 bytes per edge, 24 bytes per crossing.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -22,16 +22,17 @@ struct Crossing {
 
 struct HermiteEdge {
   static constexpr std::uint8_t kLow = 1, kHigh = 2;
-  /// Index of the crossing seen from the low end or, if there is none, of the one seen from the
-  /// high end. If the edge has both, their indices are successive.
+  /// Index of the crossing seen from the low end. If there is none, index of the crossing seen from
+  /// the high end. If the edge has both, their indices are successive.
   std::uint32_t first = 0;
   std::uint16_t k = 0;
-  /// Bits kLow and kHigh: each is set if its end of the edge lies outside. There is then a crossing
-  /// seen from this end.
+  /// Bits kLow and kHigh: a bit is set if this end of the edge lies outside. Then there is a
+  /// crossing seen from this end.
   std::uint8_t sides = 0;
 };
 
-/// Edges that start in lattice layer i, ordered and indexed as in LayerEdges.
+/// Edges that start in lattice layer i, in the same order and with the same indices as in
+/// LayerEdges.
 struct HermiteLayer {
   std::array<std::vector<HermiteEdge>, 3> edges;
   std::array<std::vector<std::uint32_t>, 3> columnStart;

@@ -1,7 +1,7 @@
-// The output of every sampler: for each lattice edge that the swept surface crosses, the first
-// crossing on the way from each of its two ends (the crossing "seen" from this end).
+// The output of every sampler. For each lattice edge that the swept surface crosses, it has the
+// first crossing from each of its two ends (the crossing "seen" from this end).
 //
-// Memory: 20 bytes per edge, so the size grows with the area of the surface.
+// Memory: 20 bytes per edge. The size grows with the area of the surface.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,8 +24,8 @@ struct SweptElement {
   std::uint32_t index() const { return code & ~kSidePatchBit; }
 };
 
-/// A crossed lattice edge from (i, j, k) towards +axis. The list that contains the edge tells i, j
-/// and the axis.
+/// A crossed lattice edge from (i, j, k) towards +axis. Axis, i and j follow from the list that
+/// contains the edge.
 struct MarkedEdge {
   float lowFraction = 0;   ///< position of the first crossing seen from the low end, in [0, 1]
   float highFraction = 0;  ///< position of the first crossing seen from the high end

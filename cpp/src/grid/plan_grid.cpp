@@ -12,10 +12,11 @@
 namespace swept {
 namespace {
 
-/// Returns the vertices that can be the farthest along a world axis at any placement. Seen from the
-/// body, the axis has a direction d at each placement, which differs from the first d by at most
-/// `turn`. So the lead of one vertex over another changes by at most 2 * radius * turn. A vertex
-/// that lies farther behind than this at the first placement can never become the farthest.
+/// Returns the vertices that can be the farthest along a world axis at any placement. In
+/// coordinates of the body, the axis has a direction d at each placement, which differs from the
+/// first d by at most `turn`. So the lead of one vertex over another changes by at most 2 * radius
+/// * turn. A vertex that lies farther behind than this at the first placement can never become the
+/// farthest.
 std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& centre,
                                    const Motion& motion, int axis, double side) {
   const Eigen::RowVector3d d = side * motion.placements.front().rotation.row(axis);
@@ -36,8 +37,8 @@ std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& c
   return out;
 }
 
-/// Returns the bounding box of the body in many similar placements. The box is empty if they differ
-/// so much that more than 1/16 of the vertices can be the farthest.
+/// Returns the bounding box of the body in many similar placements. Returns an empty box if they
+/// differ so much that more than 1/16 of the vertices can be the farthest.
 Eigen::AlignedBox3d boxOfSimilarPlacements(const TriMesh& body, const Eigen::Vector3d& centre,
                                            const Motion& motion) {
   Eigen::AlignedBox3d box;
@@ -71,10 +72,10 @@ Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunConte
   for (const auto& v : body.vertices) bodyBox.extend(v);
   const Eigen::Vector3d centre = bodyBox.center(), half = bodyBox.sizes() / 2;
   Eigen::AlignedBox3d box;
-  // A placement is skipped if its box lies in the box found so far. Visiting the placements in
-  // strides finds a large box early.
+  // A placement is skipped if the box of the body there lies in the box found so far. Visiting the
+  // placements in strides finds a large box early.
   const std::size_t n = motion.placements.size();
-  // With this many placements or more, the search for the foremost vertices saves time.
+  // With at least this many placements, the search for the foremost vertices saves time.
   constexpr std::size_t kMany = 1024;
   if (n >= kMany) {
     box = boxOfSimilarPlacements(body, centre, motion);

@@ -1,8 +1,8 @@
-// Chooses the extent and the cell of the grid before anything large is allocated.
+// Chooses extent and cell of the grid before large arrays are allocated.
 //
 // In: body, motion, options. Out: the grid, with at least one empty cell on every side of the
-// sweep. Units: mm. Cost: O(placements + a few times the vertices): most placements are skipped,
-// because the posed box of the body lies within the box found so far.
+// sweep. Units: mm. Cost: O(placements + a few times the vertices), because most placements are
+// skipped: the posed box of the body lies within the box found so far.
 // Source: own method.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -23,8 +23,8 @@ constexpr double kGridMarginCells = 1.37;
 /// Returns the exact bounding box (mm) of the body's vertices in all placements.
 Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunContext& run);
 
-/// Returns the cell (mm): options.cellSize or, if this is 0, the one that gives options.resolution
-/// cells along the longest side of the grid.
+/// Returns the cell size (mm): options.cellSize or, if this is 0, the one that gives
+/// options.resolution cells along the longest side of the grid.
 double plannedCell(const Eigen::AlignedBox3d& box, const Options& options);
 
 /// Plans the grid. Throws Error(InvalidInput) with code "CellTooLarge" or "PrecisionTooCoarse", or

@@ -2,14 +2,14 @@
 //
 // In: snapped corners of a triangle. Out: lattice edges and fractions. Units: 2^-17 cell. Cost:
 // O(lattice lines that the triangle's projection covers).
-// Promise: a closed surface gives a closed set of crossings, and the three axes agree about every
-// lattice point.
+// Promise: the crossings of a closed surface are consistent: the three axes agree on which side of
+// the surface every lattice point lies.
 // Source: simulation of simplicity (Edelsbrunner and Muecke 1990).
 //
 // Vertices are odd integers in units of 2^-17 cell, and lattice lines lie at multiples of 2^17. So
-// no vertex ever lies on the row or column of a line. If a line lies exactly on an edge, or a
-// lattice point exactly on a plane, the lattice counts as shifted by (e, e^2, e^3) with e -> 0. The
-// shift is the same for all axes.
+// no vertex ever lies on the row or column of a line. A line may still lie exactly on an edge, or a
+// lattice point exactly on a plane. Then the lattice is treated as shifted by (e, e^2, e^3), where
+// e tends to 0. The shift is the same for all axes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -28,8 +28,8 @@ namespace detail {
 /// shifted line lies on the inner side of the edge.
 inline bool tieIsInside(std::int64_t du, std::int64_t dv) { return dv < 0 || (dv == 0 && du > 0); }
 
-/// Decides exactly whether a crossing lies above the shifted lattice point k of its line, for
-/// crossings so near to this point that a rounded position cannot tell.
+/// Decides exactly whether a crossing lies above the shifted lattice point k of its line. Used for
+/// crossings so near to this point that a rounded position cannot decide.
 template <int W>
 bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std::int64_t, 3>& w,
                      std::int64_t area2, std::int64_t k, const SnappedPoint& a,
@@ -39,9 +39,9 @@ bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std:
                              static_cast<__int128>(e[2]) * w[2];
   const __int128 point = static_cast<__int128>(area2) * (k * static_cast<std::int64_t>(kSubUnits));
   if (numerator != point) return numerator > point;
-  // The lattice point lies on the plane: decide as if it moved slightly along the first axis with a
-  // non-zero component of the normal. On an axis other than W, the height of the surface then
-  // changes by -n_axis / n_W. On W, the lattice point itself moves up, above the crossing.
+  // The lattice point lies on the plane. Decide as if it moved slightly along the first axis with a
+  // non-zero component of the normal. Along an axis other than W, the height of the surface then
+  // changes by -n_axis / n_W. Along W, the lattice point itself moves up, above the crossing.
   const auto component = [&](int axis) {
     const int p = (axis + 1) % 3, q = (axis + 2) % 3;
     const std::int64_t bp = b[p] - a[p], bq = b[q] - a[q], cp = c[p] - a[p], cq = c[q] - a[q];
@@ -59,8 +59,8 @@ bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std:
 }  // namespace detail
 
 /// Calls emit(u, v, k, fraction) for each lattice line (u, v) along axis W that meets the triangle
-/// between lattice points k and k + 1. u and v are indices along the other two axes, in rising
-/// order.
+/// between lattice points k and k + 1. u and v are indices along the other two axes, in ascending
+/// order of the axes.
 template <int W, class Emit>
 inline void rasteriseTriangle(const SnappedPoint& a, const SnappedPoint& b0, const SnappedPoint& c0,
                               const Emit& emit) {

@@ -1,7 +1,6 @@
 // Snaps vertices to the fine lattice on which all samplers decide exactly.
 //
-// The order of the additions is written out, so that a shader with the same order gets the same
-// bits.
+// The order of the additions is fixed, so that a shader with the same order gets the same bits.
 // Source: own method; docs/pipeline.md, "Sampling".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -18,7 +17,7 @@ constexpr int kSubBits = 17;
 constexpr std::int32_t kSubUnits = 1 << kSubBits;
 using SnappedPoint = std::array<std::int32_t, 3>;
 
-/// Turns a grid coordinate (cells, > 0) into an odd integer in units of 2^-17 cell.
+/// Rounds a grid coordinate (cells, > 0) to an odd integer in units of 2^-17 cell.
 inline std::int32_t snapCoordinate(double g) {
   return 2 * static_cast<std::int32_t>(g * (kSubUnits / 2)) + 1;
 }

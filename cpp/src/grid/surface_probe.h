@@ -1,6 +1,6 @@
 // Interface through which contouring casts lines at the swept surface, to find parts of the surface
-// that no grid edge meets. Implemented by crossings/element_probe, and in tests by surfaces of
-// known shape.
+// that no grid edge meets. crossings/element_probe implements it. Tests implement it with surfaces
+// of known shape.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,9 +22,9 @@ struct ProbeLine {
 class SurfaceProbe {
  public:
   virtual ~SurfaceProbe() = default;
-  /// Casts the lines at the part of the surface inside `region` that is connected there with the
-  /// given crossings. The region is at most a cell, in grid coordinates. Safe to call from several
-  /// threads.
+  /// Casts the lines at the part of the surface that is connected with the given crossings inside
+  /// `region`. The region is at most a cell, in grid coordinates. Several threads may call this at
+  /// the same time.
   virtual void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
                     std::vector<ProbeLine>& lines) const = 0;
 };

@@ -35,8 +35,8 @@ void refuseBadFaces(const TriMesh& body) {
                         " (triangles are counted from 0); face numbers begin at 0");
 }
 
-/// If faces are wanted, keeps the given faces of the triangles; if none are given, each triangle
-/// becomes its own face. If faces are not wanted, removes them.
+/// If faces are wanted, keeps the given face of each triangle; without given faces, each triangle
+/// becomes a separate face. If faces are not wanted, removes them.
 void takeFaces(CheckedBody& result, bool wanted) {
   std::vector<std::int32_t>& faceOf = result.mesh.faceOf;
   result.namedFaces = wanted && !faceOf.empty();
@@ -97,7 +97,8 @@ double boxDiagonal(const TriMesh& mesh) {
   return (high - low).norm();
 }
 
-/// Joins vertices on open edges within `tolerance`. Keeps the result only if fewer edges are open.
+/// Merges vertices on open edges within `tolerance` (mm). Keeps the result only if fewer edges are
+/// open.
 void weldOpenEdges(CheckedBody& result, EdgeTable& table, EdgeCounts& edges, CleanCounts& cleaned,
                    double tolerance, bool keepSheets) {
   if (edges.open == 0 || !(tolerance > 0)) return;
@@ -174,8 +175,9 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
   const std::int64_t joined = applyMap(exactWeld(body.vertices), result.mesh);
   run.checkpoint(Phase::Input);
   CleanCounts cleaned;
-  // A sheet with both sides modelled has no volume, but the real part contains it. So a
-  // conservative envelope, which must contain the whole part, keeps such a sheet.
+  // A thin part may be modelled as a sheet with two coincident sides. The sheet has no volume, but
+  // the real part contains it. So a conservative envelope, which must contain the whole part, keeps
+  // it.
   const bool keepSheets = options.conservative;
   EdgeTable table = cleanTriangles(result.mesh, cleaned, keepSheets);
   const std::string before = std::to_string(body.vertices.size());

@@ -67,7 +67,8 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
     }
     std::size_t flips = 0;
     for (const std::int32_t t : stack) flips += patches.flip[t];
-    // The majority keeps its orientation; in a tie, the triangles that agree with the first one do.
+    // The orientation of the majority is kept. In a tie, the triangles that agree with the first
+    // one keep theirs.
     const bool other = 2 * flips > stack.size();
     for (const std::int32_t t : stack) {
       patches.flip[t] = consistent && (patches.flip[t] != 0) != other ? 1 : 0;
@@ -80,8 +81,8 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
 }
 
 /// Joins patches at edges that do not have exactly two triangles. A patch is balanced at an edge if
-/// its triangles run along it equally often in both directions; the patches that are not are joined
-/// there. Returns the shell of each patch.
+/// its triangles run along this edge equally often in both directions. Patches that are not
+/// balanced at an edge are joined there. Returns the shell of each patch.
 std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& patches,
                                       std::vector<Shell>& shells) {
   auto parent = singleSets<std::int32_t>(patches.count());
@@ -166,7 +167,8 @@ void findContainers(const ShellNesting& nesting,
     for (const std::int32_t t : samples[s]) {
       for (const std::int32_t c : nesting.shellsAround(t)) ++votes[c];
     }
-    // A shell is nested only if all its samples lie inside; else the two shells overlap.
+    // A shell is nested only if all its samples lie inside the other one; otherwise the two
+    // overlap.
     for (const std::int32_t c : candidates) {
       if (votes[c] == samples[s].size()) inner.containers.push_back(c);
     }
@@ -174,7 +176,7 @@ void findContainers(const ShellNesting& nesting,
 }
 
 /// Decides which shells to reverse. Outer shells must point outward. An inner shell is a cavity,
-/// and must point inward, if its direction in the file is opposite to that of its outermost
+/// and must point inward, if its orientation in the file is opposite to that of its outermost
 /// container.
 void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
   std::vector<std::int32_t> order(shells.size());
@@ -196,8 +198,8 @@ void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
     bool cavity = false;
     if (around > 0) {
       const bool opposite = (shell.extent.volume < 0) != (shells[outermost].extent.volume < 0);
-      // If some triangles of a shell had to be reversed, its direction in the file tells nothing;
-      // then the nesting decides.
+      // If some triangles of a shell had to be reversed, its orientation in the file means nothing.
+      // Then the nesting decides.
       cavity = shell.mixed || shells[outermost].mixed ? around == 1 : opposite;
       cavity ? ++result.cavities : ++result.nested;
     }
@@ -207,8 +209,8 @@ void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
   }
 }
 
-/// Returns true if no shell is entered from its wrong side along sample lines. A shell that
-/// intersects itself can have lobes that are inside out although its volume is positive.
+/// Returns true if sample lines never enter a shell from its wrong side. A shell that intersects
+/// itself can have parts that are inside out although its volume is positive.
 bool windingHolds(const RayColumns& columns, const std::vector<std::int32_t>& shellOfTriangle,
                   const std::vector<Shell>& shells) {
   constexpr int kLines = 96;  // lines per side of the box
@@ -227,7 +229,7 @@ bool windingHolds(const RayColumns& columns, const std::vector<std::int32_t>& sh
         const std::int32_t s = shellOfTriangle[crossing.triangle];
         auto it = std::find_if(sums.begin(), sums.end(), [&](auto& e) { return e.first == s; });
         if (it == sums.end()) it = sums.insert(sums.end(), {s, 0});
-        // A cavity counts with the opposite sign. Crossings at one place may come in any order.
+        // A cavity counts with the opposite sign. Crossings at one position may come in any order.
         it->second += shells[s].winding < 1 ? -crossing.direction : crossing.direction;
         const bool last = &crossing == &line.back() || (&crossing)[1].x > crossing.x + samePlace;
         if (last) {

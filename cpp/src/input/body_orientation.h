@@ -1,6 +1,7 @@
-// Orients the generator (the moving part): the second half of the body check.
+// Orients the generator (the moving part). This is the second half of the body check.
 // In:    welded triangles without duplicates. Out: the same triangles, some of them reversed.
-// Cost:  O(n), plus one ray per sample if shells lie inside the bounding boxes of others.
+// Cost:  O(n) for n triangles, plus one ray per sample if shells lie inside the bounding boxes of
+//        others.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,17 +23,17 @@ struct EdgeCounts {
 EdgeCounts countEdges(const EdgeTable& edges);
 
 struct OrientationResult {
-  std::int64_t shells = 0;        ///< pieces of surface connected by edges
+  std::int64_t shells = 0;        ///< connected pieces of surface (across edges)
   std::int64_t mixed = 0;         ///< triangles reversed to agree with the rest of their shell
   std::int64_t inverted = 0;      ///< shells reversed as a whole
   std::int64_t cavities = 0;      ///< closed shells that bound a hollow space inside the body
   std::int64_t nested = 0;        ///< closed shells that point outward, wholly inside another shell
   std::int64_t inconsistent = 0;  ///< shells that have no consistent orientation
-  bool insideOut = false;         ///< a shell that crosses itself has parts that are inside out
+  bool insideOut = false;         ///< a shell that intersects itself has parts that are inside out
   bool orientable = false;        ///< see CheckedBody
 };
-/// Reverses triangles of `mesh` where necessary. `edges` are the edges of `mesh`. `closed` tells
-/// that every edge has an even number of triangles.
+/// Reverses triangles of `mesh` where necessary. `edges`: the edges of `mesh`. `closed`: whether
+/// every edge has an even number of triangles.
 OrientationResult orientShells(TriMesh& mesh, const EdgeTable& edges, bool closed, RunContext& run);
 
 }  // namespace swept

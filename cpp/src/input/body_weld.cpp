@@ -9,8 +9,8 @@
 namespace swept {
 namespace {
 
-// A cross product below this fraction of the product of two edge lengths may be rounding error
-// only.
+// A cross product below this fraction of the product of two edge lengths may consist of rounding
+// errors.
 constexpr double kNoArea = 1e-15;
 
 std::uint64_t mix(std::uint64_t x) {
@@ -70,8 +70,8 @@ void dropTriangles(TriMesh& mesh, const std::vector<std::uint8_t>& dead) {
   keepLiving(mesh.faceOf, dead);
 }
 
-/// Marks duplicates in `group`, which holds all triangles with the same three corners, sorted by
-/// index.
+/// Marks the triangles to remove in `dead`. `group`: all triangles with the same three corners, in
+/// ascending order.
 void markGroup(const TriMesh& mesh, const std::vector<std::int64_t>& group, bool keepSheets,
                std::vector<std::uint8_t>& dead, CleanCounts& counts) {
   std::int64_t firstOf[2] = {-1, -1};
@@ -134,8 +134,8 @@ std::vector<std::int32_t> toleranceWeld(const std::vector<Eigen::Vector3d>& vert
     map[v] = static_cast<std::int32_t>(v);
     count += candidates[v];
   }
-  // Hashes the points by boxes with a side of two tolerances. All points within one tolerance of a
-  // point lie in its box or an adjacent one.
+  // Hashes the points by boxes with sides of two tolerances. All points within one tolerance of a
+  // point lie in the box of this point or in an adjacent one.
   const double box = 2 * tolerance;
   auto cellOf = [&](const Eigen::Vector3d& p, int axis, int step) {
     return std::floor(p[axis] / box) + step;
@@ -189,9 +189,9 @@ EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets) {
   }
   if (any) dropTriangles(mesh, dead);
 
-  // Find duplicates, that is, triangles with the same three corners. They share all three edges, so
-  // it is enough to compare triangles at the edge between their two lowest corners: duplicates have
-  // the same third corner there.
+  // Find duplicates: triangles with the same three corners. They share all three edges, so it
+  // suffices to compare triangles at the edge between their two lowest corners. Duplicates have the
+  // same third corner there.
   dropUnused(mesh);
   EdgeTable edges(mesh);
   dead.assign(mesh.triangles.size(), 0);

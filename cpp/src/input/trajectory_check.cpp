@@ -11,11 +11,11 @@ namespace swept {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kRigidLimit = 1e-4;  // larger deviations of |q| from 1 are no rounding errors
-constexpr double kMendNote = 1e-9;    // smaller deviations are mended without a finding
+constexpr double kRigidLimit = 1e-4;  // larger deviations of |q| from 1 are not rounding errors
+constexpr double kMendNote = 1e-9;    // smaller deviations are corrected without a finding
 constexpr double kAmbiguousDegrees = 1.0;
 
-// Users count poses from 1, like the rows of a table.
+// Messages count poses from 1, like the rows of a table.
 std::string poseName(std::size_t index) { return "pose " + std::to_string(index + 1); }
 constexpr const char* kCounted = " (poses are counted from 1)";
 
@@ -129,7 +129,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
     }
     pose.rotation.normalize();
     if (!poses.empty()) {
-      // Adjacent quaternions get the same sign, so that interpolation takes the shorter way.
+      // Adjacent quaternions get the same sign, so that interpolation takes the shorter rotation.
       if (poses.back().rotation.dot(pose.rotation) < 0) pose.rotation.coeffs() *= -1;
       const bool later = pose.timeSeconds > poses.back().timeSeconds;
       if (samePlacement(poses.back(), pose) && !(waits == RepeatedPoses::Keep && later)) {

@@ -1,6 +1,7 @@
-// Checks the trajectory before a run.
+// Checks and corrects the trajectory before a run.
 // In:    any poses. Out: finite poses with unit quaternions and times that never decrease.
-//        Successive poses with equal placements become one.
+//        Successive poses with equal placements become one, unless RepeatedPoses::Keep is given and
+//        the second pose has a later time.
 // Units: mm, s, rad. Cost: O(poses).
 // Covers rows 17 to 23 of docs/bad_input.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -13,9 +14,8 @@
 
 namespace swept {
 
-/// What to do with a pose that repeats the placement of the pose before it at a later time. Drop is
-/// for a sweep, whose shape such a pose does not change. Keep is for a body that waits while other
-/// parts move.
+/// What to do with a pose that repeats the previous placement at a later time. Drop: for a sweep,
+/// whose shape such a pose does not change. Keep: for a body that waits while other parts move.
 enum class RepeatedPoses { Drop, Keep };
 
 struct CheckedTrajectory {
@@ -24,9 +24,9 @@ struct CheckedTrajectory {
   std::vector<Finding> findings;
 };
 
-/// Checks and mends the poses. Throws Error(InvalidInput) with the code EmptyTrajectory, BadPose,
-/// NotRigid or AmbiguousTurn. AmbiguousTurn occurs only if poses are interpolated: a turn within 1
-/// degree of 180 between two poses has no unique shortest way.
+/// Checks and corrects the poses. Throws Error(InvalidInput) with the code EmptyTrajectory,
+/// BadPose, NotRigid or AmbiguousTurn. AmbiguousTurn occurs only if poses are interpolated: within
+/// 1 degree of 180, the rotation between two poses has no unique shortest direction.
 CheckedTrajectory checkTrajectory(const Trajectory& trajectory,
                                   RepeatedPoses repeated = RepeatedPoses::Drop);
 

@@ -150,7 +150,8 @@ PolygonList readStl(InputFile& file, const std::string& path) {
   const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // an element has a byte or more
   ListImporter found(path, file.bytes, limit, 4 * limit);
   OpenMeshCall call;
-  // The reader itself: its manager knows no readers if OpenMesh is linked statically.
+  // Calls the reader directly: OpenMesh's IO manager has no readers if OpenMesh is linked
+  // statically.
   if (!OpenMesh::IO::STLReader().read(*file.stream, found, options)) {
     badFile("'" + path + "' cannot be read: " + call.said());
   }

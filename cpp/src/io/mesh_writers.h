@@ -13,7 +13,7 @@ namespace swept {
 void writePly(const TriMesh& mesh, std::ostream& stream);  ///< binary
 void writeObj(const TriMesh& mesh, std::ostream& stream);
 void writeOff(const TriMesh& mesh, std::ostream& stream);
-/// Binary. Rounds the vertices to single precision.
+/// Writes binary STL. Rounds the vertices to single precision.
 void writeStl(const TriMesh& mesh, std::ostream& stream);
 
 }  // namespace swept

@@ -86,7 +86,7 @@ class BinaryRows {
     stream_.seekg(static_cast<std::streamoff>(header.dataStart));
   }
 
-  /// Number of bytes of the file that have not been taken yet.
+  /// Returns the number of bytes of the file that have not been taken yet.
   std::uint64_t left() const { return left_; }
 
   /// Takes `count` bytes as one number. Returns false if the file has too few bytes.

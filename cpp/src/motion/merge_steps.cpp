@@ -11,16 +11,16 @@
 namespace swept {
 namespace {
 
-/// Motions of fewer placements are left as they are: their runs are short.
+/// Motions with fewer placements are not changed, because their runs are short anyway.
 constexpr std::size_t kMinPlacements = 256;
 /// A merge must save at least this fraction of the steps. Otherwise it would cost accuracy for
 /// hardly any time.
 constexpr double kMinSaved = 0.5;
-/// Part of the bound that dropped placements may take. The rest is for arcs and warped patches.
+/// Fraction of the bound that dropped placements may use. The rest is for arcs and warped patches.
 constexpr double kDropFraction = 0.5;
 
-/// A placement, or a difference of placements, by what it does with the bounding box of the body:
-/// the place of the centre, and the three half axes.
+/// A placement, or a difference of placements, applied to the bounding box of the body. Columns:
+/// position of the centre, and the three half axes.
 struct Frame {
   Eigen::Matrix<double, 3, 4> columns;
 
@@ -53,8 +53,8 @@ class Merger {
     for (std::size_t k = 0; k < motion.steps(); ++k) arcs_.push_back(arcOf(motion, k, box));
   }
 
-  /// Returns the last placement up to which the steps from `begin` on can be merged, and the bound
-  /// of the merged step.
+  /// Returns the last placement up to which the steps from `begin` on can be merged. `bound`
+  /// receives the bound of the merged step.
   std::size_t farthestFrom(std::size_t begin, double& bound) const {
     const std::size_t last = motion_.placements.size() - 1;
     std::size_t end = begin + 1, reach = 1;
@@ -70,7 +70,7 @@ class Merger {
   }
 
  private:
-  /// Returns whether the steps from `begin` to `end` can become one step. Then sets `bound`.
+  /// Returns whether the steps from `begin` to `end` can become one step, and then sets `bound`.
   bool fits(std::size_t begin, std::size_t end, double& bound) const {
     const Placement &p = motion_.placements[begin], &q = motion_.placements[end];
     const double duration = q.timeSeconds - p.timeSeconds;
@@ -103,13 +103,13 @@ Placement between(const Placement& p, const Placement& q, double s) {
           (1 - s) * p.timeSeconds + s * q.timeSeconds};
 }
 
-/// Returns where the motion is half way in time between two placements.
+/// Returns the placement half way in time between two placements of the motion.
 Placement middleOf(const Motion& motion, std::size_t begin, std::size_t end) {
   if (end == begin + 1) return motion.midpoints[begin];
   const auto first = motion.placements.begin() + static_cast<std::ptrdiff_t>(begin);
   const auto last = motion.placements.begin() + static_cast<std::ptrdiff_t>(end);
   const double time = (first->timeSeconds + last->timeSeconds) / 2;
-  // The first placement at or after this time; neither of the two ends.
+  // The first placement at or after this time, without both ends.
   const auto after = std::lower_bound(
       first + 1, last, time, [](const Placement& p, double at) { return p.timeSeconds < at; });
   const Placement &p = *(after - 1), &q = *after;

@@ -1,5 +1,5 @@
-// The motion as the samplers use it: placements so close together that a straight chord can replace
-// the path of every point between two placements.
+// The motion in the form that samplers use: placements so close together that a straight chord can
+// replace the path of every point between two of them.
 // Units: mm, s.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -24,13 +24,14 @@ struct Motion {
   /// True: the body moves continuously from placements[i] to placements[i + 1]. False: the
   /// placements are separate copies of the body.
   bool continuous = false;
-  /// Exact placement in the middle (in time) of each step (only if continuous). The distance of a
-  /// point there from its chord tells how far the true path deviates.
+  /// Exact placement in the middle (in time) of each step; only if continuous. The distance of a
+  /// point there from its chord shows how far the true path deviates.
   std::vector<Placement> midpoints;
   /// Per pose of the trajectory: index of its placement. If the pose lies inside a merged step
   /// (merge_steps.h), index of the placement at the start of this step.
   std::vector<std::uint32_t> poses;
-  double chordError = 0;         ///< mm, bound on the distance of any body point from its chord
+  /// mm, bound on the distance of the true path of any body point from its chord.
+  double chordError = 0;
   double mergeError = 0;         ///< mm, the same for merged steps only
   double largestStepTravel = 0;  ///< mm, between successive poses of the trajectory
 

@@ -1,6 +1,6 @@
-// The pivot of a trajectory: the point of the body that moves along a straight line between two
-// poses. Let S be the translation to the pivot. The poses P S with the body S^-1 x give the same
-// motion as the poses P with the body x, and their origin is the pivot. So no other part of the
+// The pivot of a trajectory: the body point that moves along a straight line between two poses. Let
+// S be the translation to the pivot. The poses P S with the body S^-1 x give the same motion as the
+// poses P with the body x. The origin of the moved body is then the pivot, so no other part of the
 // core needs to know the pivot. Units: mm. Cost: O(vertices), O(poses).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -9,18 +9,19 @@
 
 namespace swept {
 
-/// Returns the pivot; zero unless the interpolation is linear, since copies and screw motions do
-/// not depend on it. Throws Error(InvalidInput, "BadOption") if it is not finite or too far away.
+/// Returns the pivot, or zero unless the interpolation is linear, because copies and screw motions
+/// do not depend on it. Throws Error(InvalidInput, "BadOption") if it is not finite or too far
+/// away.
 Eigen::Vector3d pivotOf(const Trajectory& trajectory);
 
 /// Returns the body in coordinates whose origin is the pivot.
 TriMesh seenFromPivot(TriMesh body, const Eigen::Vector3d& pivot);
 
-/// Returns the poses that move the body of seenFromPivot() as `trajectory` moves the given body.
+/// Returns poses that move the result of seenFromPivot() as `trajectory` moves the given body.
 /// Rotations must be unit quaternions.
 Trajectory carriedByPivot(Trajectory trajectory, const Eigen::Vector3d& pivot);
 
-/// Converts a pose as returned by carriedByPivot() back to a pose of the given body.
+/// Converts a pose of carriedByPivot() back to a pose of the given body.
 Pose backFromPivot(Pose pose, const Eigen::Vector3d& pivot);
 
 }  // namespace swept

@@ -20,9 +20,9 @@ Corners cornersAt(const Pose& pose, const Eigen::AlignedBox3d& body) {
   return corners;
 }
 
-/// Returns how far a point of the box moves at most between two placements. `a` and `b` are the
-/// corners of the box at the two placements. The maximum occurs at a corner, since the distance is
-/// a convex function of the point.
+/// Returns the largest distance that a point of the box moves between two placements. `a` and `b`:
+/// the corners of the box at these placements. The maximum occurs at a corner, because the distance
+/// is a convex function of the point.
 double farthest(const Corners& a, const Corners& b) {
   double most = 0;
   for (int c = 0; c < 8; ++c) most = std::max(most, (a[c] - b[c]).norm());

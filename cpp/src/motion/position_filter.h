@@ -1,12 +1,13 @@
-// Position filter: drops poses while the body stays near the last pose that was kept.
+// Drops poses while the body stays near the last kept pose (position filter).
 // In:    a checked trajectory and the bounding box of the body.
-// Out:   the trajectory with fewer poses, the number of dropped poses, and the largest distance of
-//        any point of the box between a dropped pose and the kept pose before it. The filter always
-//        keeps the first pose and, if poses are interpolated, the last one.
+// Out:   the trajectory with fewer poses, and the number of dropped poses. Also the largest
+//        distance of any point of the box between a dropped pose and the kept pose before it. The
+//        filter always keeps the first pose and, if poses are interpolated, the last one.
 // Units: mm. Cost: O(poses).
-// Promise: at a dropped pose the body stays within `distance` of its copy at a kept pose, so the
-//        envelope loses no more than this depth. If poses are interpolated, the filter keeps a pose
-//        where the turn between its kept neighbours would reach 90 degrees: the path stays unique.
+// Promise: at a dropped pose the body stays within `distance` of its copy at a kept pose. So the
+//        envelope is too small by at most this depth. If poses are interpolated, the filter also
+//        keeps a pose if the turn between its kept neighbours would otherwise reach 90 degrees. So
+//        the interpolated path stays unique.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -12,8 +12,8 @@
 
 namespace swept {
 
-/// Converts the trajectory. `chord` is the largest distance of a true path from its chord (mm, >
-/// 0). Throws Error(ResourceLimit) if more than 4 million placements are necessary.
+/// Converts the trajectory. `chord`: largest distance of a true path from its chord (mm, > 0).
+/// Throws Error(ResourceLimit) if more than 4 million placements are necessary.
 Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double chord,
                     RunContext& run);
 

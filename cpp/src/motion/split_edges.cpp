@@ -12,14 +12,15 @@
 namespace swept {
 namespace {
 
-// Time of the sampling in ns: per copy of a face with its share of side patches, per cell of the
-// length of a face that is not culled, and per crossing. Only the ratios matter. The constants are
-// fitted to the times of 40 runs of eight random inputs with edges of 1 to 75 cells.
+// Sampling time in ns: per copy of a face (with its side patches), per cell of length of a face
+// that is not culled, and per crossing. Only the ratios matter. The constants are fitted to the
+// times of 40 runs of eight random inputs with edges of 1 to 75 cells.
 constexpr double kFaceCost = 70, kLengthCost = 28, kCrossingCost = 7;
-/// Largest number of triangles after a split: the body must not need more memory than the envelope.
+/// Largest number of triangles after splitting. The body must not need more memory than the
+/// envelope.
 constexpr double kMaxTriangles = 2e6;
-/// Required ratio of the estimated times before and after: for a first split, and for each further
-/// halving. Smaller gains are within the uncertainty of the estimates.
+/// Required ratio of the estimated time before to that after: for the first split, and for each
+/// further halving. Smaller gains are within the uncertainty of the estimates.
 constexpr double kGain = 2, kFurtherGain = 1.2;
 
 struct Step {
@@ -74,7 +75,7 @@ class SamplingCost {
     return triangles(longest) * placements(longest, chord);
   }
 
-  /// Returns the estimated time of the sampling in ns; infinite if there would be too many
+  /// Returns the estimated sampling time in ns. Returns infinity if there would be too many
   /// triangles.
   double of(double longest, double chord) const {
     const double count = triangles(longest);
@@ -85,7 +86,7 @@ class SamplingCost {
            (count * kFaceCost + lengthLeft(longest) * kLengthCost + crossings_ * kCrossingCost);
   }
 
-  /// Returns the edge length with the least work. `longest`: longest edge of the unsplit body.
+  /// Returns the edge length with the shortest time. `longest`: longest edge of the unsplit body.
   double bestEdge(double longest, double chord, double cell) const {
     double best = longest, enough = of(longest, chord) / kGain;
     for (double edge = longest / 2; edge > cell; edge /= 2) {
@@ -105,8 +106,8 @@ class SamplingCost {
   }
 
   /// Returns the total length, in cells, of the triangles of one copy that are not culled. A
-  /// triangle remains if one part of it moves outward and another part inward. This happens more
-  /// often the longer the triangle is compared with the body.
+  /// triangle is not culled if one part of it moves outward and another part inward. The longer the
+  /// triangle is compared with the body, the more often this happens.
   double lengthLeft(double longest) const {
     double sum = 0;
     for (const Extent& e : extents_) {

@@ -21,14 +21,15 @@ struct Following {
   double chord;        ///< mm, larger than requested only if there would be too many copies
 };
 
-/// Returns the edge length with the least work, and the chord to use. The chord is doubled until
-/// there are at most `mostCopies` copies of triangles, or twice as many as a chord of one cell
-/// needs, if this is more. `maySplit` is false if the body must stay unsplit.
+/// Returns the edge length with the shortest sampling time, and the chord to use. The chord is
+/// doubled until there are few enough copies of triangles. Allowed are `mostCopies`, or twice as
+/// many as a chord of one cell needs, if this is more. `maySplit`: false if the body must not be
+/// split.
 Following planFollowing(const TriMesh& body, const Trajectory& trajectory, double chord,
                         double cell, double mostCopies, bool maySplit, RunContext& run);
 
-/// Halves all edges longer than `longest` until none is left. Old vertices keep their indices. The
-/// pieces of a triangle belong to the face of that triangle.
+/// Halves all edges longer than `longest` (mm) until there are none. Old vertices keep their
+/// indices. The pieces of a triangle belong to the face of that triangle.
 TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run);
 
 }  // namespace swept

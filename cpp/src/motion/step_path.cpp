@@ -9,9 +9,10 @@
 namespace swept {
 namespace {
 
-// A step with a smaller turn than this counts as straight. A screw of length d and angle a turns
-// about a point up to d / a away, so rounding displaces its points by eps d / a. A straight line in
-// place of the screw deviates by d a / 8. Both errors are equal, about 5e-9 d, at a = sqrt(8 eps).
+// A step with a smaller turn than this is treated as straight. A screw of length d and angle a
+// turns about a point up to d / a away, so rounding (eps) displaces its points by eps d / a. A
+// straight line instead of the screw deviates by d a / 8. Both errors are equal, about 5e-9 d, at a
+// = sqrt(8 eps).
 constexpr double kMinScrewAngle = 4e-8;
 
 }  // namespace
@@ -33,8 +34,8 @@ StepPath::StepPath(const Pose& from, const Pose& to, Interpolation interpolation
   screw_ = interpolation == Interpolation::Screw && angle_ > kMinScrewAngle;
   if (!screw_) return;
   // In the frame of the first pose, the step is x -> R x + d. The component of d along the axis of
-  // R is the pitch of the screw; `across` is the rest. A point c of the screw axis moves along this
-  // axis only: R c + across = c. This gives c = (across + cot(angle/2) axis x across) / 2.
+  // R is the pitch of the screw; `across` is the rest. A point c of the screw axis moves only along
+  // this axis: R c + across = c. This gives c = (across + cot(angle/2) axis x across) / 2.
   const Eigen::Vector3d d = from.rotation.conjugate() * (to.translation - from.translation);
   pitch_ = axis_.dot(d);
   const Eigen::Vector3d across = d - axis_ * pitch_;

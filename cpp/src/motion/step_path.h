@@ -1,4 +1,4 @@
-// The motion of a body from one pose to the next, and the number of pieces that approximate it. All
+// The motion of a body from one pose to the next, and the number of chords that approximate it. All
 // code that moves a body between poses uses this class, so that the path is the same everywhere.
 // Units: mm, rad, s. Cost: O(1) per query; the sphere and the longest edge take O(n).
 // Sources: slerp, Shoemake 1985; the screw axis of a rigid motion, Chasles 1830.
@@ -22,7 +22,7 @@ struct Sphere {
 
 Sphere boundingSphere(const TriMesh& body);
 
-/// Velocities of all points of a rigid body at one moment: linear + angular x point (world).
+/// Velocities of all points of a rigid body at one time: linear + angular x point (world).
 struct Twist {
   Eigen::Vector3d linear;
   Eigen::Vector3d angular;
@@ -38,8 +38,8 @@ class StepPath {
 
   /// Angle of the whole step, 0 to pi.
   double angle() const { return angle_; }
-  /// True if all points turn about one fixed axis and slide along it. Else the origin of the body
-  /// moves along a straight line and the body turns about its origin.
+  /// True if all points turn about one fixed axis and slide along it. Otherwise the origin of the
+  /// body moves along a straight line, and the body turns about its origin.
   bool isScrew() const { return screw_; }
   /// Displacement along the axis of a screw, in mm.
   double pitch() const { return pitch_; }
@@ -51,10 +51,10 @@ class StepPath {
   double radius(const Eigen::Vector3d& point) const;
   /// Upper bound of radius() for all points of the sphere.
   double radius(const Sphere& body) const;
-  /// Returns the velocities per unit of s at the moment at which the body is at `pose`. `pose` must
-  /// be a result of poseAt().
+  /// Returns the velocities per unit of s at the time when the body is at `pose`, which must be a
+  /// result of poseAt().
   Twist twistAt(const Pose& pose) const;
-  /// Speed along the axis of a screw, else speed of the body's origin, in mm per unit of s.
+  /// Speed along the axis of a screw, otherwise speed of the body's origin, in mm per unit of s.
   double drift() const { return screw_ ? std::abs(pitch_) : shift().norm(); }
   /// Upper bound, in mm per unit of s, of the speed of all points within `radius` of the axis.
   double fastest(double radius) const {
@@ -75,20 +75,20 @@ class StepPath {
 
 double longestEdge(const TriMesh& body);
 
-/// Returns by how much the two triangles that replace the warped patch swept by an edge deviate
-/// from the patch at most. `turn` is in rad; `edge` is the length of the edge. Bounds on the chords
-/// of points do not cover this deviation.
+/// An edge of length `edge` sweeps a warped patch during a turn by `turn` (rad). Returns an upper
+/// bound of the distance of this patch from the two triangles that replace it. Bounds on the chords
+/// of points do not include this deviation.
 inline double warpOf(double turn, double edge) { return edge * turn / 4; }
 
-/// Returns how far (mm) the true motion leaves the chords during a step, for all points of the box.
-/// Up to terms of fourth order, for which 2 % are added, a point moves on an arc of constant
-/// curvature. So it is farthest from its chord in the middle of the step.
+/// Returns how far (mm) the true motion deviates from the chords during a step, for all points of
+/// the box. Up to terms of fourth order, for which 2 % are added, a point moves on an arc of
+/// constant curvature. So it is farthest from its chord in the middle of the step.
 double arcOf(const Motion& motion, std::size_t step, const Eigen::AlignedBox3d& box);
 
-/// Returns the number of pieces per step, not rounded, with which the chords of points and the side
-/// patches together deviate from the true motion by at most `chord`. With n pieces, the chords
-/// deviate by r a^2 / (8 n^2) (the exact sagitta is slightly smaller) and the patches by
-/// warpOf(a, longest) / n.
+/// Returns the number of chords per step, not rounded. With this number, chords of points and side
+/// patches together deviate from the true motion by at most `chord`. With n chords, they deviate by
+/// r a^2 / (8 n^2) (slightly more than the exact sagitta), and the patches by warpOf(a, longest) /
+/// n.
 double piecesOf(double radius, double angle, double longest, double chord);
 
 }  // namespace swept

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Vector3d;
 using Corners = std::array<Vector3d, 3>;
 
-constexpr double kSmallest = 0.01;  // cells: no triangle with a smaller radius is split further
-constexpr double kTight = 0.1;      // cells: the upper bound may exceed the true value by this
+constexpr double kSmallest = 0.01;  // cells: triangles with a smaller radius are not split further
+constexpr double kTight = 0.1;      // cells: the upper bound may exceed the true value by this much
 
 class Prover {
  public:
@@ -22,7 +22,7 @@ class Prover {
 
   double nearest = 1e300, farthest = 0;
 
-  /// Returns false if some point of the triangle may have less than the required reach.
+  /// Returns false if the reach of some point of the triangle may be less than required.
   bool prove(const Corners& corner) {
     const Vector3d middle = (corner[0] + corner[1] + corner[2]) / 3;
     double radius = 0;

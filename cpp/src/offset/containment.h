@@ -1,13 +1,14 @@
 // Proves that a closed mesh contains a swept volume, and bounds its distance from that volume.
 //
-// In:    cover of the swept volume (cover.h), a closed mesh, the smallest reach allowed (the reach
-//        is the distance to the cover minus its slack, cover_search.h).
+// In:    cover of the swept volume (cover.h), a closed mesh, the smallest reach allowed (reach:
+//        distance to the cover minus its slack, cover_search.h).
 // Out:   bounds that hold for the whole mesh, not only for sample points.
-// Method: between two points the reach differs by at most their distance. So a triangle is far
-//        enough away if the reach of its centre exceeds the limit by the triangle's radius; other
-//        triangles are split into four. The distance to one convex cover triangle is largest at a
-//        corner of the mesh triangle. If no point of the mesh is near the cover, every connected
-//        piece of the cover is wholly inside or wholly outside; one ray per piece decides.
+// Method: the reaches of two points differ by at most their distance. So a triangle is far enough
+//        away if the reach of its centre exceeds the limit by the triangle's radius. Other
+//        triangles are split into four. The distance to one cover triangle, which is convex, is
+//        largest at a corner of the mesh triangle. If no point of the mesh is near the cover, every
+//        connected piece of the cover is wholly inside or wholly outside. One ray per piece decides
+//        this.
 // Units: cells. Cost: O(triangles) queries.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -27,7 +28,7 @@ struct Containment {
   std::int64_t outside = 0;  ///< points of Cover::inside that are not inside the mesh
 };
 
-/// Tries to prove that the mesh contains the swept volume. `least` is the smallest reach that is
+/// Tries to prove that the mesh contains the swept volume. `least`: the smallest reach that is
 /// allowed for a point of the mesh.
 Containment proveContainment(const Cover& cover, const CoverSearch& tree, const TriMesh& mesh,
                              const GridPlan& grid, double least, RunContext& run);

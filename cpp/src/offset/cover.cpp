@@ -18,7 +18,7 @@ namespace {
 constexpr double kTwist = 0.005;  // cells: patches are cut into pieces whose warp is at most this
 constexpr int kMaxParts = 256;
 
-/// What the cover triangles at the start and at the end of a motion step need to know of this step.
+/// Data of a motion step for the cover triangles at its start and at its end.
 struct Step {
   Placement from, to;  // from body coordinates (mm) to grid coordinates (cells)
   double turn = 0;     // rad, an upper bound
@@ -138,10 +138,11 @@ void coverCopies(const SamplerInput& input, std::size_t k, CoverTriangle* out) {
 }
 
 /// Cuts long triangles. The bounding box of a long oblique triangle is nearly empty, so searches
-/// would often test the triangle in vain.
+/// would often test such a triangle in vain.
 void cutLong(std::vector<CoverTriangle>& triangles) {
-  constexpr double kLong = 6;       // cells
-  constexpr double kMaxPieces = 3;  // limit: this many times the triangles, plus a million
+  constexpr double kLong = 6;  // cells
+  // Limit of the number of triangles: this many times as many, plus a million.
+  constexpr double kMaxPieces = 3;
   const auto longest = [](const CoverTriangle& t) {
     int best = 0;
     double length = -1;
@@ -198,7 +199,7 @@ std::size_t copiesOf(const SamplerInput& input) {
 Cover coverOfMotion(const SamplerInput& input, bool widened, RunContext& run) {
   Cover cover;
   const std::size_t placements = input.motion.placements.size();
-  // One vertex per connected piece of the body.
+  // One vertex for each connected piece of the body.
   std::vector<std::int32_t> roots = smallestJoinedVertices(input.body);
   sortUnique(roots);
   const auto addInside = [&](std::size_t k) {

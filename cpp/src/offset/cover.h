@@ -1,9 +1,9 @@
-// The cover: triangles that cover the boundary of the swept volume. Offsets are measured from these
-// triangles.
+// Makes the cover: triangles that cover the boundary of the swept volume. Offsets are measured from
+// these triangles.
 //
 // In:    body, motion and grid; or a closed mesh.
-// Out:   triangles in cells from the origin of the grid. Each stands for a piece of the boundary
-//        and has a slack: the piece lies within this distance of the triangle.
+// Out:   triangles in cells from the origin of the grid. Each represents a piece of the boundary
+//        and has a slack: no point of the piece is farther than this from the triangle.
 // Cost:  O(elements that culling keeps), about 110 bytes per triangle.
 // Bounds of the slack (for one motion step with turn a and displacement d(p) of a point p):
 //   side patch   two flat triangles deviate from the ruled surface by at most |e1 - e0| / 4, where
@@ -11,8 +11,8 @@
 //                the edge until this deviation is small.
 //   face         if one part of a face moves outward in a step and another part inward, the
 //                boundary may bulge between the two copies of the face. At a grazing point
-//                n(s) . d = 0, so the point lies within a |d| / 4 of the plane of the nearer copy.
-//                The cover then keeps both copies, with this slack.
+//                n(s) . d = 0, so this point lies within a |d| / 4 of the plane of the nearer
+//                copy. The cover then keeps both copies, with this slack.
 //   chord        the true motion deviates from the chords by at most `chord`, which holds for all
 //                elements. It is not part of the slack.
 // All elements that culling drops lie inside the swept volume (swept_elements.h).
@@ -37,8 +37,8 @@ struct Cover {
   std::vector<CoverTriangle> triangles;
   double largestSlack = 0;  ///< cells
   double chord = 0;         ///< cells, bound on the deviation of the true motion from the chords
-  /// In grid coordinates: a vertex of each connected piece of the body, at its first placement; for
-  /// a union of copies, at every placement.
+  /// In grid coordinates: one vertex of each connected piece of the body, at the first placement.
+  /// For a union of copies, at every placement.
   std::vector<Eigen::Vector3d> inside;
 };
 
@@ -46,13 +46,13 @@ struct Cover {
 /// cut. Returns 0 for continuous motions, for which this number depends on culling.
 std::size_t copiesOf(const SamplerInput& input);
 
-/// Makes the cover of a motion. `widened` keeps the slack of the triangles, for a surface that must
-/// contain the whole swept volume. Without `widened`, all slacks are 0, for a surface that should
-/// lie as close as possible.
+/// Makes the cover of a motion. With `widened`, the triangles keep their slack, for a surface that
+/// must contain the whole swept volume. Without, all slacks are 0, for a surface that should be as
+/// close as possible.
 Cover coverOfMotion(const SamplerInput& input, bool widened, RunContext& run);
 
-/// Makes the cover from a mesh that is known to be the boundary, such as an earlier envelope.
-/// `contactTime` has an entry per vertex, or is empty.
+/// Makes the cover from a mesh that is known to be the boundary, such as an envelope computed
+/// before. `contactTime`: one entry per vertex, or empty.
 Cover coverOfMesh(const TriMesh& mesh, const std::vector<double>& contactTime,
                   const GridPlan& grid);
 

@@ -1,8 +1,8 @@
 // Finds the nearest triangle of a cover (cover.h).
-// The reach of a point is the smallest value, over all triangles, of the distance to the triangle
-// minus the slack of the triangle.
+// The reach of a point is the smallest value of "distance to the triangle minus slack of the
+// triangle" over all triangles.
 // In:    cover triangles. Out: the triangle that gives the reach, and the reach.
-// Units: cells. Cost: O(n) to build, O(log n) per query; 36 bytes per triangle.
+// Units: cells. Cost: O(n) to build for n triangles, O(log n) per query; 36 bytes per triangle.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -29,13 +29,13 @@ class CoverSearch {
     double reach = 0;            ///< distance minus slack; `below` if no triangle is nearer
     std::int32_t triangle = -1;  ///< -1: no triangle is nearer than `below`
   };
-  /// Finds the triangle that gives the reach of x, if the reach is smaller than `below`. `hint` is
-  /// a triangle to start with (-1: none). The search ends early when it finds a triangle with a
-  /// distance minus slack of `enough` or less.
+  /// Finds the triangle that gives the reach of x, if the reach is smaller than `below`. `hint`: a
+  /// triangle with which the search starts (-1: none). The search ends early at a triangle for
+  /// which distance minus slack is at most `enough`.
   Nearest nearest(const Eigen::Vector3d& x, double below, std::int32_t hint = -1,
                   double enough = 0) const;
 
-  /// Calls visit(index) for each triangle whose bounding box, slack included, comes within
+  /// Calls visit(index) for each triangle whose bounding box, enlarged by its slack, comes within
   /// `distance` of the box from `low` to `high`.
   template <class Visit>
   void forNear(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double distance,

@@ -13,7 +13,7 @@ const double kHalfDiagonal = std::sqrt(3.0) / 2;
 
 /// Returns the reach at which a search about the centre of a node may stop. If `distance` is larger
 /// than the radius of the node, this reach proves that the whole node is near (inside the offset
-/// surface). Otherwise no such proof is possible, and with this reach the node counts as mixed.
+/// surface). Otherwise no such proof is possible, and the node counts as mixed.
 double enoughFor(double distance, double radius) {
   return distance > radius ? distance - radius : distance + radius;
 }
@@ -22,7 +22,8 @@ Eigen::Vector3d middleOf(const std::array<std::int32_t, 3>& low, std::int32_t si
   return Eigen::Vector3d(low[0], low[1], low[2]) + Eigen::Vector3d::Constant((size - 1) / 2.0);
 }
 
-/// Calls use(low) for the eight children of a node, which have half its size. `half`: their size.
+/// Calls use(low) for the eight children of a node. `half`: the size of the children, half of that
+/// of the node.
 template <class Use>
 void forHalves(const std::array<std::int32_t, 3>& low, std::int32_t half, const Use& use) {
   for (int c = 0; c < 8; ++c) {
@@ -53,13 +54,13 @@ OffsetField::OffsetField(const CoverSearch& tree, double distance, const GridPla
   });
 }
 
-/// Classifies nodes of this size as outside, near or mixed. Returns the mixed nodes: split into
-/// their children, or unsplit if they have the size of a block.
+/// Classifies nodes of this size as outside, near or mixed. Returns the mixed nodes: their
+/// children, or the nodes themselves if they have the size of a block.
 std::vector<OffsetField::Node> OffsetField::refineTo(std::int32_t size,
                                                      const std::vector<Node>& nodes,
                                                      RunContext& run) {
-  // With one cell more, the surface does not cross the edges from a uniform node to its neighbours,
-  // either.
+  // The radius includes one cell more, so that the surface does not cross edges from a uniform node
+  // to its neighbours, either.
   const double radius = kHalfDiagonal * (size - 1) + 1;
   std::vector<std::int8_t> kinds(nodes.size(), 0);
   std::vector<std::int32_t> hints(nodes.size(), -1);

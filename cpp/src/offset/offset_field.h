@@ -1,12 +1,12 @@
 // Determines for every lattice point on which side of the offset surface it lies.
 //
-// In:    search for the reach, i.e. the distance to a cover minus slack (cover_search.h); offset
-//        distance; grid.
+// In:    search for the reach, which is the distance to a cover minus slack (cover_search.h);
+//        offset distance; grid.
 // Out:   for every lattice point its gap = reach - distance, positive outside. Far from the surface
 //        only the sign is correct.
-// Method: octree of lattice points. Between two points the reach differs by at most their distance,
-//        so a node whose centre is far enough from the surface is wholly outside or wholly near
-//        (inside). All three axes read the same value of a lattice point, so signs always agree.
+// Method: octree of lattice points. The reaches of two points differ by at most their distance. So
+//        a node whose centre is far enough from the surface is wholly outside or wholly near
+//        (inside). All three axes use the same value for a lattice point, so signs always agree.
 // Units: cells. Cost: O(surface cells) queries, 2 kB per block of 8^3 points at the surface,
 //        4 bytes per block elsewhere.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -29,8 +29,8 @@ class OffsetField {
   OffsetField(const CoverSearch& tree, double distance, const GridPlan& grid, RunContext& run);
 
   double distance() const { return distance_; }
-  /// Returns true for a block whose edges, including those to the next blocks, the surface may
-  /// cross. All points of any other block lie on the same side.
+  /// Returns true for a block if the surface may cross its edges, including those to the next
+  /// blocks. All points of any other block lie on the same side.
   bool isMixed(std::int32_t bi, std::int32_t bj, std::int32_t bk) const {
     return block(bi, bj, bk) >= 0;
   }

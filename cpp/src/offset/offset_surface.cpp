@@ -13,17 +13,18 @@ using Eigen::Vector3d;
 
 constexpr double kRounding = 1e-6;   // cells: gaps are stored as floats
 constexpr double kFromPoint = 1e-3;  // cells: smallest distance of crossings from lattice points
-// Dips are searched for only below this offset distance (cells), because a dip (see the header) is
-// less deep than 1 / (8 distance).
+// Dips are only searched for below this offset distance (cells), because a dip (offset_surface.h)
+// is less deep than 1 / (8 distance).
 constexpr double kDipsBelow = 2;
 constexpr double kShortest = 1.0 / 32;  // fraction of an edge: shorter dips are not searched for
 // Offset distances (cells).
-constexpr double kApart = 0.5;           // below: an edge may pass through two separate walls
-constexpr double kThin = kShortest / 2;  // below: shorter dips are searched for, too
-constexpr double kFlat = 1e-3;           // below: crossings have the normals of the cover triangles
+constexpr double kApart = 0.5;  // below this distance, an edge may pass through two separate walls
+constexpr double kThin = kShortest / 2;  // below this distance, shorter dips are searched for, too
+// Below this distance, crossings have the normals of the cover triangles.
+constexpr double kFlat = 1e-3;
 
-/// Returns the t in [0, 1] at which origin + t * path first comes within `radius` of the triangle;
-/// 1 if the path does not come so near.
+/// Returns the smallest t in [0, 1] at which origin + t * path is within `radius` of the triangle.
+/// Returns 1 if the path does not come so near.
 double entry(const Vector3d& origin, const Vector3d& path, const CoverTriangle& triangle,
              double radius) {
   double t = 0;
@@ -45,8 +46,8 @@ struct Entry {
   std::int32_t triangle = -1;
 };
 
-/// Finds where a path along an axis first comes within `distance` plus slack of a triangle. The
-/// result has the triangle -1 if the path does not come so near to any triangle.
+/// Finds where a path along an axis first comes within `distance` plus slack of a triangle. If this
+/// never happens, the result has the triangle -1.
 Entry firstEntry(const CoverSearch& tree, double distance, const Vector3d& origin,
                  const Vector3d& path) {
   Entry first;
@@ -59,8 +60,8 @@ Entry firstEntry(const CoverSearch& tree, double distance, const Vector3d& origi
   return first;
 }
 
-/// Searches an edge between t0 and t1 for a point whose gap is 0 or less. Returns its position on
-/// the edge, or -1 if there is no such point. `gap0` and `gap1` are the gaps at t0 and t1.
+/// Searches an edge between t0 and t1 for a point with a gap of at most 0. Returns its position on
+/// the edge, or -1 if there is none. `gap0` and `gap1`: the gaps at t0 and t1.
 double findDip(const CoverSearch& tree, double distance, const Vector3d& origin, int axis,
                double t0, double gap0, double t1, double gap1) {
   if (gap0 + gap1 >= t1 - t0 + kRounding) return -1;
@@ -100,8 +101,8 @@ Entry entryOf(const CoverSearch& tree, double distance, const Vector3d& origin,
   return first;
 }
 
-/// Returns the unit normal of the triangle that points against the path; the reversed direction of
-/// the path if the triangle has no area.
+/// Returns the unit normal of the triangle that points against the path. If the triangle has no
+/// area, returns the reversed direction of the path.
 Vector3d normalAgainst(const Vector3d& path, const CoverTriangle& t) {
   const Vector3d normal = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]);
   if (!(normal.norm() > 0)) return -path.normalized();

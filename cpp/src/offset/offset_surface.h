@@ -1,18 +1,18 @@
-// The surface at a given distance from a cover, as marked edges and crossings on the lattice. The
-// offset body is the union of the grown triangles: all points within `distance` plus slack of a
-// cover triangle.
+// Computes the surface at a given distance from a cover, as marked edges and crossings on the
+// lattice. The offset body is the union of the grown triangles. A grown triangle consists of all
+// points within `distance` plus slack of a cover triangle.
 //
 // In:    cover search, field of gaps.
 // Out:   marked edges, from which the signs follow; then, for each contributing edge, the exact
 //        crossing: point, normal and time.
-// Method: an edge is marked if its ends lie on different sides, or if both lie outside and the
-//        offset body reaches in between (a dip). Dips are only searched for if the distance is
-//        below two cells. A crossing is the point at which the grid line enters the offset body.
-//        Every grown triangle is convex, so Newton's method from outside reaches its surface
-//        without overshooting. From there the search goes on for a triangle that the line entered
-//        earlier, until there is none. If the distance is below half a cell, the line may pass
-//        through separate walls; then all triangles near the edge are queried. The normal points
-//        away from the nearest point of the triangle.
+// Method: an edge is marked if its ends lie on different sides. It is also marked if both lie
+//        outside and the offset body reaches in between (a dip). Dips are only searched for if the
+//        distance is below two cells. A crossing is the point at which the grid line enters the
+//        offset body. Every grown triangle is convex, so Newton's method from outside reaches its
+//        surface without overshooting. Starting there, the search looks for a triangle that the
+//        line entered earlier, until there is none. If the distance is below half a cell, the line
+//        may pass through separate walls. Then all triangles near the edge are tested. The normal
+//        points away from the nearest point of the triangle.
 // Units: cells. Cost: O(marked edges) queries.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

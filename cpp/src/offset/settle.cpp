@@ -9,15 +9,15 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kMinDistance = 0.5;  // cells
-/// Cells by which a vertex may be too near or too far. On a round offset the corners of a triangle
-/// must lie slightly outside, or the middle of the triangle would be too near.
+/// Distances (cells) by which a vertex may be too near or too far. On a round offset, the corners
+/// of a triangle must lie slightly outside. Otherwise the middle of the triangle would be too near.
 constexpr double kMaxShort = 0.002, kMaxLong = 0.08;
 /// Cells: a vertex moves by at most this distance.
 constexpr double kMaxMove = 1.5;
 constexpr int kRounds = 40;
 
-/// Returns the settled position of a vertex. `hint` is a triangle to start the search with, such as
-/// the one found for the previous vertex; `hint` receives the nearest triangle.
+/// Returns the settled position of a vertex. The search starts with the triangle `hint`, such as
+/// the one found for the previous vertex. `hint` receives the nearest triangle.
 Vector3d settled(const Vector3d& start, const CoverSearch& tree, double distance,
                  std::int32_t& hint) {
   Vector3d x = start;

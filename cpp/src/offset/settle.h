@@ -4,11 +4,11 @@
 // Out:   the vertices that must move, and their new positions in mm.
 // Cost:  one query per vertex, a few more for each vertex that moves.
 // Method: contouring places a vertex at the best point of the planes at the crossings of its cell.
-//        An offset is round between these planes, so the vertex may lie too far out; if the cell
-//        hides a valley, it may lie too far in. A vertex that is too far out goes straight towards
-//        its nearest point of the cover, which brings it too near to no other part of the cover. A
-//        vertex that is too near goes straight away from its nearest point, repeatedly, since each
-//        step may bring it too near to another part.
+//        An offset surface is round between these planes, so the vertex may lie too far out. If the
+//        cell contains a hidden valley, the vertex may lie too far in. A vertex that is too far out
+//        moves straight towards its nearest point of the cover. This brings it too near to no other
+//        part of the cover. A vertex that is too near moves straight away from its nearest point.
+//        This is repeated, because each step may bring it too near to another part.
 // Source: own method; for vertices that are too near, alternating projections (Bregman 1965).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -23,7 +23,7 @@
 
 namespace swept::offset {
 
-/// Returns the moves, in the order of `vertices` (the vertices to inspect). Returns no moves if the
+/// Returns the moves, in the order of `vertices` (the vertices to test). Returns no moves if the
 /// distance is below half a cell, because a vertex may then lie on the wrong side of the cover.
 std::vector<VertexMove> settlingMoves(const TriMesh& mesh,
                                       const std::vector<std::int32_t>& vertices,

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kBlock = 1 << 10;
 
-/// A directed edge in the border of a piece of a triangle. `from` and `to` are indices of points in
+/// A directed edge on the border of a piece of a triangle. `from` and `to`: indices of points in
 /// the result.
 struct Link {
   std::int32_t triangle;
@@ -35,7 +35,7 @@ struct Link {
 }
 
 /// Throws if more than a small part of the solid `name` overlaps itself. A smaller overlap only
-/// adds its own small volume more than once.
+/// counts its own small volume more than once.
 void requireOnce(const Windings& windings, const std::string& name) {
   constexpr double kMost = 0.01;
   if (windings.more <= kMost * (windings.once + windings.more)) return;
@@ -81,16 +81,16 @@ class Builder {
     return firstNode_[int(side)] + static_cast<std::int32_t>(node);
   }
 
-  /// Returns how many copies of a vertex are kept: 0 or 1, or another number where the other solid
-  /// overlaps itself.
+  /// Returns how many copies of a vertex are kept: 0 or 1, or another number if the other solid
+  /// overlaps itself there.
   std::int32_t copies(Side side, std::int32_t vertex) const {
     const std::int32_t winding = windings_[int(side)].ofVertex[vertex];
     return keepsInside_ ? winding : 1 - winding;
   }
-  /// Returns whether, on the way along the edge, the part that is kept begins at this node.
+  /// Returns whether the kept part of an edge begins at this node, in the direction of the edge.
   bool begins(const Node& node) const { return node.enters == keepsInside_; }
 
-  /// Puts the vertices of both meshes and then their nodes into the result. withoutFlatShells()
+  /// Adds the vertices of both meshes and then their nodes to the result. withoutFlatShells()
   /// removes those that no triangle uses.
   void numberPoints() {
     std::size_t count = 0;
@@ -113,11 +113,11 @@ class Builder {
   }
 
   /// Finds the segments. Two intersecting triangles, one of each mesh, share two nodes. Between
-  /// these nodes, the border of the piece of either triangle runs along the other triangle.
+  /// these nodes, the border of the piece of each triangle runs along the other triangle.
   void findSegments() {
     struct End {
       std::int32_t shrunk, fixed;
-      bool last;  ///< whether the segment of the shrunk mesh's triangle ends here (or begins)
+      bool last;  ///< true: the segment on the shrunk mesh's triangle ends here; false: it begins
       std::int32_t point;
       auto operator<=>(const End&) const = default;
     };
@@ -149,14 +149,15 @@ class Builder {
     for (std::vector<Link>& list : segments_) std::sort(list.begin(), list.end());
   }
 
-  /// Calls visit(from, to) for the kept pieces of an edge; `from` is nearer to Edge::from. `starts`
+  /// Calls visit(from, to) for the kept pieces of an edge. `from` is nearer to Edge::from. `starts`
   /// is a buffer for reuse.
   template <class Visit>
   void forPieces(Side side, std::int32_t e, const std::vector<std::size_t>& firstOfEdge,
                  std::vector<std::int32_t>& starts, const Visit& visit) const {
     const Edge& edge = of(side).edges[e];
     const std::vector<Node>& nodes = nodes_[int(side)];
-    // A negative number of copies of a vertex swaps the beginnings and ends of pieces there.
+    // If the number of copies of a vertex is negative, beginnings and ends of pieces are exchanged
+    // there.
     const std::int32_t first = copies(side, edge.from), last = copies(side, edge.to);
     starts.assign(std::max(first, 0), vertexNumber(side, edge.from));
     for (std::size_t n = firstOfEdge[e]; n < firstOfEdge[e + 1]; ++n)
@@ -249,8 +250,8 @@ class Builder {
   TriMesh out_;
 };
 
-/// Copies the mesh without shells of a mean thickness up to `flat` (mm), which arise where faces of
-/// the two solids coincide. Computes volume and area.
+/// Copies the mesh without shells whose mean thickness is at most `flat` (mm). Such shells arise
+/// where faces of the two solids coincide. Computes volume and area.
 Combined withoutFlatShells(const TriMesh& mesh, double flat) {
   const Adjacency adjacency = findAdjacency(mesh);
   if (adjacency.faults.open > 0 || adjacency.faults.misoriented > 0)
@@ -283,9 +284,9 @@ Combined withoutFlatShells(const TriMesh& mesh, double flat) {
 
 Combined combine(Keep keep, const TriMesh& first, const std::string& firstName,
                  const TriMesh& second, const std::string& secondName, RunContext& run) {
-  constexpr double kFlat = 1e-9;  // fraction of the diagonal of the common box
+  constexpr double kFlat = 1e-9;  // fraction of the diagonal of the common bounding box
   const Eigen::AlignedBox3d a = boxOf(first), b = boxOf(second);
-  // The smaller solid is shrunk. If it lies inside the other one, shrinking moves it away from the
+  // The smaller solid is shrunk. If it lies inside the other one, shrinking moves it away from
   // walls that it touches, so no flat shells arise there.
   const bool swapped = b.diagonal().norm() < a.diagonal().norm();
   Builder builder(keep, swapped ? second : first, swapped ? secondName : firstName,

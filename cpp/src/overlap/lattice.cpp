@@ -26,8 +26,8 @@ Wide dot(const Cross& a, const Whole& b) { return a[0] * b[0] + a[1] * b[1] + a[
 
 int signOf(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// Returns the sign of the first term that is not 0: the effect of the shrinking, then the effects
-/// of the three shifts.
+/// Returns the sign of the first term that is not 0. The terms are the effect of the shrinking,
+/// then the effects of the three shifts.
 int firstSign(Wide scale, const Cross& shift) {
   for (const Wide term : {scale, shift[0], shift[1], shift[2]})
     if (term != 0) return signOf(term);
@@ -40,7 +40,7 @@ Lattice::Lattice(const TriMesh& shrunk, const TriMesh& fixed) {
   const Eigen::AlignedBox3d box = boxOf(shrunk);
   const Eigen::AlignedBox3d all = box.merged(boxOf(fixed));
   const Eigen::Vector3d middle = all.center();
-  // A power of two, so that the division by it does not round coordinates.
+  // A power of two, so that division by it does not round coordinates.
   step_ = std::exp2(std::ceil(std::log2(std::max(all.sizes().maxCoeff(), 1e-30))) - kBits);
   const auto whole = [&](const Eigen::Vector3d& p) {
     Whole out;
@@ -106,7 +106,8 @@ int Lattice::rayThrough(Side side, std::int32_t vertex, const Corners& triangle)
   const Whole &p = at(side, vertex), &a = at(there, triangle[0]), &b = at(there, triangle[1]),
               &c = at(there, triangle[2]);
   const Wide up = cross(minus(b, a), minus(c, a))[2];
-  if (up == 0) return 0;  // upright: no vertical ray in general position meets the triangle
+  // The triangle is upright, so no vertical ray in general position meets it.
+  if (up == 0) return 0;
   const int ccw = signOf(up);
   if (turnInPlane(side, p, a, b) != ccw || turnInPlane(side, p, b, c) != ccw ||
       turnInPlane(side, p, c, a) != ccw)

@@ -1,14 +1,15 @@
-// Two meshes with vertices rounded to one lattice of integers, and exact tests in which a vertex
-// never lies on a triangle, nor an edge on an edge, of the other mesh.
+// Rounds the vertices of two meshes to one lattice of integers. In the exact tests on this lattice,
+// a vertex never lies on a triangle of the other mesh, and an edge never on an edge of it.
 // In:    the vertices of both meshes, mm. Out: signs of orientations, exact. They are never 0,
 //        except for triangles without area.
-// Units: steps of the lattice, 2^-38 of the longest side of both meshes' common box.
-// Cost:  a few nanoseconds a sign: products of three differences fit into 128 bits.
+// Units: steps of the lattice: 2^-38 of the longest side of the common box of both meshes, rounded
+// up to a power of two (mm).
+// Cost:  a few nanoseconds per sign: products of three differences fit into 128 bits.
 // Method: ties are decided as if the first mesh were shrunk a little about the centre of its box
-//        and then shifted even less: x -> x - e (x - centre) + (e^2, e^3, e^4), e -> 0 (simulation
-//        of simplicity; Edelsbrunner and Muecke 1990). So parts that only touch are separated, and
-//        of two faces that coincide, the face of the shrunk mesh lies inside. All signs below are
-//        linear in the displacement of one point: the first term that is not 0 decides.
+// and then shifted even less: x -> x - e (x - centre) + (e^2, e^3, e^4), e -> 0 (simulation of
+// simplicity; Edelsbrunner and Muecke 1990). So parts that only touch are separated, and of two
+// faces that coincide, the face of the shrunk mesh lies inside. All signs below are linear in the
+// displacement of one point, so the first term that is not 0 decides.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -34,14 +35,15 @@ class Lattice {
 
   const Whole& at(Side side, std::int32_t vertex) const { return points_[int(side)][vertex]; }
   std::size_t count(Side side) const { return points_[int(side)].size(); }
-  /// Returns the position of a vertex in steps of the lattice, exactly as double.
+  /// Returns the position of a vertex in steps of the lattice, converted to double without
+  /// rounding.
   Eigen::Vector3d place(Side side, std::int32_t vertex) const;
   double millimetres() const { return step_; }
 
   using Corners = std::array<std::int32_t, 3>;
 
   /// Returns on which side of a triangle of the other mesh a vertex lies: 1 on the side to which
-  /// the normal points, -1 on the other side, 0 only for triangles without area.
+  /// the normal points, -1 on the other side, 0 only for a triangle without area.
   int sideOf(Side side, std::int32_t vertex, const Corners& triangle) const;
   /// Returns the signed height of the vertex above the plane of the triangle, times twice the area
   /// of the triangle. The value is rounded, and ignores the symbolic displacement.

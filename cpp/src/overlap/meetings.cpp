@@ -26,8 +26,8 @@ bool passesInside(const Lattice& lattice, Side side, const Edge& edge,
   return true;
 }
 
-/// Union-find over vertices that edges join. Stores for each vertex by how much its winding number
-/// differs from that of the root of its set.
+/// Union-find over vertices connected by edges. Stores for each vertex by how much its winding
+/// number differs from that of the root of its set.
 class Pieces {
  public:
   explicit Pieces(std::size_t count) : parent_(count), offset_(count, 0) {
@@ -59,7 +59,7 @@ class Pieces {
   std::vector<std::int32_t> parent_, offset_;
 };
 
-/// Adds the length of a piece of an edge with this winding number to `once` or `more`.
+/// Adds the length of a piece of an edge to `once` or `more`, depending on its winding number.
 void measure(Windings& windings, std::int32_t winding, double length) {
   if (winding == 1)
     windings.once += length;

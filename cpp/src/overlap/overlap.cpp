@@ -45,7 +45,7 @@ class OverlapCheck {
     options_.required = options.required;
     options_.tolerance = options.tolerance;
     options_.curveSamples = 0;
-    options_.penetration = false;  // saves time, and the shared volume tells more
+    options_.penetration = false;  // saves time; the shared volume gives more information
   }
 
   void operator()() {
@@ -151,17 +151,17 @@ class OverlapCheck {
                                     report_.pairs[p].clearance.name + ": " + why[p]});
   }
 
-  /// Changes the verdict Contact to Clash if the shared volume is thick enough. Two solids can
-  /// penetrate each other deeply without a point of one surface inside the other solid, if faces of
-  /// the two coincide. The distance search then only finds a contact.
+  /// Changes the verdict Contact to Clash if the shared volume is thick enough. If faces of two
+  /// solids coincide, the solids can penetrate each other deeply although no point of one surface
+  /// lies inside the other solid. The distance search then only finds a contact.
   void judge(PairOverlap& pair, const overlap::Combined& found) const {
     const double touch = options_.tolerance + pair.clearance.chordError;
     if (pair.clearance.verdict == ClearanceVerdict::Contact && found.volume > touch * found.area)
       pair.clearance.verdict = ClearanceVerdict::Clash;
   }
 
-  /// Runs work(). If the input is invalid, stores the message in `why` instead of throwing, so that
-  /// one invalid part does not hide the results of the others.
+  /// Runs work(). If the input is invalid, stores the message in `why` instead of throwing. So one
+  /// invalid part does not hide the results of the others.
   template <class Work>
   static void unlessInvalid(std::string& why, const Work& work) {
     try {

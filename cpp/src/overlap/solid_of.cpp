@@ -23,8 +23,8 @@ TriMesh unionOf(const std::vector<TriMesh>& solids, std::size_t begin, std::size
   return combine(Keep::Outside, first, name, second, name, run).mesh;
 }
 
-/// Gives each shell the number of its solid: a solid is a shell that bounds material, together with
-/// the cavities in it. A cavity outside all solids gets -1. Returns the number of solids.
+/// Assigns each shell to a solid. A solid is a shell that bounds material, together with the
+/// cavities in it. A cavity outside all solids gets -1. Returns the number of solids.
 std::size_t numberSolids(const TriMesh& mesh, const Shells& shells,
                          const std::vector<ShellExtent>& extents,
                          std::vector<std::int32_t>& solidOfShell) {
@@ -45,8 +45,7 @@ std::size_t numberSolids(const TriMesh& mesh, const Shells& shells,
   return count;
 }
 
-/// Splits a mesh into its solids, each with vertices of its own. Leaves out shells with the number
-/// -1.
+/// Splits a mesh into its solids, each with its own vertices. Leaves out shells with the number -1.
 std::vector<TriMesh> split(const TriMesh& mesh, const Shells& shells,
                            const std::vector<std::int32_t>& solidOfShell, std::size_t count) {
   std::vector<TriMesh> solids(count);

@@ -1,7 +1,7 @@
 // Converts the mesh of a part into a solid that can be combined with others.
 // In:    any mesh. Out: a welded, closed mesh with normals that point outward. If shells overlap,
 //        the mesh is their union.
-// Units: mm. Cost: O(n log n); O(n log n log s) for s overlapping shells.
+// Units: mm. Cost: O(n log n) for n triangles; O(n log n log s) for s overlapping shells.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

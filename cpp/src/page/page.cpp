@@ -34,7 +34,8 @@ Values checkValues(const Told& told, const PageOptions& options, const Words& wo
           {"data", dataElement("report", told.report)}};
 }
 
-/// The page of a study has no 3D view. Graphs, rules and findings are in the sections of its runs.
+/// Returns the values of the placeholders. The page of a study has no 3D view. Graphs, rules and
+/// findings are in the sections of its runs.
 Values studyValues(const ToldStudy& study, const Words& words) {
   return {{"title", escaped(study.report.value("name", words("title_study")))},
           {"verdict", studyBanner(study, words)},

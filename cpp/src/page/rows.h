@@ -42,10 +42,12 @@ struct Told {
   std::size_t failing() const;
 };
 
-/// Parses a report. Throws Error(InvalidInput, "BadReport") if the text is not a report of this
-/// version, or if the run failed.
+/// Parses a report. Throws Error(InvalidInput, "BadReport") if the text is not a report in the
+/// format version of this program, or if it reports a failed run. The report of a study may be of a
+/// failed run.
 Json parseReport(const std::string& text);
-/// Reads a report of a check or of a mechanism. Throws Error(InvalidInput, "BadReport").
+/// Reads the report of a clearance check or of a mechanism check. Throws Error(InvalidInput,
+/// "BadReport").
 Told tellReport(Json report);
 
 [[noreturn]] void badReport(const std::string& text);

@@ -36,7 +36,7 @@ std::vector<std::string> namesOf(const std::vector<SequencePart>& parts,
   return names;
 }
 
-// Checks everything that needs no mesh. Throws Error(InvalidInput).
+// Checks everything that does not need the mesh. Throws Error(InvalidInput).
 void checkPart(const SequencePart& part, const SequenceOptions& options) {
   try {
     PathTask task = part.task;
@@ -170,8 +170,8 @@ void Assembled::requireApart(std::size_t parts, const PathOptions& o, RunContext
   if (!pairs.empty()) refuseWorst(pairs, o);
 }
 
-// Throws an error that names the deepest overlap, or else the nearest pair, and the number of other
-// pairs.
+// Throws an error with the deepest overlap, or without overlaps the nearest pair, and the number of
+// other pairs.
 void Assembled::refuseWorst(const std::vector<NearPair>& pairs, const PathOptions& o) const {
   const auto rank = [](const NearPair& pair) {
     return pair.intersect ? pair.row.penetration.depth : -1 - pair.row.distance;

@@ -1,4 +1,4 @@
-// The parts of a sequence at their goals, checked before any search begins.
+// Places the parts of a sequence at their goals, and checks them before any search begins.
 // In:      the moving parts, the parts that stand still, and the rules for pairs.
 // Out:     the neighbours of each step.
 // Units:   mm.
@@ -26,8 +26,8 @@ class Assembled {
   Assembled(const std::vector<SequencePart>& parts, const std::vector<StillPart>& still,
             const SequenceOptions& options, RunContext& run);
 
-  /// Returns the neighbours of one part while exactly the parts marked in `installed` are at their
-  /// goals.
+  /// Returns the neighbours of a part while the parts marked in `installed` are at their goals, and
+  /// no other moving parts are there.
   std::vector<ClearanceNeighbour> neighboursOf(std::size_t part,
                                                const std::vector<char>& installed) const;
   /// Returns the box around all parts at their goals, mm.

@@ -14,8 +14,8 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t kMostPairs = 4000, kMostContacts = 200;
 
-// Returns the speed at which a contact opens, as a linear function of the twist. Rotations are
-// scaled by the radius of the part, as in the length of moves.
+// Returns how fast a contact opens, as a linear function of the twist. Rotations are multiplied by
+// the radius of the part, as in the length of moves.
 Vector6d opening(const Scene& scene, const State& state, const Contact& contact) {
   Vector6d row;
   row << contact.normal, (contact.point - state.middle).cross(contact.normal) / scene.radius();
@@ -26,8 +26,8 @@ Twist unscaled(const Scene& scene, const Vector6d& v) {
   return {v.head<3>(), v.tail<3>() / scene.radius()};
 }
 
-// Returns the normal of a contact. Triangles that touch have no line between their nearest points;
-// then the normal of the neighbour's triangle is used.
+// Returns the normal of a contact. If the triangles touch, their nearest points give no direction.
+// Then the normal of the neighbour's triangle is used.
 Vector3d normalOf(const NearestPoints& near, const Triangle3d& still) {
   const double distance = std::sqrt(near.squared);
   if (distance > 1e-6) return (near.a - near.b) / distance;
@@ -115,8 +115,8 @@ std::vector<Twist> freeMoves(const Scene& scene, const State& state,
         list.addShift((mean.dot(d) < 0 ? -sign : sign) * d);
       }
     list.addShift(mean);
-    // Ranks directions by their smallest component along a contact normal. The best one leads away
-    // from all contacts.
+    // Sorts directions by the smallest component along a contact normal. The best direction leads
+    // away from all contacts.
     std::vector<std::pair<double, Vector3d>> ranked;
     for (const Vector3d& d : spreadDirections()) {
       double least = 1;
@@ -127,7 +127,7 @@ std::vector<Twist> freeMoves(const Scene& scene, const State& state,
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t k = 0; k < 4; ++k) list.addShift(ranked[k].second);
   }
-  // Axes of the neighbours, then of the world, then of the part.
+  // Axes of the neighbours, of the world, and of the part.
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {1.0, -1.0}) list.addShift(sign * Vector3d::Unit(axis));
   for (int axis = 0; axis < 3; ++axis)

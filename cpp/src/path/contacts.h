@@ -1,11 +1,11 @@
-// Finds the directions in which the part can move at a placement without being blocked by a
+// Finds the directions in which the part can move from a placement without being blocked by a
 // contact.
 // In:      a placement and the neighbours near it.
 // Out:     moves of unit length, the most promising first.
 // Units:   mm, rad. A twist has length 1 if no point of the part travels more than 1 mm.
 // Source:  instantaneous motions under contacts: M. Mason, Mechanics of Robotic Manipulation
-//          (2001), 4. The directions that remain for a blocked part are the eigenvectors of its
-//          contact matrix with the smallest eigenvalues.
+// (2001), 4. For a blocked part, the eigenvectors of its contact matrix with the smallest
+// eigenvalues are the remaining directions.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,9 +15,9 @@
 
 namespace swept::path {
 
-/// Returns the contacts with each neighbour that are nearer than its entry of `within`. A negative
-/// entry excludes the neighbour. Per neighbour there are at most 200 contacts, spread over the
-/// surface.
+/// Returns the contacts with each neighbour that are nearer than the entry of this neighbour in
+/// `within`. A negative entry excludes the neighbour. Per neighbour there are at most 200 contacts,
+/// spread over the surface.
 std::vector<Contact> contactsOf(const Scene& scene, const State& state, const Rule& within);
 
 /// Returns shifts and, with `turns`, also rotations and screws. Always includes both directions of

@@ -37,7 +37,7 @@ constexpr std::size_t kMostExits = 6;
                   "within which the part may touch it");
 }
 
-// Returns the keys of a move: one straight piece, or a screw in pieces of at most 30 degrees.
+// Returns the keys of a move: one straight piece, or a screw in pieces of at most 30 degrees each.
 std::vector<State> keysOf(const Scene& scene, const State& from, const Twist& twist) {
   const int pieces = std::max(1, static_cast<int>(std::ceil(twist.turn.norm() / 0.52)));
   std::vector<State> keys;
@@ -134,7 +134,7 @@ bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
         return false;
     const NeighbourClearance row = checkNeighbour(scene, demand, i, tree, 0, run);
     if (row.verdict != ClearanceVerdict::Clash) continue;
-    // An open mesh has no depth, so nothing is certain if its surface intersects the part.
+    // An open mesh has no depth. So nothing is proven if its surface intersects the part.
     if (!row.penetration.known || row.penetration.depthBound > end.allowedDepth[i]) return false;
   }
   return true;

@@ -1,11 +1,11 @@
 // Examines the start, the goal or another required placement of a path. Checks whether the part is
-// free there, and finds ways out of contact if it touches a neighbour.
-// In:      a placement that a path has to reach.
-// Out:     ways from this placement to placements that keep the required distance from each
-//          neighbour; or an Error that names the neighbour in the way and the distance or depth.
+// free there. If the part touches a neighbour, finds moves that end the contact ("exits").
+// In:      a placement through which a path must pass.
+// Out:     exits from this placement to placements that keep the required distance from each
+//        neighbour; or an Error that names the blocking neighbour and the distance or depth.
 // Units:   mm.
 // Cost:    one exact check per neighbour; if parts touch, also one for each direction that is
-//          tried.
+//        tried.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,8 +19,8 @@ namespace swept::path {
 
 /// What the search requires of each neighbour.
 struct Demand {
-  Rule apart;  ///< mm, distance to keep between the triangles, with chord errors and tolerance
-  std::vector<double> required;    ///< mm, the required distance of the caller
+  Rule apart;  ///< mm, distance to keep between the triangles, including chord errors and tolerance
+  std::vector<double> required;    ///< mm, the required distance as given by the caller
   std::vector<double> chordError;  ///< mm, chord error of the neighbour's mesh
   std::vector<std::string> names;
   double bodyChordError = 0;
@@ -29,9 +29,9 @@ struct Demand {
   bool turns = true;
 };
 
-/// Returns the distance, in mm, that the triangles must keep. It is slightly larger than the
-/// distance that the check accepts as clear, so that rounding does not matter. `chordErrors` is the
-/// sum for both parts.
+/// Returns the distance (mm) that the triangles must keep. It is slightly larger than the distance
+/// that the check accepts as clear, so that rounding does not matter. `chordErrors`: sum for both
+/// parts.
 double apartBy(double required, double chordErrors, double tolerance);
 
 /// Combines the rules of the neighbours and the options.
@@ -40,28 +40,28 @@ Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOpt
 struct End {
   State state;
   /// mm, one entry per neighbour: how deep the part may lie inside the neighbour within the release
-  /// distance of this end. Negative: the part must keep the usual clearance from the neighbour.
+  /// distance of this end. Negative: the part must keep the required distance from the neighbour.
   std::vector<double> allowedDepth;
-  /// Ways out of contact. Each is a list of keys from this state to a state that keeps all required
+  /// Exits from contact. Each is a list of keys from this state to a state that keeps all required
   /// distances. A list with one key means that this state already keeps them.
   std::vector<std::vector<State>> exits;
 
   bool touches() const { return exits.empty() || exits.front().size() > 1; }
-  /// Distances to keep within the release distance. Neighbours that the part touches at this end
-  /// get -1 (ignored).
+  /// Returns the distances to keep within the release distance. Neighbours that the part touches at
+  /// this end get -1 (ignored).
   Rule ruleInside(const Demand& demand) const;
 };
 
-/// Returns how deep, in mm, the part may lie in a neighbour that it touches at an end. `row` is the
+/// Returns how deep (mm) the part may lie in a neighbour that it touches at an end. `row`: the
 /// check at that end.
 double mostDepth(const NeighbourClearance& row, double tolerance, double release);
 
-/// Checks one neighbour with the clearance engine. `required`: mm.
+/// Checks one neighbour with checkPair() (clearance/pair_check.h). `required`: mm.
 NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std::size_t neighbour,
                                   const clearance::MotionTree& motion, double required,
                                   RunContext& run);
 
-/// As examineEnd(), but does not search for ways out; the result has no exits.
+/// Does the same as examineEnd(), but does not search for exits; the result has none.
 End touchedAt(const Scene& scene, const Demand& demand, const State& state, const std::string& what,
               RunContext& run);
 
@@ -70,8 +70,8 @@ End touchedAt(const Scene& scene, const Demand& demand, const State& state, cons
 End examineEnd(const Scene& scene, const Demand& demand, const State& state,
                const std::string& what, RunContext& run);
 
-/// Returns whether the motion stays within `end.allowedDepth`: the part never lies deeper in a
-/// neighbour that it touches at this end.
+/// Returns whether the motion stays within `end.allowedDepth`: the part never lies deeper than
+/// allowed in a neighbour that it touches at this end.
 bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
                    const Trajectory& motion, RunContext& run);
 

@@ -60,7 +60,8 @@ class PathFinder {
   double seconds() const { return timer_.seconds(); }
 
  private:
-  // The ends of the legs: the start (or several places outside), the via poses, the goal.
+  // Examines the ends of the legs: the start (or several placements outside), the via poses, the
+  // goal.
   void prepare() {
     const State goal = scene_.inside(checkedPose(task_.goal, "goal"));
     space_.upright = goal.pose.rotation;
@@ -138,11 +139,11 @@ class PathFinder {
         none.blocked[i] = ends_[leg + 1].allowedDepth[i] >= 0 ? 1 : 0;
       return none;
     }
-    // With a radius as the goal no proof is possible: the part may reach it inside the region that
-    // the proof covers.
+    // No proof is possible if the task only gives a radius: the part may reach this distance inside
+    // the region that the proof covers.
     task.provable = !ends_[leg].touches() && !ends_[leg + 1].touches() &&
                     (task_.start || task_.extraction->direction);
-    // Part of the time is kept to find the largest clearance for which there is a path.
+    // Part of the time is reserved to find the largest clearance for which there is a path.
     const bool mayAskLess =
         o_.askLess &&
         *std::max_element(demand_.required.begin(), demand_.required.end()) > 2 * demand_.tolerance;
@@ -166,8 +167,8 @@ class PathFinder {
     return found;
   }
 
-  // Returns the exit from contact that leads to the state, from the end outwards. If there is none,
-  // returns the state alone.
+  // Returns the exit from contact that leads from the end to the state. If there is none, returns
+  // the state alone.
   static std::vector<State> exitTo(const End& end, const State& state) {
     for (const auto& exit : end.exits)
       if (exit.back().pose.translation == state.pose.translation &&
@@ -245,7 +246,7 @@ class PathFinder {
     report_.summary = figuresText(report_);
   }
 
-  // Restores the pose exactly as the caller gave it, without rounding.
+  // Replaces the pose by the given one, because conversions have rounded it.
   static void takeEnd(Pose& pose, const Pose& given) {
     pose.translation = given.translation;
     pose.rotation = given.rotation.normalized();
@@ -291,7 +292,7 @@ class PathFinder {
   Demand demand_;
   SearchSpace space_;
   std::vector<End> ends_;
-  std::vector<Released> released_;  ///< keys of each leg that lie in release zones
+  std::vector<Released> released_;  ///< for each leg, the keys in release zones
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Figures of a path that was found or improved.
+// Computes figures of a path that was found or improved.
 // Units:   mm, rad.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -17,16 +17,16 @@ constexpr double kPathSpeed = 100;  // mm per second along a path
 double smallestGuaranteed(const std::vector<NeighbourClearance>& rows);
 
 /// Returns the clearance of moves that are proven to keep the required distances. The rows alone
-/// could give up to one tolerance less than what is proven.
+/// may give up to one tolerance less than what is proven.
 double certainClearance(const std::vector<NeighbourClearance>& rows, const Demand& demand);
 
-/// Checks the motion with the clearance engine, whose verdict is final. Returns one row for each
-/// neighbour that `rule` does not exclude.
+/// Checks the motion with checkPair() (clearance/pair_check.h), whose verdict is final. Returns one
+/// row for each neighbour that `rule` does not exclude.
 std::vector<NeighbourClearance> certificateOf(const Scene& scene, const Demand& demand,
                                               const Trajectory& motion, const Rule& rule,
                                               RunContext& run);
 bool allClear(const std::vector<NeighbourClearance>& rows);
-/// Transforms the placements and points of the rows to the caller's world.
+/// Transforms placements and points of the rows to the caller's world coordinates.
 void leadOutside(const Scene& scene, std::vector<NeighbourClearance>& rows);
 
 /// Adds length and total rotation of the path with these keys to the report.

@@ -1,4 +1,5 @@
-// Returns a path of a part that no neighbour hinders: there are none, or rules ignore all of them.
+// Returns a path of a part that no neighbour blocks: there are no neighbours, or rules ignore all
+// of them.
 // In:      the part with its task or motion.
 // Out:     a report like that of a found path, with infinite clearance.
 // Units:   mm.

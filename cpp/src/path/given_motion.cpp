@@ -78,7 +78,7 @@ class GivenMotion {
     return scene_.distance(state, end) <= o_.release;
   }
 
-  // Adds a key where the motion enters the release zone of its goal for the last time. Returns its
+  // Adds a key where the motion enters the release zone of the goal for the last time. Returns its
   // index.
   std::size_t cutAtGoal() {
     const State goal = keys_.back().state;
@@ -87,7 +87,7 @@ class GivenMotion {
     return i == 0 ? 0 : insertBetween(i - 1, goal, false);
   }
 
-  // Adds a key where the motion leaves the release zone of its start for the first time. Returns
+  // Adds a key where the motion leaves the release zone of the start for the first time. Returns
   // its index.
   std::size_t cutAtStart() {
     const State start = keys_.front().state;
@@ -122,9 +122,9 @@ class GivenMotion {
     return cut;
   }
 
-  // Checks the motion in a release zone. There, the part must keep its clearance from neighbours
-  // that it does not touch at the end. It must not enter the other neighbours deeper than at that
-  // end.
+  // Checks the motion in the release zone of an end. There, the part must keep the required
+  // distance from neighbours that it does not touch at the end. In the other neighbours, it must
+  // not lie deeper than at the end.
   void checkZone(const End& end, const Trajectory& motion) {
     if (motion.poses.size() < 2) return;
     checked(motion, end.ruleInside(demand_));
@@ -177,7 +177,7 @@ PathReport checkGivenMotion(const TriMesh& part, const Trajectory& motion,
   PathOptions o = options;
   o.interpolation = motion.interpolation;
   return guardedPath(part, neighbours, o, run, [&](PathReport& report, const auto& counted) {
-    // The pivot moves along straight lines, so all work is done in coordinates whose origin is the
+    // The pivot moves along straight lines. All computations use coordinates whose origin is the
     // pivot.
     const Eigen::Vector3d pivot = pivotOf(motion);
     GivenMotion given(seenFromPivot(part, pivot), carriedByPivot(motion, pivot), counted, o, run,

@@ -1,8 +1,8 @@
-// Checks an existing motion like a found path, without changing it.
+// Checks a given motion like a path that was found, without changing it.
 // In:      part, motion, and neighbours with their rules.
 // Out:     a report like that of findPath(). The verdict is Found if the whole motion keeps all
-//          clearances outside the release zones. Otherwise the report names the neighbour in the
-//          way, the time, and how far the part is from its goal at that time.
+//        clearances outside the release zones. Otherwise the report gives the blocking neighbour,
+//        the time, and how far the part is from its goal at that time.
 // Units:   mm, s.
 // Cost:    one exact check per neighbour.
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -1,5 +1,5 @@
-// Does what all computations of a path have in common: fills the head of the report and turns
-// errors into its status.
+// Does what all computations of a path have in common: fills the general entries of the report, and
+// turns errors into its status.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,5 +1,5 @@
-// Improves an existing motion. Pieces that keep the clearance are shortened. For the other pieces,
-// a new path is searched between their two ends.
+// Improves an existing motion. Pieces that keep the clearance are shortened. For each other piece,
+// a new path between its two ends is searched for.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
@@ -19,11 +19,12 @@ namespace {
 using namespace path;
 
 constexpr int kTrials = 400;          // number of shortcuts tried
-constexpr double kLeastRaise = 1.05;  // raising ends when its factor is this small
-constexpr double kRaise = 1.5;        // factor from one clearance to the next
-constexpr double kRoom = 0.98;        // a search begins after this fraction of the free part
-constexpr double kLeast = 1e-4;       // radii; shorter pieces of a move get no key
-constexpr double kShare = 0.25;       // fraction of the budget for one search
+constexpr double kLeastRaise = 1.05;  // raising ends when the step is smaller than this factor
+constexpr double kRaise = 1.5;        // first factor from one clearance to the next
+// A piece ends after this fraction of the part of a move that is proven free.
+constexpr double kRoom = 0.98;
+constexpr double kLeast = 1e-4;  // in radii of the part; shorter pieces of a move get no key
+constexpr double kShare = 0.25;  // fraction of the budget for one search
 
 struct Piece {
   std::vector<State> keys;  // consecutive
@@ -127,7 +128,8 @@ class Improver {
     const double least = kLeast * scene_.radius() / std::max(scene_.distance(a, b), 1e-300);
     const double first = kRoom * ahead > least ? kRoom * ahead : 0;
     const double last = kRoom * back > least ? 1 - kRoom * back : 1;
-    if (first >= last) {  // the parts free from both ends overlap, but no proof covers the whole
+    // The free parts from both ends overlap, but the whole move is not proven free.
+    if (first >= last) {
       append(stretch, a, b, false);
       return;
     }
@@ -138,8 +140,8 @@ class Improver {
     if (last < 1) append(stretch, to, b, true);
   }
 
-  // Returns true if the piece lies inside the release zone of an end, where it may be closer to a
-  // neighbour than the rule demands.
+  // Returns true if the piece lies inside the release zone of an end. There it may be closer to a
+  // neighbour than the rule requires.
   bool released(const Piece& piece) const {
     for (const State& end : {keys_.front(), keys_.back()})
       if (std::all_of(piece.keys.begin(), piece.keys.end(), [&](const State& state) {
@@ -156,8 +158,8 @@ class Improver {
     return true;
   }
 
-  // Searches a new path for each piece that breaks the rule, then shortens the free pieces. With
-  // `inTime`, returns no stretches if the budget ends meanwhile.
+  // Searches for a new path for each piece that breaks the rule, then shortens the free pieces.
+  // With `inTime`, returns no stretches if the time limit is exceeded.
   std::vector<Stretch> mended(const std::vector<Stretch>& before, const Rule& rule,
                               bool inTime = false) {
     std::vector<Stretch> after;
@@ -208,8 +210,8 @@ class Improver {
       }
   }
 
-  // Raises the clearance step by step. Each step begins with the given motion, and counts only if
-  // the whole result keeps the raised clearance.
+  // Raises the clearance step by step. Each step starts from the given motion. It is accepted only
+  // if the whole result keeps the raised clearance.
   void raise(std::vector<Stretch>& best, Demand& demand, double clearance) {
     double reached = std::max(clearance, demand_.tolerance), step = kRaise;
     while (step > kLeastRaise && timer_.seconds() < o_.budgetSeconds) {
@@ -256,7 +258,7 @@ class Improver {
     return certificateOf(scene_, demand, motion, Rule(scene_.count(), 0), run_);
   }
 
-  // Checks all free pieces with the clearance engine. Returns for each neighbour the row with the
+  // Checks all free pieces with certificateOf(). Returns for each neighbour the row with the
   // smallest distance, and the smallest clearance of all. Without free pieces there are no rows.
   std::pair<std::vector<NeighbourClearance>, double> certify(const std::vector<Stretch>& stretches,
                                                              const Demand& demand) {
@@ -293,7 +295,8 @@ class Improver {
     return smallest;
   }
 
-  // Locked keys keep their times. The times of other keys are in proportion to the path length.
+  // Locked keys keep their times. Between them, the times of other keys are proportional to the
+  // path length.
   void take(const std::vector<Stretch>& stretches, const Demand& demand) {
     auto [rows, clearance] = certify(stretches, demand);
     report_.certificate = std::move(rows);
@@ -366,7 +369,7 @@ PathReport improvePath(const TriMesh& part, const ImproveTask& task,
     ends.start = Pose{};
     checkPathOptions(ends, counted, o);
     for (const Pose& pose : task.motion.poses) checkedPose(pose, "key");
-    // The pivot moves along straight lines, so all work is done in coordinates whose origin is the
+    // The pivot moves along straight lines. All computations use coordinates whose origin is the
     // pivot.
     const Eigen::Vector3d pivot = pivotOf(task.motion);
     const ImproveTask carried{carriedByPivot(task.motion, pivot), task.locked, task.moreClearance};

@@ -13,18 +13,20 @@
 namespace swept::path {
 namespace {
 
-// Number of parallel searches. They differ in their random numbers, and the first path found wins.
+// Number of parallel searches. They differ in their random numbers. The first path found wins.
 constexpr std::size_t kSearches = 2;
-constexpr int kRounds = 20;                  // rounds of a search between checks of all searches
-constexpr std::size_t kNodesAtFirst = 3000;  // nodes of both trees at the first restart of a search
-constexpr std::size_t kMostStarts = 8;       // with more starts, no grids are searched
+constexpr int kRounds = 20;  // rounds of one search before all searches are compared
+// A search restarts for the first time when its two trees together have this many nodes.
+constexpr std::size_t kNodesAtFirst = 3000;
+constexpr std::size_t kMostStarts = 8;                // with more starts, no grids are searched
 constexpr int kPlaces = 8000, kPlacesOfProof = 6000;  // placements tried on one grid
+constexpr const char* kGridMethod = "grid of places";
 // Placements tried on grids before the searches in six dimensions begin, and in each of their
 // rounds.
-constexpr const char* kGridMethod = "grid of places";
 constexpr int kFirstPlaces = 1000, kRoundPlaces = 10;
 
-// One search. When its trees have grown too large, it starts again with other random numbers.
+// One search in six dimensions. If its trees have grown too large, it restarts with other random
+// numbers.
 class Search {
  public:
   Search(const Scene& scene, const Rule& rule, const Leg& leg, std::uint64_t seed)
@@ -60,7 +62,7 @@ class Search {
 
 class SixDimensions {
  public:
-  /// `shifts`: a search over grids that goes on beside the searches in six dimensions.
+  /// `shifts`: a search over grids that continues beside the searches in six dimensions.
   SixDimensions(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,
                 ShiftSearch& shifts, RunContext& run)
       : scene_(scene), leg_(leg), limits_(limits), shifts_(shifts), run_(run) {
@@ -134,7 +136,7 @@ MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space) {
     if (!space.turns()) return a.pose.rotation.angularDistance(b.pose.rotation) < 1e-9;
     if (space.largestTurn >= std::numbers::pi) return true;
     // Rotations of less than 90 degrees about one centre form a convex set. For a larger limit,
-    // placements in between must be tested too.
+    // placements in between must be tested, too.
     const int pieces = space.largestTurn <= std::numbers::pi / 2 ? 1 : 32;
     for (int k = 0; k <= pieces; ++k) {
       const State at = k == 0 ? a : k == pieces ? b : scene.stateBetween(a, b, double(k) / pieces);
@@ -158,8 +160,8 @@ LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const L
     return result;
   }
   // The grid search keeps the orientation of the goal. It links starts with other orientations to a
-  // placement with that orientation. Without turning, the whole grids come first, since they may
-  // find out that there is no path.
+  // placement with that orientation. If the part may not turn, the whole grids are searched first,
+  // because they may prove that there is no path.
   std::vector<State> starts;
   for (const State& state : leg.starts)
     if (leg.starts.size() <= kMostStarts && allowed(state, leg.goals.front()))

@@ -1,11 +1,11 @@
-// Tries one search method after the other, the cheapest first, until one finds a path.
+// Tries search methods one after the other, the fastest first, until one finds a path.
 // In:      placements to start from and to reach. One end of the path may have several, if there
-//          are several ways out of a contact.
+//        are several exits from a contact.
 // Out:     keys of a free path from a start to a goal; or how far the search came.
 // Units:   mm, rad.
 // Promise: For one seed, the result is the same for any number of threads, unless the time limit
-//          ends the search. Parallel searches work in rounds of fixed size. If several have a path
-//          after a round, the first one in their order wins.
+// ends the search. Parallel searches work in rounds of fixed size. If several have a path after the
+// same round, the one with the smallest index wins.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,11 +21,12 @@
 
 namespace swept::path {
 
-/// The task of one search. If the part only has to get out, `starts` may be any placements outside.
+/// The task of one search. If the part only has to be taken out, `starts` may be any placements
+/// outside.
 struct Leg {
   std::vector<State> starts, goals;
   SearchSpace space;
-  bool provable = false;  ///< there is one goal, and no contact is allowed around it
+  bool provable = false;  ///< true: there is one goal, and no contact is allowed around it
   double far = 0;         ///< mm; a straight move of this length leaves all neighbours behind
 };
 
@@ -34,7 +35,7 @@ struct LegResult {
   std::string method;
   bool noTranslation = false;  ///< proven: no path without turning exists
   State farthest;              ///< the farthest state in the tree of the goal, if no path is found
-  std::vector<std::int64_t> blocked;  ///< for each neighbour, how often it was in the way
+  std::vector<std::int64_t> blocked;  ///< for each neighbour, how often it blocked a move
   std::int64_t steps = 0;
 };
 
@@ -43,13 +44,13 @@ struct Limits {
   double seconds = 0;
   std::uint64_t seed = 1;
   PathWatch* watch = nullptr;
-  /// Largest number of queries in the search in six dimensions; 0: no limit.
+  /// Largest number of queries of the search in six dimensions; 0: no limit.
   std::int64_t mostSteps = 0;
   bool over() const { return timer.seconds() > seconds; }
 };
 
-/// Returns a function that tests a move: whether the part stays within the largest turn from its
-/// orientation at the goal.
+/// Returns a function that tests whether the part stays within the largest turn from its
+/// orientation at the goal during a move.
 MoveAllowed turnLimit(const Scene& scene, const SearchSpace& space);
 
 LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,

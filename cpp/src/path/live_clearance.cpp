@@ -26,7 +26,8 @@ struct LiveClearance::Parts {
       : scene(part, atLeastOne(neighbours), PathOptions{}, run), memory(scene.memory()) {}
 
   path::Scene scene;
-  path::Memory memory;  ///< nearest pairs at the last placement, as first guess for the next one
+  /// Nearest pairs at the previous placement, as a first guess for the next one.
+  path::Memory memory;
 };
 
 LiveClearance::LiveClearance(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbours,
@@ -45,8 +46,8 @@ LiveDistance LiveClearance::at(const Pose& pose) {
   const Eigen::Vector3d& t = state.pose.translation;
   LiveDistance best;
   best.distance = std::numeric_limits<double>::infinity();
-  // The neighbour that was nearest last time is measured first. The others are then quickly
-  // discarded.
+  // The neighbour that was nearest at the previous placement is measured first. The others can then
+  // be discarded quickly.
   const std::size_t first = memory.last;
   for (std::size_t k = 0; k < scene.count() && best.distance > 0; ++k) {
     const std::size_t i = (first + k) % scene.count();

@@ -18,7 +18,8 @@ struct Direction {
   double area = 0;
 };
 
-// Returns the directions of the sampled triangles and the area that faces each, largest area first.
+// Returns the directions of the sampled triangles, each with the area that faces it, largest area
+// first.
 std::vector<Direction> directionsOf(const std::vector<const TriMesh*>& meshes) {
   std::size_t triangles = 0;
   for (const TriMesh* mesh : meshes) triangles += mesh->triangles.size();
@@ -30,7 +31,7 @@ std::vector<Direction> directionsOf(const std::vector<const TriMesh*>& meshes) {
     for (const auto& t : mesh->triangles) {
       if (counted++ % step != 0) continue;
       if (std::any_of(t.begin(), t.end(), [&](std::int32_t v) { return v < 0 || v >= count; }))
-        continue;  // invalid index; it is reported when the mesh becomes a part
+        continue;  // invalid index; an error is reported when the mesh becomes a Part
       const Vector3d& a = mesh->vertices[t[0]];
       const Vector3d n = (mesh->vertices[t[1]] - a).cross(mesh->vertices[t[2]] - a);
       const double area = n.norm();

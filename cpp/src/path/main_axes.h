@@ -1,10 +1,11 @@
-// Finds the directions in which most of a surface faces: the axes of a machine part, whatever its
-// orientation.
+// Finds the directions in which most of a surface faces. These are the axes of a machine part,
+// whatever its orientation is.
 // In:      triangles.
 // Out:     a rotation matrix whose columns are these directions.
-// Cost:    O(n).
-// Why:     Boxes around triangles keep the axes of their mesh. In the main axes these boxes are
-//          thin, and queries about pairs of parts take a fraction of the time (docs/paths.md).
+// Cost:    O(n) for n triangles.
+// Why:     Boxes around triangles are aligned with the axes of their mesh. Aligned with the main
+// axes, these boxes are thin. Queries about pairs of parts then take a fraction of the time
+// (docs/paths.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// Placements that are outside all neighbours, for tasks that only have to get the part out.
+// Finds placements outside all neighbours, for tasks that only take the part out.
 // Units:   mm.
 // Cost:    one placement query per candidate.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -14,9 +14,9 @@ namespace swept::path {
 End outside(const Scene& scene, const Demand& demand, const State& goal,
             const Extraction& extraction);
 
-/// Returns a function that tells whether a state is outside. Without a direction, this means: at
-/// least the radius of the extraction away from the goal. With a direction: past all neighbours by
-/// the largest required distance.
+/// Returns a function that tests whether a state is outside. Without a direction, outside means at
+/// least the radius of the extraction away from the goal. With a direction, it means past all
+/// neighbours by the largest required distance.
 std::function<bool(const State&)> outTest(const Scene& scene, const Demand& demand,
                                           const State& goal, const Extraction& extraction);
 

@@ -7,8 +7,8 @@
 
 namespace swept::path {
 
-/// Adds verdict and summary; then the path with its figures and its certificate, or how far the
-/// search came.
+/// Adds verdict and summary to `json`. Then adds the path with its figures and its certificate, or
+/// how far the search came.
 void addAnswer(Json& json, const PathReport& report);
 
 }  // namespace swept::path

@@ -9,8 +9,8 @@ namespace {
 constexpr int kTrialsToGiveUp = 40;
 constexpr int kPasses = 3;  // each takes shortcuts, then removes keys
 constexpr int kTrialsToMerge = 24;
-/// Two keys are replaced by one that lies at most this fraction of their distance beside the line
-/// between them.
+/// Two keys are replaced by one whose distance from the line between them is at most this fraction
+/// of their distance.
 constexpr double kAside = 0.7;
 
 class Shortener {
@@ -26,13 +26,14 @@ class Shortener {
 
   bool isFree(const State& a, const State& b) {
     if (!allowed_(a, b)) return false;
-    // Most moves are blocked. A placement in the way shows this much faster than the proof fails.
+    // Most moves are blocked. A blocked placement on the move shows this much faster than a proof
+    // that fails.
     for (const double fraction : {0.5, 0.25, 0.75})
       if (!scene_.isFree(scene_.stateBetween(a, b, fraction), rule_, memory_)) return false;
     return scene_.follow(a, b, rule_, memory_).fraction >= 1;
   }
 
-  // Removes the keys that the path does not need.
+  // Removes keys without which the path is still free.
   void dropKeys() {
     for (std::size_t first = 0; first + 2 < keys_.size(); ++first) {
       // Tries to move straight to a key far ahead, then to keys half as far.
@@ -51,15 +52,15 @@ class Shortener {
     }
   }
 
-  // Replaces two consecutive keys by one between or beside them. Returns false if no pair allows
-  // it.
+  // Replaces two consecutive keys by one between them, or near the line between them. Returns false
+  // if this is not possible for any pair.
   bool mergeKeys() {
     for (std::size_t i = 1; i + 2 < keys_.size(); ++i) {
       const double length = scene_.distance(keys_[i], keys_[i + 1]);
       for (int trial = 0; trial < kTrialsToMerge; ++trial) {
         State one =
             scene_.stateBetween(keys_[i], keys_[i + 1], trial == 0 ? 0.5 : random_.fraction());
-        // The first three trials lie on the move between the keys, later ones beside it.
+        // The first three candidates lie on the move between the keys, later ones beside it.
         const double aside = kAside * length * trial / kTrialsToMerge;
         if (trial > 2)
           one = scene_.moved(
@@ -73,7 +74,7 @@ class Shortener {
     return false;
   }
 
-  // Tries a shortcut between two random places of the path. Returns true if it was taken.
+  // Tries a shortcut between two random points of the path. Returns true if it was accepted.
   bool cut() {
     const double whole = lengthOf(scene_, keys_);
     double a = random_.fraction() * whole, b = random_.fraction() * whole;
@@ -87,8 +88,8 @@ class Shortener {
     double replaced = b - a;
     if (scene_.distance(from, to) > 0.999 * replaced - 1e-3 * scene_.radius() * 0.01) return false;
     if (!isFree(from, to)) return false;
-    // The remaining parts of the two moves are tested again: with screw interpolation, a part of
-    // a move can differ from the screw between the ends of that part.
+    // With screw interpolation, a part of a move can differ from the screw between the ends of this
+    // part. So the remaining parts of the two moves are tested again.
     if (!isFree(keys_[first], from) || !isFree(to, keys_[last + 1])) return false;
     std::vector<State> next(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(first) + 1);
     for (const State& state : {from, to})

@@ -17,15 +17,15 @@
 
 namespace swept::path {
 
-/// Returns false for moves that are forbidden for a reason other than neighbours, such as a turn
-/// beyond the limit.
+/// Returns false for moves that are forbidden for a reason other than neighbours, for example a
+/// turn beyond the limit.
 using MoveAllowed = std::function<bool(const State&, const State&)>;
 
 /// Returns the sum of the distances between consecutive keys, in mm.
 double lengthOf(const Scene& scene, const std::vector<State>& keys);
 
-/// Takes shortcuts between random places of the path and removes keys, until neither helps. At most
-/// `trials` shortcuts in each of three passes.
+/// Takes shortcuts between random points of the path and removes keys, until neither helps. Tries
+/// at most `trials` shortcuts in each of three passes.
 void shorten(const Scene& scene, const Rule& rule, const MoveAllowed& allowed, int trials,
              RandomNumbers& random, std::vector<State>& keys, RunContext& run);
 

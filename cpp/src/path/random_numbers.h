@@ -1,5 +1,5 @@
-// Random numbers of a search. A seed gives the same numbers on every machine, which the
-// distributions of the standard library do not guarantee.
+// Random numbers for a search. A seed gives the same numbers on every machine. The distributions of
+// the standard library do not guarantee this.
 // Source:  uniform rotations: K. Shoemake, Uniform random rotations (Graphics Gems III, 1992).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -15,10 +15,12 @@ using clearance::MotionNode;
 using clearance::PairSearch;
 using Eigen::Vector3d;
 
-// The sense of a larger rotation between two keys is ambiguous (input/trajectory_check.h requires
-// less than 179 degrees).
+// With a larger rotation between two keys, the direction of turning could become ambiguous
+// (input/trajectory_check.h requires less than 179 degrees).
 constexpr double kLargestTurn = 170 * std::numbers::pi / 180;
-constexpr std::int64_t kEffort = 300;  // box pairs for the first proof; doubled with each split
+// Largest number of pairs of boxes that the first proof of a move examines. It doubles each time
+// the move is halved.
+constexpr std::int64_t kEffort = 300;
 
 Vector3d rotationVector(const Eigen::Quaterniond& q) {
   const Eigen::AngleAxisd turn(q.w() < 0 ? Eigen::Quaterniond(-q.coeffs()) : q);
@@ -64,7 +66,7 @@ Scene::Scene(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbo
   resolution_ = std::max(0.25 * options.tolerance, 2e-5 * radius_);
 }
 
-// Both frames are rotated: x_world = R x + t becomes W (R (own^T x')) + W t.
+// Both coordinate systems are rotated: x_world = R x + t becomes W (R (own^T x')) + W t.
 State Scene::inside(const Pose& pose) const {
   Pose turned = pose;
   turned.rotation =
@@ -152,8 +154,8 @@ Follow Scene::follow(const State& from, const State& to, const Rule& rule, Memor
   return result;
 }
 
-// Follows the move against one neighbour. Processes spans of the move from its start: a span is
-// proven free, or halved, or it ends the free part.
+// Follows the move against one neighbour. Processes spans of the move, from its start. A span is
+// proven free, or halved, or it ends the free part of the move.
 void Scene::followOne(const clearance::MotionTree& motion, std::size_t i, double apart,
                       double finest, Follow& result, Memory& memory) const {
   struct Span {

@@ -1,14 +1,14 @@
-// The part and its neighbours, as path searches use them.
+// Holds the part and its neighbours for path searches.
 // In:      meshes, clearances.
 // Out:     answers to queries about placements and about moves between two placements.
 // Units:   mm, rad. The length of a move is |dt| + angle x radius of the part. No point of the part
-//          travels farther than this length.
-// Note:    The part and the world are rotated so that their main axes become x, y and z. States
-//          refer to that rotated world; inside() and outside() convert.
+// travels farther than this length.
+// Note:    Part and world are rotated so that their main axes become x, y and z. States refer to
+// the rotated world; inside() and outside() convert.
 // Cost:    some ten microseconds per query; the parts are prepared once.
-// Promise: A move that is reported free is proven free (clearance/pair_search.h) for the
-//          interpolation of the motion. A free move may be reported blocked if its distance exceeds
-//          the required one by less than the resolution.
+// Promise: A move that is reported free is proven free (clearance/pair_search.h) for the given
+// interpolation. A free move may be reported blocked if its distance exceeds the required one by
+// less than the resolution.
 // Source:  for the metric: S. LaValle, Planning Algorithms (2006), 5.1.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -37,7 +37,7 @@ struct Twist {
   Twist operator*(double s) const { return {shift * s, turn * s}; }
 };
 
-/// A place where the part is near a neighbour. The normal points from the neighbour to the part.
+/// A point where the part is near a neighbour. The normal points from the neighbour to the part.
 struct Contact {
   int neighbour = -1;
   double distance = 0;
@@ -48,18 +48,18 @@ struct Contact {
 /// Distance to keep from each neighbour, mm; negative: this neighbour is ignored.
 using Rule = std::vector<double>;
 
-/// What one search remembers between queries, mainly the pairs that were in the way last.
+/// Data that a search keeps between queries, mainly the pairs of triangles that blocked last.
 struct Memory {
   std::vector<clearance::LeafPair> pairs;  ///< one per neighbour
-  std::size_t last = 0;                    ///< the neighbour that was in the way last
+  std::size_t last = 0;                    ///< the neighbour that blocked last
   std::int64_t steps = 0;                  ///< number of queries
-  std::vector<std::int64_t> blocked;       ///< for each neighbour, how often it was in the way
+  std::vector<std::int64_t> blocked;       ///< for each neighbour, how often it blocked a move
 };
 
 /// Result of following a move.
 struct Follow {
-  double fraction = 1;  ///< share of the move, from its start, that is proven free
-  int neighbour = -1;   ///< the neighbour that blocks the rest
+  double fraction = 1;  ///< fraction of the move, from its start, that is proven free
+  int neighbour = -1;   ///< the neighbour that blocks the rest; -1: none
 };
 
 class Scene {
@@ -79,7 +79,7 @@ class Scene {
   double radius() const { return radius_; }
   Interpolation interpolation() const { return interpolation_; }
 
-  /// Convert a placement from the caller's world to a state, and back.
+  /// Convert between a placement in the caller's world and a state.
   State inside(const Pose& pose) const;
   Pose outside(const State& state) const;
   /// Returns the rotation from the caller's world to the rotated world.
@@ -93,7 +93,7 @@ class Scene {
     return twist.shift.norm() + radius_ * twist.turn.norm();
   }
   double distance(const State& a, const State& b) const;
-  /// Returns the state at a fraction of the way from a to b, by the interpolation of the motion.
+  /// Returns the state at a fraction of the move from a to b, for the given interpolation.
   State stateBetween(const State& a, const State& b, double fraction) const;
 
   /// Returns the tree over a motion of the part (clearance/motion_tree.h).
@@ -102,7 +102,7 @@ class Scene {
   }
   Memory memory() const;
   bool isFree(const State& state, const Rule& rule, Memory& memory) const;
-  /// Returns how far a move is free. `finest` is the share of the move at which halving stops. A
+  /// Returns how far a move is free. `finest`: the fraction of the move at which halving stops. A
   /// span of this length counts as blocked unless it is proven free.
   Follow follow(const State& from, const State& to, const Rule& rule, Memory& memory,
                 double finest = 0) const;

@@ -19,8 +19,8 @@ namespace {
 
 using namespace path;
 
-// Limits of the number of moves per search while the order is sought: the first, the factor from
-// round to round, and the largest. Round 0 allows only the quick methods.
+// Limits of the number of moves per search while the order is searched for: the first limit, the
+// factor from round to round, and the largest limit. Round 0 allows only the quick methods.
 constexpr std::int64_t kFirstMoves = 20000, kMoreMoves = 4, kMostMoves = 1000000000;
 
 class Sequencer {
@@ -58,12 +58,12 @@ class Sequencer {
   }
 
  private:
-  // A part whose place in the order is still unknown.
+  // A part whose position in the order is not known yet.
   struct Left {
     std::size_t part;
     PathReport last = {};
-    int tried = -1;      // round of its last search; -1: none since a blocking part was removed
-    bool final = false;  // proven: cannot leave while the other parts are there
+    int tried = -1;  // round of its last search; -1: none since a part that blocked it was removed
+    bool final = false;  // proven: it cannot be removed while the other parts are there
   };
 
   void inOrder() {
@@ -82,9 +82,9 @@ class Sequencer {
     }
   }
 
-  // Finds the order backwards: the part that comes last is the first that can be removed. If
-  // several parts can be removed, takes the one that is last in the given order. This keeps a given
-  // order that is valid.
+  // Finds the order backwards: the first part that can be removed is installed last. If several
+  // parts can be removed, takes the one that is last in the given order. So a given order that is
+  // valid stays the same.
   void takeApart() {
     std::vector<Left> left;
     for (std::size_t i = parts_.size(); i-- > 0;) left.push_back({i});
@@ -111,8 +111,9 @@ class Sequencer {
     std::reverse(report_.steps.begin(), report_.steps.end());
   }
 
-  // Finds the next part that can be removed. Searches grow from round to round. Quick methods are
-  // always repeated. A longer search is repeated only if a part that blocked it has been removed.
+  // Finds the next part that can be removed. Searches become longer from round to round. Quick
+  // methods are always repeated. A longer search is repeated only if a part that blocked it has
+  // been removed.
   std::vector<Left>::iterator firstOut(std::vector<Left>& left,
                                        const std::vector<char>& installed) {
     for (int round = 0;; ++round) {
@@ -141,13 +142,13 @@ class Sequencer {
     }
   }
 
-  // Whether all parts are proven to be blocked. One of them would have to leave first, while all
-  // others are still there, so no order exists.
+  // Returns whether all parts are proven to be blocked. Then no order exists, because one part
+  // would have to be removed first, while all others are still there.
   static bool hopeless(const std::vector<Left>& left) {
     return std::all_of(left.begin(), left.end(), [](const Left& part) { return part.final; });
   }
 
-  // If other parts still occupy the start of a part, the part has to wait. This is not an error.
+  // If other parts still occupy the start of a part, this part has to wait. This is not an error.
   void takeBlockedStart(std::size_t part, PathReport& path) const {
     if (path.code != "StartBlocked" || path.status != Status::InvalidInput)
       throw Error(path.status, path.code, "part '" + parts_[part].name + "': " + path.message);
@@ -193,7 +194,7 @@ class Sequencer {
     report_.warnings.push_back(std::move(finding));
   }
 
-  // Each part waits at its first key, moves when its turn comes, and then stays at its goal.
+  // Each part waits at its first key, moves in its turn, and then stays at its goal.
   void layTimeline() {
     report_.timeline.resize(parts_.size());
     report_.clearance = std::numeric_limits<double>::infinity();

@@ -29,7 +29,7 @@ bool within(const SearchSpace& space, const State& state) {
          (state.middle.array() <= space.high.array()).all();
 }
 
-// Best-first search over one grid. The order is that of the shortest way so far plus the remaining
+// Best-first search over one grid. The order is by the shortest length so far plus the remaining
 // distance.
 class GridSearch {
  public:
@@ -47,7 +47,7 @@ class GridSearch {
     push({0, 0, 0}, {0, 0, 0}, 0);
   }
 
-  /// Examines up to `places` placements, and takes them from `places` and from those of the grid.
+  /// Examines up to `places` placements, and subtracts their number from `places` and from left_.
   /// Returns the path once it is found.
   std::vector<State> search(int& places, const RunContext& run) {
     while (!isOver() && places > 0 && !run.isCancelled()) {
@@ -116,7 +116,7 @@ class GridSearch {
   std::map<Cell, Cell> closed_;
 };
 
-// Whether the part is blocked at each placement in the cube around `middle`.
+// Returns whether the part is blocked at each placement in the cube around `middle`.
 bool blocked(const Scene& scene, const Rule& rule, const State& middle, double halfDiagonal) {
   const Eigen::Matrix3d R = middle.pose.rotation.toRotationMatrix();
   const Vector3d t = middle.pose.translation;
@@ -126,7 +126,7 @@ bool blocked(const Scene& scene, const Rule& rule, const State& middle, double h
     if (distance > 0 && distance + halfDiagonal < rule[i]) return true;
     if (distance > 0 && !pair.containedAt(R, t)) continue;
     const double depth = halfDiagonal - rule[i];
-    // Where the surfaces intersect, a cube smaller than the required distance is always blocked.
+    // If the surfaces intersect, a cube smaller than the required distance is always blocked.
     if (depth < 0 || clearance::overlapsBy(pair, R, t, depth)) return true;
   }
   return false;
@@ -201,8 +201,8 @@ bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, co
   for (const double fraction : kWidths) {
     const double width = fraction * scene.radius();
     std::set<Cell> seen{{0, 0, 0}};
-    // Floods the cells that are not proven blocked, from the goal, the farthest cell first. This
-    // finds a way out early.
+    // Flood fill over the cells that are not proven blocked, from the goal. The farthest cell comes
+    // first, which finds a way out early.
     std::priority_queue<std::pair<int, Cell>> queue;
     queue.push({0, {0, 0, 0}});
     bool out = false;

@@ -1,14 +1,15 @@
-// Moves without turning: a search over a grid of placements, and a proof that none exists.
+// Finds paths on which the part does not turn, by a search over a grid of placements. Can also
+// prove that there is no such path.
 // In:      the part in its orientation at the goal.
 // Out:     keys from a start to the goal with each move proven free; or a proof that the part
 //          cannot leave its goal without turning.
-// Units:   mm. Grids are centred on the goal, follow the main axes, and become finer.
-// Cost:    one query about a move, or one depth, per placement that is examined.
-// Promise: noShifts() returns true only with a proof. A cube of placements counts as blocked if, at
-//          its middle, the part lies deeper in a neighbour than half the diagonal of the cube. It
-//          is also blocked if the part is nearer than required by more than half the diagonal. A
-//          path without turning passes from cube to cube through their faces. So no path exists if
-//          the unblocked cubes that connect to the goal neither contain the start nor lead out.
+// Units:   mm. Grids are centred on the goal, aligned with the main axes, and become finer.
+// Cost:    per placement that is examined, one query about a move or about a depth.
+// Promise: noShifts() returns true only with a proof. Consider the part at the middle of a cube of
+// placements. The cube counts as blocked if the part lies deeper in a neighbour there than half the
+// diagonal of the cube. It is also blocked if the part is nearer than required by more than half
+// the diagonal. A path without turning passes from cube to cube through their faces. So no path
+// exists if the unblocked cubes connected to the goal neither contain the start nor lead out.
 // Source:  best-first search over cells: J. Barraquand, J.-C. Latombe, Robot motion planning: a
 //          distributed representation approach (1991).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -24,10 +25,10 @@
 namespace swept::path {
 
 /// Searches grids of placements between all pairs of a start and a goal, one grid after the other.
-/// It can be continued step by step, beside other searches.
+/// The search can be continued step by step, beside other searches.
 class ShiftSearch {
  public:
-  /// `places` is the largest number of placements that are examined on one grid.
+  /// `places`: largest number of placements that are examined on one grid.
   ShiftSearch(const Scene& scene, const Rule& rule, const SearchSpace& space,
               const std::vector<State>& starts, const std::vector<State>& goals, int places);
   ~ShiftSearch();
@@ -49,7 +50,7 @@ class ShiftSearch {
 };
 
 /// Returns true only if it is proven that no path without turning leads from the goal to the start.
-/// If `start` is null: that none leads out of the search space. Gives up once `isLate` is true.
+/// If `start` is null, no path may lead out of the search space. Gives up once isLate() is true.
 bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, const State* start,
               const State& goal, int places, const std::function<bool()>& isLate, RunContext& run);
 

@@ -91,8 +91,8 @@ Twist allowedMove(const Scene& scene, const State& state, const Rule& rule, cons
   Vector6d v = start;
   for (Limit& limit : limits) limit.least += margin;
   if (!nearest(limits, std::min(tolerance, 0.5 * margin), v)) {
-    // There is no room for the margin. Without a margin, some move satisfies all limits: at worst,
-    // not to move.
+    // There is no room for the margin. Without it, some move satisfies all limits, at worst that of
+    // length 0.
     for (Limit& limit : limits) limit.least = std::min(0.0, limit.least - margin);
     v = start;
     nearest(limits, tolerance, v);

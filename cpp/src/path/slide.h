@@ -1,10 +1,10 @@
-// Moves along obstacles: finds the part of a wanted move that the known contacts allow.
+// Lets moves slide along obstacles: finds the part of a wanted move that the known contacts allow.
 // In:      a scene, the distances to keep, a state, and the wanted move.
 // Out:     the allowed move nearest to the wanted one.
-// Units:   mm, rad; the metric is that of moves (scene.h).
+// Units:   mm, rad; lengths of moves as in scene.h.
 // Cost:    one or two microseconds for ten contacts. Blocked moves supply the contacts as pairs of
-//          triangles, so no search is needed.
-// Promise: The move is right to first order only; Scene::follow() finds how far it is free.
+//        triangles, so no search is needed.
+// Promise: The move is correct to first order only; Scene::follow() finds how far it is free.
 // Source:  contacts as inequalities of twists: M. S. Ohwovoriole, B. Roth, An extension of screw
 //          theory (1981). Nearest twist by dual coordinate ascent: C. Hildreth, A quadratic
 //          programming procedure (1957).
@@ -30,16 +30,16 @@ struct Touch {
 /// Pairs that limit moves near one state. The oldest is dropped when the list is full.
 using Touches = std::vector<Touch>;
 
-/// Adds the pair that stopped the last move, which `memory` holds. Returns false if it is already
-/// in the list.
+/// Adds the pair that stopped the last move (in `memory`). Returns false if it is already in the
+/// list.
 bool addTouch(const Memory& memory, int neighbour, Touches& touches);
 
-/// Removes pairs that are farther apart at the state than the required distance plus `reach`.
+/// Removes pairs that are farther apart at this state than the required distance plus `reach`.
 void dropFar(const Scene& scene, const State& state, const Rule& rule, double reach,
              Touches& touches);
 
-/// Returns the move nearest to `wanted` that, to first order, keeps each listed pair at its
-/// required distance. If there is room, pairs also keep a small margin.
+/// Returns the move nearest to `wanted` that keeps, to first order, the required distance of each
+/// listed pair. If there is room, pairs also keep a small margin.
 Twist allowedMove(const Scene& scene, const State& state, const Rule& rule, const Touches& touches,
                   const Twist& wanted);
 

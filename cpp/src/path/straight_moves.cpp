@@ -6,7 +6,7 @@
 namespace swept::path {
 namespace {
 
-// A straight shift from a placement. Its end and its middle are candidates for the next move.
+// A straight shift from a placement. The next move may start at its end or its middle.
 struct Ray {
   State from, to;
 };

@@ -15,7 +15,7 @@
 namespace swept::path {
 
 /// Returns the keys. `far` (mm): a move of this length leaves all neighbours behind. Gives up once
-/// `isLate` is true.
+/// isLate() is true.
 std::vector<State> straightMoves(const Scene& scene, const Rule& rule, const MoveAllowed& allowed,
                                  const std::vector<State>& starts, const std::vector<State>& goals,
                                  double far, Memory& memory, const std::function<bool()>& isLate,

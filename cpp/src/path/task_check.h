@@ -1,4 +1,4 @@
-// Checks of the input of a search, before anything is computed.
+// Checks the input of a search before anything is computed.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace swept::path {
 
-/// Throws Error(InvalidInput) with BadOption, NoNeighbours or NoStart. The text names the value and
+/// Throws Error(InvalidInput) with BadOption, NoNeighbours or NoStart. The text gives the value and
 /// what is allowed.
 void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour>& neighbours,
                       const PathOptions& options);

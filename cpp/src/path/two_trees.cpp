@@ -13,12 +13,12 @@ using Eigen::Vector3d;
 constexpr int kStart = 0, kGoal = 1;
 // Largest number of moves of one extension and of one push.
 constexpr int kSlides = 5, kPushes = 60;
-constexpr double kPushed = 0.5;  // share of the rounds that push
+constexpr double kPushed = 0.5;  // fraction of the rounds that push
 constexpr double kPush = 3;      // longest push, in radii of the part or in rad
-constexpr double kLost = 1e-9;   // largest share of a move that counts as a rounding error
-// Least share of a wanted move that the allowed move must keep.
+constexpr double kLost = 1e-9;   // largest fraction of a move that counts as a rounding error
+// Smallest fraction of a wanted move that the allowed move must keep.
 constexpr double kOnward = 0.05;
-// Resolution at which the search finds where a move is blocked, as a share of the move.
+// Resolution at which the search finds where a move is blocked, as a fraction of the move.
 constexpr double kFinest = 1.0 / 16;
 
 }  // namespace
@@ -70,7 +70,7 @@ int TwoTrees::nearest(int tree, const State& to) const {
   return best;
 }
 
-// Picks a few random nodes and returns the one with the fewest trials and the sparsest cell.
+// Selects a few random nodes, and returns the one with the fewest trials and the sparsest cell.
 int TwoTrees::sparse(int tree) {
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -102,7 +102,7 @@ State TwoTrees::sampleNear(int tree, int node) {
   const double scale = scene_.radius() * std::pow(10.0, random_.between(-2, 0.5));
   Twist twist;
   if (random_.fraction() < 0.4) {
-    // Continue in the direction of the last moves.
+    // Continue in the direction of the moves that led to this node.
     int before = node;
     for (int k = 0; k < 6; ++k) {
       const int parent = trees_[tree][static_cast<std::size_t>(before)].parent;
@@ -123,7 +123,7 @@ State TwoTrees::sampleNear(int tree, int node) {
   return limited(state, scene_.moved(state, twist));
 }
 
-// Returns `to`, with its turn from upright reduced to the largest one allowed.
+// Returns `to`, with its turn from upright reduced to the largest turn allowed.
 State TwoTrees::limited(const State& from, const State& to) const {
   if (!space_.turns()) return scene_.at(from.pose.rotation, to.middle);
   const State upright = scene_.at(space_.upright, to.middle);
@@ -148,8 +148,8 @@ int TwoTrees::push(int tree, int from) {
   return slide(tree, from, {nullptr, drive, step, kPush * scene_.radius(), kPushes}, reached);
 }
 
-// Returns a direction along an axis of the world or of the part, or a random one. The twist is
-// longer than any push.
+// Returns a move along or about an axis of the world or of the part, or a random direction. The
+// twist is longer than any push.
 Twist TwoTrees::randomDrive(const State& at) {
   const double kind = random_.fraction();
   Vector3d d = random_.direction();

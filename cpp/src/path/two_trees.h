@@ -1,18 +1,17 @@
-// Search in six dimensions: one tree of moves grows from the start and another from the goal until
-// they meet.
+// Searches in six dimensions: one tree of moves grows from the start and another from the goal
+// until they meet.
 // In:      placements to grow from, and the space to search.
 // Out:     placements from start to goal, with each move between two of them proven free.
 // Units:   mm, rad.
-// Cost:    some tens of microseconds per query; the search for the nearest node is linear in the
-//          nodes.
+// Cost:    some tens of microseconds per query. Finding the nearest node takes time linear in the
+//        number of nodes.
 // Promise: The result depends only on the seed and the number of rounds.
 // Source:  Two trees: J. Kuffner, S. LaValle, RRT-Connect (2000). A blocked extension keeps its
-//          last free state and slides along the obstacle (slide.h): L. Zhang, D. Manocha, An
-//          efficient retraction-based RRT planner (2008). Pushes in fixed directions along
-//          contacts: Y. Tian et al., Assemble them all (2022). Nodes in sparse cells grow first: I.
-//          Sucan, L. Kavraki, KPIECE (2009). The direction that led to a node is tried again: S.
-//          Dalibard, J.-P. Laumond, Linear dimensionality reduction in random motion planning
-//          (2011).
+// last free state and slides along the obstacle (slide.h): L. Zhang, D. Manocha, An efficient
+// retraction-based RRT planner (2008). Pushes in fixed directions along contacts: Y. Tian et al.,
+// Assemble them all (2022). Nodes in sparse cells grow first: I. Sucan, L. Kavraki, KPIECE (2009).
+// A node is extended in the direction that led to it: S. Dalibard, J.-P. Laumond, Linear
+// dimensionality reduction in random motion planning (2011).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -34,8 +33,8 @@ struct SearchSpace {
   Eigen::Quaterniond upright;  ///< orientation at the goal
   double largestTurn = 4;      ///< rad from `upright`; 0: the part never turns
   bool turns() const { return largestTurn > 0; }
-  /// If set: a state of the goal's tree for which this is true completes the path without the other
-  /// tree.
+  /// If set: a state of the goal's tree for which isOut() is true completes the path without the
+  /// other tree.
   std::function<bool(const State&)> isOut;
 };
 
@@ -52,7 +51,7 @@ class TwoTrees {
   std::int64_t steps() const { return memory_.steps; }
   /// Returns the state in the goal's tree whose middle is farthest from the root of that tree.
   const State& farthest() const { return trees_[1][farthest_].state; }
-  /// Returns for each neighbour how often it was in the way.
+  /// Returns for each neighbour how often it blocked a move.
   const std::vector<std::int64_t>& blocked() const { return memory_.blocked; }
 
  private:
@@ -63,8 +62,8 @@ class TwoTrees {
     int tries;
     Touches touches;  ///< pairs that limit moves from here
   };
-  /// Where to move: towards a state, or along a constant twist. `step` is the longest single move,
-  /// `most` the length of all moves together.
+  /// A target: a state, or a constant twist. `step`: the longest single move; `most`: the length of
+  /// all moves together.
   struct Drive {
     const State* to;
     Twist twist;
@@ -101,7 +100,7 @@ class TwoTrees {
   std::vector<int> cellNodes_[2];
   std::vector<State> path_;
   int farthest_ = 0;
-  double hardness_[2] = {1, 1};  ///< recent share of blocked extensions of each tree
+  double hardness_[2] = {1, 1};  ///< recent fraction of blocked extensions of each tree
   double longest_ = 0;           ///< mm, longest extension
   double shortest_ = 0;          ///< mm, shortest new edge
 };

@@ -13,13 +13,14 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kLongestMove = 0.5;  // radii of the part; longer moves get keys in between
 constexpr std::size_t kMaxKeys = 300;
-constexpr int kPlaces = 6;       // number of places at which a free move is sampled
+constexpr int kPlaces = 6;       // number of positions at which a free move is sampled
 constexpr int kManyPlaces = 24;  // the same for a blocked move
-constexpr int kRounds = 12;      // after these, a raise has failed
+constexpr int kRounds = 12;      // after this many rounds, a raise has failed
 constexpr int kSweeps = 60;      // of the dual ascent
 constexpr double kTrust = 0.1;   // radii; a key moves no farther in one round
-// Pairs are opened to this multiple of the wanted distance. Tried on cases of OMPL.app: with 1.02,
-// blocked moves open too slowly; with 1.25 and more, wide detours use up the length.
+// Pairs are opened to this multiple of the wanted distance. Tried on test cases of OMPL.app: with
+// 1.02, blocked moves open too slowly; with 1.25 and more, wide detours use up the permitted
+// length.
 constexpr double kMargin = 1.1;
 constexpr double kFirst = 2e-3;      // radii; the first raise
 constexpr double kLeast = 2e-6;      // radii; smaller raises are not worth the time
@@ -29,8 +30,8 @@ constexpr double kEnough = 1.4;      // bisection ends at this ratio of failure 
 constexpr double kLonger = 1.25;     // the path may grow by this factor
 constexpr int kTrials = 100;         // shortcuts of the widened path
 
-/// The distance of a pair, as a linear function of the twists of the two keys beside it:
-/// row . (before * twist of the key + after * twist of the next key) >= least.
+/// The distance of a pair of triangles, as a linear function of the twists of the two keys beside
+/// it: row . (before * twist of the key + after * twist of the next key) >= least.
 struct Opening {
   std::size_t key;
   double before, after;
@@ -45,7 +46,7 @@ Rule raised(const Rule& rule, double more) {
   return result;
 }
 
-/// Moves the inner keys of a path until all its moves keep the wanted distances.
+/// Moves the inner keys of a path until all moves of the path keep the wanted distances.
 class Band {
  public:
   Band(const Scene& scene, const Rule& wanted, const WidenLimits& limits, RunContext& run)
@@ -59,7 +60,7 @@ class Band {
       if (distance >= 0) distance *= kMargin;
   }
 
-  /// Returns false if the wanted distances were not reached, or the path grew longer than
+  /// Returns false if the wanted distances were not reached, or if the path became longer than
   /// `longest`.
   bool push(std::vector<State>& keys, double longest) {
     for (int round = 0; round < kRounds; ++round) {
@@ -72,7 +73,7 @@ class Band {
         if (!keepsApart(keys, i)) places_[i] = kManyPlaces;
       }
       if (std::count(places_.begin(), places_.end(), kManyPlaces) == 0) return true;
-      // Moves that are free have to stay free.
+      // Moves that are free must stay free.
       for (std::size_t i = 0; i + 1 < keys.size(); ++i)
         for (int k = 0; k <= places_[i]; ++k)
           addContacts(keys, i, static_cast<double>(k) / places_[i]);
@@ -85,7 +86,7 @@ class Band {
   bool moved() const { return moved_; }
 
  private:
-  // If the move is blocked, adds the pair that blocks it.
+  // Returns whether the move is free. If it is blocked, adds the blocking pair.
   bool keepsApart(const std::vector<State>& keys, std::size_t i) {
     const Follow follow = scene_.follow(keys[i], keys[i + 1], wanted_, memory_);
     if (follow.fraction >= 1) return true;
@@ -110,7 +111,7 @@ class Band {
       add(keys, i, fraction, state, contact);
   }
 
-  // The first and the last key stay.
+  // Adds a linear inequality for a contact. The first and the last key do not move.
   void add(const std::vector<State>& keys, std::size_t i, double fraction, const State& state,
            const Contact& contact) {
     Opening opening;
@@ -155,7 +156,7 @@ class Band {
   RunContext& run_;
   Memory memory_;
   bool moved_ = false;
-  std::vector<int> places_;  ///< by move: number of places to sample
+  std::vector<int> places_;  ///< for each move, the number of positions to sample
   std::vector<Opening> openings_;
 };
 
@@ -175,7 +176,7 @@ std::vector<State> refined(const Scene& scene, const std::vector<State>& keys) {
   return fine;
 }
 
-// Returns by how much, at most `most`, the rule can be raised at both ends.
+// Returns by how much (at most `most`) the rule can be raised at both ends.
 double roomAtEnds(const Scene& scene, const Rule& rule, const std::vector<State>& keys,
                   double most) {
   Memory memory = scene.memory();
@@ -200,7 +201,7 @@ double widen(const Scene& scene, const Rule& rule, const WidenLimits& limits, Ra
   const double longest = kLonger * lengthOf(scene, keys);
   const double room = roomAtEnds(scene, rule, keys, kMostRaise * scene.radius());
   std::vector<State> best = refined(scene, keys);
-  bool moved = false;  // a path that is wide enough already keeps its keys
+  bool moved = false;  // if the path is wide enough already, it keeps its keys
   double reached = 0, failed = 0, next = std::min(kFirst * scene.radius(), room);
   while (next > kEnough * reached && next > kLeast * scene.radius() && !limits.over()) {
     std::vector<State> pushed = best;

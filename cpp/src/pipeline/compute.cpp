@@ -19,8 +19,8 @@
 namespace swept {
 namespace {
 
-/// Whether the memory that a run frees goes back to the system. A preview session keeps it for its
-/// next run.
+/// Whether freed memory goes back to the operating system after the run. A preview session keeps it
+/// for its next run.
 enum class Freed : std::uint8_t { Returned, Kept };
 
 /// Runs work(run) in a task arena with the requested number of threads and writes the outcome to

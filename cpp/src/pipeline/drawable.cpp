@@ -62,7 +62,8 @@ class Numbering {
   std::int32_t count() const { return count_; }
 
  private:
-  static constexpr std::uint64_t kFree = ~std::uint64_t{0};  // a cell's key has 63 bits
+  // Not a key: keys of cells have 63 bits.
+  static constexpr std::uint64_t kFree = ~std::uint64_t{0};
   std::vector<std::uint64_t> keys_;
   std::vector<std::int32_t> numbers_;
   std::int32_t count_ = 0;
@@ -102,7 +103,7 @@ struct Planes {
     yz += n[1] * unit[2];
     pull += distance * n;
   }
-  /// Returns the nearest point to all planes, relative to the mean point.
+  /// Returns the point nearest to all planes, relative to the mean point.
   Vector3d meet() const {
     Eigen::Matrix3d m;
     m << xx, xy, xz, xy, yy, yz, xz, yz, zz;

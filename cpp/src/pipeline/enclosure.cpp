@@ -38,7 +38,8 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
 
 namespace {
 
-/// Returns 2 volume / area: the thickness of a plate, half that of a rod; 0 for an open body.
+/// Returns 2 * volume / area. For a plate this is its thickness, for a rod half its thickness.
+/// Returns 0 for an open body.
 double meanThickness(const CheckedBody& body, RunContext& run) {
   if (!body.closed) return 0;
   const MeshCheck check = checkMesh(body.mesh, false, run);

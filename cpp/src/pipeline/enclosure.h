@@ -3,7 +3,7 @@
 // Out:   the lattice points that the outside reaches; warnings in the report.
 // Throws Error(InvalidInput, "CellTooLarge") if there is nothing to contour, and
 // Error(InvalidInput, "OpenMesh") if the outside enters through holes in an open body.
-// Cost:  one pass over the marks.
+// Cost:  one pass over the marked edges.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -18,7 +18,8 @@ namespace swept {
 SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const SolidPoint& isSolid,
                    const Prepared& prepared, bool keepCavities, Report& report, RunContext& run);
 
-/// These functions throw if no grid line crosses the surface, or if contouring gave no triangles.
+/// requireCrossings() throws if no grid line crosses the surface, requireSurface() if contouring
+/// gave no triangles.
 void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared, RunContext& run);
 void requireSurface(const TriMesh& mesh, const Prepared& prepared, RunContext& run);
 /// Throws if the outside enters through holes of an open body. Only warns if the motion is

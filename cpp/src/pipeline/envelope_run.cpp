@@ -19,8 +19,8 @@
 namespace swept {
 namespace {
 
-/// Up to this number of triangle copies, an offset is measured from the copies. Above it, the
-/// offset is measured from the mesh of the envelope.
+/// Up to this number of triangle copies, an offset is measured from these copies. Above it, the
+/// offset is measured from the mesh of an envelope without offset.
 constexpr std::size_t kMaxCopies = 8'000'000;
 
 void add(std::vector<Finding>& to, const std::vector<Finding>& from) {
@@ -174,7 +174,7 @@ SamplerInput EnvelopeRun::samplerInput(const BodyTopology& topology, bool cull) 
 void EnvelopeRun::envelope(const BodyTopology& topology) {
   const SamplerInput input = samplerInput(topology, options_.cull);
   HermiteGrid hermite = sample(topology, options_.cull);
-  // A preview does without the probe, which takes time to find the ends of thin walls.
+  // A preview does without the probe, which finds the ends of thin walls but takes time.
   std::optional<ElementProbe> probe;
   if (warm_ == nullptr) probe.emplace(input, elements_, hermite.winner);
   Surface surface = contourUniform(hermite, options_, run_, probe ? &*probe : nullptr);

@@ -74,7 +74,7 @@ class EnvelopeRun {
   Prepared prepared_;
   WarmBody* warm_ = nullptr;  ///< null without a session
   bool sketch_ = false;
-  /// Neighbours in the mended surface; empty if they were not computed.
+  /// Adjacency of the mended mesh; empty if it was not computed.
   MeshTopology topology_;
   std::vector<SweptElement> elements_;  // kept until contouring no longer needs them
   Timer timer_;

@@ -30,7 +30,7 @@ struct Finishing {
   SettlingMoves settlingMoves = {};        ///< empty: no vertex has to move
 };
 
-/// Repairs and checks the surface. Returns the neighbours of the triangles; empty if they were not
+/// Repairs and checks the surface. Returns the adjacency of its triangles; empty if it was not
 /// computed.
 MeshTopology checkAndMend(Surface& surface, const HermiteGrid& hermite, const Finishing& with,
                           Report& report);

@@ -1,8 +1,8 @@
 // A swept volume grown by a distance, for a safety distance or a conservative envelope.
 //
 // In:    a cover of the swept volume (offset/cover.h).
-// Out:   Hermite grids at any distance from it, the proof that a mesh made from such a grid
-//        contains the swept volume, and the findings for the report.
+// Out:   Hermite grids of the surface at any distance from the cover. The proof that a mesh made
+//        from such a grid contains the swept volume. The findings for the report.
 // Units: cells. Cost: see offset/.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -23,10 +23,11 @@ class GrownSweep {
   GrownSweep& operator=(const GrownSweep&) = delete;
 
   const offset::Cover& cover() const { return cover_; }
-  /// Finds the lattice points that the outside reaches. Points within the distance are solid.
+  /// Decides which lattice points lie outside. Points within the distance lie inside.
   using FindSigns = std::function<SignRuns(const MarkedEdges&, const SolidPoint&)>;
   HermiteGrid hermite(double distance, const FindSigns& findSigns, RunContext& run) const;
-  /// Returns the moves of those `vertices` that are not at the distance (see offset/settle.h).
+  /// Returns moves for those `vertices` whose distance from the cover is not `distance`
+  /// (offset/settle.h).
   std::vector<VertexMove> settlingMoves(const TriMesh& mesh,
                                         const std::vector<std::int32_t>& vertices, double distance,
                                         RunContext& run) const {

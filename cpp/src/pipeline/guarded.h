@@ -2,8 +2,8 @@
 //
 // In:  a result, and the work that fills it.
 // Out: the result of the work; or, if it threw, an empty result whose report names the failure.
-// Promise: no exception of this project or of the standard library passes, even without free
-// memory.
+// Promise: no exception of this project or of the standard library leaves guarded(), even if no
+// memory is free.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

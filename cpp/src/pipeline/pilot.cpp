@@ -11,12 +11,13 @@
 namespace swept {
 namespace {
 
-/// Bytes per crossing and per edge with a thin wall. Peaks of runs show 240 to 300 per crossing
-/// (docs/performance.md). Thin walls need more, to compare the surfaces that may touch there.
+/// Bytes per crossing and per edge with a thin wall. Measured peaks of runs are 240 to 300 per
+/// crossing (docs/performance.md). Thin walls need more, to compare the surfaces that may touch
+/// there.
 constexpr double kBytesPerCrossing = 310, kBytesPerWall = 700;
 constexpr double kRoom = 1.1;
 constexpr double kMinRatio = 2;  ///< smallest ratio of the resolutions of run and pilot
-/// Largest number of faces times placements, for a union of copies.
+/// Largest number of faces times placements in a trial of a union of copies.
 constexpr double kMaxCopiedFaces = 5e7;
 
 }  // namespace
@@ -44,8 +45,8 @@ Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
   };
   const std::optional<CrossingCounts> coarse = countAt(2 * ratio), fine = countAt(ratio);
   if (!coarse || !fine || coarse->crossings == 0) return estimate;
-  // On a grid twice as fine, a surface has four times as many crossings. If the finer grid resolves
-  // more thin walls, there are more.
+  // On a grid twice as fine, a surface has four times as many crossings, and even more if the finer
+  // grid resolves more thin walls.
   const double power = std::clamp(
       std::log2(static_cast<double>(fine->crossings) / static_cast<double>(coarse->crossings)), 2.0,
       2.5);

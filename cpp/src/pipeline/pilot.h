@@ -1,9 +1,10 @@
-// A better estimate for runs that may need too much memory: samples the same sweep on coarse grids.
+// Improves the estimate of runs that may need too much memory, by sampling the sweep on coarse
+// grids.
 //
 // The estimate of plan.h only knows the bounding box of the sweep. It is two or three times too
-// high for most sweeps, and too low if thin walls abound. The pilot counts the crossings on two
-// coarse grids and extrapolates their growth. Cost: sampling on a grid with kPilotCells cells along
-// its longest side, and on one with half as many.
+// high for most sweeps, and too low if there are many thin walls. The pilot counts the crossings on
+// two coarse grids and extrapolates their growth. Cost: sampling on a grid with kPilotCells cells
+// along its longest side, and on one with half as many.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

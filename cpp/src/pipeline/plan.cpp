@@ -32,8 +32,8 @@ Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options
   return box;
 }
 
-/// Margin on every side of the grid of a preview session, as a fraction of the longest side. The
-/// next motions can then use the same grid.
+/// Margin on every side of the grid of a preview session, as a fraction of the longest side.
+/// Motions of later calls can then use the same grid.
 constexpr double kRoom = 0.03;
 
 Eigen::AlignedBox3d withRoom(Eigen::AlignedBox3d box) {
@@ -49,8 +49,9 @@ constexpr double kBytesPerCopy = 24;
 /// Largest number of triangle copies in a preview, so that it stays quick.
 constexpr double kPreviewCopies = 4e6;
 
-/// Refines the motion, so finely that it needs at most half of the memory limit. Then merges the
-/// steps that this accuracy does not need. Splits the long edges of a turning body if `maySplit`.
+/// Refines the motion, but only so finely that the copies take at most half of the memory limit.
+/// Then merges the steps that this accuracy does not need. Splits the long edges of a turning body
+/// if `maySplit`.
 Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, RunContext& run) {
   const Trajectory& trajectory = p.trajectory.trajectory;
   const double chord = options.chordTolerance * cell;
@@ -64,16 +65,16 @@ Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, 
     return mergeSteps(refineMotion(p.body.mesh, trajectory, how.chord, run), p.body.mesh, chord,
                       run);
   }
-  // The cover (offset/) flattens side patches itself. So only the chords of points count here, and
-  // the body is replaced by its vertices. An offset is measured from the chords, a conservative
+  // offset/cover.h flattens side patches itself. So here only the chords of points count, and the
+  // body is replaced by its vertices. An offset is measured from the chords, a conservative
   // envelope from the true motion near them.
   TriMesh points;
   points.vertices = p.body.mesh.vertices;
   return mergeSteps(refineMotion(points, trajectory, chord / 2, run), points, chord / 2, run);
 }
 
-/// Plans the run on the grid of the last run. Returns false if the sweep leaves that grid or fills
-/// too little of it.
+/// Plans the run on the grid of the previous run. Returns false if the sweep leaves that grid or
+/// fills too little of it.
 bool planOnLastGrid(Prepared& p, const Options& options, RunContext& run) {
   const GridPlan& last = *p.lastGrid;
   Motion motion = refined(p, options, last.cell, false, run);
@@ -129,8 +130,8 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
     for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
   }
   const TriMesh given = p.body.mesh;  // has the same box as after the split, with fewer vertices
-  // Before edges are split for a given cell, planGrid() refuses a cell that is too small for any
-  // grid.
+  // If the cell size is given, planGrid() is called once before edges are split. It throws if the
+  // cell is too small for any grid.
   if (!p.keepBody && options.cellSize > 0 && trajectory.interpolation != Interpolation::None) {
     const Motion coarse = refineMotion(p.body.mesh, trajectory, size / 50, run);
     planGrid(sweptBox(p.body.mesh, coarse, run), bodyBox, options);
@@ -147,11 +148,11 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   p.grid = planGrid(p.keepRoom ? withRoom(box) : box, bodyBox, fixed);
 }
 
-// Returns the peak memory per crossing of the surface, the larger of two phases. Sampling keeps raw
-// crossings twice (12 bytes each). Later there are edges, crossings, cells and the mesh (about 170
-// bytes).
+// Returns the peak memory (bytes) per crossing of the surface: the larger of two phases. Sampling
+// keeps raw crossings twice (12 bytes each). Later phases keep edges, crossings, cells and the mesh
+// (about 170 bytes).
 double bytesOfCrossing(const Options& options) {
-  constexpr double kSource = sizeof(SurfaceSource) + sizeof(double);  // and its exact time
+  constexpr double kSource = sizeof(SurfaceSource) + sizeof(double);  // a row, and the exact time
   return options.sources ? 180 + kSource : 180;
 }
 
@@ -190,7 +191,7 @@ double usefulFilterOf(const Prepared& p, const Options& options) {
   const std::size_t poses = p.trajectory.trajectory.poses.size();
   const double distance = options.chordTolerance * p.grid.cell;
   if (poses < kManyPoses || options.positionFilter > 0 || options.conservative) return 0;
-  // The time of the dense sampler hardly depends on the number of poses: a filter saves nothing.
+  // The time of the dense sampler hardly depends on the number of poses, so a filter saves nothing.
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, true, {})) {
     return 0;

@@ -17,19 +17,21 @@
 
 namespace swept {
 
-/// Margins (cells) of a conservative envelope. The run tries them in turn until one is proven.
+/// Margins (cells) of a conservative envelope. The run tries them in turn until containment is
+/// proven.
 constexpr std::array<double, 4> kMarginCells{1.0, 1.5, 2.0, 2.5};
 constexpr double kMaxMarginCells = kMarginCells.back();
 
 struct Prepared {
-  /// Origin of the coordinates of body and trajectory, in the coordinates of the given body.
+  /// Pivot of the trajectory in coordinates of the given body. It is the origin of the coordinates
+  /// of `body` and `trajectory`.
   Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
   CheckedBody body;
   CheckedTrajectory trajectory;
   std::size_t givenPoses = 0;         ///< number of poses before the position filter
   double positionFilterDistance = 0;  ///< mm
   /// Grid of the previous run, used again if it still suits the sweep. With keepRoom, a new grid
-  /// has a margin for later sweeps.
+  /// has a margin for the sweeps of later calls.
   const GridPlan* lastGrid = nullptr;
   bool keepRoom = false;
   bool keepBody = false;     ///< true: do not split long edges, since the topology is in use

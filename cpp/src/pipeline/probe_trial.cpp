@@ -64,7 +64,8 @@ std::vector<CellKey> mixedCells(const HermiteGrid& grid) {
   return cells;
 }
 
-/// A cell with a copy of its crossings, and the indices of these crossings in the grid.
+/// A cell with a copy of its crossings, the indices of these crossings in the grid, and for each
+/// its slot: twice its edge, plus 1 for the upper end.
 struct OwnCell {
   Cell cell;
   std::vector<Crossing> crossings;
@@ -110,8 +111,8 @@ struct OwnCell {
   }
 };
 
-/// Casts the probes of one cell, in coordinates whose origin is the corner of the cell. Records
-/// number and time of casts.
+/// Casts the probes of one cell, in coordinates whose origin is the corner of the cell. Counts the
+/// casts and measures their time.
 class CellProbe : public SurfaceProbe {
  public:
   /// `starts`: every search begins with the elements of these crossings.
@@ -145,8 +146,8 @@ class CellProbe : public SurfaceProbe {
   mutable ProbeCost cost_;
 };
 
-/// Returns the element of the whole motion that corresponds to a crossing of the rough motion.
-/// `seconds`: time of the crossing.
+/// Returns the element of the whole motion that corresponds to an element of the rough motion.
+/// `seconds`: time of the crossing that this element made.
 SweptElement elementOfWhole(SweptElement element, const Motion& whole, const Motion& rough,
                             double seconds) {
   const auto& all = whole.placements;

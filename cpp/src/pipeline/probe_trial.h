@@ -1,12 +1,13 @@
-// Estimates the cost of the probes that contouring casts, from a sample of the cells.
+// Estimates the cost of the probes that contouring casts, by casting those of some cells.
 // In:    the whole motion; a rough surface of it on the same grid (rough_surface.h).
 // Out:   number of probes and their CPU seconds.
 // Cost:  about kProbeSeconds, or the fraction kProbePart of the estimated time.
 // Method: the probes of a cell depend on the exact positions of its crossings. A recorded motion
-//        trembles between the placements of a rough sweep. Trembling makes creases, which need many
-//        more probes. So the trial first moves the crossings of a cell to the surface of the whole
-//        motion. Then it casts the same probes as a run, against elements of the whole motion,
-//        because the positions of later probes depend on the answers to earlier ones.
+//        vibrates between the placements of the rough motion. The vibration makes creases, which
+//        need many more probes. So the trial first moves the crossings of a cell to the surface of
+//        the whole motion. Then it casts the same probes as a run, against elements of the whole
+//        motion. They must be cast, because the answers to earlier probes determine where later
+//        ones begin.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,6 +1,6 @@
-// The last test before a run returns a mesh.
-// In:    the findings of the checker in this run, and the cell. Throws Error(InternalError,
-//        "CheckFailed") with every fault, its count and advice for the user.
+// Checks for the last time before a run returns a mesh.
+// In:    the findings of the checker in this run, and the cell size. If there are faults, throws
+//        Error(InternalError, "CheckFailed") with every fault, its count and advice for the user.
 // Units: mm.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -14,15 +14,15 @@
 namespace swept {
 namespace {
 
-/// Bounds of the number of placements of the rough motion. Between the bounds, the limit
-/// RoughRoom::faces decides.
+/// Bounds of the number of placements of the rough motion. Between them, RoughRoom::faces
+/// determines the number.
 constexpr std::size_t kFewest = 6, kMost = 192;
-/// A motion of at most this many placements is used whole, if its faces are within the limit.
+/// A motion of at most this many placements is used whole if its faces are within RoughRoom::faces.
 constexpr std::size_t kMostWhole = 384;
 /// The grid is at most this many times coarser and has at least this many cells along its longest
 /// side.
 constexpr std::int32_t kCoarsest = 8, kFewestCells = 12;
-/// To choose the coarsening, a motion of fewer steps is sampled at one place, others at two.
+/// To choose the coarsening, a motion with fewer steps is sampled at one placement, others at two.
 constexpr std::size_t kFewSteps = 16;
 /// Normals and times are computed for about this many crossings at most.
 constexpr double kRoughCrossings = 5e5;
@@ -52,8 +52,8 @@ Motion thinned(const Motion& motion, std::size_t wanted) {
   return part;
 }
 
-/// Returns how many cells the body travels, in the mean over the corners of its bounding box. Each
-/// side patch is about as long.
+/// Returns how many cells the body travels: the mean over the corners of its bounding box. Side
+/// patches have about this total length.
 double travelInCells(const SamplerInput& whole, const Motion& motion) {
   const Eigen::AlignedBox3d box = boxOf(whole.body);
   double sum = 0;

@@ -1,8 +1,8 @@
-// Estimates the size of a sweep's surface and the cost of contouring it, from a sweep along a few
-// of its placements, on the grid of the run or on a coarser one.
+// Estimates the number of crossings on the surface of a sweep and the cost of contouring it.
+// Samples a rough sweep: a few of the placements, on the grid of the run or on a coarser one.
 // In:    the sampler input of the run. Out: estimated crossings and probes.
 // Cost:  sampling within RoughRoom, plus the cost of probe_trial.h. Limits are counts, not times.
-// Method: the rough sweep has nearly the same surface and creases; it only misses the trembling of
+// Method: the rough sweep has nearly the same surface and creases; it only misses the vibration of
 //        the motion between its placements. In cells r times as large, a surface has r * r times
 //        fewer crossings; an edge through a thin wall still has two.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -18,8 +18,9 @@ namespace swept {
 
 /// Approximate limits of a rough sweep.
 struct RoughRoom {
-  double faces = 1.5e6;    ///< faces of the body times placements
-  double crossings = 1e7;  ///< raw crossings, of which later only the first on each edge remain
+  double faces = 1.5e6;  ///< faces of the body times placements
+  /// Raw crossings: all of them, not only the first from each end of an edge.
+  double crossings = 1e7;
   double stripes = 1.5e7;  ///< faces of the body times cells that it travels
 };
 /// Returns limits that are a small fraction of the run's own figures, but no less than the
@@ -31,8 +32,8 @@ struct RoughSurface {
   ProbeCost probes;  ///< cost of the probes that contouring casts
 };
 
-/// Returns the estimate. `known` are the marked edges of the whole motion on the grid of the run,
-/// if they exist; the function consumes them.
+/// Returns the estimate. `known`: the marked edges of the whole motion on the grid of the run, if
+/// they exist; the function consumes them.
 RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
                           std::optional<MarkedEdges> known, ComponentMethod components,
                           RunContext& run);

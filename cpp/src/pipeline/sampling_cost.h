@@ -1,4 +1,4 @@
-// Cost of sampling a part of a motion, for estimates.
+// Measures the cost of sampling a part of a motion, for estimates.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

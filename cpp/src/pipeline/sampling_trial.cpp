@@ -15,24 +15,24 @@
 namespace swept {
 namespace {
 
-/// Work of the trial, counted in copies of triangles. A crossing counts as kCrossingWork copies.
+/// Work of the trial, in copies of triangles. A crossing counts as kCrossingWork copies.
 constexpr double kTrialWork = 2.4e6, kCrossingWork = 0.25;
-/// Bounds of the number of steps that are sampled, or of copies of a union. For bodies with few
-/// triangles the upper bound grows up to kMostCheap. Only long windows contain parts of the motion
-/// that hide each other although they are far apart in time.
+/// Bounds of the number of sampled steps; kFewestCopies: of sampled copies of a union. For bodies
+/// with few triangles, the upper bound grows up to kMostCheap. Then the windows are long, so that
+/// parts of the motion that are far apart in time can hide each other.
 constexpr std::size_t kFewest = 24, kFewestCopies = 8, kMost = 192, kMostCheap = 1536;
 constexpr double kCheapCopies = 4e5;
-/// Number of windows of the motion that are sampled, each with two lengths, one twice the other.
-/// Bodies with many triangles get fewer windows.
+/// Number of windows of the motion that are sampled. Each is sampled with two lengths, one twice
+/// the other. Bodies with many triangles get fewer windows.
 constexpr std::size_t kMostWindows = 32, kFewestWindows = 2;
-/// The crossings of a copy are estimated at this many places of the motion, from about this many
-/// faces at each place.
+/// The crossings of a copy are estimated at this many placements, from about this many faces at
+/// each.
 constexpr std::size_t kLooks = 4, kLookFaces = 4096;
 /// A trial samples at least this many groups of kClustersTogether clusters each.
 constexpr std::size_t kFewestParts = 24;
 /// Each further copy is assumed to cost at least this fraction of the mean cost of a sampled copy.
 constexpr double kLeastFraction = 0.2;
-/// Bytes of a crossing that is being sorted (with its share of the buffer), and of an element.
+/// Bytes of a crossing that is being sorted (including its buffer), and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
 
 double times(std::size_t all, std::size_t part) {
@@ -57,8 +57,8 @@ SamplingTrial::SamplingTrial(const SamplerInput& whole, RunContext& run)
 
 double SamplingTrial::bytesOf(const SamplingCost& sampling, double surface, double threads) const {
   const SamplerInput whole = input(whole_.motion);
-  // Work items remove needless crossings on the way (thinning), but only if they have many. A union
-  // of many placements has thousands of items, so perhaps none of them has enough.
+  // Work items drop some crossings while they still sample (thinning), but only if they have
+  // many. A union of many placements has thousands of items, so perhaps none of them has enough.
   const double items = static_cast<double>(workItems(whole).size());
   const bool thins =
       sampling.crossings > items * kMinThinRecords && placementsOfItem(whole) >= kMinThinPlacements;
@@ -88,7 +88,7 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   const std::size_t lookParts =
       std::clamp<std::size_t>(static_cast<std::size_t>(faces) / kLookFaces, 1, most);
   // PlaceGroups would take time to build and change nothing here: the map of the inside hides the
-  // same crossings without them. `none` has no groups, because its input has no map.
+  // same crossings without them. `none` has no groups, because `plain` has no map of the inside.
   SamplerInput plain = input(whole_.motion);
   plain.inside = nullptr;
   const PlaceGroups none(plain, *whole_.clusters, run_);
@@ -109,8 +109,8 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   const std::size_t cap =
       std::clamp(static_cast<std::size_t>(kCheapCopies / faces), kMost, kMostCheap);
   if (count <= 2 * cap && affordable((count + 1) / 2)) return {count, 1, true};
-  // Steps differ more than clusters. So it is better to sample all steps with some clusters than
-  // some steps with all clusters.
+  // Steps differ more from each other than clusters do. So sampling all steps with some clusters is
+  // better than sampling some steps with all clusters.
   if (whole_.motion.continuous &&
       (count <= 2 * kFewest || (count <= kMost && affordable(count / most)))) {
     return {count, partsOf(count), true};
@@ -120,8 +120,8 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   return {steps, partsOf(steps), false};
 }
 
-/// Samples some copies of a union at once, and a single copy. The difference is the cost of the
-/// copies without the fixed cost of the grid.
+/// Samples several copies of a union together, and one copy alone. The difference is the cost of
+/// the copies without the fixed cost of the grid.
 SamplingCost SamplingTrial::bySomeCopies(std::size_t count, std::size_t wanted) const {
   Motion some;
   for (std::size_t n = 0; n < wanted; ++n)
@@ -137,7 +137,7 @@ SamplingCost SamplingTrial::bySomeCopies(std::size_t count, std::size_t wanted) 
   return largerOf(sum, least);
 }
 
-/// Samples all steps twice: with some of the clusters, and with no clusters to measure the fixed
+/// Samples all steps twice: with some of the clusters, and without clusters to measure the fixed
 /// cost.
 SamplingCost SamplingTrial::byAllSteps(std::size_t count, const Parts& parts) const {
   const SamplingCost shown = at({0, count + 1}, parts.clusterParts), bare = at({0, count + 1}, 0);
@@ -148,11 +148,11 @@ SamplingCost SamplingTrial::byAllSteps(std::size_t count, const Parts& parts) co
   return largerOf(sum, shown);
 }
 
-/// Samples windows of `steps` steps and windows twice as long. The fixed cost of a window is at
-/// most about the cost of `steps` steps. So `steps` steps cost between a third and a half of the
-/// cost of a long window. Between these bounds, the difference of both windows decides; alone it
-/// would be unreliable on a busy machine. A window without clusters gives the fixed cost of a work
-/// item.
+/// Samples windows of `steps` steps and windows twice as long. The difference of their costs is the
+/// cost of `steps` steps, without the fixed cost of a window. This fixed cost is at most about the
+/// cost of `steps` steps. So the difference lies between a third and a half of the cost of a long
+/// window. It is clamped to this range, because times are unreliable on a busy machine. A window
+/// without clusters gives the fixed cost of a work item.
 SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) const {
   const std::size_t item = placementsOfItem(input(whole_.motion));
   const std::size_t windows = std::clamp(parts.steps / 3, kFewestWindows, kMostWindows);
@@ -175,7 +175,7 @@ SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) con
     const PlacementRange half{both.begin, both.begin + steps};
     const SamplingCost bare = at(half, 0, &groups), one = at(half, parts.clusterParts, &groups),
                        two = at(both, parts.clusterParts, &groups);
-    SamplingCost each = two;  // cost of 2 * steps steps
+    SamplingCost each = two;  // cost of a window of 2 * steps steps
     const double shown = std::max(0.0, two.seconds - bare.seconds);
     each.seconds = 2 * std::clamp(two.seconds - one.seconds, shown / 3, shown / 2);
     sum.add(each, times(count, 2 * windows * steps) / fraction);
@@ -188,8 +188,8 @@ SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) con
 
 std::size_t SamplingTrial::mostClusterParts() const {
   const FaceClusters& clusters = *whole_.clusters;
-  // The patches at open borders belong to no cluster, so a trial could not leave any of them out.
-  // Then it samples all clusters, too.
+  // Patches at open borders belong to no cluster, so a trial could not leave any of them out.
+  // Therefore it then samples all clusters, too.
   if (clusters.firstBorder.back() < clusters.borders.size()) return 1;
   return std::max<std::size_t>(1, clusters.clusters.size() / (kClustersTogether * kFewestParts));
 }

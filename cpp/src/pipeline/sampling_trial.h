@@ -2,11 +2,11 @@
 // In:    the sampler input of the run, with clusters.
 // Out:   CPU seconds, crossings and elements of the whole motion.
 // Cost:  limited by counts of triangle copies and crossings, not by time: about kTrialWork, or up
-//        to twice as much if that covers the whole motion. Building the map of the inside takes as
-//        long as in a run.
-// Method: a trial samples windows of a few steps at some places of the motion. For a body with many
-//        triangles, a window uses only some clusters of faces, while culling still uses the whole
-//        body. Windows are cut into the work items of the run and skip the blocks and groups of
+//        to twice as much if the whole motion then can be sampled. Building the map of the inside
+//        takes as long as in a run.
+// Method: a trial samples windows of a few steps at some placements of the motion. For a body with
+//        many triangles, a window uses only some clusters of faces, while culling still uses the
+//        whole body. Windows are cut into work items as in a run, and skip the blocks and groups of
 //        placements that the run skips (sampling/culling/step_blocks.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -25,7 +25,7 @@ class SamplingTrial {
  public:
   SamplingTrial(const SamplerInput& whole, RunContext& run);
 
-  /// Returns the CPU seconds for finding the deep inside of the whole motion
+  /// Returns the CPU seconds for building the map of the inside of the whole motion
   /// (sampling/cpu/deep_inside.h).
   double insideSeconds() const { return insideSeconds_; }
   struct Whole {
@@ -34,8 +34,8 @@ class SamplingTrial {
   };
   /// Returns the cost of sampling the whole motion, without insideSeconds().
   Whole whole() const;
-  /// Returns the peak memory in bytes: the larger of sampling the whole motion and of building the
-  /// map of the inside before. `surface`: number of crossings of the surface.
+  /// Returns the peak memory in bytes: the larger of two phases, building the map of the inside and
+  /// sampling the whole motion. `surface`: number of crossings of the surface.
   double bytesOf(const SamplingCost& sampling, double surface, double threads) const;
 
  private:
@@ -46,15 +46,15 @@ class SamplingTrial {
     bool all = false;              ///< true: all steps
   };
 
-  /// True if the sampler tests clusters of faces. It does not for a union without a map of the
-  /// inside.
+  /// True if the sampler tests clusters of faces: for continuous motions, and for unions of
+  /// separate copies only with a map of the inside.
   bool byClusters() const { return whole_.motion.continuous || inside_.has_value(); }
   Parts partsFor(std::size_t count) const;
   SamplingCost bySomeCopies(std::size_t count, std::size_t wanted) const;
   SamplingCost byWindows(std::size_t count, const Parts& parts) const;
   SamplingCost byAllSteps(std::size_t count, const Parts& parts) const;
   std::size_t mostClusterParts() const;
-  /// Returns the fraction of all faces that a trial with `clusterParts` samples.
+  /// Returns which fraction of all faces a trial with `clusterParts` samples.
   double fractionShown(std::size_t clusterParts) const;
 
   SamplerInput input(const Motion& motion) const;

@@ -23,8 +23,8 @@ namespace {
 constexpr double kBodySeconds = 1.5e-6, kPoseSeconds = 1.5e-6, kCrossingSeconds = 3e-6;
 
 /// Returns the seconds that simplification takes. The finer the tolerance, the more often the
-/// distance from the surface is measured: measured on machined parts and scans with tolerances of
-/// 0.05 to 2 cells, 2.3 to 34 microseconds of CPU per triangle. A fifth of it is not parallel.
+/// distance from the surface is measured. On machined parts and scans with tolerances of 0.05 to 2
+/// cells, it took 2.3 to 34 microseconds of CPU time per triangle. A fifth of it is not parallel.
 double simplifySeconds(double triangles, double cell, const Options& options, double threads) {
   if (!(options.tolerance > 0)) return 0;
   const double cells = std::clamp(options.tolerance / cell, 0.02, 10.0);
@@ -57,7 +57,8 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
       surface = roughSurface(input, {}, std::nullopt, options.components, run);
       const dense::DenseCost cost = dense::tryDense(input, surface.crossings, run);
       seconds += cost.seconds / threads;
-      // The dense sampler frees its memory before the mesh is made: only the larger amount counts.
+      // The dense sampler frees its memory before the mesh is made, so only the larger of the two
+      // counts.
       bytes = std::max(0.0, cost.bytes - surface.crossings * bytesOfCrossing(options)) -
               static_cast<double>(denseBytes(p.body.mesh));
       return;

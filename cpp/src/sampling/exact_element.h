@@ -1,4 +1,4 @@
-// The exact crossings of a single element: the reference for testing the result of a sampler.
+// Computes the exact crossings of a single element, as a reference for testing samplers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

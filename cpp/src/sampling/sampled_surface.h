@@ -19,7 +19,8 @@ struct SampledSurface {
   std::vector<Finding> notes;
 };
 
-/// Computes signs from marks. Samplers call it between their passes; a fallback calls it again.
+/// Computes signs from marked edges. A sampler with two passes calls it between them. If the CPU
+/// then has to take over, it is called again.
 using FindSigns = std::function<SignRuns(const MarkedEdges&)>;
 
 }  // namespace swept

@@ -19,7 +19,7 @@ constexpr std::size_t kMaxPoints = 8;  // lattice points tested per component
 /// A point nearer to the body than this (cells) counts as inside.
 constexpr double kGrazing = 0.05;
 
-/// Tells whether the moving body ever contains a point.
+/// Tests whether the moving body ever contains a point.
 class MovingSolid {
  public:
   MovingSolid(const TriMesh& body, const Motion& motion, double grazing)
@@ -40,7 +40,8 @@ class MovingSolid {
   bool everContains(const Vector3d& world) const {
     const std::size_t n = motion_.placements.size();
     if (!motion_.continuous) {
-      // Visits the copies in strides, because a point mostly lies inside many successive copies.
+      // Visits the copies in strides, because a point that lies inside a copy usually lies inside
+      // many successive ones.
       const std::size_t stride = n > 64 ? n / 64 | 1 : 1;
       for (std::size_t start = 0; start < stride; ++start) {
         for (std::size_t k = start; k < n; k += stride) {
@@ -88,7 +89,7 @@ class MovingSolid {
 
 /// A lattice point of a component to test.
 struct Queried {
-  std::int32_t length = 0;  ///< of the run; the point is the middle of this run
+  std::int32_t length = 0;  ///< of the run; the point is in its middle
   std::array<std::int32_t, 3> point{0, 0, 0};
 };
 

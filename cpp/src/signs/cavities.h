@@ -1,14 +1,15 @@
-// Finds the enclosed spaces of a sweep that are hollow, which the envelope keeps as inner shells if
-// the user requests them.
+// Finds the enclosed spaces of a sweep that are hollow. The envelope keeps them as inner shells if
+// the user requests this.
 //
 // In: signs with their components, marked edges, body and motion. Out: the runs of hollow
 // components are set to outside, so that their walls contribute like the outer surface.
-// Method: no piece of the sweep's boundary passes through a component, so one lattice point stands
-// for all of its points. The search follows the point in the body's frame. If the point is farther
-// from the body's surface than it can move during a step, it stays inside or outside; otherwise the
-// step is halved. Up to eight points of a component are tested, in the middle of its longest runs.
-// The component is hollow if none of these points ever lies in the body or close to its surface.
-// Precondition: a closed body. Cost: O(components x steps) searches of bounded reach.
+// Method: no piece of the sweep's boundary passes through a component, so one lattice point
+// represents all points of the component. The search follows this point in the body's frame. If the
+// point is farther from the body's surface than it can move during a step, it stays inside or
+// outside. Otherwise the step is halved. Up to eight points of a component are tested, in the
+// middle of its longest runs. The component is hollow if none of these points ever lies in the body
+// or close to its surface.
+// Precondition: a closed body. Cost: O(components x steps) searches of limited reach.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,8 +25,8 @@ namespace swept {
 using SolidPoint = std::function<bool(std::int32_t i, std::int32_t j, std::int32_t k)>;
 
 /// Sets the hollow components to outside and returns their number. isSolid(i, j, k), if given,
-/// tells which lattice points are solid in any case: for an offset, those within the offset
-/// distance.
+/// returns whether a lattice point is solid in any case. For an offset, these are the points within
+/// the offset distance.
 std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& component,
                           const MarkedEdges& marked, const GridPlan& grid, const TriMesh& body,
                           const Motion& motion, const SolidPoint& isSolid, RunContext& run);

@@ -1,4 +1,4 @@
-// Visits the marked edges that have an outside end, layer by layer. Cost: O(marked edges).
+// Visits the marked edges with an outside end, layer by layer. Cost: O(marked edges).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,7 +10,8 @@
 
 namespace swept {
 
-/// Tells which points of a lattice line lie outside. Call outside(k) with rising k only.
+/// Finds out which points of a lattice line lie outside. outside(k) must be called with ascending
+/// k.
 class LineReader {
  public:
   LineReader(const MarkedEdges& marked, const SignRuns& signs, std::int32_t i, std::int32_t j)
@@ -33,8 +34,8 @@ class LineReader {
   const MarkedEdge* end_;
 };
 
-/// Calls use(first, last) for each run of outside points k of a lattice line. `points`: the number
-/// of points on the line.
+/// Calls use(first, last) for each run of outside points k of a lattice line. `points`: number of
+/// points on the line.
 template <class Use>
 void forOutsideRuns(const MarkedEdges& marked, const SignRuns& signs, std::int32_t points,
                     std::int32_t i, std::int32_t j, const Use& use) {
@@ -49,8 +50,8 @@ void forOutsideRuns(const MarkedEdges& marked, const SignRuns& signs, std::int32
   if (*run != 0) use(first, points - 1);
 }
 
-/// Calls use(j, edge, sides) for the marked edges of a layer and axis that have an outside end.
-/// `sides` has the bits of HermiteEdge::sides. Marked is MarkedEdges or const MarkedEdges.
+/// Calls use(j, edge, sides) for the marked edges of a layer and axis with an outside end. `sides`
+/// has the bits of HermiteEdge::sides. Marked is MarkedEdges or const MarkedEdges.
 template <class Marked, class Use>
 void forContributing(Marked& marked, const SignRuns& signs, const GridPlan& grid, std::int32_t i,
                      int axis, const Use& use) {

@@ -92,7 +92,7 @@ SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext
   });
 
   signs.outside.resize(runs);
-  // Links lead to smaller numbers, so one pass in rising order links each run to its root.
+  // Links lead to smaller numbers, so one pass in ascending order links each run to its root.
   for (std::uint64_t r = 0; r < runs; ++r) {
     parent[r] = parent[parent[r]];
     signs.outside[r] = parent[r] == 0;

@@ -1,5 +1,5 @@
-// Finds the lattice points that are connected with the outside, by runs and union-find instead of a
-// flood fill over voxels.
+// Finds the lattice points that are connected with the outside. Uses runs and union-find instead of
+// a flood fill over voxels.
 //
 // In: marked edges. Out: whether each run lies outside. Cost: time linear in runs and marked edges;
 // 4 bytes per line and 5 bytes per run.
@@ -33,8 +33,8 @@ struct SignRuns {
   }
 };
 
-/// Finds the outside runs. `component`, if given, receives a number per run; all runs that are
-/// joined have the same number.
+/// Finds the outside runs. `component`, if given, receives a number per run. Runs that are joined
+/// have the same number.
 SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext& run,
                      std::vector<std::uint32_t>* component = nullptr);
 

@@ -17,8 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// For the points that are attached along a long edge: their distance in tolerances, and their
-// largest number.
+// Spacing (in tolerances) and largest number of the points that are attached along a long edge.
 constexpr double kWatchSpacing = 3;
 constexpr int kMaxWatched = 3;
 // Number of slabs that are processed in parallel; fixed, so that the result does not depend on the
@@ -90,8 +89,8 @@ class Slabs {
 
   const std::vector<std::int32_t>& partOf() const { return partOf_; }
 
-  /// `done`: by vertex, 0 or more if an earlier pass has finished the vertex. null: there was no
-  /// earlier pass.
+  /// `done`: for each vertex, 0 or more if an earlier pass has finished the vertex. Null: there was
+  /// no earlier pass.
   std::vector<WorkPart> parts(const std::vector<std::int32_t>* done) const {
     std::vector<WorkPart> parts(limits_.size() + 1);
     for (std::size_t s = 0; s < parts.size(); ++s) {

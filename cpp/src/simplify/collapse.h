@@ -12,9 +12,9 @@
 //          open ground lie within the tolerance of the original. No new triangle intersects another
 //          one, unless the triangles that it replaces already did. A border stays near the surface
 //          of its patch and does not pass over vertices of the patch.
-// Threads: First, a fixed number of slabs is processed in parallel. Triangles of different slabs
-//          cannot meet. Then follow the slabs around the limits of the first slabs, and last the
-//          rest in one thread. The result does not depend on the number of threads.
+// Threads: A fixed number of slabs is processed in parallel first. Triangles of different slabs
+// cannot meet. Then slabs around the limits between the first slabs are processed, and finally the
+// rest in one thread. The result does not depend on the number of threads.
 // Cost:    about 30 us per collapse.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -48,28 +48,30 @@ enum class VertexKind : char { Free, Border, Fixed };
 struct CollapseState {
   double tolerance = 0;
   Phase phase = Phase::Simplify;
-  const NearestTriangle* original = nullptr;  ///< new triangles stay near it; null: not checked
+  /// New triangles stay near this mesh; null: not checked.
+  const NearestTriangle* original = nullptr;
   std::vector<std::unique_ptr<LabelSurface>> surfaces;  ///< by label
   TriMesh mesh;
   std::vector<std::int32_t> label;  ///< label of each triangle
   std::vector<VertexKind> kind;     ///< kind of each vertex
-  /// By triangle: points that must stay near the triangle.
+  /// For each triangle, points that must stay near it.
   std::vector<std::vector<Eigen::Vector3d>> attached;
   std::vector<char> dead;  ///< for each triangle, 1 if it was removed
-  /// By vertex: 1 if new triangles around it are sampled at half the tolerance. A vertex that
-  /// collapses passes this flag on. Empty: no vertex has the flag.
+  /// For each vertex, 1 if new triangles around it are sampled at half the tolerance. A vertex that
+  /// is merged passes this flag on. Empty: no vertex has the flag.
   std::vector<char> careful;
-  /// Distance of the sample points on all other new triangles, in tolerances. It comes from a
+  /// Spacing of the sample points on all other new triangles, in tolerances. The value comes from a
   /// trial: the bunny test mesh moved over 16 keys, at 512 cells, tolerance 0.5 mm. After the first
-  /// round, with coarseness 1.5, 10 places were too far off, by at most 1.1 tolerances; with 3, 11
-  /// places by 1.2; with 5, 48 places by 1.3; with 8, 53 places by 2.1.
+  /// round, 10 places deviated too much with coarseness 1.5, by at most 1.1 tolerances; with 3, 11
+  /// places by at most 1.2; with 5, 48 places by 1.3; with 8, 53 places by 2.1.
   double coarseness = 3;
-  /// By vertex: a triangle of the original near the vertex; -1 if not known. Empty: none is known.
+  /// For each vertex, a triangle of the original near the vertex; -1 if unknown. Empty: all are
+  /// unknown.
   std::vector<std::int32_t> nearby;
 
   // collapseEdges() sets the members below.
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< origin of the quadrics
-  double spacing = 0;  ///< distance of the sample points on new triangles, mm
+  double spacing = 0;  ///< spacing of the sample points on new triangles, mm
   std::vector<std::vector<std::int32_t>> around;  ///< for each vertex, its triangles
   std::vector<Quadric> quadric;
   std::vector<char> gone;  ///< for each vertex, 1 if it was removed
@@ -77,8 +79,8 @@ struct CollapseState {
 };
 
 /// Attaches points along long edges and in the middle of long triangles. Without them, nothing
-/// would keep the inside of a long triangle in place. `watched`: by triangle, 1 if it already has
-/// such points.
+/// would keep the inside of a long triangle in its position. `watched`: for each triangle, 1 if it
+/// already has such points.
 void watchLongEdges(CollapseState& state, const std::vector<char>& watched);
 
 /// Collapses edges. With `quick`, stops after the slabs. `log`, unless null, receives each step.
@@ -88,7 +90,7 @@ void collapseEdges(CollapseState& state, bool quick, RunContext& run, CollapseLo
 void collapseAgain(CollapseState& state, const std::vector<std::int32_t>& triangles,
                    RunContext& run, CollapseLog& log);
 
-/// Returns the remaining triangles, without labels. `triangles` receives their numbers in the
+/// Returns the remaining triangles, without labels. `triangles` receives their indices in the
 /// state.
 TriMesh takeMesh(const CollapseState& state, std::vector<std::int32_t>* triangles = nullptr);
 

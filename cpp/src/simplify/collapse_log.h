@@ -1,5 +1,5 @@
-// Records the steps of an edge collapse, so that some of them can be undone where the surface
-// deviates too far. The rest of the surface stays as it is.
+// Records the steps of an edge collapse, so that some steps can be undone where the surface
+// deviates too far. The rest of the surface does not change then.
 // Units:   mm.
 // Cost:    about 200 bytes per step; undoing takes O(steps).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -17,17 +17,17 @@ class CollapseLog {
  public:
   using Corners = std::array<std::int32_t, 3>;
 
-  /// Records that vertex `from` was merged into `to`, which had the position `place` before.
-  /// `staying` are the triangles that remain, `corners` their vertices before the step, and `going`
-  /// the removed triangles.
+  /// Records that vertex `from` was merged into `to`, whose position was `place` before. `staying`:
+  /// the triangles that remain; `corners`: their vertices before the step; `going`: the removed
+  /// triangles.
   void add(std::int32_t from, std::int32_t to, const Eigen::Vector3d& place,
            const std::vector<std::int32_t>& staying, const std::vector<Corners>& corners,
            const std::vector<std::int32_t>& going);
   void append(const CollapseLog& later);
 
   /// Undoes the last `depth` steps at each of the triangles, and all later steps that depend on
-  /// them. Points that were attached to the changed triangles move to the nearest restored
-  /// triangle. Returns the changed triangles in ascending order; empty if no step touched any of
+  /// these. Points that were attached to the changed triangles move to the nearest restored
+  /// triangle. Returns the changed triangles in ascending order; empty if no step changed any of
   /// `triangles`.
   std::vector<std::int32_t> takeBack(CollapseState& state,
                                      const std::vector<std::int32_t>& triangles, int depth);

@@ -14,13 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Share of the squared tolerance; a search stops at a point this near.
+// Fraction of the squared tolerance; a search ends at a triangle this near.
 constexpr double kNearFraction = 0.25;
-// Share of the tolerance by which a border may pass over its patch.
+// Fraction of the tolerance by which a border may pass over its patch.
 constexpr double kFoldFraction = 0.1;
 constexpr double kMinCosine = 0.2;  // a triangle may turn by less than 78 degrees
 constexpr double kMinShape = 0.01;  // height / longest side of a new triangle
-// Limit for the sample points on new triangles, as a share of the squared tolerance. The rest
+// Limit for the sample points on new triangles, as a fraction of the squared tolerance. The rest
 // allows for the surface between the points.
 constexpr double kNetFraction = 0.96;
 // Weight of the squared edge length in the cost, to be multiplied by the squared tolerance. It
@@ -101,7 +101,8 @@ void Collapser::push(std::int32_t a, std::int32_t b) {
   q += state_.quadric[b];
   const double error = q.error(placeFor(a, b) - state_.origin);
   const double square = state_.tolerance * state_.tolerance;
-  // If even the mean squared distance from the planes is too large, the largest one is as well.
+  // If even the mean squared distance from the planes is too large, the largest one is too large,
+  // too.
   if (error > q.weight * square) return;
   const double cost = error + kLengthWeight * square * (at(a) - at(b)).squaredNorm();
   queue_.push({cost, a, b, state_.stamp[a], state_.stamp[b]});
@@ -110,7 +111,8 @@ void Collapser::push(std::int32_t a, std::int32_t b) {
 void Collapser::pushAround(std::int32_t v, bool once) {
   neighbours(v, ring_);
   for (const std::int32_t w : ring_) {
-    // With `once`, an edge with both ends in part_.vertices is pushed only from the smaller vertex.
+    // With `once`, an edge with both ends in part_.vertices is put into the queue only from the
+    // smaller one.
     if (!once || v < w || !std::binary_search(part_.vertices.begin(), part_.vertices.end(), w))
       push(v, w);
   }
@@ -131,8 +133,8 @@ void Collapser::collapse(std::int32_t from, std::int32_t to) {
   if (!mayGo(from, to) || !linkIsSimple(from, to) || !borderHolds(from, to)) return;
   const Vector3d best = placeFor(from, to);
   if (tryCollapse(from, to, best)) return;
-  // If a point is too far from the surface with the quadrics' best position, another position may
-  // still work.
+  // The best position of the quadrics may leave a point too far from the surface. Then another
+  // position may still work.
   if (!isFree(from) || !isFree(to)) return;
   const Vector3d middle = 0.5 * (at(from) + at(to));
   const Vector3d first = at(from), last = at(to), between = 0.5 * (best + middle);
@@ -162,7 +164,8 @@ bool Collapser::borderHolds(std::int32_t from, std::int32_t to) {
   return true;
 }
 
-// Whether the triangle would face the other way: its normal against that of the surface.
+// Returns whether the triangle would face the other way: compares its normal with that of the
+// surface.
 bool Collapser::turnsOver(const std::array<Vector3d, 3>& next, const LabelSurface& surface) const {
   const Vector3d normal = surface.normal((next[0] + next[1] + next[2]) / 3);
   return areaOf(next).dot(normal) <
@@ -224,7 +227,7 @@ bool Collapser::shapesHold(std::int32_t from, std::int32_t to, const Vector3d& p
 }
 
 // Finds a new triangle within the tolerance for each point that is attached to a changing triangle.
-// The point's old triangle is tried first; if it is near enough, the search ends there.
+// The old triangle of the point is tried first; if it is near enough, the search ends.
 bool Collapser::findAllHomes(std::int32_t from, std::int32_t to) {
   moved_.clear();
   if (!findHome(at(from), -1)) return false;
@@ -243,7 +246,7 @@ bool Collapser::findHomes(std::int32_t triangle, std::int32_t before) {
   std::vector<Vector3d>& points = state_.attached[triangle];
   for (Vector3d& p : points) {
     if (findHome(p, before)) continue;
-    // Most collapses fail. The point that failed moves to the front, so that the next trial tests
+    // Most collapses fail. The point that failed moves to the front, so that the next attempt tests
     // it first.
     std::swap(p, points[0]);
     return false;
@@ -275,7 +278,7 @@ bool Collapser::isNearOriginal(const Vector3d& p) {
   return state_.original->isNear(p, limit, nearest_);
 }
 
-// Whether sample points on the new triangles lie near the original.
+// Returns whether sample points on the new triangles lie near the original.
 bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d& place) {
   nearest_ = state_.nearby[to];
   if (isFree(from) && isFree(to) && !isNearOriginal(place)) return false;
@@ -286,7 +289,8 @@ bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d
     if (state_.label[staying_[k]] >= 0) continue;
     const auto& c = corners_[k];
     if (squaredLongest(c) <= spacing * spacing) continue;
-    // The corners are known to be near the original. They only supply the hint for the next search.
+    // The corners are known to be near the original, so they only give the hint for the next
+    // search.
     const auto& v = state_.mesh.triangles[staying_[k]];
     const bool far = spreadPoints(c[0], c[1], c[2], spacing, [&](const Vector3d& p) {
       for (int i = 0; i < 3; ++i) {
@@ -309,8 +313,8 @@ bool Collapser::meet(std::int32_t triangle, std::int32_t other) const {
   return meetWrongly(mesh, triangle, other);
 }
 
-// Returns whether a remaining triangle with its new vertices intersects another triangle. Collects
-// these triangles in hits_.
+// Returns whether a remaining triangle intersects another triangle after its corners have moved.
+// Collects the other triangles in hits_.
 bool Collapser::meetsOthers() {
   hits_.clear();
   around_.clear();
@@ -334,7 +338,7 @@ bool Collapser::meetsOthers() {
   return !hits_.empty();
 }
 
-// Whether the changed triangles already intersected `other` before the step.
+// Returns whether one of the changed triangles already intersected `other` before the step.
 bool Collapser::metBefore(std::int32_t other) const {
   const auto meets = [&](std::int32_t t) { return t == other || meet(t, other); };
   if (std::find(staying_.begin(), staying_.end(), other) != staying_.end()) return false;

@@ -1,4 +1,5 @@
-// One worker of the edge collapse (collapse.h). It processes one slab of the mesh, or all of it.
+// One worker of the edge collapse (collapse.h). It processes one slab of the mesh, or the whole
+// mesh.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,16 +15,17 @@
 
 namespace swept {
 
-/// The part of one worker. The worker may change the vertices that have its number in partOf. Their
-/// coordinate along the axis stays within [low, high).
+/// The part of one worker. The worker may only change vertices whose entry in partOf is its number.
+/// The coordinate of these vertices along the axis stays within [low, high).
 struct WorkPart {
-  /// By vertex: the number of its worker. null: all vertices belong to this worker.
+  /// For each vertex, the number of its worker. Null: all vertices belong to this worker.
   const std::vector<std::int32_t>* partOf = nullptr;
   std::int32_t number = 0;
   int axis = 0;
   double low = -1e300, high = 1e300;
-  std::vector<std::int32_t> vertices;   ///< start vertices, in ascending order
-  std::vector<std::int32_t> triangles;  ///< triangles that may meet the worker's, including its own
+  std::vector<std::int32_t> vertices;  ///< start vertices, in ascending order
+  /// Triangles that may meet those of the worker, including its own.
+  std::vector<std::int32_t> triangles;
 };
 
 class Collapser {
@@ -91,8 +93,8 @@ class Collapser {
   std::vector<std::int32_t> hits_;
   // Triangles near those that stay, with their boxes.
   std::vector<std::pair<std::int32_t, MovingBoxes::Box>> around_;
-  std::int32_t nearest_ = -1;  // triangle of the original near the last point in question
-  // Triangle of the original near the new position of the staying vertex.
+  std::int32_t nearest_ = -1;  // triangle of the original near the last point tested
+  // Triangle of the original near the new position of vertex `to`.
   std::int32_t placed_ = -1;
 };
 

@@ -38,8 +38,7 @@ class Measurement {
 
  private:
   // Calls part(i, found, hint) for each i < n, in blocks. Each block starts with the largest
-  // distance known before. Smaller distances need not be exact, as long as they are within the
-  // limit.
+  // distance of earlier passes. Smaller distances need not be exact if they are within the limit.
   template <class Part>
   void forAll(std::size_t n, std::size_t block, const Part& part) {
     std::vector<Found> found((n + block - 1) / block);

@@ -1,9 +1,9 @@
-// Measures the distance of two surfaces in both directions. On the original it measures at each
-// vertex, and at points within those triangles that are not near a single triangle of the result.
-// On the result it measures at a grid of points on each triangle.
+// Measures the distance between two surfaces in both directions. On the original it measures at
+// each vertex, and at points within those triangles that are not near a single triangle of the
+// result. On the result it measures at a grid of points on each triangle.
 // Units:   mm.
-// Cost:    O(n) searches in the trees of both surfaces. Mostly the triangle of the previous search
-//          suffices.
+// Cost:    O(n) searches in the trees of both surfaces, for n triangles. Mostly the triangle of the
+//        previous search suffices.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,14 +17,16 @@ namespace swept {
 
 /// A place where the surfaces are farther apart than the tolerance.
 struct FarPlace {
-  Eigen::Vector3d onOriginal, onResult;  ///< one is the nearest point to the other
-  std::int32_t triangle = -1;            ///< triangle of the result
+  /// One is the measured point, the other the point nearest to it.
+  Eigen::Vector3d onOriginal, onResult;
+  std::int32_t triangle = -1;  ///< triangle of the result
 };
 
 struct Deviation {
   double largest = 0;            ///< mm, largest distance in either direction
   std::vector<FarPlace> missed;  ///< points of the original
-  /// The farthest point of each triangle of the result that is too far, by ascending triangle.
+  /// For each triangle of the result that is too far away, its farthest point; in ascending order
+  /// of the triangles.
   std::vector<FarPlace> strays;
 };
 

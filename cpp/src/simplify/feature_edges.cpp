@@ -14,7 +14,8 @@
 namespace swept {
 namespace {
 
-constexpr double kRankCut = 0.03;  ///< eigenvalues below this share of the largest one count as 0
+/// Eigenvalues below this fraction of the largest one count as 0.
+constexpr double kRankCut = 0.03;
 constexpr double kCosine = 0.906;  ///< cosine of 25 degrees, the smallest angle of a crease
 constexpr std::size_t kBlock = 8192;
 constexpr std::uint32_t kNone = 0xffffffffu;
@@ -27,7 +28,8 @@ Eigen::Vector3d normalOf(const TriMesh& mesh, std::size_t t) {
   return u.cross(v);
 }
 
-/// Returns the edges of two triangles at which the surface turns.
+/// Returns the edges with two triangles at which the surface turns by more than the angle of a
+/// crease.
 std::vector<Edge> turningEdges(const TriMesh& mesh, const RawArray<std::uint32_t>& across) {
   const std::size_t n = mesh.triangles.size();
   std::vector<std::vector<Edge>> parts(n / kBlock + 1);

@@ -34,8 +34,9 @@ Seen seenAlong(const Vector3d& normal, const std::vector<Vector3d>& ring) {
   return seen;
 }
 
-/// Returns whether the triangles between the origin and the ring go round the origin exactly once,
-/// and those between ring[0] and the rest of the ring all face the same way.
+/// Returns whether the triangles do not overlap, before and after the collapse. Those between the
+/// origin and the ring must go round the origin exactly once. Those between ring[0] and the rest of
+/// the ring must all have the same orientation.
 bool liesSideBySide(const std::vector<Vector2d>& at, double minArea) {
   int rounds = 0;
   for (std::size_t k = 0; k < at.size(); ++k) {
@@ -51,8 +52,8 @@ bool liesSideBySide(const std::vector<Vector2d>& at, double minArea) {
 /// Returns the height of the new surface at the origin.
 double heightAtOrigin(const Seen& seen) {
   const Vector2d& v = seen.at[0];
-  // The triangles cover the origin once, so the one that contains it has the largest barycentric
-  // coordinates there, whatever rounding does.
+  // The triangle that contains the origin is the one whose smallest barycentric coordinate there is
+  // largest. This choice needs no tolerance for rounding.
   double best = -std::numeric_limits<double>::infinity(), height = 0;
   for (std::size_t k = 1; k + 1 < seen.at.size(); ++k) {
     const Vector2d &a = seen.at[k], &b = seen.at[k + 1];
@@ -82,7 +83,8 @@ double mappedMove(const std::vector<Vector3d>& ring) {
   const Seen seen = seenAlong(mean / length, ring);
   if (!liesSideBySide(seen.at, kMinArea * size)) return kOverlap;
   double farthest = std::abs(heightAtOrigin(seen));
-  // The new edges from ring[0] to ring[i] and the old ones from the origin to ring[j].
+  // Tests where the new edges, from ring[0] to ring[i], cross the old ones, from the origin to
+  // ring[j].
   for (std::size_t i = 2; i + 1 < count; ++i) {
     const Vector2d along = seen.at[i] - seen.at[0];
     for (std::size_t j = 1; j < count; ++j) {

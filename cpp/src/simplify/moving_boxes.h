@@ -1,10 +1,9 @@
-// Bounding volume hierarchy of triangles that change, to find the triangles that a given one may
-// meet.
+// A bounding volume hierarchy of triangles that change. It finds the triangles that a given
+// triangle may meet.
 // In:      a mesh and the triangles to find.
 // Method:  The tree is built once, with four children per node along a Morton curve. Its boxes grow
-//          with the triangles, which move only a little. It is rebuilt when half of them are
-//          removed. (The trees of geometry/nearest_triangle.h and geometry/box_tree.h cannot
-//          change.)
+// with the triangles, which move only a little. It is rebuilt when half of the triangles are
+// removed. (The trees of geometry/nearest_triangle.h and geometry/box_tree.h cannot change.)
 // Cost:    O(n log n) to build, O(log n) per change or search.
 // Promise: The result does not depend on the number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -66,9 +65,9 @@ class MovingBoxes {
   std::size_t memberOf(std::int32_t triangle) const;
 
   const TriMesh& mesh_;
-  /// In ascending order; removed triangles stay until the next make().
+  /// In ascending order. Removed triangles stay in the list until the next make().
   std::vector<std::int32_t> members_;
-  std::vector<std::uint32_t> slot_;       ///< by member: its index in order_
+  std::vector<std::uint32_t> slot_;       ///< for each member, its index in order_
   std::vector<std::int32_t> order_;       ///< along the curve; -1: removed
   std::vector<std::vector<Box>> levels_;  ///< levels_[0]: boxes of four triangles each
   std::size_t left_ = 0;

@@ -1,5 +1,5 @@
-// Finds the source of each triangle of a simplified surface: the face and motion step that made the
-// largest part of its area.
+// Finds the source of each triangle of a simplified surface: the source with the largest part of
+// its area.
 // In:      a surface with its sources, and a simplified mesh near it.
 // Out:     for each triangle of the mesh, a row of the same sources.
 // Units:   mm.

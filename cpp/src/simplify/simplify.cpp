@@ -17,17 +17,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Share of the tolerance that thinning may use; edge collapses use the rest.
+/// Fraction of the tolerance that thinning may use; edge collapses use the rest.
 constexpr double kThinFraction = 0.3;
 constexpr double kFirstLevel = 0.025;  ///< limit of the first level, in cells
-/// Share of the remaining tolerance for the collapses. They test points only, and the surface
+/// Fraction of the remaining tolerance for the collapses. They test points only, and the surface
 /// between the points may deviate more.
 constexpr double kPointFraction = 0.97;
 constexpr double kLessEachRound = 0.9;  ///< factor of the tolerance after a round that failed
 constexpr int kRounds = 4;              ///< rounds of improvement
-constexpr int kFirstDepth = 2;          ///< steps undone at each place; doubles with each round
-constexpr int kThinTrials = 4;          ///< thinning trials, each with more vertices kept
-constexpr double kLeastFraction = 0.1;  ///< share of the tolerance; below it, nothing is simplified
+/// Steps undone at each place in the first round; doubled in each further round.
+constexpr int kFirstDepth = 2;
+constexpr int kThinTrials = 4;  ///< attempts of thinning, each with more vertices kept
+/// Fraction of the tolerance; below it, nothing is simplified.
+constexpr double kLeastFraction = 0.1;
 
 // Attaches each missed point of the original to the nearest of the changed triangles, so that
 // further collapses keep it near.
@@ -47,8 +49,8 @@ void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed
   }
 }
 
-// Undoes steps at the wrong places and collapses again with denser sample points. Returns false if
-// no step can be undone.
+// Undoes steps at triangles that deviate too far, and collapses again with denser sample points.
+// Returns false if no step can be undone.
 bool improve(CollapseState& state, CollapseLog& log, const std::vector<std::int32_t>& wrong,
              const std::vector<FarPlace>& missed, int depth, RunContext& run) {
   const std::vector<std::int32_t> changed = log.takeBack(state, wrong, depth);
@@ -92,7 +94,7 @@ const Simplifier::Level* Simplifier::levelWithin(double limit, RunContext& run) 
   double step = kFirstLevel * cell_;
   for (std::size_t n = 0;; ++n, step *= 2) {
     if (step + (found != nullptr ? found->limit : 0) > limit) return found;
-    // Further thinning of so small a mesh saves nothing.
+    // Thinning such a small mesh further saves nothing.
     if (found != nullptr && n > 0 && found->mesh.triangles.size() < 1000) return found;
     if (n == levels_.size()) levels_.push_back(thinned(found, step, run));
     found = levels_[n].get();
@@ -109,7 +111,7 @@ const NearestTriangle& Simplifier::nearest() const {
 
 Simplified Simplifier::cut(double tolerance, RunContext& run) const {
   run.checkpoint(Phase::Simplify);
-  // If no trial keeps the tolerance, tries again with half of it.
+  // If no trial keeps within the tolerance, tries again with half of it.
   for (double within = tolerance; within > kLeastFraction * tolerance; within /= 2) {
     const double limit = kThinFraction * within;
     const Level* level = levelWithin(limit, run);
@@ -130,7 +132,7 @@ Simplified Simplifier::cut(double tolerance, RunContext& run) const {
   return {mesh_, contactTime_, featureEdges(), sources_, 0};
 }
 
-// Takes the contact time from the nearest vertex of the level.
+// Gives each vertex of the result the contact time of the nearest vertex of the level.
 void Simplifier::addContactTime(const Level& level, Simplified& out) const {
   std::int32_t near = -1;
   for (const Vector3d& p : out.mesh.vertices) {
@@ -162,7 +164,7 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
       for (const FarPlace& place : *places) wrong.push_back(number[place.triangle]);
     }
     if (round == 0 && wrong.empty()) return finished(std::move(small), deviation.largest, level);
-    // Undone steps restore triangles, which may intersect triangles that moved in later steps.
+    // Undone steps restore triangles, which may intersect triangles moved by later steps.
     const SelfIntersections met = findSelfIntersections(small, {}, run);
     if (round == 0) metBefore = met.count;
     if (met.count > metBefore) {
@@ -178,7 +180,7 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
   }
 }
 
-// Marks the vertices of the triangles at these places, and of their neighbours.
+// Marks the vertices of the triangles at the missed places, and of their neighbours.
 void Simplifier::keepAbout(const std::vector<FarPlace>& missed, std::vector<char>& kept) const {
   if (missed.empty()) return;
   kept.resize(mesh_.vertices.size(), 0);

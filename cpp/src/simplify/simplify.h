@@ -1,16 +1,18 @@
-// Simplifies the envelope: fewer triangles, nowhere farther from the surface than the tolerance.
+// Simplifies the envelope: fewer triangles, nowhere farther from the original surface than the
+// tolerance.
 // In:      a closed manifold surface and the cell size of its grid.
-// Out:     a closed manifold mesh without self-intersections.
+// Out:     a closed manifold mesh without new self-intersections.
 // Method:  The dense surface is thinned (thin.h) within a small part of the tolerance. Edge
 //          collapses (collapse.h) use the rest. Then the deviation is measured in both directions.
-//          Where it is too large, a second round also watches the missed points and the places that
-//          deviate. Further rounds use less of the tolerance.
+//          Where it is too large, steps are undone, and a second round also tests the missed points
+//          there. Further rounds use less of the tolerance.
 // The surface is kept, so that it can be simplified again with another tolerance. All tolerances
 // share a series of thinned surfaces, called levels. The first level is thinned from the surface,
 // each further level from the previous one with a limit twice as large. A level is built at its
 // first use.
 // Units:   mm.
-// Cost:    O(n) for the levels, O(m log m) to simplify a level of m triangles.
+// Cost:    O(n) for the levels of a surface with n triangles, O(m log m) to simplify a level with m
+//          triangles.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -45,7 +47,7 @@ class Simplifier {
   Simplifier(TriMesh mesh, std::vector<double> contactTime, double cell, Sources sources = {});
 
   /// Returns the simplified surface. `tolerance` (mm) must be above 0. Several threads may call
-  /// this at once. The result depends only on the tolerance, never on earlier calls.
+  /// this at the same time. The result depends only on the tolerance, never on earlier calls.
   Simplified cut(double tolerance, RunContext& run) const;
 
   const TriMesh& mesh() const { return mesh_; }
@@ -57,12 +59,12 @@ class Simplifier {
  private:
   struct Level {
     TriMesh mesh;
-    std::vector<std::int32_t> source;  ///< by vertex: its number in the surface
+    std::vector<std::int32_t> source;  ///< for each vertex, its index in the surface
     double limit = 0;                  ///< mm, largest distance from the surface
     std::unique_ptr<NearestTriangle> nearest;
   };
-  /// Returns a level thinned from `from`, or from the surface if it is null. `kept`: by vertex of
-  /// the surface, 1 if the vertex must stay; empty: no vertex must stay.
+  /// Returns a level thinned from `from`, or from the surface if `from` is null. `kept`: for each
+  /// vertex of the surface, 1 if the vertex must stay; empty: none must stay.
   std::unique_ptr<Level> thinned(const Level* from, double limit, RunContext& run,
                                  std::vector<char> kept = {}) const;
   /// Returns the coarsest level within `limit`, or null.
@@ -72,7 +74,7 @@ class Simplifier {
   static CollapseState startFrom(const Level& level);
   Simplified finished(TriMesh mesh, double deviation, const Level& level) const;
   /// Returns nothing if the measured deviation stays above the tolerance. Then `kept` marks the
-  /// vertices of the surface around the places that are still missed.
+  /// vertices of the surface around the places that deviate.
   std::optional<Simplified> cutFrom(const Level& level, double tolerance, RunContext& run,
                                     std::vector<char>& kept) const;
   void keepAbout(const std::vector<FarPlace>& missed, std::vector<char>& kept) const;

@@ -20,22 +20,23 @@ namespace {
 using Eigen::Vector3d;
 using Flags = std::vector<char>;
 
-constexpr double kFirstFraction = 0.1;  // share of the limit in the first round
+constexpr double kFirstFraction = 0.1;  // fraction of the limit that the first round uses
 
-// Parameters of the thinning. They come from trials on a part with curved and plane faces (1.2
-// million triangles: the fandisk test mesh moved over 16 keys), within 0.08 cells. The mesh for
-// edge collapses gets a quarter of the triangles of the mesh for surface recognition. More rounds
-// do not make it smaller.
+// Parameters of the thinning. They come from trials within 0.08 cells on a part with curved and
+// plane faces: the fandisk test mesh moved over 16 keys, 1.2 million triangles. The mesh for edge
+// collapses gets a quarter of the triangles of the mesh for surface recognition. More rounds do not
+// make it smaller.
 struct Manner {
-  int rounds = 3;           // with growing limits
-  int lastRounds = 0;       // further ones with the whole limit
-  double meanFraction = 1;  // share of the limit: largest root mean square distance from the planes
-  double minCosine = 0.5;   // a triangle may turn by less than 60 degrees
-  double minShape = 0.03;   // area vector / longest side squared
+  int rounds = 3;      // with growing limits
+  int lastRounds = 0;  // further rounds with the whole limit
+  // Fraction of the limit for the root mean square distance from the planes.
+  double meanFraction = 1;
+  double minCosine = 0.5;  // a triangle may turn by less than 60 degrees
+  double minShape = 0.03;  // area vector / longest side squared
   double longest = 50;  // limit of a new edge's length, as a multiple of the mean edge of the input
   // Also compares new edges with the old triangles. Without this, a spike of 1.1 tolerances
   // remained on a scanned body (the bunny test mesh moved over 16 keys, 2 mm). Surface recognition
-  // does not need it: surfaces are fitted to the vertices, and the solid is measured in the end.
+  // does not need this: surfaces are fitted to the vertices, and the solid is measured at the end.
   bool looksBack = true;
   bool proven = false;  // the limit holds at every point of the surface, in both directions
 };
@@ -64,7 +65,7 @@ constexpr std::size_t kParts = 16;
 
 class Thinner {
  public:
-  /// `kept`: by vertex, 1 if it must stay.
+  /// `kept`: for each vertex, 1 if it must stay.
   Thinner(const TriMesh& mesh, double limit, const Manner& manner, const Flags& kept, Phase phase,
           RunContext& run)
       : vertices_(mesh.vertices),
@@ -148,7 +149,8 @@ class Thinner {
     return sum / static_cast<double>(points.size());
   }
 
-  // Returns the first vertex of a part: a range of vertex numbers, which follow the layers.
+  // Returns the first vertex of a part. A part is a range of vertex numbers, which follow the
+  // layers of the grid.
   std::int32_t firstOf(std::size_t part) const {
     return static_cast<std::int32_t>(part * points_.size() / kParts);
   }
@@ -162,8 +164,9 @@ class Thinner {
       if (partOf_[v] != partOf_[w]) inner_[v] = inner_[w] = 0;
     }
   }
-  // Removes vertices in [begin, end); with `inner`, only those with all neighbours in their part.
-  // Collapses in other parts do not touch their triangles, so all parts can run in parallel.
+  // Removes vertices in [begin, end). With `inner`, removes only those whose neighbours are all in
+  // their part. Collapses in other parts do not change the triangles of these, so all parts can run
+  // in parallel.
   void pass(std::int32_t begin, std::int32_t end, double limit, bool inner) {
     Scratch scratch;
     for (std::int32_t v = begin; v < end; ++v) {
@@ -173,7 +176,7 @@ class Thinner {
     }
   }
 
-  // Merges vertex u into the neighbour with the smallest error, if that is within the limit.
+  // Merges vertex u into the neighbour with the smallest error, if this error is within the limit.
   void removeIfClose(std::int32_t u, double limit, Scratch& scratch) {
     double best = manner_.meanFraction * manner_.meanFraction * limit * limit;
     std::int32_t chosen = -1;
@@ -231,7 +234,8 @@ class Thinner {
     return touched && move > kStill * limit_ ? HUGE_VAL : before + move;
   }
 
-  // `off` receives how far the vertices merged into u may deviate from the new triangles.
+  // Returns whether the new triangles are acceptable. `off` receives how far the vertices merged
+  // into u may deviate from them.
   bool trianglesHold(std::int32_t edge, double limit, double& off) const {
     const std::int32_t u = fans_.start(edge);
     const Vector3d &from = points_[u], &to = points_[fans_.target(edge)];
@@ -257,9 +261,9 @@ class Thinner {
     return (points_[c[1]] - points_[c[0]]).cross(points_[c[2]] - points_[c[0]]);
   }
 
-  // Whether a new triangle intersects a triangle that touches it. On a scanned body and on a part
-  // with plane and curved faces, thinning produced only such pairs (50 to 90 per million
-  // triangles). If all of them face the same way, no pair intersects.
+  // Returns whether a new triangle intersects a triangle that touches it. On a scanned body and on
+  // a part with plane and curved faces, thinning produced only such pairs (50 to 90 per million
+  // triangles). If all these triangles face the same way, no pair intersects.
   bool meetsNeighbours(std::int32_t edge, Scratch& scratch) const {
     const std::int32_t u = fans_.start(edge), v = fans_.target(edge);
     scratch.fresh.clear();
@@ -330,15 +334,18 @@ class Thinner {
   std::vector<Vector3d> points_;
   TriangleFans fans_;
   std::vector<Quadric> quadric_;
-  std::vector<double> off_;    // by vertex: how far vertices merged into it may deviate
-  std::vector<double> moved_;  // by triangle: bound on its distance from the input mesh; if proven
-  // By triangle: 1 if it moved in this round. It may not move again: the bounds of moves add up,
-  // and rise least if each round moves each place once.
+  std::vector<double> off_;  // for each vertex, how far vertices merged into it may deviate
+  // For each triangle, a bound on its distance from the input mesh. Only used if Manner::proven is
+  // set.
+  std::vector<double> moved_;
+  // For each triangle, 1 if it moved in this round. Then it may not move again in this round: the
+  // bounds of moves add up, and they grow least if each triangle moves once per round.
   Flags touched_;
-  std::vector<std::int32_t> into_;  // by vertex: the vertex into which it was merged; -1: none
-  double longest_ = 0;              // longest edge allowed, in mm^2
+  // For each vertex, the vertex into which it was merged; -1: none.
+  std::vector<std::int32_t> into_;
+  double longest_ = 0;  // longest edge allowed, in mm^2
   Flags partOf_;
-  Flags inner_;  // by vertex: 1 if all its neighbours are in its own part
+  Flags inner_;  // for each vertex, 1 if all its neighbours are in its own part
 };
 
 // Marks in `kept` the vertices of intersecting triangles and all vertices merged into them.
@@ -369,7 +376,7 @@ Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase,
     thinner.work();
     Thinned thinned = thinner.result(mesh);
     const SelfIntersections found = findSelfIntersections(thinned.mesh, {}, run);
-    // If the number of pairs no longer falls, the remaining pairs were in the input already.
+    // If the number of pairs no longer decreases, the input already had the remaining pairs.
     if (found.count == 0 || found.count >= before) return thinned;
     before = found.count;
     keepAbout(found, thinned, thinner, kept);

@@ -5,14 +5,14 @@
 //          input.
 // Units:   mm.
 // Promise: The displacements of the collapses add up, for each vertex, to no more than the limit. A
-//          displacement is the larger of two distances: of the removed vertex from the new
-//          triangles, and of the middles of new edges from the old triangles. Each vertex has its
-//          own sum, so the surface around several moved vertices may deviate slightly more. A
-//          caller that promises a distance must measure it.
+// displacement is the larger of two distances: of the removed vertex from the new triangles, and of
+// the middles of new edges from the old triangles. Each vertex has its own sum, so the surface
+// around several moved vertices may deviate slightly more. A caller that needs a bound on the
+// distance must measure it, unless the purpose is Sweep.
 // Order:   rounds with growing limits instead of a priority queue. The limit is a small part of the
 //          final tolerance, so the order of the collapses matters little.
-// Cost:    O(n), about 2 us per vertex. Each round works on a fixed number of parts in parallel, so
-//          the result does not depend on the number of threads.
+// Cost:    O(n) for n vertices, about 2 us per vertex. Each round works on a fixed number of parts
+//        in parallel, so the result does not depend on the number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,20 +24,20 @@
 
 namespace swept {
 
-/// Purpose of the thinning. Surface recognition grows over triangles and needs many well-shaped
-/// ones. Edge collapses accept triangles of any shape. For the body of a sweep, the limit holds
-/// everywhere: each mesh lies within it of the other (mapped_move.h).
+/// Purpose of the thinning. Surfaces: surface recognition grows over triangles and needs many
+/// well-shaped ones. Collapse: edge collapses accept triangles of any shape. Sweep: for a body that
+/// is swept, the limit holds everywhere: each mesh lies within it of the other (mapped_move.h).
 enum class ThinFor { Collapse, Surfaces, Sweep };
 
 struct Thinned {
   TriMesh mesh;
-  std::vector<std::int32_t> source;  ///< by vertex: its number in the input mesh
-  /// By triangle: the triangle of the input mesh that it replaces.
+  std::vector<std::int32_t> source;  ///< for each vertex, its index in the input mesh
+  /// For each triangle, the triangle of the input mesh that it replaces.
   std::vector<std::int32_t> triangle;
 };
 
-/// Returns the thinned mesh. `phase` is that for progress reports. `kept`: by vertex, 1 if the
-/// vertex must stay. A triangle with three such vertices stays, too. Empty: no vertex must stay.
+/// Returns the thinned mesh. `phase`: the phase for progress reports. `kept`: for each vertex, 1 if
+/// it must stay; empty: none must stay. A triangle with three such vertices stays, too.
 Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase, RunContext& run,
                 std::vector<char> kept = {});
 

@@ -1,5 +1,5 @@
-// The triangles around each vertex of a closed manifold mesh whose vertices are merged one by one.
-// Half-edges of a removed triangle have no start.
+// Stores the triangles around each vertex of a closed manifold mesh whose vertices are merged one
+// by one. Half-edges of a removed triangle have no start.
 // Cost: O(n) to build; a merge costs O(k) for k neighbours.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -36,7 +36,7 @@ class TriangleFans {
   bool wasMerged(std::int32_t v) const { return fan_[v] < 0; }
   std::int32_t start(std::int32_t h) const { return start_[h]; }
   std::int32_t target(std::int32_t h) const { return start_[nextHalfEdge(h)]; }
-  /// Returns the third corner of the triangle of `h`.
+  /// Returns the corner of the triangle of `h` that does not lie on `h`.
   std::int32_t third(std::int32_t h) const { return start_[previousHalfEdge(h)]; }
   /// Returns a half-edge that starts at `v`.
   std::int32_t first(std::int32_t v) const { return fan_[v]; }
@@ -56,7 +56,8 @@ class TriangleFans {
   }
 
   /// Returns whether the mesh stays a closed manifold if the start of `edge` is merged into its
-  /// target: the two must share exactly two neighbours, each of which must keep three or more.
+  /// target. Requires that the two share exactly two neighbours, each of which keeps three or more
+  /// neighbours.
   bool staysManifold(std::int32_t edge) const {
     const std::int32_t v = target(edge);
     std::array<std::int32_t, kMaxNeighbours> ring;
@@ -77,7 +78,7 @@ class TriangleFans {
            valence(third(static_cast<std::int32_t>(opposite_[edge]))) > 3;
   }
 
-  /// Returns whether visit(corners) is true for all triangles at v that do not touch u.
+  /// Returns whether visit(corners) is true for all triangles at v that do not contain u.
   template <class Visit>
   bool allAbout(std::int32_t v, std::int32_t u, const Visit& visit) const {
     std::int32_t h = fan_[v];
@@ -103,7 +104,7 @@ class TriangleFans {
       const std::uint32_t a = opposite_[nextHalfEdge(side)], b = opposite_[previousHalfEdge(side)];
       opposite_[a] = b;
       opposite_[b] = a;
-      // Surviving half-edges replace those of the two removed triangles.
+      // Half-edges that remain replace those of the two removed triangles.
       fan_[start_[a]] = static_cast<std::int32_t>(a);
       fan_[start_[b]] = static_cast<std::int32_t>(b);
     }
@@ -115,8 +116,8 @@ class TriangleFans {
 
  private:
   RawArray<std::uint32_t> opposite_;
-  std::vector<std::int32_t> start_;  // by half-edge; -1: removed
-  std::vector<std::int32_t> fan_;    // by vertex: a half-edge that starts there; -1: removed
+  std::vector<std::int32_t> start_;  // for each half-edge, its start; -1: removed
+  std::vector<std::int32_t> fan_;    // for each vertex, a half-edge that starts there; -1: removed
 };
 
 }  // namespace swept

@@ -9,10 +9,10 @@
 
 namespace swept {
 
-/// Returns what is wrong with a solid that was read back; empty if nothing is. The solid must be
-/// sound. It must have the volume of the mesh and as many solids and shells as the mesh. If
+/// Returns what is wrong with a solid that was read back; empty if nothing is wrong. The solid must
+/// be valid. It must have the volume of the mesh and as many solids and shells as the mesh. If
 /// surfaces were recognised, no edge or vertex may have a tolerance (mm) larger than that of the
-/// solid.
+/// options.
 std::string rereadComplaint(const SolidCheck& read, const step::HalfEdgeMesh& mesh,
                             const StepOptions& options);
 

@@ -21,11 +21,11 @@
 namespace swept::step {
 namespace {
 
-// Shares of the tolerance that recognised surfaces and facets may use. Facets and the
-// simplification before them may together exceed the tolerance. Then vertices are added to the mesh
-// at the end.
+// Fractions of the tolerance that recognised surfaces and facets may use. The error of the facets
+// plus that of the simplification before them may exceed the tolerance. If so, vertices are added
+// to the mesh at the end.
 constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
-// Share of the tolerance for thinning open ground (triangles without a patch). Without thinning,
+// Fraction of the tolerance for thinning open ground (triangles without a patch). Without thinning,
 // the collapse of 500,000 such triangles took two thirds of a run.
 constexpr double kThinFraction = 0.15;
 
@@ -46,7 +46,7 @@ Partition partitionOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole,
   return partition;
 }
 
-// Turns patches into open ground. Vertices on their borders may have moved along the surfaces. So
+// Turns patches into open ground. Vertices on their borders may have moved along the surfaces, so
 // the new triangles must stay near the original vertices of these patches.
 void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh& dense,
                    const Partition& first, Decimated& now) {
@@ -73,7 +73,7 @@ void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh&
   }
 }
 
-// Adds the recognised patches around the start vertex of the half-edge `first`.
+// Adds to `patches` the recognised patches around the start vertex of the half-edge `first`.
 void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t known,
                     std::vector<std::int32_t>& patches) {
   std::int32_t h = first;
@@ -97,7 +97,7 @@ bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int
       dissolvePatch(small.mesh, patch, small.partition);
       again = true;
     } else {
-      // The kernel refuses a facet if a neighbouring surface has moved one of its corners.
+      // The kernel refuses a facet if a corner was moved onto the surface of a patch around it.
       const std::int32_t t = small.partition.patches[patch].triangles[0];
       for (int k = 0; k < 3; ++k) addKnownAround(small, 3 * t + k, known, refused);
     }
@@ -167,13 +167,13 @@ class ShapeMaker {
                     "; repair the mesh there, set another tolerance, or export a mesh file");
   }
 
-  // Makes the solid from the faces of the sweep. The triangles around unsound edges and faces lose
-  // their patches and become facets in the next round. Returns nothing if some faces stay unsound,
-  // or if there are so many facets that recognised surfaces would give no more faces.
+  // Makes the solid from the exact faces of the sweep. In each round, the triangles around unsound
+  // edges and faces lose their patches and become facets. Returns nothing if some faces stay
+  // unsound, or if there are so many facets that recognised surfaces would give no more faces.
   std::optional<Built> makeLabelled(std::int64_t& faces) {
     constexpr int kRounds = 6, kFacetsPerFace = 2;
     isLabelled_ = true;
-    // Vertices of the mesh lie off the surface along creases; crossings lie on it.
+    // Along creases, vertices of the mesh do not lie on the surface, but crossings do.
     std::vector<Eigen::Vector3d> crossings;
     for (const std::uint32_t row : options_.origin->sources.of) {
       if (row != Sources::kNone) crossings.push_back((*options_.origin->sources.rows)[row].point);
@@ -203,7 +203,7 @@ class ShapeMaker {
   }
 
  private:
-  // Remembers where open ground is needed: along edges that lie off these faces, or on whole faces.
+  // Records where open ground is needed: along edges that lie off these faces, or on whole faces.
   void noteTrouble(const std::vector<std::int32_t>& bad, const Model& model, bool isLoose) {
     for (const std::int32_t f : bad) {
       const ModelFace& face = model.faces[f];
@@ -235,7 +235,7 @@ class ShapeMaker {
   bool worthTrial() const { return dense_.triangles.size() > kWorthTrial; }
 
   // A rough simplification finds the patches that are not worth their border, and those that the
-  // kernel refuses. They become open ground before the real simplification starts.
+  // kernel refuses. These patches become open ground before the real simplification starts.
   Decimated trial(const Partition& first, Decimated start, double tolerance) {
     Decimated left = decimate(std::move(start), tolerance, original_, run_, Effort::Rough);
     std::vector<std::int32_t> bad = findCostly(dense_, first, left, tolerance);
@@ -256,10 +256,10 @@ class ShapeMaker {
     return left;
   }
 
-  // Gives the model to the judge and cuts edges that are farther from a face than a reader of the
-  // file would find (findUnheldEdges()). An edge with a gap is cut where the distance is largest,
-  // others in the middle. `left` receives the edges for which no number of cuts was enough. Returns
-  // the faces that cannot be made.
+  // Gives the model to the judge. Cuts edges that are farther from a face than a reader of the file
+  // would assume (findUnheldEdges()): an edge with a gap where the distance is largest, others in
+  // the middle. `left` receives the edges that are still too far after kCuts rounds. Returns the
+  // faces that cannot be made.
   std::vector<std::int32_t> takeHeld(Model& model, std::vector<EdgeCut>& left) {
     constexpr int kCuts = 6;
     for (int round = 0;; ++round) {
@@ -276,8 +276,8 @@ class ShapeMaker {
     }
   }
 
-  // Returns the faces that are loose or that the judge refuses. Unless a face is loose, the judge
-  // has taken the model.
+  // Returns the faces that are loose or that the judge refuses. After the call, the judge has taken
+  // the model if no face is loose.
   std::vector<std::int32_t> findUnsound(Model& model) {
     if (options_.tolerance > 0) {
       std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
@@ -288,7 +288,7 @@ class ShapeMaker {
     const std::vector<std::int32_t> failed = takeHeld(model, unheld);
     if (!failed.empty()) return failed;
     // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
-    // of recognised surfaces alone would become hundreds of facets.
+    // without facets is left as it is, because it would become hundreds of facets.
     if (!unheld.empty() && hasFacets(model)) {
       for (const EdgeCut& cut : unheld) trouble_.push_back(model.edges[cut.edge].curve.at(cut.at));
       isLoose_ = true;
@@ -299,8 +299,8 @@ class ShapeMaker {
   }
 
   // Splits plane regions into facets if the kernel does not accept their faces, does not read them
-  // back, or finds that they intersect others. Returns false if a face stays unsound. Also returns
-  // false if a recognised patch has to lose its surface; then the caller starts again.
+  // back, or finds that they intersect others. Returns false if a face stays unsound, or if a
+  // recognised patch has to lose its surface. In the second case the caller starts again.
   bool acceptFaces(Decimated& small, double tolerance, Model& model) {
     constexpr int kTrials = 4;
     for (int trial = 0; trial < kTrials; ++trial) {
@@ -313,15 +313,15 @@ class ShapeMaker {
       if (isLabelled_) noteTrouble(bad, model, isLoose_);
       const bool changed = withdraw(bad, model, known_, small, refused_);
       if (!refused_.empty()) return false;
-      // If only facets intersect and no recognised surface is left to withdraw, they stay: each
-      // facet is valid by itself.
+      // If only facets intersect and no recognised surface is left to withdraw, they are kept,
+      // because each facet is valid.
       if (!changed || trial + 1 == kTrials) return sound;
     }
     return false;
   }
 
-  // Builds the solid, adds vertices where the mesh lies too far away from it, and tests the faces
-  // with the kernel. Returns nothing if there are too many faces or if faces are not accepted.
+  // Builds the solid, adds vertices where it is too far from the mesh, and tests the faces with the
+  // kernel. Returns nothing if there are too many faces or if faces are not accepted.
   std::optional<Built> tryMesh(Decimated base, std::int64_t& faces) {
     const double tolerance = std::max(options_.planarTolerance, options_.tolerance);
     const bool exact = options_.tolerance <= 0;
@@ -351,7 +351,7 @@ class ShapeMaker {
   }
 
   static constexpr int kMendings = 16, kEdgeSteps = 96;
-  /// Number of triangles; for a smaller mesh, a trial costs more than it saves.
+  /// Number of triangles. For a smaller mesh, a trial costs more time than it saves.
   static constexpr std::size_t kWorthTrial = 20000;
   const HalfEdgeMesh& whole_;
   const HalfEdgeMesh& dense_;
@@ -362,12 +362,12 @@ class ShapeMaker {
   const NearestTriangle original_;
   std::int32_t known_ = 0;             // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
-  std::string refusedText_;            // number and place of the faces refused last
+  std::string refusedText_;            // number and position of the faces refused last
   bool isLabelled_ = false, isLoose_ = false;
   const std::vector<Eigen::Vector3d>* points_ =
-      &whole_.points;                     // those that must be near the solid
+      &whole_.points;                     // points that must be near the solid
   const Partition* labelled_ = nullptr;   // the labelled patches of this round
-  std::vector<Eigen::Vector3d> trouble_;  // where labelled ground is opened in the next round
+  std::vector<Eigen::Vector3d> trouble_;  // where open ground is needed in the next round
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
-// Makes the model of a mesh: recognises surfaces, simplifies, and builds it. Repeats
-// this without the surfaces that the judge refuses.
+// Makes the model of a mesh: recognises surfaces, simplifies the rest, and builds the model.
+// Repeats this without the surfaces that the judge (model/judge.h) refuses.
 // In:      `dense`, the mesh to work on; `whole`, the mesh from which the deviation is measured;
-//          the tolerance of the options; fits(count), which tells whether that many faces are
-//          allowed.
+//        the options with the tolerance; fits(count), which returns whether that many faces are
+//        allowed.
 // Out:     a model whose faces the judge accepts, or nothing if it would have too many faces.
 // Units:   mm.
 // Cost:    a few simplifications of the mesh.

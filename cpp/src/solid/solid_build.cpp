@@ -75,7 +75,7 @@ bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOpti
                   "no such limit");
 }
 
-// Share of the tolerance for thinning a dense mesh before surfaces are recognised.
+// Fraction of the tolerance for thinning a dense mesh before surfaces are recognised.
 constexpr double kThinFraction = 0.15;
 constexpr std::size_t kDense = 150000;  // triangles; a smaller mesh is not thinned first
 
@@ -85,14 +85,15 @@ double diagonalOf(const HalfEdgeMesh& mesh) {
   return box.diagonal().norm();
 }
 
-// Builds with the given tolerance. Without one, takes the first tolerance of a series with which
-// the solid keeps the limits. `options` receives the tolerance.
+// Builds with the given tolerance. Without one, takes the first tolerance of a series for which the
+// solid is within the limits. `options` receives the tolerance.
 Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format, Judge& judge,
                    RunContext& run) {
   const auto fits = [&](std::int64_t count) {
     return isWithinLimits(count, mesh, options, format);
   };
-  constexpr double kFirst = 1.0 / 4000, kMax = 1.0 / 100;  // share of the diagonal
+  // Fraction of the diagonal of the bounding box.
+  constexpr double kFirst = 1.0 / 4000, kMax = 1.0 / 100;
   const bool given = options.tolerance > 0;
   std::int64_t faces = 0;
   if (!given) {
@@ -109,7 +110,7 @@ Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat f
       if (auto built = makeLabelledShape(mesh, options, fits, judge, run)) return std::move(*built);
     }
     if (dense->triangles.size() > kDense) {
-      // Continues with the result of the last round, which was thinned with half the limit.
+      // Continues with the mesh of the previous round, which was thinned with half the limit.
       thin = thinned(*dense, kThinFraction * options.tolerance, run);
       dense = &thin;
     }

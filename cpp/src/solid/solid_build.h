@@ -30,8 +30,8 @@ double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptio
 /// Returns the mesh, thinned within `limit` (mm).
 HalfEdgeMesh thinned(const HalfEdgeMesh& mesh, double limit, RunContext& run);
 
-/// Returns work(). If the tolerance is as large as the body, the surface may turn inside out. Then
-/// halves the tolerance and tries again.
+/// Returns work(). If a tolerance as large as the body turns the surface inside out, halves the
+/// tolerance and tries again.
 template <class Work>
 auto uprightWithin(double& tolerance, const Work& work) {
   constexpr int kHalvings = 8;
@@ -46,7 +46,8 @@ auto uprightWithin(double& tolerance, const Work& work) {
 }
 
 /// Builds the solid with the given tolerance. Without one, tries 0 and then a series of tolerances,
-/// and takes the first that keeps the limits. `options` receives the tolerance that was used.
+/// and takes the first for which the solid is within the limits. `options` receives the tolerance
+/// that was used.
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
                         Judge& judge, RunContext& run);
 
@@ -54,13 +55,13 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFor
 void writeBuilt(const Built& built, Judge& judge, std::ostream& out, const std::string& name,
                 const StepOptions& options, SolidFormat format, RunContext& run);
 
-/// Returns whether a solid with facets only may succeed after this error.
+/// Returns whether a solid of facets only may succeed after this error.
 bool isWorthFacets(const Error& error);
 
 /// Returns work(options), which may change its copy of the options. If it fails because of the
-/// faces of the sweep, calls it again without them. If it fails because of recognised surfaces,
-/// calls it again without those, so that all faces are facets. `why` receives the message of the
-/// failure that left only facets; empty if there was none.
+/// exact faces of the sweep, calls it again without these. If it fails because of recognised
+/// surfaces, calls it again without these, so that all faces are facets. `why` receives the message
+/// of the failure that led to facets only; empty if there was none.
 template <class Work>
 auto orFacets(const StepOptions& options, std::string& why, const Work& work) {
   StepOptions used = options;
@@ -86,8 +87,8 @@ auto orFacets(const StepOptions& options, std::string& why, const Work& work) {
 
 [[noreturn]] void refuseMemory(std::size_t triangles);
 
-/// Calls work(). Converts exceptions of the kernel and of the system to an Error. `triangles` is
-/// their number in the mesh, for the message.
+/// Calls work(). Converts exceptions of the kernel and of the system to an Error. `triangles`:
+/// number of triangles in the mesh, for the message.
 template <class Work>
 void withJudge(Judge& judge, std::size_t triangles, RunContext& run, const Work& work) {
   try {

@@ -1,6 +1,6 @@
-// Estimates the cost of a solid: a guess from the mesh, or a trial that builds and writes it
-// without a file. A trial cannot measure the time to read the file back and check it; the number of
-// faces predicts that.
+// Estimates the cost of a solid: by a guess from the mesh, or by a trial that builds and writes the
+// solid without a file. A trial cannot measure the time to read the file back and check it; this
+// time is predicted from the number of faces.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <tbb/task_arena.h>
 
@@ -24,8 +24,8 @@ using namespace step;
 // Seconds, measured on triangulated bodies and swept parts (tests/tools/solid_estimate_suite.py).
 constexpr double kGuessPerFace = 3e-4, kGuessPerTriangle = 8e-6;
 constexpr double kAsItIs = 2e-6;  // per triangle of a tessellated solid
-// Seconds to read back and check a plane face, and an edge of a curved face. A BREP file takes
-// less, since it needs no healing.
+// Seconds to read back and check a plane face, and an edge of a curved face. A BREP file takes less
+// time, because the kernel need not heal it.
 constexpr double kStepFace = 2e-4, kStepCurvedEdge = 1e-3;
 constexpr double kBrepFace = 2e-5, kBrepCurvedEdge = 1e-4;
 

@@ -1,4 +1,4 @@
-// Writes a mesh as a STEP or BREP file: partition, model, file, check, final name.
+// Writes a mesh as a STEP or BREP file, in these steps: partition, model, file, check, final name.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <tbb/task_arena.h>
 
@@ -30,8 +30,8 @@ using namespace step;
                   ". An existing file is unchanged. Change the tolerance, or export a mesh file");
 }
 
-// Reads the file back with the judge. Throws an error that says what to do if it cannot be read, or
-// if it is not the solid of the mesh.
+// Reads the file back with the judge. Throws an error with advice if the file cannot be read, or if
+// it does not contain the solid of the mesh.
 SolidCheck readBack(Judge& judge, const Model& model, const SafeFile& file, const std::string& name,
                     const HalfEdgeMesh& mesh, const StepOptions& options, RunContext& run) {
   SolidCheck check;
@@ -47,7 +47,7 @@ SolidCheck readBack(Judge& judge, const Model& model, const SafeFile& file, cons
   return check;
 }
 
-// Adds a note to the report if the solid deviates from the mesh by more than its tolerance.
+// Adds a note to the report if the solid deviates from the mesh by more than the tolerance.
 void noteDeviation(StepReport& report) {
   if (!(report.tolerance > 0 && report.deviation > report.tolerance)) return;
   if (!report.note.empty()) report.note += "; ";

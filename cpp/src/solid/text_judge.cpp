@@ -19,7 +19,7 @@ constexpr double kKernelTolerance = 1e-7;
 
 }  // namespace
 
-// Without a kernel, only an edge that bends back to its start, or has no length, cannot be made.
+// Without a kernel, only an edge that has no length, or bends back to its start, is refused.
 std::vector<std::int32_t> TextJudge::take(const Model& model, RunContext& run) {
   run.checkpoint(Phase::Export);
   const auto isShort = [&](const ModelUse& use) {
@@ -51,8 +51,8 @@ std::vector<std::int32_t> TextJudge::findUnreadable(const Model& model, const St
                                                     RunContext& run) {
   return curved_.findRefused(model, options, run, [&](const std::string& text, std::size_t count) {
     const StepReader::Answer read = reader_.read(text);
-    // If the reader split faces, their order is lost. Then only the later check of the whole
-    // file can decide.
+    // If the reader split faces, the order of the faces is lost. Then only the later check of the
+    // whole file can find bad faces.
     if (read.check.faces != static_cast<std::int64_t>(count)) return std::vector<std::int32_t>();
     return read.badFaces;
   });
@@ -63,7 +63,7 @@ std::vector<std::int32_t> TextJudge::findInterfering(const Model& /*model*/, Run
   return {};
 }
 
-// writeSolid() refuses BREP files before.
+// writeSolid() refuses BREP files, so this function is never called.
 void TextJudge::writeBrep(std::ostream& out, RunContext& /*run*/) {
   out.setstate(std::ios::badbit);
 }

@@ -1,5 +1,5 @@
-// A judge for programs without a geometry kernel: it passes texts of STEP files to a reader of the
-// caller, such as FreeCAD's.
+// A judge (model/judge.h) for a build without a geometry kernel. It passes texts of STEP files to a
+// reader that the application provides, such as FreeCAD.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,8 +13,8 @@
 namespace swept::step {
 
 /// Checks with the reader whether curved faces are valid after reading, and whether the finished
-/// file is the solid. It cannot find faces that intersect. It finds edges off their faces only at
-/// the points at which the reader measures them. `reader` must outlive the judge.
+/// file contains the solid. Cannot find faces that intersect. Finds edges off their faces only at
+/// the points at which the reader measures the distance. `reader` must outlive the judge.
 class TextJudge : public Judge {
  public:
   explicit TextJudge(StepReader& reader) : reader_(reader) {}

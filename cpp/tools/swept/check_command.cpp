@@ -53,8 +53,8 @@ void fail(Report& report, const std::string& path, const std::string& faults) {
   takeError(report, Status::InvalidInput, "CheckFailed", "'" + path + "': " + faults);
 }
 
-// Checks one file. `file`: a name of `path` that can be read several times, for messages use
-// `path`.
+// Checks one file. `file`: a name under which the content of `path` can be read several times.
+// Messages contain `path`.
 void checkFile(const std::string& file, const std::string& path, const CheckJob& job,
                RunContext& run, Checked& found) {
   if (isSolidIn(file, path, job.format)) {

@@ -204,7 +204,8 @@ using SolidResult = std::optional<StepReport>;
 using SolidResult = std::optional<int>;
 #endif
 
-// Whether the solid can have the faces of the body, and what its edges sweep.
+// Returns whether the solid can get the surfaces of the body's faces and those that its edges
+// sweep.
 bool wantsBodyFaces(const EnvelopeJob& job, const Body& body) {
 #ifdef HAVE_SWEPT_SOLID
   const Options& options = job.options;
@@ -255,8 +256,8 @@ Body readMovingBody(const EnvelopeJob& job, RunContext& run) {
   return readInputBody(job.bodyPath, job.bodyFormat, files, run);
 }
 
-// STL stores single precision. Rounds the mesh in the same way and checks it again, so that the
-// report describes the mesh in the file.
+// STL stores single precision. So for STL, rounds the mesh in the same way and checks it again: the
+// report then describes the mesh in the file.
 void reportAsWritten(TriMesh& mesh, const std::string& suffix, Report& report, RunContext& run) {
   if (suffix != "stl") return;
   mesh = meshAsWritten(mesh, suffix);

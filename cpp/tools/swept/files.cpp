@@ -57,7 +57,7 @@ bool areSame(const std::string& a, const std::string& b) {
 
 [[noreturn]] void failedOutput() {
   const std::string reason = std::system_category().message(errno);
-  // Sends buffered output to nowhere, so that no later flush fails and reports the error again.
+  // Discards buffered output, so that no later flush fails and reports the error again.
   if (std::freopen(os::nullDeviceName().c_str(), "w", stdout) == nullptr) std::clearerr(stdout);
   throw Error(Status::ExportFailed, "WriteFailed", "writing to standard output failed: " + reason);
 }
@@ -67,7 +67,7 @@ void put(const char* bytes, std::size_t count) {
   if (std::fwrite(bytes, 1, count, stdout) != count) failedOutput();
 }
 
-/// The copies that keepStreams() has made, by their given names.
+/// Returns the copies that keepStreams() has made, by their given names.
 std::map<std::string, std::shared_ptr<const RepeatableInput>>& keptStreams() {
   static std::map<std::string, std::shared_ptr<const RepeatableInput>> kept;
   return kept;

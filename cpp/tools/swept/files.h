@@ -93,7 +93,7 @@ bool isMeshSuffix(const std::string& suffix);   ///< formats in which meshes can
 /// file, which is then copied to standard output. `format`: the suffix of that temporary file.
 void writeOutputFile(const std::string& path, const std::string& format,
                      const std::function<void(const std::string& file)>& write);
-/// Throws Error(InvalidInput, "BadOption") if the file has a name that asks for another format.
+/// Throws Error(InvalidInput, "BadOption") if the suffix of the file means another format.
 /// `option`: the option that gives the format of standard output.
 void checkStreamFormat(const std::string& option, const std::string& format,
                        const std::string& path);

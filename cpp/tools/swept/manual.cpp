@@ -14,7 +14,8 @@ std::vector<const CLI::App*> commandsOf(const CLI::App& program) {
   return program.get_subcommands([](const CLI::App*) { return true; });
 }
 
-// Earlier names of options have no group (keepEarlierName()) and are left out.
+// Returns the options for manual page and completions. Leaves out earlier names of options, which
+// have no group (keepEarlierName()).
 Options optionsOf(const CLI::App& app, bool positional) {
   return app.get_options([positional](const CLI::Option* o) {
     return o->get_positional() == positional && !o->get_group().empty();

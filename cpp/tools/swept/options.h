@@ -40,7 +40,7 @@ CLI::Option* addUnit(CLI::App& app, const std::string& names, double& target,
 /// Adds the earlier name of the option `name`: it works, but help, manual page and completions
 /// leave it out.
 void keepEarlierName(CLI::App& app, const std::string& earlier, const std::string& name);
-/// Same for options `prefix`X of the moving part, which were called --generator-X.
+/// Does the same for options `prefix`X of the moving part, which were called --generator-X.
 void keepGeneratorNames(CLI::App& app, const std::string& prefix,
                         std::initializer_list<const char*> rests);
 

@@ -120,7 +120,7 @@ Run addPathCommand(CLI::App& program) {
       "position and keeps its distance from parts that stand still, also between the keys.");
   addOptions(app, *job);
   return [job] {
-    checkNeighbourOptions(job->neighbours, "");  // its file may be a neighbour, too
+    checkNeighbourOptions(job->neighbours, "");  // the part's own file may be a neighbour, too
     return runPath(*job);
   };
 }

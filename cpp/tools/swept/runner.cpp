@@ -23,7 +23,7 @@ extern "C" void onInterrupt(int number) {
   if (RunContext* run = interrupted.load()) run->cancel();
 }
 
-// During its lifetime, signals cancel the run. Afterwards signals are ignored, since the program is
+// While this object exists, signals cancel the run. Later they are ignored, since the program is
 // about to end and removes its temporary files.
 class InterruptGuard {
  public:

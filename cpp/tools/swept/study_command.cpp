@@ -1,5 +1,5 @@
-// swept study FILE: computes many runs from one file. The Python package does this, since it also
-// reaches clusters. The command finds the package and replaces its own process by Python.
+// swept study FILE: computes many runs from one file. The Python package does this, since it can
+// also use clusters. The command finds the package and replaces its own process by Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef SWEPT_PYTHON
 #include <cstring>

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Made names_of_before.FCStd, with the workbench as of commit 79aede3, before properties were renamed.
+"""This script made names_of_before.FCStd, with the workbench as of commit 79aede3, before
+properties were renamed.
 
     python3 make_of_before.py CHECKOUT FILE      CHECKOUT: of that commit, with its core built
 """

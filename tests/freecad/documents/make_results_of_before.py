@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Made results_of_before.FCStd and results_of_before.json, with the workbench as of commit 5b04fd4, before
-motions had a pivot, sources had properties and hashes were those of contents.
+"""This script made results_of_before.FCStd and results_of_before.json, with the workbench as of
+commit 5b04fd4. At that time, motions had no pivot, sources had no properties, and hashes were not
+those of contents.
 
     python3 make_results_of_before.py CHECKOUT FILE      CHECKOUT: of that commit, with its core built
 """
@@ -45,7 +46,7 @@ def main():
     group.Placement = App.Placement(V(5, -30, 0), App.Rotation(V(0, 0, 1), 30))
     wire = doc.addObject("Part::Feature", "Wire")
     wire.Shape = Part.makePolygon([V(), V(30, 0, 0), V(30, 20, 0)])
-    # A turn in place. Without a pivot, the origin of the file moves straight.
+    # The part turns along the way. Without a pivot, the origin of its coordinates moves straight.
     turned = App.Placement(V(40, 0, 0), App.Rotation(V(0, 0, 1), 60))
     path = motion.motion_from_poses(doc, [0, 1], [shift(0), turned])
     curve = motion.motion_from_source(doc, "Curve", [wire], count=9)

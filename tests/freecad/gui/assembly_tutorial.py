@@ -17,7 +17,7 @@ def look(name):
 
 
 def verdicts(report):
-    """Verdicts of a stored report by the names of neighbours or pairs."""
+    """Returns {name of the neighbour or pair: verdict} for the rows that do not meet their rule."""
     rows = [row.get("clearance", row) for row in report.get("pairs") or report["neighbours"]]
     return {row["name"]: row["verdict"] for row in rows if not row["meets_rule"]}
 

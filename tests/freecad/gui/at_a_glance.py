@@ -55,7 +55,7 @@ def scenario():
     other.Placement.Base = V(0, 0, 40)
     places = [App.Placement(), App.Placement(V(30, 0, 0), App.Rotation())]
     path = motion.motion_from_poses(doc, [0, 1], places)
-    path.PoseType = "RelativeToFirst"  # each part goes from where it is
+    path.PoseType = "RelativeToFirst"  # each part starts at its present placement
     doc.recompute()
     hulls = [envelope.make_envelope(doc, [part], path, Resolution=24) for part in (slide, other)]
     doc.recompute()

@@ -140,8 +140,8 @@ def scenario():
 
 
 def two_that_move():
-    """Two cubes that pass through each other, 3 mm deep: the player shows the line between them and the
-    solid of the clash at each time."""
+    """Tests two cubes that pass through each other, 3 mm deep: the player shows the line between
+    them and the solid of the clash at each time."""
     from sweptvolume.features import mechanism, shared
 
     doc = new_document("Passing")

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Paths designed in the motion editor, on real data. First, 34 recorded placements of a robot's gripper:
-some captured from the part, others typed into the table. Then a joint of beams with a known start and goal:
+"""Paths designed in the motion editor, on real data. First, recorded placements of a robot's gripper (12, or
+all 34 with SWEPT_LONG_TESTS): some captured from the part, others typed into the table. Then a joint of beams with a known start and goal:
 keys are added between them until the path is clear. Parts whose data are missing are skipped, with a
 message.
 """
 import csv
 import os
 import sys
+import tempfile
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path[:0] = [HERE, os.path.dirname(HERE)]
@@ -35,8 +36,7 @@ ARM = os.path.join(DATA, "motions", "installation_34_from_baxter_left.csv")
 GRIPPER = os.path.join(DATA, "meshes", "gripper_robotiq_2f140_30k.ply")
 POSES = os.path.join(DATA, "motions", "beam_joint_start_goal_poses.csv")
 CM, METRE = 10.0, 1000.0
-#: Keys of the arm that are captured; the others are typed.
-CAPTURED = 20
+STRIDE = 1 if os.environ.get("SWEPT_LONG_TESTS") else 3
 V = App.Vector
 
 
@@ -94,15 +94,17 @@ def envelope_of(doc, part, motion):
 
 
 def robot_arm(keyboard):
-    """Designs a motion from nothing: 34 keys at the placements where a robot arm was recorded."""
+    """Designs a motion from nothing: keys at the placements where a robot arm was recorded."""
     from sweptvolume.features import envelope, motion
     from sweptvolume.trajectory.edit import as_numbers
 
     doc = new_document("RobotArm")
     gripper = mesh_object(doc, "Gripper", GRIPPER)
     stands = App.Placement(gripper.Placement)
-    recorded = [(float(row["t_s"]), place) for row, place in rows_of(ARM, METRE)]
-    assert len(recorded) == 34
+    rows = list(rows_of(ARM, METRE))[::STRIDE]
+    recorded = [(float(row["t_s"]), place) for row, place in rows]
+    captured = len(recorded) * 2 // 3
+    assert len(recorded) == (34 if STRIDE == 1 else 12)
     doc.recompute()
     select(gripper)
     Gui.runCommand("SweptVolume_NewMotion")
@@ -111,14 +113,14 @@ def robot_arm(keyboard):
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     yield lambda: focused() == "SweptVolumeKeys"
     assert table.rowCount() == 0
-    choose("SweptVolumePivot", "Origin")  # what was recorded is the placement
-    for count, (time, place) in enumerate(recorded[:CAPTURED], 1):
+    choose("SweptVolumePivot", "Origin")  # the file contains placements
+    for count, (time, place) in enumerate(recorded[:captured], 1):
         gripper.Placement = place
         yield from keyboard.press("Control_L+Return")
         yield lambda: table.rowCount() == count
         yield from type_row(keyboard, table, [time])
     see_all()
-    for count, (time, place) in enumerate(recorded[CAPTURED:], CAPTURED + 1):
+    for count, (time, place) in enumerate(recorded[captured:], captured + 1):
         yield from keyboard.press("Control_L+d")
         yield lambda: table.rowCount() == count
         yield from type_row(keyboard, table, [time, *as_numbers(place)])
@@ -129,22 +131,28 @@ def robot_arm(keyboard):
     click(panel_button(Ok))
     yield no_panel
     path = doc.Objects[-1]
-    assert path.Count == 34 and path.SourceType == "Stored"
+    assert path.Count == len(recorded) and path.SourceType == "Stored"
     assert max(abs(a - b) for a, (b, _) in zip(path.Times, recorded)) < 1e-9
     off = max((p.Base - q.Base).Length for p, (_, q) in zip(path.Placements, recorded))
     turned = max(
         p.Rotation.multiply(q.Rotation.inverted()).Angle
         for p, (_, q) in zip(path.Placements, recorded)
     )
-    say("34 keys: at most {:.1e} mm and {:.1e} rad from the recording".format(off, turned))
+    say("{} keys: at most {:.1e} mm and {:.1e} rad off".format(len(recorded), off, turned))
     assert off < 1e-6 and turned < 1e-6
     gripper.Placement = stands
     made = yield from envelope_of(doc, gripper, path)
     shot("51_robot_arm_envelope")
     yield 0.8
-    file = motion.motion_from_file(doc, ARM, "m")
-    doc.recompute()
-    twin = envelope.make_envelope(doc, [gripper], file)
+    with tempfile.TemporaryDirectory() as folder:
+        name = os.path.join(folder, "keys.csv")
+        with open(name, "w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, rows[0][0])
+            writer.writeheader()
+            writer.writerows(row for row, _ in rows)
+        read = motion.motion_from_file(doc, name, "m")
+        doc.recompute()
+    twin = envelope.make_envelope(doc, [gripper], read)
     envelope.compute(twin)
     assert abs(twin.Volume.Value / made.Volume.Value - 1) < 1e-4, (twin.Volume, made.Volume)
     App.closeDocument(doc.Name)

@@ -20,7 +20,7 @@ except ImportError:
     QtWidgets = QtGui
 
 SHOTS = os.environ.get("SWEPT_SHOTS", "")
-STEP, LIMIT = 150, 240.0  # ms; s, where the machine has much else to do
+STEP, LIMIT = 150, 240.0  # ms between two checks; longest wait (s) on a busy machine
 END = object()
 
 
@@ -102,9 +102,9 @@ class Gaps:
         )
 
 
-#: s for an answer, beside what the machine itself lets the event loop wait.
+#: Longest time (s) until Stop has taken effect, without waiting times of the event loop.
 ANSWER = 0.3
-#: s that the window's own thread may compute meanwhile.
+#: Longest CPU time (s) of the window's own thread between two events meanwhile.
 WORK = 0.2
 
 
@@ -145,7 +145,7 @@ def open_workbench():
 
 
 def new_document(name):
-    """An empty document with undo."""
+    """Returns an empty document with undo."""
     document = App.newDocument(name)
     document.UndoMode = 1
     return document
@@ -254,7 +254,7 @@ def drag(start, end, steps=8):
 
 
 def line_of(graph):
-    """The two ends of the line with two points that is drawn last in a 3D view, or None."""
+    """Returns the two ends of the line with two points that is drawn last in a 3D view, or None."""
     from pivy import coin
 
     search = coin.SoSearchAction()
@@ -338,8 +338,8 @@ def click(button):
 
 
 def check_wrappers():
-    """Ends all Python wrappers of deleted widgets. Otherwise PySide could return such a wrapper for a
-    new widget at the same address."""
+    """Checks that no Python wrapper of a deleted widget is left. PySide could return such a wrapper
+    for a new widget at the same address."""
     from sweptvolume.panels.widgets import shiboken
 
     known = [w for w in shiboken.getAllValidWrappers() if isinstance(w, QtWidgets.QWidget)]
@@ -352,7 +352,8 @@ def no_panel():
 
 
 def line_in(steps):
-    """Returns the number of the line at which a generator waits, or the generator inside it."""
+    """Returns the number of the line at which a generator waits, or at which a generator inside it
+    waits."""
     while steps.gi_yieldfrom is not None:
         steps = steps.gi_yieldfrom
     return steps.gi_frame.f_lineno if steps.gi_frame else 0

@@ -29,7 +29,7 @@ from driver import (  # noqa: E402
 )
 
 V = App.Vector
-#: s for searches that find a way, on a machine that is busy as well.
+#: Time limit (s) for searches that find a path, also on a busy machine.
 BUDGET = 600
 
 
@@ -49,7 +49,8 @@ def check(doc, part, path, required):
 
 
 def slot_scene(doc):
-    """A plate in a case with a slot. The plate fits through the slot only if it is turned."""
+    """Returns a case with a slot, and a plate in it. The plate fits through the slot only if it is
+    turned."""
     import Part
 
     case = doc.addObject("Part::Feature", "Case")
@@ -64,8 +65,8 @@ def slot_scene(doc):
 
 
 def slot(doc):
-    """A path is found from a typed start. Also: neighbours, a required distance for one of them, undo,
-    and a second search."""
+    """Finds a path from a typed start. Also tests neighbours, a required distance for one of them,
+    undo, and a second search."""
     _, part = slot_scene(doc)
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
@@ -132,8 +133,8 @@ def slot(doc):
 
 
 def too_narrow(doc):
-    """A plate that does not fit through: one search is stopped, another reaches its time limit. The
-    panel and the view show how far the plate came."""
+    """Tests a plate that does not fit through: one search is stopped, another reaches its time
+    limit. The panel and the view show how far the plate came."""
     part = doc.getObject("Plate")
     part.Height = 18
     part.Placement.Base.z = -9
@@ -168,8 +169,8 @@ def too_narrow(doc):
 
 
 def just_out(doc):
-    """A part in a moved group, without a given start: the motion ends at its installed position all the
-    same."""
+    """Tests a part in a moved group, without a given start: the motion still ends at the installed
+    position."""
     from sweptvolume.features import motion
 
     group = doc.addObject("App::Part", "Bay")
@@ -208,7 +209,7 @@ def just_out(doc):
     assert (poses[0].Base - here.Base).Length > 20, poses
     rows = check(doc, part, found, 0.5)
     assert {rows[n]["verdict"] for n in ("Left", "Right")} == {"clear"}, rows
-    assert rows["Floor"]["verdict"] == "contact", rows  # it stands there
+    assert rows["Floor"]["verdict"] == "contact", rows  # it stands on the floor
     click(panel_button(Close))
     yield no_panel
 

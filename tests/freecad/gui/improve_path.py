@@ -68,7 +68,7 @@ def scenario():
         )
         doc.recompute()
         for row in clearance.compute(check)["neighbours"]:
-            if row["name"] == "Bell housing":  # where it is bolted on
+            if row["name"] == "Bell housing":  # the starter is bolted to it
                 last = path.Placements[-1].Base
                 assert row["below"][0][0] > path.Times[-2] - 1e-6 and not last.Length, row
             else:

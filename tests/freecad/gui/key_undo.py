@@ -50,7 +50,7 @@ def entries(kind):
 
 
 def toolbar_button(name):
-    """The button of a toolbar with a named entry."""
+    """Returns the toolbar button of the entry with this object name."""
     found = [(h, a) for h, a in entries(QtWidgets.QToolBar) if a.objectName() == name]
     assert found, [a.text() for _, a in entries(QtWidgets.QToolBar)]
     return found[0][0].widgetForAction(found[0][1])

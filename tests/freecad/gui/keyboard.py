@@ -49,9 +49,9 @@ def edit(keyboard, table):
     yield from press("Right", "Right")
     yield from keyboard.type("1.6 in", "Return")
     assert column(table, 3)[2] == "40.64", column(table, 3)
-    yield from letter("o")  # to whole millimetres
+    yield from letter("o")  # rounds to whole millimetres
     assert column(table, 3)[2] == "41", column(table, 3)
-    yield from letter("u")  # where the part stands: at the origin
+    yield from letter("u")  # takes the placement of the part: the origin
     assert column(table, 3)[2] == "0" and column(table, 1)[2] == "0", column(table, 3)
     yield from keyboard.tab_to("SweptVolumeInterpolation")
     yield from press("End")
@@ -98,7 +98,7 @@ def scenario():
     press = keyboard.press
     doc = new_document("Keyboard")
     box = doc.addObject("Part::Box", "Box")
-    box.Placement.Base = App.Vector(-5, -5, -5)  # its middle, whose places the table shows, at 0
+    box.Placement.Base = App.Vector(-5, -5, -5)  # its middle, which the table shows, is at 0
     doc.recompute()
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")

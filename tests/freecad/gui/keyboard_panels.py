@@ -47,7 +47,7 @@ def motions(doc):
 
 
 def from_file(keyboard, doc, folder):
-    """Motion from file: the file, its unit, OK."""
+    """Makes a motion with Motion from file: the file, its unit, OK. Returns the motion."""
     with open(os.path.join(folder, "path.csv"), "w") as out:
         out.write(CSV)
     # The dialog has its own event loop, so a second scenario sends its keys.
@@ -90,7 +90,7 @@ def beside(steps):
 
 
 def from_wire(keyboard, doc):
-    """Motion from object: a curve, number of poses, orientation."""
+    """Makes a motion with Motion from object: a curve, number of poses, orientation."""
     yield from chosen_in_tree(keyboard, "Helix")
     yield from keyboard.press(*entry("MotionFromSource"))
     yield opened
@@ -110,7 +110,7 @@ def from_wire(keyboard, doc):
 
 
 def from_value(keyboard, doc):
-    """Motion from driving value: two objects selected in order, and a range."""
+    """Makes a motion with Motion from driving value: two objects selected in order, and a range."""
     yield from chosen_in_tree(keyboard, "Drive", "Block")
     assert [o.Label for o in Gui.Selection.getSelection()] == ["Drive", "Block"]
     yield from keyboard.press(*entry("MotionDriven"))
@@ -147,8 +147,8 @@ def from_selection(keyboard, doc):
 
 
 def envelope(keyboard, doc, motion):
-    """Create envelope: computed, stopped, computed again. Parts are added from the tree while the panel
-    is open."""
+    """Uses Create envelope: the envelope is computed, stopped, computed again. Parts are added from
+    the tree while the panel is open."""
     from sweptvolume import runner
 
     yield from chosen_in_tree(keyboard, "Block", motion.Label)
@@ -187,7 +187,8 @@ def envelope(keyboard, doc, motion):
 
 
 def clearance(keyboard, doc):
-    """Check clearance: run the check, select a row, sort, colour, write a file, close."""
+    """Uses Check clearance: runs the check, selects a row, sorts, colours, writes a file,
+    closes."""
     yield from chosen_in_tree(keyboard, "Envelope")
     yield from keyboard.press(*entry("Clearance"))
     yield opened
@@ -233,7 +234,7 @@ def clearance(keyboard, doc):
 
 
 def solid_and_file(keyboard, doc, folder):
-    """Make solid with a limit of faces; export to a file that is chosen in its dialog."""
+    """Uses Make solid with a limit of faces, and exports to a file that is chosen in its dialog."""
     yield from chosen_in_tree(keyboard, "Envelope")
     yield from keyboard.press(*entry("Solid"))
     yield opened

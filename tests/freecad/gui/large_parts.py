@@ -35,7 +35,7 @@ SIDES, PARTS = 330, 8
 
 
 def star():
-    """A prism with SIDES sides."""
+    """Returns a prism with SIDES sides."""
     import Part
 
     points = []
@@ -52,7 +52,7 @@ def scene(folder):
     shape = star()
     for k in range(PARTS):
         part = doc.addObject("Part::Feature", "Star{}".format(k))
-        part.Shape = shape.copy()  # each of its own
+        part.Shape = shape.copy()  # the parts share no shape
         part.Placement.Base.z = 30 * k
     places = [App.Placement(), App.Placement(V(0, 0, 8), App.Rotation())]
     motion.motion_from_poses(doc, [0, 1], places)
@@ -114,7 +114,7 @@ def scenario():
         for k in range(PARTS):
             apart.of(doc.getObject("Star{}".format(k))).text()
         limit = time.thread_time() - began
-        apart._known.clear()  # as they are in a document that was just opened
+        apart._known.clear()  # as in a document that was just opened
         first = doc.Star0, ""
         steps = by_panel(
             lambda: envelope_panel.show(doc, [first], doc.Motion),

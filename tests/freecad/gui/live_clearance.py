@@ -38,7 +38,7 @@ def text():
 
 
 def box_before_a_wall():
-    """Known distances: a cube of 10 mm, and a wall 20 mm above it."""
+    """Tests known distances: a cube of 10 mm, and a wall 20 mm above it."""
     from sweptvolume.features import motion
     from sweptvolume.panels import motion_panel
 
@@ -111,7 +111,8 @@ def box_before_a_wall():
 
 
 def engine_bay():
-    """The demo: number of answers per second, and the time that the window's thread spends on them."""
+    """Measures in the demo the number of answers per second, and the time that the window's thread
+    spends on them."""
     from sweptvolume import demo
     from sweptvolume.panels import motion_panel
 

@@ -99,7 +99,7 @@ def scenario():
     assert [part["label"] for part, _ in answer.faces] == ["Bracket"] * len(answer.faces)
     assert "of Bracket, at" in panel.text.text(), panel.text.text()
     # The lower end is a face of the part at the first pose: Face1, x = 0.
-    bracket.ViewObject.Visibility = False  # it stands in the very same place
+    bracket.ViewObject.Visibility = False  # it would hide the envelope here
     Gui.activeDocument().activeView().viewLeft()
     Gui.SendMsgToActiveView("ViewFit")
     yield 0.3

@@ -87,7 +87,7 @@ def scenario():
     yield 0.6
     assert find(QtWidgets.QTableWidget, "SweptVolumeParts").rowCount() == 1
     expected = envelope_panel.opened[-1].estimate_label
-    yield lambda: " MB of memory" in expected.text()  # what a few sampled steps tell
+    yield lambda: " MB of memory" in expected.text()  # from a few sampled steps
     shot("02_envelope_panel")
     yield 0.5
     gaps = Gaps()

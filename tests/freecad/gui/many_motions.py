@@ -84,7 +84,7 @@ def scenario():
     mechanism_panel.show(doc, pairs=pairs, motions=motions)
     yield
     table = find(QtWidgets.QTableWidget, "SweptVolumeMovingParts")
-    yield lambda: table.cellWidget(PARTS - 1, 1) is not None  # the boxes follow one another
+    yield lambda: table.cellWidget(PARTS - 1, 1) is not None  # created one after another
     judge.stop("the panel opens")
     boxes = [table.cellWidget(row, 1) for row in range(PARTS)]
     assert [box.currentData() for box in boxes] == [m.Name for m in motions]

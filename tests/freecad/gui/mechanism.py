@@ -64,7 +64,7 @@ def scenario():
     sheet, crank, rod, slider, wall = slider_crank.make(doc)
     rod.Shape = rod.Shape.translated(slider_crank.V(0, 0, -1.2))  # 0.2 mm into crank and slider
     doc.recompute()
-    to_3d_view()  # the spreadsheet lies before it
+    to_3d_view()  # the spreadsheet covers it
     view = Gui.activeDocument().activeView()
     view.viewIsometric()
     from pivy import coin  # noqa: F401 (before it FreeCAD 1.1 gives no scene graph)
@@ -84,7 +84,7 @@ def scenario():
     moving = find(QtWidgets.QTableWidget, "SweptVolumeMovingParts")
     assert sorted(rows_of(moving)) == ["Crank", "Rod", "Slider"], rows_of(moving)
     before = len(doc.Objects)
-    click(find(QtWidgets.QPushButton, "SweptVolumeTakeAll"))  # they are there: read again
+    click(find(QtWidgets.QPushButton, "SweptVolumeTakeAll"))  # reads the motions again
     yield 0.3
     assert moving.rowCount() == 3 and len(doc.Objects) == before, len(doc.Objects)
     find(QtWidgets.QCheckBox, "SweptVolumeStanding").setChecked(True)

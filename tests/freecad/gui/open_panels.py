@@ -227,7 +227,7 @@ def record(doc):
 
 
 def numbers(doc):
-    """The results that the panel of an envelope shows."""
+    """Tests the results that the panel of an envelope shows."""
     from sweptvolume.features import envelope
 
     obj = envelope.make_envelope(doc, [doc.Wall], doc.Motion, Resolution=24)

@@ -41,7 +41,7 @@ def scenario():
     from sweptvolume.trajectory.poses import at_time
 
     def swing(panel):
-        """Returns how far the middle of the part moves away half-way between two keys (mm)."""
+        """Returns how far (mm) the middle of the part has moved away half-way between two keys."""
         back = panel.base().inverse()
         poses = panel.world_poses()
         there = at_time(poses, panel.interpolation.currentData(), 0.5 * poses.times[-1])
@@ -83,7 +83,7 @@ def scenario():
     yield
     assert panel.dragger.placement().Base.Length < 1e-3
 
-    # The centre of the hole.
+    # The centre of the hole is taken as the pivot, after a message that asks for a selection.
     click(button("TakePivot"))
     assert "Select a vertex" in panel.message.text(), panel.message.text()
     edges = enumerate(part.Shape.Edges, 1)

@@ -31,7 +31,8 @@ from spaces import add_box, at, hidden_motion, swept_space  # noqa: E402
 
 
 def envelopes(doc):
-    """Two envelopes that cross: one of 10 x 10 mm along x, and one along y that lies 4 mm higher."""
+    """Returns two envelopes that cross: one of 10 x 10 mm along x, and one along y that lies 4 mm
+    higher."""
     found = []
     for name, start, end in (
         ("First", (0, 0, 0), (60, 0, 0)),
@@ -97,7 +98,7 @@ def scenario():
     assert abs(kept.Volume.Value - 600) < 0.5 and doc.UndoCount == undo + 1, kept.Volume
     click(panel_button(Close))
     yield no_panel
-    assert graph.getNumChildren() <= drawn + 1  # the object's own
+    assert graph.getNumChildren() <= drawn + 1  # only the drawing of the object
     first.ViewObject.Transparency = second.ViewObject.Transparency = 70
     yield 0.3
     shot("92_shared_volume")

@@ -29,7 +29,7 @@ V = App.Vector
 
 
 def scene(doc):
-    """A box, a part that goes into it, and a lid: the part must be installed first."""
+    """Makes a box, a part that goes into it, and a lid: the part must be installed first."""
     import Part
 
     outer, inner = Part.makeBox(60, 40, 30, V(-30, -20, 0)), Part.makeBox(
@@ -78,7 +78,7 @@ def scenario():
     order = find(QtWidgets.QPushButton, "SweptVolumeFindOrder")
     panel = sequence_panel.opened[-1]
     panel.release.setProperty("rawValue", 0.0)
-    panel.budget.setValue(2)  # the block does not get out below the lid
+    panel.budget.setValue(2)  # the block cannot get out below the lid
     click(begin)
     yield lambda: panel.run is None
     assert not ours(doc, "Sequence") and not ours(doc, "Motion"), states()

@@ -28,7 +28,8 @@ V = App.Vector
 #: s from closing the window to the end of the process, without the time that its threads waited for a
 #: processor core.
 END = 2.0
-#: A process of its own that ends a slow process; gets its number and the seconds.
+#: Code of a separate process that kills a process that ends too late. Arguments: the number of this
+#: process, and the time limit (s).
 WATCH = """
 import glob, os, sys, time
 pid, end, began, known = int(sys.argv[1]), float(sys.argv[2]), time.monotonic(), {}
@@ -45,7 +46,7 @@ while time.monotonic() - began - sum(known.values()) < end:
     time.sleep(0.05)
 os.kill(pid, 9)
 """
-#: Along a side of a plate.
+#: Number of holes along a side of the plate.
 HOLES = 16
 #: Progress, as a fraction of the bar, at which the run is stopped.
 PARTS = (0.05, 0.2, 0.4, 0.6, 0.7, 0.8, 0.86)

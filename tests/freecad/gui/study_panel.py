@@ -66,7 +66,7 @@ def box(doc, label, x=0.0, y=0.0, size=10.0):
 
 
 def make(doc):
-    """A slide between walls, with three checks, one of them with a clash, and an envelope."""
+    """Makes a slide between walls, with three checks, one of them with a clash, and an envelope."""
     from sweptvolume.features import clearance, envelope, motion
 
     part = box(doc, "Slide")
@@ -130,7 +130,7 @@ def of_the_document(doc):
     listed = find(QtWidgets.QListWidget, "SweptVolumeStudySources")
     assert listed.count() == 4, listed.count()
     folder = find(QtWidgets.QLineEdit, "SweptVolumeStudyFolder")
-    click(run_button())  # where to?
+    click(run_button())  # no folder is given yet
     yield 0.3
     assert "save the document first" in visible_text(), visible_text()
     folder.setText(os.path.join(FOLDER, "of the document"))

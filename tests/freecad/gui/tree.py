@@ -27,7 +27,7 @@ def items(document):
     """Returns {label: label of the item above it} for the whole tree."""
     view, found = tree(), {}
     walk = [view.topLevelItem(i) for i in range(view.topLevelItemCount())]
-    for item in walk:  # it grows, and keeps all: PySide 6 forgets what is below an entry with it
+    for item in walk:  # the list grows, and keeps items alive: PySide 6 needs it
         for k in range(item.childCount()):
             found.setdefault(item.child(k).text(0), []).append(item.text(0))
             walk.append(item.child(k))

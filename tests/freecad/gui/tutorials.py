@@ -43,7 +43,7 @@ def look(name):
 
 
 def bay():
-    """The first tutorial, with the files that come with the workbench."""
+    """Follows the first tutorial, with the files that come with the workbench."""
     import Part
 
     folder = tempfile.mkdtemp()
@@ -66,7 +66,8 @@ def bay():
 
 
 def robot_arm():
-    """A recorded motion becomes one with keys that can be edited: it follows the recording smoothly."""
+    """Tests that a recorded motion becomes one with keys that can be edited, and that it follows
+    the recording smoothly."""
     import Mesh
 
     from sweptvolume.features import envelope

@@ -31,7 +31,7 @@ V = App.Vector
 
 
 def ends(doc, part, path):
-    """Find path with a selected motion, of both kinds of poses."""
+    """Tests Find path with a selected motion, of both kinds of poses."""
     select(path)
     Gui.runCommand("SweptVolume_FindPath")
     yield 0.5

@@ -32,8 +32,8 @@ from spaces import add_box, at, hidden_motion  # noqa: E402
 
 
 def scene(doc):
-    """A slide that passes a post (clash), a wall (2 mm) and a stop (4 mm), and stays far from a frame.
-    The stop is a link, and the wall has faces of several colours."""
+    """Makes a slide that passes a post (clash), a wall (2 mm) and a stop (4 mm), and stays far from
+    a frame. The stop is a link, and the wall has faces of several colours."""
     slide = add_box(doc, "Slide", (10, 10, 10), (0, 0, 0))
     path = hidden_motion(doc, at(0), at(100), 2)
     add_box(doc, "Post", (6, 20, 6), (50, 7, 2))
@@ -61,7 +61,7 @@ def colour_at(view, point):
 
 
 def point_at(graph, place):
-    """Moves the mouse to this place."""
+    """Moves the mouse to a position in the graph (pixels)."""
     none = QtCore.Qt.NoButton
     event = QtGui.QMouseEvent(
         QtCore.QEvent.MouseMove,
@@ -124,7 +124,7 @@ def scenario():
     camera = view.getCamera()
 
     def colours():
-        view.setCamera(camera)  # a row that is chosen moves it
+        view.setCamera(camera)  # choosing a row moves it
         return {name: colour_at(view, point) for name, point in seen.items()}
 
     before = colours()

@@ -26,7 +26,7 @@ TEST(Parallel, AFailureCutsNoLoopOfOtherTasksShort) {
       parallelFor(kTasks, work);
       FAIL() << "nothing was thrown";
     } catch (const std::runtime_error& error) {
-      EXPECT_STREQ(error.what(), "seven");  // the first, whichever came first
+      EXPECT_STREQ(error.what(), "seven");  // the failing task with the lowest index
     }
     for (std::size_t task = 0; task < kTasks; ++task) EXPECT_EQ(done[task], kItems) << task;
   }

@@ -25,7 +25,7 @@ MeshCheck check(const TriMesh& mesh, int threads = 0) {
 
 TriMesh unitBox() { return makeBox({0, 0, 0}, {1, 1, 1}); }
 
-/// Tests every pair, without a tree and without the rule for fans.
+/// Counts intersecting pairs by a test of every pair, without a tree and without the rule for fans.
 std::int64_t bruteForce(const TriMesh& mesh) {
   std::int64_t count = 0;
   const auto n = static_cast<std::int64_t>(mesh.triangles.size());
@@ -198,9 +198,10 @@ TEST(SelfIntersections, FoldedEdge) {
   TriMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0.4, 1, 0}, {0.6, 0.5, 0}};
   mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
-  EXPECT_EQ(check(mesh).selfIntersections, 1);  // both above the edge, in one plane
+  EXPECT_EQ(check(mesh).selfIntersections,
+            1);  // both triangles lie on one side of the edge, in one plane
   mesh.vertices[3].z() = 1e-300;
-  EXPECT_EQ(check(mesh).selfIntersections, 0);  // open by a hair
+  EXPECT_EQ(check(mesh).selfIntersections, 0);  // there is a tiny angle between them
   mesh.vertices[3] = {0.6, -0.5, 0};
   EXPECT_EQ(check(mesh).selfIntersections, 0);
 }
@@ -246,7 +247,7 @@ TEST(SelfIntersections, CoplanarOverlap) {
                    {1, 5, 0}, {9, 9, 0}, {8, 9, 0}, {9, 8, 0}};
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
   EXPECT_EQ(check(mesh).selfIntersections, 1);
-  // One inside the other, and one that only touches with a corner.
+  // The second triangle lies inside the first, and the third touches it with a corner.
   mesh.vertices[3] = {0.5, 0.5, 0};
   mesh.vertices[4] = {1, 0.5, 0};
   mesh.vertices[5] = {0.5, 1, 0};
@@ -255,7 +256,7 @@ TEST(SelfIntersections, CoplanarOverlap) {
 }
 
 TEST(SelfIntersections, TouchingCounts) {
-  // A corner exactly on the other triangle's inside, and one bit above it.
+  // A corner lies exactly in the interior of the other triangle; then it is moved one bit above.
   TriMesh mesh;
   mesh.vertices = {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, 0}, {1, 1, 2}, {2, 1, 2}};
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}};

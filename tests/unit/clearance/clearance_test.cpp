@@ -65,7 +65,7 @@ TEST(Clearance, BallPastBall) {
   EXPECT_GE(row.distance, 10 - 1e-9);
   EXPECT_LE(row.distance, 10 + chord + 1e-9);
   const auto exact = [](double t) { return std::hypot(-100 + 270 * t, 25) - 15; };
-  EXPECT_LE(exact(row.timeSeconds), 10 + chord);  // the time: the balls are as near as that there
+  EXPECT_LE(exact(row.timeSeconds), 10 + chord);  // the balls are really that near
   EXPECT_EQ(row.verdict, ClearanceVerdict::BelowRequired);
   ASSERT_EQ(row.below.size(), 1u);
   const double reach = std::sqrt(27 * 27 - 25 * 25);  // centres 27 apart: 12 mm between the balls
@@ -73,8 +73,8 @@ TEST(Clearance, BallPastBall) {
   const double to = (100 + reach) / 270;
   EXPECT_LE(row.below[0].from, from + 1e-9);
   EXPECT_GE(row.below[0].to, to - 1e-9);
-  // At most too long by the resolution of 0.1 mm, and by the travel that corresponds to twice the
-  // mesh deflection.
+  // The interval may be too long by the resolution of 0.1 mm, and by the travel that corresponds
+  // to twice the mesh deflection.
   const double slack = (0.2 + 2 * chord * 27 / reach) / 270;
   EXPECT_GE(row.below[0].from, from - slack);
   EXPECT_LE(row.below[0].to, to + slack);
@@ -85,7 +85,7 @@ TEST(Clearance, ABodyThatWaitsIsNearForAsLong) {
                 wall = makeBox({-50, 11, -50}, {50, 15, 50});
   ClearanceOptions options;
   options.required = 7.5;
-  // It comes 9 mm nearer in a second, waits there for five seconds, and moves back.
+  // The body comes 9 mm nearer in a second, waits there for five seconds, and moves back.
   for (const std::vector<double>& waiting : {std::vector<double>{1, 6}, {1, 2, 3.5, 4, 6}}) {
     std::vector<Pose> poses{shifted(0, {0, -10, 0})};
     for (const double time : waiting) poses.push_back(shifted(time, {0, -1, 0}));
@@ -234,7 +234,7 @@ TEST(Clearance, SlidingAtAConstantGapIsCheap) {
 TEST(Clearance, ContactOfAThousandthOfAKeyInterval) {
   const TriMesh body = makeBox({-2, -2, -2}, {2, 2, 2});
   const TriMesh post = makeBox({-1, -30, -30}, {1, 30, 30});
-  // 6 mm of 6000 mm of travel in one step; the meeting is at 61.7 %.
+  // In one step of 6000 mm, the bodies are in contact for 6 mm of travel, at 61.7 % of the step.
   const Trajectory motion = motionOf({shifted(0, {-3702, 0, 0}), shifted(1, {2298, 0, 0})});
   const NeighbourClearance row = checkOne(body, motion, post);
   EXPECT_EQ(row.verdict, ClearanceVerdict::Clash);
@@ -266,8 +266,8 @@ TEST(Clearance, SmallPartInsideABigOne) {
         swap ? checkOne(big, motion, small) : checkOne(small, motion, big);
     EXPECT_TRUE(row.inside);
     EXPECT_EQ(row.verdict, ClearanceVerdict::Clash);
-    EXPECT_LE(row.penetration.depth,
-              21);  // x = 0: the face x = 1 is 19 below x = 20, -1 below as well
+    // At half time, the faces x = 1 and x = -1 are 19 and 21 mm inside the face x = 20.
+    EXPECT_LE(row.penetration.depth, 21);
     EXPECT_GE(row.penetration.depth, 19 - 0.2);
     ASSERT_EQ(row.contact.size(), 1u);
     EXPECT_EQ(row.contact[0].from, 0);
@@ -376,7 +376,8 @@ TEST(Clearance, AgreesWithStampingEveryPose) {
       EXPECT_NEAR(clearance::stampEveryPose(body, {row.pose}, part, run).distance, row.distance,
                   1e-9);
     }
-    for (std::size_t i = 0; i < dense.size(); i += 7) {  // no moment below is left out
+    for (std::size_t i = 0; i < dense.size(); i += 7) {
+      // Every sampled time with less than the required distance lies in a reported interval.
       const double d =
           pair.distanceAt(dense[i].rotation.toRotationMatrix(), dense[i].translation, 1e9).distance;
       bool listed = false;

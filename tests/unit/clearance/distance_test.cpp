@@ -80,7 +80,7 @@ TEST(PairSearch, DistanceAgreesWithAllPairsAndWithFcl) {
     EXPECT_NEAR((found.onBody - found.onNeighbour).norm(), found.distance, 1e-12);
     const StampedMinimum fcl = stampEveryPose(a, {poseOf(0, place)}, b, run);
     EXPECT_NEAR(found.distance, fcl.distance, 1e-9);
-    // A bound below the distance must find nothing, one above the same pair.
+    // With a bound below the distance, nothing is found; with a bound above, the same pair.
     if (found.distance > 0) {
       EXPECT_LT(
           search.distanceAt(place.linear(), place.translation(), 0.999 * found.distance).pair.body,

@@ -84,7 +84,7 @@ TEST(Mechanism, BarsTurnAgainstEachOther) {
     const MechanismReport report =
         check({partOf("left", bar, left, kind), partOf("right", bar, right, kind)}, options);
     const NeighbourClearance& row = only(report);
-    double least = 1e300;  // of rectangles in the plane, densely: the bars are mirror images
+    double least = 1e300;  // of rectangles in the plane, at many times; the bars are mirror images
     const auto gap = [&](double degrees) {
       const MechanismPart a = partOf("a", bar, {turned(0, degrees, {0, 0, 0})});
       const MechanismPart b = partOf("b", bar, {turned(0, 90 - degrees, {100, 0, 0})});
@@ -212,9 +212,10 @@ TEST(Mechanism, PairsAreLeftOutAndFarOnesAreCounted) {
   for (const PairClearance& pair : less.pairs) EXPECT_NE(pair.parts, (PartPair{1, 2}));
 }
 
-/// Two balls spin, and one of them also swings to the other and back, twice. They come too near for
-/// a while, or overlap deeply. A formula gives the times. Even a long clash needs few measured
-/// distances: one deep point proves the clash at its moment.
+/// Two balls spin, and one of them also swings to the other and back, twice. At their nearest they
+/// overlap by 6 mm or by 16 mm. A formula gives the times. Even a long overlap needs few distance
+/// computations: a point of one ball deep inside the other proves an overlap for some time before
+/// and after.
 TEST(Mechanism, TimesOfSpinningBalls) {
   const double radius = 20, swing = 12, seconds = 4;
   const TriMesh ball = makeBall(Vector3d::Zero(), radius, 4);
@@ -274,7 +275,7 @@ TEST(Mechanism, APairHasARuleOfItsOwn) {
   EXPECT_EQ(ruled.pairs[1].clearance.verdict, ClearanceVerdict::Contact);
   EXPECT_TRUE(ruled.pairs[1].clearance.meetsRule());
   EXPECT_GE(ruled.range, 1.5);
-  options.rules[1].rule = parseRule("contact:0.15");  // not so deep
+  options.rules[1].rule = parseRule("contact:0.15");  // less than the actual depth
   EXPECT_FALSE(check(parts, options).pairs[1].clearance.meetsRule());
 }
 

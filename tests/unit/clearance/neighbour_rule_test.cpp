@@ -167,9 +167,9 @@ TEST(ClearanceRules, ContactThatIsAllowedIsNoFault) {
   EXPECT_EQ(row.verdict, ClearanceVerdict::Contact);
   EXPECT_TRUE(row.meetsRule());
   EXPECT_TRUE(row.below.empty());
-  ASSERT_EQ(row.contact.size(), 1u);  // the times of contact are told all the same
+  ASSERT_EQ(row.contact.size(), 1u);  // the times of contact are still reported
   EXPECT_EQ(report.ignored, std::vector<std::string>{"wall"});
-  EXPECT_EQ(report.smallest, 1);  // what is meant to touch does not hide what comes near
+  EXPECT_EQ(report.smallest, 1);  // row 1, not row 0 with its allowed contact
   EXPECT_NE(report.summary.find("2 checked, 1 allowed contact, 1 ignored, smallest distance"),
             std::string::npos)
       << report.summary;

@@ -1,12 +1,11 @@
-// The consistent components over every configuration: the mesh is closed, edge- and
+// Tests the consistent components with every configuration: the mesh is closed, edge- and
 // vertex-manifold. Blocks of lattice points stand in a large grid, each in a shell of outside
-// points, so that one contouring settles thousands of configurations.
+// points, so that one run of contouring tests thousands of configurations.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <set>
@@ -40,7 +39,7 @@ struct BlockShape {
 struct BlockEdge {
   int axis;
   std::int32_t i, j, k;
-  int low, high;  ///< bits of the ends
+  int low, high;  ///< bit numbers of both ends in insideBits
 };
 
 std::vector<BlockEdge> blockEdges(const BlockShape& s) {
@@ -134,7 +133,7 @@ class BlockTester {
   Faults total_;
 };
 
-/// The edges of a block with both ends outside: these may be doubly crossed.
+/// Returns the edges of a block with both ends outside: these may be doubly crossed.
 std::vector<int> wallPlaces(const std::vector<BlockEdge>& edges, std::uint64_t inside) {
   std::vector<int> places;
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -153,8 +152,8 @@ std::uint64_t spread(std::uint64_t bits, const std::vector<int>& places) {
   return out;
 }
 
-/// One cell: all patterns of signs, each with all choices of doubly crossed edges. They include
-/// all 2^12 sets of crossed edges.
+/// Calls use() with single cells: all patterns of signs, each with all choices of doubly crossed
+/// edges. They include all 2^12 sets of crossed edges. Returns the number of cells.
 std::int64_t everyCell(const std::function<void(const Block&)>& use) {
   const auto edges = blockEdges({2, 2, 2});
   std::int64_t count = 0;
@@ -166,8 +165,6 @@ std::int64_t everyCell(const std::function<void(const Block&)>& use) {
   }
   return count;
 }
-
-bool longRun() { return std::getenv("SWEPT_LONG_TESTS") != nullptr; }
 
 }  // namespace
 
@@ -261,7 +258,7 @@ TEST(ComponentsExhaustive, ComponentsAreSingleLoops) {
     for (int s = 0; s < kSlots; ++s) {
       ASSERT_EQ(found.of[s] >= 0, cell.has(s));
       if (!cell.has(s)) continue;
-      ASSERT_EQ(degree[s], 2);  // with one link component a class of degree two is one loop
+      ASSERT_EQ(degree[s], 2);  // so each linked set of slots is a single loop
       roots.insert(root(s));
       for (int r = 0; r < s; ++r) {
         ASSERT_TRUE(!cell.has(r) || (found.of[r] == found.of[s]) == (root(r) == root(s)));
@@ -285,7 +282,7 @@ TEST(ComponentsExhaustive, EveryFacePair) {
 /// All 2^20 choices of doubly crossed edges in two cells whose corners all lie outside.
 TEST(ComponentsExhaustive, FacePairsOfWalls) {
   BlockTester tester({2, 2, 3}, Geometry::Random, 5);
-  const std::uint64_t stride = longRun() ? 1 : kUnderSanitizer ? 293 : 13;
+  const std::uint64_t stride = longRun() ? 1 : kUnderSanitizer ? 293 : 31;
   std::int64_t count = 0;
   for (std::uint64_t walls = 0; walls < 1u << 20; walls += stride, ++count) tester.add({0, walls});
   tester.expectNone(count);
@@ -295,7 +292,7 @@ TEST(ComponentsExhaustive, EveryFourCellsRoundAnEdge) {
   const BlockShape shapes[] = {{3, 3, 2}, {2, 3, 3}, {3, 2, 3}};
   for (std::uint64_t turn = 0; turn < (longRun() ? 3 : 1); ++turn) {
     BlockTester tester(shapes[turn], Geometry::Random, 11 + turn);
-    const std::uint64_t stride = kUnderSanitizer ? 61 : 1;
+    const std::uint64_t stride = longRun() ? 1 : kUnderSanitizer ? 61 : 13;
     std::int64_t count = 0;
     for (std::uint64_t inside = 0; inside < 1u << 18; inside += stride, ++count) {
       tester.add({inside, 0});
@@ -306,7 +303,7 @@ TEST(ComponentsExhaustive, EveryFourCellsRoundAnEdge) {
 
 /// Random signs of 3 x 3 x 3 points (2^27 patterns), and such blocks with doubly crossed edges.
 TEST(ComponentsExhaustive, BlocksOfEightCellsSampled) {
-  const int count = longRun() ? 4'000'000 : sampled(20'000, 20);
+  const int count = longRun() ? 4'000'000 : sampled(8'000, 8);
   BlockTester signs({3, 3, 3}, Geometry::Random, 21), walls({3, 3, 3}, Geometry::Random, 22);
   for (int n = 0; n < count; ++n) {
     const auto draw = static_cast<std::uint64_t>(n);
@@ -344,7 +341,8 @@ TEST(ComponentsExhaustive, RandomGrids) {
   }
 }
 
-/// The counter above finds faults: one vertex per cell makes non-manifold edges in such a grid.
+/// The fault counter above finds faults: one vertex per cell makes non-manifold edges in such a
+/// grid.
 TEST(ComponentsExhaustive, PlainDualContouringHasFaults) {
   SyntheticGrid grid(9, 9, 9);
   for (std::int32_t p = 0; p < 343; ++p) {

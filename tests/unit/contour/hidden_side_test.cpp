@@ -18,7 +18,7 @@ namespace {
 
 using V3 = Eigen::Vector3d;
 
-/// Prism along y over an L: a block with a step of the given height along its middle.
+/// Returns a prism along y over an L: a block with a step of the given height along its middle.
 TriMesh stepped(double height) {
   const double x[] = {0, 6, 6, 3, 3, 0}, z[] = {0, 0, 2, 2, 2 + height, 2 + height};
   TriMesh mesh;
@@ -100,8 +100,8 @@ TEST(HiddenSide, BothEdgesOfALedgeAcrossTheLattice) {
   }
 }
 
-/// Edges of the grid meet the rim of such a wall in some cells only. The envelope must contain
-/// all four edges of the rim along y.
+/// A wall is nearly as thick as a cell, so grid edges meet its rim in some cells only. The envelope
+/// must contain all four edges of the rim along y.
 TEST(KnownSide, RimOfAWallNearlyAsThickAsACell) {
   constexpr double kWidth = 4, kLength = 5;
   std::vector<double> edges;

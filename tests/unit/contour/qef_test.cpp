@@ -39,7 +39,8 @@ TEST(Qef, NoPlaceInTheCellIsBetter) {
   }
 }
 
-/// Planes that differ by a tenth of a degree, their places by a few hundredths of a cell.
+/// Planes whose normals differ by a tenth of a degree and whose positions differ by a few
+/// hundredths of a cell.
 TEST(Qef, DampingKeepsPlanesThatAreNearlyOneAtTheirPlaces) {
   Qef planes;
   const auto add = [&](double x, double y, double z, double turn) {

@@ -16,8 +16,7 @@ namespace {
 
 double unit(std::uint64_t seed) { return static_cast<double>(mix(seed) >> 11) * 0x1p-53; }
 
-/// Returns the crossings of a cell with these signs of its corners and these doubly crossed
-/// edges.
+/// A cell with given signs at its corners and given doubly crossed edges. Its crossings are random.
 struct DrawnCell {
   Cell cell;
   std::vector<Crossing> crossings;
@@ -36,7 +35,7 @@ struct DrawnCell {
       const bool low = (insideCorners >> cornerOf(edge, 0) & 1u) != 0,
                  high = (insideCorners >> cornerOf(edge, 1) & 1u) != 0;
       cell.first[edge] = static_cast<std::uint32_t>(crossings.size());
-      // Every third fraction puts the crossing at an end of the edge, or at the other crossing.
+      // Nearly every third crossing lies at an end of the edge, or at the other crossing.
       const double first = unit(seed + 1000 + edge), second = unit(seed + 2000 + edge);
       const double from = first < 0.15 ? 0 : first * second,
                    to = second < 0.15 ? from : from + (1 - from) * second;
@@ -99,7 +98,7 @@ std::string faultsOf(const DrawnCell& drawn, bool layered) {
   return found.count == 0 ? "" : std::to_string(found.count) + " pairs meet";
 }
 
-/// All patterns of signs with all choices of doubly crossed edges.
+/// Calls use() for all patterns of signs with all choices of doubly crossed edges.
 template <class Use>
 void forAllCells(const Use& use) {
   for (std::uint32_t corners = 0; corners < 256; ++corners) {

@@ -87,10 +87,10 @@ std::int64_t turn(Surface& surface) {
 TEST(Specks, SmallShellsInsideOutAreTurnedAndNoOthers) {
   Surface surface;
   append(surface, makeBox({0, 0, 0}, {9, 9, 9}), 0);
-  append(surface, turnedOver(makeBox({4, 4, 4}, {5, 5, 5})), 0);  // a hollow space as it should be
+  append(surface, turnedOver(makeBox({4, 4, 4}, {5, 5, 5})), 0);  // a correct cavity
   append(surface, makeBox({20, 0, 0}, {20.1, 0.1, 1e-5}), 1);
   append(surface, turnedOver(makeBox({20, 5, 0}, {20.1, 5.1, 1e-5})), 2);
-  append(surface, makeBox({2, 2, 2}, {2.1, 2.1, 2.1}), 2);  // a hollow space inside out
+  append(surface, makeBox({2, 2, 2}, {2.1, 2.1, 2.1}), 2);  // a cavity inside out
   RunContext run;
   ASSERT_FALSE(checkMesh(surface.mesh, false, run).oriented);
   EXPECT_EQ(turn(surface), 2);

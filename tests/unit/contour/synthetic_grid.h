@@ -21,7 +21,7 @@ class SyntheticGrid {
   bool inside(std::int32_t i, std::int32_t j, std::int32_t k) const {
     return inside_[index(i, j, k)] != 0;
   }
-  /// The edge from (i, j, k) along axis, both ends outside, passes through a thin wall.
+  /// Makes the edge from (i, j, k) along `axis`, both ends outside, pass through a thin wall.
   void setWall(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
     walls_[3 * index(i, j, k) + static_cast<std::size_t>(axis)] = 1;
   }
@@ -39,7 +39,7 @@ class SyntheticGrid {
   std::vector<std::uint8_t> inside_, walls_;
 };
 
-/// Counted independently: it shares no code with the contouring or the mesh check.
+/// Faults of a mesh, counted without any code of the contouring or the mesh check.
 struct Faults {
   std::int64_t openEdges = 0;         ///< directed edges without exactly one partner
   std::int64_t nonManifoldEdges = 0;  ///< undirected edges of more than two triangles
@@ -50,7 +50,7 @@ struct Faults {
 };
 Faults findFaults(const TriMesh& mesh);
 
-/// Numbers that depend on the seed and the counter only.
+/// Returns a pseudo-random number that depends only on x.
 std::uint64_t mix(std::uint64_t x);
 
 }  // namespace swept::test

@@ -9,7 +9,7 @@
 namespace swept::test {
 namespace {
 
-/// Sign by 128-bit integers, for points on an integer lattice.
+/// Returns the sign, computed with 128-bit integers, for points on an integer lattice.
 int integerSign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                 const Eigen::Vector3d& d) {
   __extension__ using Wide = __int128;

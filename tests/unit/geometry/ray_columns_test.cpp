@@ -32,7 +32,7 @@ double bySolidAngles(const TriMesh& mesh, const Vector3d& p) {
   return angle / (4 * M_PI);
 }
 
-/// A solid, a cavity, an overlap, and a ball with inward triangles.
+/// Returns a mesh of a solid, a cavity, an overlap, and a ball with inward triangles.
 TriMesh nested() {
   TriMesh mesh = makeBox(Vector3d::Constant(-10), Vector3d::Constant(10));
   append(mesh, inverted(makeBox(Vector3d::Constant(-4), Vector3d::Constant(4))));
@@ -57,8 +57,8 @@ TEST(RayColumns, WindingAgreesWithSolidAngles) {
        {nested(), soup(nested()), transformed(nested(), turn), makeTorus(10, 3, 60, 30)}) {
     const RayColumns rays(mesh);
     for (int n = 0; n < 1500; ++n) {
-      const Vector3d p = n % 2 == 0 ? random.point(25)
-                                    : Vector3d(random.point(14).array().round());  // rays in edges
+      const Vector3d p =
+          n % 2 == 0 ? random.point(25) : Vector3d(random.point(14).array().round());  // hits edges
       if (isOnSurface(mesh, p)) continue;
       const double angles = bySolidAngles(mesh, p);
       ASSERT_NEAR(angles, std::round(angles), 1e-6);
@@ -128,7 +128,7 @@ TEST(RayColumns, LongTrianglesStandInTheColumnsThatTheyCover) {
   std::size_t crossed = 0;
   for (std::size_t n = 0; n < 300; ++n) {
     const Vector3d along = random.point(0.5).array() + 0.5;
-    const Vector3d p = n % 3 == 0  // a corner, too
+    const Vector3d p = n % 3 == 0  // also corners of triangles
                            ? mesh.vertices[7 * n % mesh.vertices.size()]
                            : Vector3d(rays.low() + along.cwiseProduct(rays.high() - rays.low()));
     rays.crossings(p.y(), p.z(), line);

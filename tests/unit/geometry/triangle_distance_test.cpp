@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector3d;
 using LongVector = Eigen::Matrix<long double, 3, 1>;
 
-/// Distance by definition: that of the foot of the perpendicular if it lies within the edges,
-/// otherwise that of the nearest edge.
+/// Returns the distance by definition: that of the foot of the perpendicular if it lies within the
+/// edges, otherwise that of the nearest edge.
 double distanceByDefinition(const Vector3d& p, const Triangle3d& triangle) {
   LongVector x = p.cast<long double>(), c[3];
   for (int k = 0; k < 3; ++k) c[k] = triangle[k].cast<long double>();
@@ -40,7 +40,7 @@ double distanceByDefinition(const Vector3d& p, const Triangle3d& triangle) {
   return static_cast<double>(best);
 }
 
-/// The point lies on the triangle, as far as its edges and its plane tell.
+/// Returns the distance of a point that should lie on the triangle.
 double distanceFromItself(const Vector3d& point, const Triangle3d& triangle) {
   return distanceByDefinition(point, triangle);
 }
@@ -59,8 +59,8 @@ TEST(TriangleDistance, PointsAgreeWithTheDefinition) {
   }
 }
 
-// Heights from a thousandth of the longest edge down to zero. Rounding of the coordinates alone
-// moves such a triangle by 1e-16, but never its nearest point along its whole length.
+// Heights from a thousandth of the longest edge down to zero. Rounding of the coordinates may move
+// such a triangle by 1e-16, but must not move the nearest point along the triangle.
 TEST(TriangleDistance, NeedlesAndPointsAgreeWithTheDefinition) {
   Random random(5);
   for (int n = 0; n < 20000; ++n) {
@@ -78,7 +78,8 @@ TEST(TriangleDistance, NeedlesAndPointsAgreeWithTheDefinition) {
   }
 }
 
-// Distance of two triangles by projection onto a fine grid of points of one, both ways round.
+// Returns the distance of two triangles: points of a fine grid on one are projected onto the other,
+// in both directions.
 double sampledDistance(const Triangle3d& a, const Triangle3d& b, int steps) {
   double best = 1e300;
   for (int i = 0; i <= steps; ++i) {

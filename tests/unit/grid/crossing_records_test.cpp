@@ -8,8 +8,8 @@
 namespace swept {
 namespace {
 
-// Many crossings of few lattice edges, some at equal places, as faces that slide within themselves
-// leave them.
+// Returns many crossings of few lattice edges, some at the same position, as if faces slid within
+// themselves.
 std::vector<RecordChunk> crowdedChunks(const GridPlan& grid) {
   std::mt19937 random(7);
   std::vector<RecordChunk> chunks(3);

@@ -1,6 +1,6 @@
-// The rasteriser, compared with a reference that computes with the shifted lattice itself.
-// There, every number is a polynomial in the shift e with integer coefficients; its sign is that
-// of the lowest power.
+// Compares the rasteriser with a reference that computes with the shifted lattice itself. In the
+// reference, every number is a polynomial in the shift e with integer coefficients. Its sign is
+// that of the coefficient of the lowest power that is not zero.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "grid/rasterise.h"
 
@@ -48,7 +48,8 @@ Polynomial number(std::int64_t x) {
   out.c[0] = x;
   return out;
 }
-/// Coordinate of lattice index n along an axis: the lattice is shifted by (e, e^2, e^3).
+/// Returns the coordinate of lattice index n along an axis. The lattice is shifted by (e, e^2,
+/// e^3).
 Polynomial shifted(std::int32_t n, int axis) {
   Polynomial out = number(std::int64_t{n} * kSubUnits);
   out.c[static_cast<std::size_t>(axis) + 1] = 1;
@@ -58,7 +59,7 @@ Polynomial shifted(std::int32_t n, int axis) {
 using Edge = std::tuple<int, std::int32_t, std::int32_t, std::int32_t>;  // axis, i, j, k
 using Corners = std::array<SnappedPoint, 3>;
 
-/// Twice the area of (from, to, line) as seen along the third axis.
+/// Returns twice the area of (from, to, line) as seen along the third axis.
 Polynomial side(const SnappedPoint& from, const SnappedPoint& to, int u, int v,
                 const std::array<Polynomial, 3>& line) {
   return number(to[u] - from[u]) * (line[v] - number(from[v])) -
@@ -103,7 +104,7 @@ std::set<Edge> oracle(const Corners& t, std::int32_t points, std::int64_t& ties)
   return found;
 }
 
-/// Odd, near a lattice plane or anywhere between.
+/// Returns an odd coordinate (sub-units), near a lattice plane or anywhere between.
 std::int32_t randomCoordinate(std::mt19937& random, std::int32_t points) {
   std::uniform_int_distribution<std::int32_t> plane(1, points - 2), odd(-2, 1);
   std::uniform_int_distribution<std::int32_t> anywhere(kSubUnits / 2,
@@ -150,7 +151,8 @@ TEST(Rasterise, CrossesTheEdgesOfTheShiftedLattice) {
   EXPECT_GT(ties, 1000) << "no line met an edge: the shift was not tested";
 }
 
-/// A lattice point is inside a closed surface or not, whichever axis is used for the test.
+/// Whether a lattice point is inside a closed surface must not depend on the axis along which
+/// crossings are counted.
 TEST(Rasterise, TheThreeAxesAgreeAboutEveryPointOfAClosedSurface) {
   constexpr std::int32_t kPoints = 7;
   std::mt19937 random(5);

@@ -14,8 +14,8 @@ namespace {
 using test::errorText;
 using test::TemporaryFolder;
 
-// Three triangles at one edge, two with the same three vertices, and numbers with many digits:
-// all that a half-edge mesh would refuse, drop or round.
+// Returns triangles that a half-edge mesh would refuse, drop or round: three at one edge, two with
+// the same three vertices, and numbers with many digits.
 TriMesh awkwardSoup() {
   TriMesh mesh;
   mesh.vertices = {
@@ -270,8 +270,8 @@ TEST(MeshFile, BadInput38TargetIsTestedBeforeAndNothingIsLeft) {
 TEST(MeshFile, BadInput36FullDiskKeepsTheOldFile) {
   std::error_code unknown;
   if (!std::filesystem::exists("/dev/full", unknown)) GTEST_SKIP() << "no /dev/full on this system";
-  // A file cannot be renamed onto the device; its folder refuses, or the write fails. In each
-  // case there is an error with a cause, and no incomplete file that looks whole.
+  // No file can be created in /proc, or the write fails. In both cases there is an error with a
+  // cause, and no incomplete file that looks complete.
   const TriMesh mesh = awkwardSoup();
   EXPECT_THROW(writeMesh(mesh, "/proc/swept.ply"), Error);
 }

@@ -21,7 +21,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A smooth path with the noise of a recording. Some poses have the time of the previous one.
+/// Returns a smooth path with the noise of a recording. Some poses have the time of the previous
+/// one.
 Trajectory recording(std::mt19937& random, int poses, double travel, double turn, double noise,
                      Interpolation kind = Interpolation::Linear) {
   std::normal_distribution<double> normal(0, 1);
@@ -68,7 +69,7 @@ double farthestOff(const TriMesh& body, const Trajectory& truth, const Motion& m
         if (duration > 0) {
           least = std::min(least, offAt(k, std::min(1.0, (time - start) / duration)));
         } else {
-          least = std::min(least, offAt(k, look / 4.0));  // a jump takes no time
+          least = std::min(least, offAt(k, look / 4.0));  // the step is a jump, which takes no time
         }
       }
       most = std::max(most, least);
@@ -167,8 +168,8 @@ Options at(double cell) {
   return options;
 }
 
-/// The envelope of a recording contains the body at each pose, up to the chord error and what a
-/// surface in cells may be off.
+/// The envelope of a recording contains the body at each pose, up to the chord error and the error
+/// that a surface in cells may have.
 TEST(MergeSteps, TheEnvelopeLosesNoMoreThanItSays) {
   std::mt19937 random(4);
   const TriMesh body = makeBall({0, 0, 0}, 5, 3);

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 const Vector3d kPivot{105, 5, -3};
 
-/// A quarter turn about the z axis while the body moves away from the origin.
+/// Returns a quarter turn about the z axis, during which the body moves away from the origin.
 Trajectory quarterTurn(Interpolation interpolation) {
   Trajectory trajectory;
   trajectory.interpolation = interpolation;

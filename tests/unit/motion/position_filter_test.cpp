@@ -13,7 +13,7 @@
 namespace swept::test {
 namespace {
 
-/// Small random steps, and some larger ones.
+/// Returns a motion of small random steps, and some larger ones.
 Trajectory walk(std::mt19937& random, int poses, Interpolation interpolation) {
   std::normal_distribution<double> step(0, 1);
   Trajectory out;

@@ -109,8 +109,8 @@ TEST(SplitEdges, TooManyCopiesMakeTheChordLarger) {
   EXPECT_LT(planFollowing(c.body, c.turn, chord, cell, 1, false, run).chord, cell);
 }
 
-/// A box that turns about an edge: a sector of a cylinder beside the box as it stands first and
-/// last.
+/// A box turns about one of its edges. It sweeps a sector of a cylinder, and its own space at the
+/// first and the last pose.
 TEST(SplitEdges, ABoxIsFollowedWithFewPlacements) {
   const TriMesh box = makeBox({0, 0, 0}, {4, 1, 10});
   Trajectory turn;
@@ -121,7 +121,8 @@ TEST(SplitEdges, ABoxIsFollowedWithFewPlacements) {
   Options options;
   options.resolution = 128;
   const Result result = checkedCompute(box, turn, options);
-  // 10 mm edges turning by 1.57: 2,500 placements for flat patches; 100 for the arcs.
+  // Edges of 10 mm turn by 1.57 rad. Flat side patches would need 2,500 placements; the arcs of the
+  // vertices need only 100.
   EXPECT_LT(result.report.refinedPlacements, 300);
   // A quarter of a disc up to the far corner, and the two halves of the box beside it.
   const double area = 17 * M_PI / 4 + 4;

@@ -30,7 +30,7 @@ class Random {
     return {number(-size, size), number(-size, size), number(-size, size)};
   }
   Isometry3d place() { return placement(point(1), number(0, 360), point(50)); }
-  /// Angles of all sizes, the smallest no turn at all.
+  /// Returns a random angle of any size, sometimes 0.
   double degrees() { return number(0, 1) < 0.1 ? 0 : 179 * std::pow(10, number(-13, 0)); }
 
  private:
@@ -48,7 +48,8 @@ double difference(const Isometry3d& a, const Isometry3d& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
 
-/// Loss by rounding, or because a turn below the smallest screw angle counts as no turn.
+/// Returns the permitted error (mm): rounding, and the effect of ignoring a turn below the smallest
+/// screw angle.
 double lossOf(const StepPath& path) {
   return kRounding + (path.angle() > 0 && path.angle() < 1e-3
                           ? 100 * std::min(path.angle(), 4e-16 / path.angle())

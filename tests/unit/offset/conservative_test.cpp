@@ -24,7 +24,7 @@ Result conservative(const TriMesh& body, const Trajectory& motion, Options optio
   return checkedCompute(body, motion, options);
 }
 
-/// Random points of the body's surface at random times, as SweptDistance places it.
+/// Returns random points of the body's surface at random times, as SweptDistance places it.
 std::vector<V3> sweepPoints(const SweptDistance& truth, int count, std::mt19937& random) {
   const TriMesh& mesh = truth.body().mesh();
   std::uniform_real_distribution<double> unit(0, 1);
@@ -47,7 +47,8 @@ std::vector<V3> sweepPoints(const SweptDistance& truth, int count, std::mt19937&
   return points;
 }
 
-/// solid: the body for the comparison, which must be closed.
+/// Tests that a conservative envelope contains the sweep, and its reported bound. solid: the closed
+/// body for the comparison.
 void expectHeld(const std::string& name, const TriMesh& body, const TriMesh& solid,
                 const Trajectory& motion, const Options& options, int points) {
   SCOPED_TRACE(name);
@@ -129,7 +130,8 @@ TEST(Conservative, HoldsWhatNoGridEdgeMeets) {
   expectHeld("moving needle", body, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
 }
 
-/// A sheet of four corners with triangles on both sides; if it has a width, its rim is closed.
+/// Appends a sheet of four corners with triangles on both sides. If it has a width, its rim is
+/// closed.
 void appendSheet(TriMesh& mesh, double width) {
   const V3 corners[] = {V3(4, 1, 2), V3(9, 1, 2.3), V3(9, 3, 2.9), V3(4, 3, 2.1)};
   const auto first = static_cast<std::int32_t>(mesh.vertices.size());

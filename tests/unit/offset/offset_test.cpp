@@ -224,7 +224,7 @@ TEST(Offset, TurningBoxAgreesWithTheDistanceOverTime) {
   for (const double d : {0.15, 0.8}) {
     const Result result = grown(box, motion, d, cell);
     const Deviation out = deviation(
-        result, d, [&](const V3& x) { return truth.distance(x); }, 1500);
+        result, d, [&](const V3& x) { return truth.distance(x); }, 500);
     std::printf("turning box grown by %.1f cells: mean %.4f p95 %.4f max %.4f\n", d / cell,
                 out.mean, out.p95, out.most);
     EXPECT_LT(out.mean, 0.01);

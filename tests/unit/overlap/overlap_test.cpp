@@ -109,7 +109,7 @@ double clippedVolume(const TriMesh& a, const TriMesh& b) {
   return found.volume();
 }
 
-/// A ball of few triangles with random radii along the axes, turned: convex.
+/// Returns a convex body of few triangles: a ball with random radii along the axes, turned.
 TriMesh pebble(std::mt19937& random) {
   std::uniform_real_distribution<double> radius(4, 12);
   TriMesh mesh = makeBall(Vector3d::Zero(), 1, std::uniform_int_distribution<int>(0, 2)(random));
@@ -118,7 +118,8 @@ TriMesh pebble(std::mt19937& random) {
   return transformed(mesh, placed(random, 0));
 }
 
-/// Corners on whole numbers: faces, edges and corners of two such parts lie on each other.
+/// Rounds all corners to whole numbers. Faces, edges and corners of two such parts lie on each
+/// other.
 TriMesh onWholeNumbers(TriMesh mesh) {
   for (Vector3d& p : mesh.vertices) p = p.array().round();
   return mesh;

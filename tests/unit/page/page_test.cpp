@@ -174,7 +174,7 @@ TEST(Page, TheTemplatesAreWholeAndAViewCanBeStopped) {
   EXPECT_NO_THROW(checkPageTemplate(names));
   EXPECT_EQ(codeOf([] { checkPageTemplate("{{logo}}"); }, "{{logo}} is not a placeholder"),
             "BadTemplate");
-  // The same names are checked and filled in.
+  // The names that checkPageTemplate() accepts are those that are filled in.
   const auto known = [](const std::function<void()>& act) {
     try {
       act();

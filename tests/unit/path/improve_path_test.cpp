@@ -19,7 +19,7 @@ PathOptions patient(const PathCase& c) {
   return options;
 }
 
-// The straight motion from start to goal in equal moves, through all neighbours.
+// Returns the straight motion from start to goal in equal moves, through all neighbours.
 Trajectory straightWay(const PathCase& c, int moves) {
   Trajectory motion;
   motion.interpolation = Interpolation::Linear;

@@ -47,7 +47,8 @@ std::string codeOf(const PathCase& c, const PathOptions& options) {
   return report.code;
 }
 
-/// Enough seconds for sanitizers too: a search that ends at its time limit tests nothing.
+/// Returns options with enough time for sanitizers too: a search that ends at its time limit tests
+/// nothing.
 PathOptions patient(const PathCase& c) {
   PathOptions options = optionsOf(c);
   options.budgetSeconds = 1000;
@@ -58,7 +59,7 @@ TEST(FindPath, MadeUpProblemsHaveTheRightAnswersAndEveryPathIsClear) {
   int found = 0;
   for (unsigned number = 0; number < 45; ++number) {
     const PathCase c = pathCase(number);
-    if (c.name == "hook" || c.name == "slot" || c.name == "elbow") continue;  // below
+    if (c.name == "hook" || c.name == "slot" || c.name == "elbow") continue;  // tested below
     PathOptions options = optionsOf(c);
     options.budgetSeconds = c.possible ? 1000 : 0.3;
     const PathReport report = solve(c, options);

@@ -29,7 +29,7 @@ SequencePart partOut(const std::string& name, const TriMesh& mesh, double radius
   return part;
 }
 
-/// Open at the top, 20 mm wide inside.
+/// Returns a shaft that is open at the top, 20 mm wide inside.
 TriMesh shaft(double height) {
   TriMesh mesh = makeSquareRing(13, 10, 0, height);
   append(mesh, makeBox({-13, -13, -3}, {13, 13, 0.5}));
@@ -201,7 +201,8 @@ TEST(FindSequence, TheFirstPartComesFreelyWhereNothingStands) {
   p.parts.back().task.extraction = Extraction{0, Vector3d(0, 0, -1)};
   p.still.clear();
   p.options.findOrder = true;
-  // The shaft can be moved down from around the blocks: this is the given order.
+  // The blocks need not leave first: the shaft can be moved down off them. So the given order
+  // works.
   const SequenceReport report = solve(p);
   EXPECT_EQ(wrongWith(p, report), "");
   EXPECT_EQ(report.steps.front().path.method, "nothing in the way");
@@ -290,7 +291,7 @@ TEST(FindSequence, PartsThatTouchAreReleased) {
 TEST(FindSequence, PairsMayAskForTheirOwn) {
   Problem p = stack(2);
   std::reverse(p.parts.begin(), p.parts.end());
-  p.options.path.clearance = 1.5;  // between the blocks is 1 mm, round them too
+  p.options.path.clearance = 1.5;  // all gaps are 1 mm
   EXPECT_EQ(codeOf(p), "PartsTooNear");
   p.options.rules = {{"block2", "block1", parseRule("0.5")},
                      {"block1", "shaft", parseRule("0.3")},
@@ -305,7 +306,8 @@ TEST(FindSequence, PairsMayAskForTheirOwn) {
 }
 
 TEST(FindSequence, TheSameBytesForAnyCountOfThreads) {
-  Problem found = stack(3), none = links();  // by quick methods; after searches in six dimensions
+  // Quick methods solve the first problem; the second one needs searches in six dimensions.
+  Problem found = stack(3), none = links();
   found.options.findOrder = true;
   for (const Problem& p : {found, none}) {
     const auto bytes = [&](int threads) {

@@ -45,7 +45,7 @@ TEST(Preview, WhatIsKeptBetweenCallsDoesNotShowInTheResult) {
       Pose& pose = next.poses[1 + static_cast<std::size_t>(edit % 4)];
       pose.translation += 0.1 * Eigen::Vector3d(unit(random), unit(random), unit(random));
       if (edit == 5) next.poses.erase(next.poses.begin() + 2);
-      // The grid is that of the first motion, but no step is: the way back has other steps.
+      // The motion in reverse has the grid of the first motion, but none of its steps.
       Trajectory back = motion;
       std::reverse(back.poses.begin(), back.poses.end());
       for (std::size_t n = 0; n < back.poses.size(); ++n) {

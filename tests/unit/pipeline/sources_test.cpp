@@ -19,8 +19,9 @@
 namespace swept::test {
 namespace {
 
-/// Cells: crossings keep a thousandth from lattice points. Where an edge slides along itself the
-/// core finds no exact crossing; it keeps the sampled one or moves it by up to a quarter of a cell.
+/// Largest error of a source point, in cells. kOff: usual, since crossings keep this distance from
+/// lattice points. kMostOff: where an edge slides along itself and the core finds no exact
+/// crossing. kShareOff: largest fraction of triangles with an error above kOff.
 constexpr double kOff = 1e-3, kMostOff = 0.25, kShareOff = 0.01;
 
 Trajectory turningMotion(Interpolation interpolation) {
@@ -32,7 +33,7 @@ Trajectory turningMotion(Interpolation interpolation) {
   return motion;
 }
 
-/// A prism whose faces are the two ends (1 and 2) and the mantle (0).
+/// Returns a prism whose faces are the two ends (1 and 2) and the mantle (0).
 TriMesh cylinderWithFaces(int sides) {
   TriMesh body = makeCylinder(6, -8, 8, sides);
   for (const auto& t : body.triangles) {
@@ -68,8 +69,8 @@ Result sweep(const TriMesh& body, const Trajectory& motion, bool sources, double
   return compute(body, motion, options, run);
 }
 
-/// The mesh has the same bytes as in a run without sources, all sources are true, and few are
-/// missing.
+/// Tests that the mesh has the same bytes as in a run without sources, that all sources are right,
+/// and that few are missing.
 void expectTrue(const TriMesh& body, const Trajectory& motion, const std::string& what) {
   const Result plain = sweep(body, motion, false), result = sweep(body, motion, true);
   ASSERT_EQ(result.report.status, plain.report.status) << what << result.report.message;
@@ -274,7 +275,7 @@ TEST(Sources, AreRefusedWhereNothingIsKnown) {
   EXPECT_EQ(codeOf(few, options), "BadFaces");
   EXPECT_EQ(codeOf(negative, options), "BadFaces");
   options.sources = false;
-  EXPECT_EQ(codeOf(few, options), "");  // nobody reads them
+  EXPECT_EQ(codeOf(few, options), "");  // without sources, the faces are not used
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// To and fro along a bow, in so small steps that few of them are merged.
+/// Returns a motion to and fro along a bow, in steps of which few are merged.
 Trajectory swing(int poses) {
   Trajectory motion;
   for (int n = 0; n < poses; ++n) {

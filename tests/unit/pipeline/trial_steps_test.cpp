@@ -25,7 +25,8 @@
 namespace swept::test {
 namespace {
 
-/// `keys` poses along a bow of `length` mm; turning; each of them up to `noise` mm off.
+/// Returns `keys` poses along a bow of `length` mm with a turn of `turn` (rad). `noise`: standard
+/// deviation of their errors (mm).
 Trajectory bow(int keys, double length, double turn, double noise) {
   std::mt19937 random(7);
   std::normal_distribution<double> off(0, noise);
@@ -37,7 +38,7 @@ Trajectory bow(int keys, double length, double turn, double noise) {
     pose.rotation = Eigen::AngleAxisd(turn * s, Eigen::Vector3d::UnitZ());
     // Drawn in a fixed order, since compilers evaluate arguments in different orders.
     const double z = off(random), y = off(random), x = off(random);
-    // Slow at first.
+    // The motion is slow at first.
     pose.translation =
         length * Eigen::Vector3d(s * s, 0.3 * std::sin(3 * s * s), 0) + Eigen::Vector3d(x, y, z);
     path.poses.push_back(pose);
@@ -67,7 +68,7 @@ struct Planned {
   }
 };
 
-/// Counts what contouring asks.
+/// Counts the probe lines that contouring casts.
 class CountedProbe : public SurfaceProbe {
  public:
   explicit CountedProbe(const ElementProbe& probe) : probe_(probe) {}
@@ -87,7 +88,7 @@ struct Counted {
   double sorted = 0, crossings = 0, casts = 0;
 };
 
-/// As a run does it.
+/// Counts crossings as a run does.
 Counted counted(Planned& planned) {
   SamplerInput input = planned.input();
   std::uint64_t sorted = 0;
@@ -144,15 +145,15 @@ TEST(TrialSteps, SimplificationIsCounted) {
     for (const double cells : {2.0, 0.5, 0.05}) {
       options.tolerance = cells * options.cellSize;
       const Estimate found = estimateByTrial(body, path, options, run);
-      const double least = 2e-6 * static_cast<double>(found.triangles) / 4;  // of 64 threads
+      const double least = 2e-6 * static_cast<double>(found.triangles) / 4;  // s
       EXPECT_GT(found.seconds, before + 0.1 * least) << cells;
       before = found.seconds;
     }
   }
 }
 
-// A heavy body along few steps (all of them, with some clusters), a light one along many (windows),
-// and one that is sampled whole.
+// A heavy body is sampled along few steps (all of them, but only some clusters), a light one along
+// many (in windows), and one body is sampled completely.
 TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
   struct Kind {
     TriMesh body;
@@ -247,7 +248,7 @@ TEST(TrialSteps, ProbesOfContouringAreCountedInCellsOfTheWholeMotion) {
   }
 }
 
-// With little room, the grid is coarser; the estimated surface is nearly the same.
+// With little memory, the grid is coarser; the estimated surface is nearly the same.
 TEST(TrialSteps, LargerCellsTellTheSurfaceToo) {
   Planned planned(makeTorus(20, 8, 120, 60), bow(60, 80, 1.5, 0), 120);
   const Counted run = counted(planned);

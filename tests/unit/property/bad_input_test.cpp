@@ -57,7 +57,7 @@ void expectOk(const Result& result) {
   EXPECT_TRUE(result.report.message.empty());
 }
 
-/// A named failure leaves nothing that looks like a result.
+/// Tests that a run failed with this status and code, and left nothing that looks like a result.
 void expectFailure(const Result& result, Status status, const std::string& code) {
   EXPECT_EQ(result.report.status, status) << result.report.message;
   EXPECT_EQ(result.report.code, code) << result.report.message;
@@ -287,7 +287,7 @@ TEST(BadInput, bad_input_24_cancel_at_every_checkpoint) {
     SCOPED_TRACE("checkpoint " + std::to_string(n));
     expectFailure(result, Status::Cancelled, "Cancelled");
   }
-  expectOk(run(body, shift()));  // at once runnable again
+  expectOk(run(body, shift()));  // the next run works
 }
 
 TEST(BadInput, bad_input_24_cancel_within_a_quarter_second) {
@@ -310,7 +310,7 @@ TEST(BadInput, bad_input_24_cancel_within_a_quarter_second) {
     context.cancel();
     worker.join();
     const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - asked;
-    if (finishedFirst) break;  // the machine is faster than the plan
+    if (finishedFirst) break;  // the run ended before cancel()
     // Twice the limit: other processes may use the same cores.
     EXPECT_LT(waited.count(), 0.5) << "cancelled after " << milliseconds << " ms";
     if (result.report.status != Status::Ok) {

@@ -65,7 +65,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-/// Hash (FNV-1a) of the bits of vertices, triangles and contact times.
+/// Returns a hash (FNV-1a) of the bits of vertices, triangles and contact times.
 std::string hashOf(const Result& result) {
   std::uint64_t hash = 1469598103934665603ull;
   const auto eat = [&](const void* data, std::size_t bytes) {

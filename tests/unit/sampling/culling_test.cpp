@@ -94,7 +94,8 @@ TEST(Culling, SameSignsAsAllFacesAndNoCopyOfTheBodyIsOutside) {
   EXPECT_GT(inCopies, 3000);
 }
 
-/// The crossings that count, in words: edge, sides, and for each side fraction and element.
+/// Returns the crossings that count, as numbers: edge, sides, and for each side fraction and
+/// element.
 std::vector<std::array<double, 9>> counting(const SamplerInput& input) {
   RunContext run;
   const MarkedEdges marked = sampleCpu(input, run);
@@ -177,7 +178,7 @@ TEST(Culling, WhatLiesInsideChangesNoCrossingThatCounts) {
   EXPECT_GT(hiding, 5);  // otherwise nothing was compared
 }
 
-// Trials sample parts of a motion and must meet there what the run meets.
+// Trials sample parts of a motion, and must find there what the run finds.
 TEST(Culling, PartsOfAMotionAreSampledAsInTheWhole) {
   std::mt19937 random(77);
   int grouped = 0;

@@ -18,7 +18,8 @@ std::vector<WorkItem> itemsOf(const TriMesh& body, std::size_t placements) {
   return workItems({body, topology, motion, grid});
 }
 
-// Each item keeps a list of the grid's layers: 73,000 of them once took more than all else.
+// Each item keeps a list of the layers of the grid: 73,000 items once took more memory than all
+// else.
 TEST(WorkItems, UnionsOfAnySizeHaveSomeThousandAtMost) {
   for (const TriMesh& body : {makeBox({0, 0, 0}, {1, 1, 1}), makeTorus(20, 8, 250, 200)}) {
     for (const std::size_t placements : {1u, 300u, 3000u, 5000u, 60000u}) {

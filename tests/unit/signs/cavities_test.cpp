@@ -45,14 +45,14 @@ std::int64_t cavities(const Result& result) {
   return -1;
 }
 
-/// A ball of radius 5 with a hollow ball of radius 3 in it.
+/// Returns a ball of radius 5 with a hollow ball of radius 3 in it.
 TriMesh hollowBall() {
   TriMesh body = makeBall({0, 0, 0}, 5, 5);
   append(body, inverted(makeBall({0, 0, 0}, 3, 5)));
   return body;
 }
 
-/// Volume that two balls of radius r have in common at a distance d.
+/// Returns the volume that two balls of radius r have in common at a distance d.
 double lens(double r, double d) { return kPi / 12 * (4 * r + d) * (2 * r - d) * (2 * r - d); }
 
 TEST(Cavities, StillHollowBody) {

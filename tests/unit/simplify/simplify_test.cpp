@@ -40,7 +40,7 @@ Result sweep(const TriMesh& body, const std::vector<Pose>& poses, int resolution
   return result;
 }
 
-/// Distance of a point from a mesh, by a test of all triangles, without a tree.
+/// Returns the distance of a point from a mesh, by a test of all triangles, without a tree.
 double distanceTo(const TriMesh& mesh, const Eigen::Vector3d& p) {
   double best = 1e300;
   for (const auto& t : mesh.triangles) {
@@ -50,7 +50,8 @@ double distanceTo(const TriMesh& mesh, const Eigen::Vector3d& p) {
   return std::sqrt(best);
 }
 
-/// Largest distance of points of `from` (corners and points within the triangles) from `to`.
+/// Returns the largest distance of points of `from` (corners and points within the triangles) from
+/// `to`.
 double oneSided(const TriMesh& from, const TriMesh& to, int points) {
   double largest = 0;
   const std::size_t step = std::max<std::size_t>(1, from.triangles.size() / points);
@@ -217,7 +218,7 @@ TEST(Thin, TrianglesAmongKeptVerticesStay) {
   for (std::size_t v = 0; v < kept.size(); ++v) kept[v] = torus.vertices[v][0] > 0;
   RunContext run;
   const Thinned thin = thinOut(torus, 0.05, ThinFor::Collapse, Phase::Simplify, run, kept);
-  std::map<std::int32_t, std::size_t> now;  // by triangle before
+  std::map<std::int32_t, std::size_t> now;  // old triangle -> new triangle
   for (std::size_t t = 0; t < thin.triangle.size(); ++t) now[thin.triangle[t]] = t;
   EXPECT_EQ(now.size(), thin.mesh.triangles.size());
   std::size_t stayed = 0;
@@ -235,7 +236,7 @@ TEST(Thin, TrianglesAmongKeptVerticesStay) {
   EXPECT_LT(thin.mesh.triangles.size(), torus.triangles.size() * 3 / 4);
 }
 
-/// A state to collapse edges of, with points that stay near.
+/// Returns a state for collapsing edges of a mesh. New points must stay near the mesh.
 CollapseState startOf(const TriMesh& mesh, const NearestTriangle& nearest, double tolerance) {
   CollapseState state;
   state.mesh = mesh;

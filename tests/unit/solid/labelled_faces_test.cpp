@@ -72,7 +72,7 @@ class LabelledFaces : public testing::Test {
     return report;
   }
 
-  // A solid with exact faces has the exact volume, which no mesh has.
+  // Tests that the solid has the exact volume, as with exact faces. No mesh has this volume.
   void expectExact(double volume) {
     const StepOptions options = optionsWithOrigin();
     const StepReport report = write(options);
@@ -117,7 +117,7 @@ TEST_F(LabelledFaces, RodAlongALine) {
   readBodyFrom(file);
   const Vector3d way(9, 3, 11);
   sweep({{0, 0, 0}, way}, none_);
-  // The volume of the body, plus its shadow times the length of the motion.
+  // The volume of the body, plus the area of its shadow times the length of the motion.
   expectExact(M_PI * kRadius * kRadius * (kLength + way.z()) +
               2 * kRadius * kLength * std::hypot(way.x(), way.y()));
   EXPECT_EQ(kinds_["cylinder"], 2);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using namespace test;
 using step::CarrierKind;
 
-// A right prism over a closed outline (counter-clockwise) about the origin.
+// Returns a right prism over a closed outline (counter-clockwise) about the origin.
 TriMesh prism(const std::vector<Eigen::Vector2d>& outline, double height, int rows) {
   TriMesh mesh;
   const auto count = static_cast<std::int32_t>(outline.size());
@@ -55,7 +55,7 @@ std::vector<Eigen::Vector2d> ellipse(double a, double b, int steps) {
   return outline;
 }
 
-// A round shape of three lobes.
+// Returns the outline of a round shape of three lobes.
 std::vector<Eigen::Vector2d> clover(double radius, int steps) {
   std::vector<Eigen::Vector2d> outline;
   for (int i = 0; i < steps; ++i) {

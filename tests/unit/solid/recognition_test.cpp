@@ -97,7 +97,7 @@ TEST_F(Recognition, BoredCylinderHasPlanesAndTwoCylinders) {
 }
 
 TEST_F(Recognition, ConeAndSphereMeetInACircle) {
-  // Frustum 8 -> 5 over 10 mm under a dome of a ball of radius 13 about (0, 0, -2).
+  // A frustum with radii 8 and 5 mm, 10 mm high, under a dome of radius 13 mm about (0, 0, -2).
   std::vector<Eigen::Vector2d> profile;
   line(profile, {0, 0}, {8, 0}, 12, false);
   line(profile, {8, 0}, {5, 10}, 16);
@@ -177,8 +177,8 @@ TEST_F(Recognition, FreeFormIsSimplifiedWithinTheTolerance) {
   EXPECT_NEAR(report.volume, meshVolume(mesh), 0.01 * report.volume);
 }
 
-// A post on wavy ground. Where the ground meets the post, points of the border lie on the ground
-// however the border cuts into the post.
+// Returns a post on wavy ground. At the foot of the post, points of the border lie on the ground
+// even if the border cuts into the post.
 TriMesh postOnWaves(double radius) {
   std::vector<Eigen::Vector2d> profile{{0, -10}};
   line(profile, {0, -10}, {40, -10}, 20);
@@ -186,7 +186,7 @@ TriMesh postOnWaves(double radius) {
   line(profile, {40, 0}, {radius, 0}, 40);
   line(profile, {radius, 0}, {radius, 20}, 20);
   line(profile, {radius, 20}, {0, 20}, 10);
-  TriMesh mesh = revolved(profile, false, 160);
+  TriMesh mesh = revolved(profile, false, 128);
   for (auto& p : mesh.vertices) {
     const double wave = std::sin(0.5 * p.x()) * std::cos(0.4 * p.y() + 0.3);
     p.z() += wave * (p.z() > 0 ? 1 - p.z() / 20 : 1 + p.z() / 10);
@@ -242,7 +242,8 @@ TEST_F(Recognition, DecimationKeepsTheMeshClosedAndNear) {
   EXPECT_NEAR(check.volume, meshVolume(input), 0.1 * check.area);
 }
 
-// Large enough to be worked on in parts, which must neither show nor depend on the threads.
+// The mesh is so large that it is processed in parts. The result must not show the parts, and must
+// not depend on the number of threads.
 TEST_F(Recognition, DecimationInPartsIsTheSameWithOneThread) {
   const TriMesh input = makeTorus(20, 6, 220, 90);
   RunContext run;

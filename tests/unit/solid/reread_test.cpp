@@ -36,7 +36,7 @@ class Reread : public testing::Test {
   step::HalfEdgeMesh mesh_;
   StepOptions options_;
   BRep_Builder builder_;
-  const TopoDS_Shape box_ = BRepPrimAPI_MakeBox(10, 15, 20).Shape();  // what the mesh is of
+  const TopoDS_Shape box_ = BRepPrimAPI_MakeBox(10, 15, 20).Shape();  // the solid of the mesh
 };
 
 TEST_F(Reread, WhatWasMeantHasNoComplaint) { EXPECT_EQ(complaint(box_), ""); }

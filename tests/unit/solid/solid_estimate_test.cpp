@@ -28,7 +28,7 @@ struct Case {
 
 void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
-// Bent so that no recognisable surface fits.
+// Returns a torus that is bent so that no recognisable surface fits.
 TriMesh wavyTorus() {
   TriMesh mesh = makeTorus(20, 6, 60, 24);
   for (auto& p : mesh.vertices) p *= 1 + 0.02 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y());
@@ -41,7 +41,8 @@ TriMesh frame() {
   return voxelMesh([](int i, int j, int) { return i == 0 || i == 3 || j == 0 || j == 3; }, 4, 4, 1);
 }
 
-// A box that moves along two straight lines and turns: planes, curved regions, facets.
+// Returns the envelope of a box that moves along two straight lines and turns. Its solid has
+// planes, curved regions and facets.
 TriMesh sweptBox() {
   Trajectory trajectory;
   for (int i = 0; i < 3; ++i) {

@@ -41,7 +41,7 @@ class StepExport : public testing::Test {
     RunContext run;
     return writeSolid(mesh, path(name), options, run);
   }
-  /// The code of the failure; empty if there was none.
+  /// Returns the code of the failure; empty if there was none.
   std::string failure(const TriMesh& mesh, const std::string& target,
                       const StepOptions& options = {}) {
     RunContext run;
@@ -103,9 +103,9 @@ TEST_F(StepExport, HolesStayHolesInTheirFace) {
 }
 
 TEST_F(StepExport, FaceWhoseOutlineTouchesItselfInAVertex) {
-  // Two voids of the bottom layer meet in one vertical edge; above they are closed, so the ceiling
-  // and the floor outline pass the same vertex twice. The vertical edge itself has four faces and
-  // is refused; with the voids offset by a layer only a vertex is shared.
+  // Two missing voxels of the bottom layer share a vertical edge. Four faces meet in this edge, so
+  // the mesh is refused. If one of the two lies a layer higher, they share only a vertex, which the
+  // outline of a face passes twice.
   const TriMesh bad = voxelMesh(
       [](int i, int j, int k) { return k > 0 || !((i == 1 && j == 1) || (i == 2 && j == 2)); }, 4,
       4, 2);

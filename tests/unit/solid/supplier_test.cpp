@@ -87,7 +87,7 @@ TEST(SolidJudge, SaysWhatCannotBeRead) {
   EXPECT_THROW(readShape("/nowhere/at-all.step"), std::runtime_error);
 }
 
-// Three poses with turns, as when a part is moved by hand.
+// Returns three poses with turns, as when a part is moved by hand.
 Trajectory turningPath(double size) {
   Trajectory trajectory;
   trajectory.poses.resize(3);

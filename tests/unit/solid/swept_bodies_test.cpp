@@ -38,7 +38,7 @@ TriMesh rod(double radius, double length) {
   return revolved(profile, false, 320);
 }
 
-// About an axis through the origin, in `steps` poses.
+// Returns a turn about an axis through the origin, in `steps` steps.
 Trajectory about(const Eigen::Vector3d& axis, double angle, int steps) {
   Trajectory trajectory;
   trajectory.poses.resize(static_cast<std::size_t>(steps) + 1);
@@ -50,7 +50,7 @@ Trajectory about(const Eigen::Vector3d& axis, double angle, int steps) {
   return trajectory;
 }
 
-// The resolution says how many cells; the tolerance is 0.1 % of the box diagonal.
+// The parameter is the resolution. The tolerance is 0.1 % of the box diagonal.
 class SweptBodies : public testing::TestWithParam<int> {
  protected:
   void solid(const TriMesh& body, Trajectory trajectory) {

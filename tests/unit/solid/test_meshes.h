@@ -13,7 +13,7 @@
 
 namespace swept::test {
 
-/// Boundary of a set of unit voxels scaled by `cell`, faces two triangles each; shared vertices.
+/// Returns the boundary of a set of voxels of size `cell`: two triangles per face, shared vertices.
 inline TriMesh voxelMesh(const std::function<bool(int, int, int)>& inside, int nx, int ny, int nz,
                          double cell = 1.0) {
   TriMesh mesh;
@@ -59,9 +59,9 @@ inline TriMesh boxMesh(int nx, int ny, int nz, double cell = 1.0) {
   return voxelMesh([](int, int, int) { return true; }, nx, ny, nz, cell);
 }
 
-/// Body of revolution about z. The profile (radius, z) runs so that the material lies on its left
-/// seen with r to the right and z up; open profiles start and end on the axis, closed ones stay off
-/// it.
+/// Returns a body of revolution about z. The profile (radius, z) runs so that the material lies on
+/// its left seen with r to the right and z up. Open profiles start and end on the axis, closed ones
+/// do not touch it.
 inline TriMesh revolved(const std::vector<Eigen::Vector2d>& profile, bool closed, int around) {
   TriMesh mesh;
   std::vector<std::vector<std::int32_t>> rows;
@@ -94,7 +94,7 @@ inline TriMesh revolved(const std::vector<Eigen::Vector2d>& profile, bool closed
   return mesh;
 }
 
-/// Points from a to b, both included unless skipFirst.
+/// Appends points from a to b to the profile. Leaves out a if skipFirst.
 inline void line(std::vector<Eigen::Vector2d>& profile, const Eigen::Vector2d& a,
                  const Eigen::Vector2d& b, int steps, bool skipFirst = true) {
   for (int i = skipFirst ? 1 : 0; i <= steps; ++i)
@@ -126,7 +126,7 @@ inline double meshVolume(const TriMesh& mesh) {
   return volume;
 }
 
-/// A straight motion from the present position of the body.
+/// Returns a straight motion from the present position of the body.
 inline Trajectory along(const Eigen::Vector3d& travel) {
   Trajectory trajectory;
   trajectory.poses.resize(2);

@@ -43,7 +43,7 @@ class Outside : public StepReader {
   std::function<bool(const SolidCheck&)> refuses = [](const SolidCheck&) { return false; };
 };
 
-/// The file without its header, which has the time.
+/// Returns the file without its header, which has the time.
 std::string dataOf(const std::string& file) {
   const std::string text = TemporaryFolder::read(file);
   return text.substr(std::min(text.size(), text.find("DATA;")));
@@ -53,8 +53,9 @@ struct Case {
   const char* name;
   TriMesh mesh;
   double tolerance;
-  /// Returns false: the kernel cuts edges that lie off their faces between the points at which a
-  /// reader measures them. A reader cannot find these, so the other solid has fewer vertices.
+  /// Whether the two solids have the same bytes. False if edges lie off their faces between the
+  /// points at which a reader measures them: the kernel cuts such edges, but a reader cannot find
+  /// them, so the other solid has fewer vertices.
   bool sameBytes = true;
 };
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made this?: shows which face of which part made a place of an envelope, and when."""
+"""What made this?: shows which face of which part created a point of an envelope, and when."""
 from ..texts import QT_TRANSLATE_NOOP
 from .base import BaseCommand
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Base of all document objects. Properties are added only once, and the proxies write nothing to
-files."""
+"""Base of all document objects. Adds only properties that are missing. The proxies themselves store
+nothing in documents."""
 import contextlib
 import json
 
@@ -63,7 +63,8 @@ class Feature:
             renamed.take_over(obj, renamed.RENAMED.get(self.KIND, {}))
 
     def look(self, obj):
-        """Compares the present inputs with those of the stored result, if there is one."""
+        """Compares the present inputs with those of the stored result, if there is one, and sets
+        the state."""
 
     def dumps(self):
         return None
@@ -93,9 +94,9 @@ def inputs_and_results(inputs, results):
 
 
 def fits(value, shape):
-    """Returns whether a value from JSON has a given shape. A shape is: float (any number) or
-    another type; a set of allowed values; a dict of required keys; [shape of all items]; (shape
-    of each item, ...)."""
+    """Returns whether a value from JSON has a given shape. A shape is one of: a type (float for any
+    number); a set of allowed values; a dict of required keys with shapes; [shape of all items];
+    (shape of each item, ...)."""
     if isinstance(shape, dict):
         return isinstance(value, dict) and all(
             k in value and fits(value[k], shape[k]) for k in shape

@@ -40,8 +40,8 @@ class Check(Result):
         missing.changed(obj, name)
 
     def shortened(self, obj):
-        """Makes the links of the check, including those of its rules, begin below the groups around
-        it."""
+        """Rewrites the links of the check and of its rules so that they begin below the groups
+        around the check."""
         if PARTS_PROPERTY in obj.PropertiesList:
             with contextlib.suppress(InputProblem):
                 self.RULES.write(obj, self.RULES.read(obj))
@@ -60,8 +60,8 @@ def notes_of(obj):
 
 
 def follow_all_visible(obj):
-    """Links the check to everything that AllVisible depends on, including hidden objects. A part
-    that is then shown, moved or changed makes the result stale. Leaves out objects that depend
+    """Links the check to everything that AllVisible depends on, including hidden objects. If such
+    an object is shown, moved or changed, the result becomes stale. Leaves out objects that depend
     on the check itself."""
     found = []
     if obj.AllVisible:
@@ -85,8 +85,8 @@ def update_status(obj):
 
 
 def _rename(obj, plan):
-    """Updates the labels of parts in the stored report. Otherwise a label that now belongs to
-    another part would mislead. The state of the result does not depend on labels."""
+    """Updates the labels of parts in the stored report. Otherwise a row might show a label that now
+    belongs to another part. The state of the result does not depend on labels."""
     report = obj.Proxy.report_of(obj) if obj.Report else None
     if report is None:
         return
@@ -96,7 +96,7 @@ def _rename(obj, plan):
 
 
 def keep(obj, hash_at_start):
-    """Marks the result, which was just written, as that of these inputs."""
+    """Marks the result, which was just written, as the result of the inputs with this hash."""
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     follow_all_visible(obj)
     update_status(obj)

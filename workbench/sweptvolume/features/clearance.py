@@ -2,8 +2,8 @@
 """Clearance check: smallest distances of a moving part from its neighbours, kept in the document.
 
 As with the envelope, `execute` only updates the state. A run consists of Plan.request(), work() and
-apply(). The distances are those of the true motion; an envelope, if given, is only coloured by
-them.
+apply(). The distances are those of the true motion. If an envelope is given, its points are
+coloured by distance; it does not affect the distances.
 """
 import json
 import sys
@@ -115,7 +115,7 @@ def work(request, control):
         distances = np.full(len(request.points), FAR)
         for _, vertices, triangles, _, rule in neighbours:
             if rule is not None and rule.startswith("contact"):
-                continue  # an allowed contact would hide approaches of other neighbours
+                continue  # its near-zero distances would hide other approaches
             found = core.distance_to_mesh(request.points, vertices, triangles, control)
             distances = np.minimum(distances, found)
     return Outcome(report, distances, request.notes)
@@ -134,19 +134,19 @@ def apply(obj, outcome, hash_at_start):
 
 
 def first_contacts(plan, control=None):
-    """Returns {(root, sub): Rule}, the rules that would allow the contacts at the first pose of a
-    plan's motion. Raises core.CoreError, InputProblem."""
+    """Returns {(root, sub): Rule}: for each neighbour that the part touches at the first pose, the
+    rule that would allow this contact. Raises core.CoreError, InputProblem."""
     request = plan.request()
     return contacts_from(request, offered(request, control or core.Control()))
 
 
 def offered(request, control):
-    """Returns the rules that would allow the contacts of the neighbours, as texts. Any thread."""
+    """Returns, for each neighbour, the rule as text that would allow its contact. Any thread."""
     return core.first_contacts(request.body, request.rows(), request.options, control)
 
 
 def contacts_from(request, texts):
-    """Returns the rules of offered() by parts."""
+    """Returns the rules of offered() as a dict with (root, sub) as keys."""
     found = zip((n.pair for n in request.neighbours), texts)
     return {pair: neighbour_rules.from_text(text) for pair, text in found if text}
 

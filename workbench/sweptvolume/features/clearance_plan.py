@@ -26,8 +26,8 @@ class Request:
 
     def rows(self):
         """Returns (name, vertices, triangles, chord, rule as text or None) for each neighbour. Any
-        thread. If AllVisible is set, a neighbour without triangles is left out with a note;
-        otherwise raises InputProblem."""
+        thread. A neighbour without triangles is left out with a note if AllVisible is set;
+        otherwise it raises InputProblem."""
         rows, kept = [], []
         for n in self.neighbours:
             try:
@@ -184,7 +184,7 @@ class Plan(StillParts):
         """Returns the words (contents.words()) of all inputs, in their state at the first call.
         Raises InputProblem, whose text says why the inputs are unusable."""
         if self._words is None:
-            # Sorted, because undo restores objects in another order.
+            # Sorted, because undo restores objects in a different order.
             beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
             words = self.moving().words() + contents.words(beside) + [self._settings()]
             if neighbour_rules.words(self.rules):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The result of a clearance check as one line of text, as a CSV file and as a spreadsheet. Lengths
-are in the unit of FreeCAD's preferences, which the heads of the columns show. Numbers in files
-have no group separators, so that other programs can read them."""
+are in the unit of FreeCAD's preferences, which the column headings show. Numbers in files have no
+group separators, so that other programs can read them."""
 import csv
 
 from .. import targets
@@ -16,8 +16,8 @@ def verdict_word(verdict):
     return "below required" if verdict == "below" else verdict
 
 
-#: Title, unit ("mm" stands for the unit of the preferences), and function that takes the value from
-#: a row of the report.
+#: Title, unit, and function that takes the value from a row of the report. "mm" stands for the unit
+#: of the preferences.
 _COLUMNS = [
     ("Neighbour", "", lambda row, deep: row["name"]),
     ("Verdict", "", lambda row, deep: verdict_word(row["verdict"])),
@@ -57,8 +57,9 @@ def worst(report):
 
 
 def worst_first(report):
-    """Returns the indices of the rows: first those that do not meet their rule (clash, contact,
-    below required), the deepest and then the nearest first."""
+    """Returns the indices of the rows in this order: rows that do not meet their rule (clash,
+    contact, below required), then the others. Among equal verdicts, the deepest or the nearest
+    comes first."""
     rows = report["neighbours"]
 
     def badness(index):
@@ -81,8 +82,8 @@ def worst_rows(report):
 
 def line_of(row):
     """Returns the line that shows a row in the 3D view: (its two ends, its text, whether the parts
-    clash). The line connects the nearest points of the parts; for a clash it goes from the
-    deepest point to the surface.
+    clash). The line connects the nearest points of the parts. For a clash it connects the deepest
+    point with the surface.
     """
     ends, length = [row["point_on_body"], row["point_on_neighbour"]], row["distance"]
     deep = row.get("penetration", {}) if row["verdict"] == "clash" else {}
@@ -111,8 +112,8 @@ def rule_text(row, report):
 
 
 def summary(report, head=""):
-    """Returns the result in one line in the user's language and unit; the core has the same line in
-    English. head: text with the number of checks, if that is not the number of rows."""
+    """Returns the result in one line in the user's language and unit; the core writes the same line
+    in English. head: text with the number of checks, if this differs from the number of rows."""
     rows, nearest = report["neighbours"], report.get("smallest")
     if not isinstance(nearest, int) or not 0 <= nearest < len(rows):  # the report is damaged
         return report["summary"]
@@ -143,7 +144,7 @@ def summary(report, head=""):
         text = translate("SweptVolume", "smallest distance {0} at t = {1} s ({2})")
         lengths = [row["distance"], row.get("guaranteed", row["distance"])]
     lengths = [quantity(length, TABLE_DIGITS) for length in lengths]
-    if len(set(lengths)) > 1:  # the two differ by the tolerance and the deviation of the triangles
+    if len(set(lengths)) > 1:  # the guaranteed distance is smaller
         text = translate(
             "SweptVolume", "smallest distance {0} (guaranteed: {1}) at t = {2} s ({3})"
         )
@@ -153,7 +154,7 @@ def summary(report, head=""):
 
 
 def columns():
-    """Returns the heads of the columns."""
+    """Returns the column headings."""
     shown = {"": "", "s": " (s)", "mm": " ({})".format(length_unit()[1])}
     return [title + shown[unit] for title, unit, _ in _COLUMNS]
 
@@ -174,13 +175,14 @@ def table(report):
 
 
 def write_csv(report, path):
-    """Writes the table as a CSV file (UTF-8). Raises InputProblem if a document reads that file."""
+    """Writes the table as a CSV file (UTF-8). Raises InputProblem if a document reads from that
+    file."""
     write_rows([columns()] + table(report), path)
 
 
 def write_rows(rows, path):
-    """Writes rows of a table as a CSV file (UTF-8). Raises InputProblem if a document reads that
-    file."""
+    """Writes rows of a table as a CSV file (UTF-8). Raises InputProblem if a document reads from
+    that file."""
     targets.check_not_read(path)
     with written_beside(path) as beside:
         with open(beside, "w", encoding="utf-8", newline="") as out:

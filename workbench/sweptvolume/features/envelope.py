@@ -120,8 +120,8 @@ def is_envelope(obj):
 
 
 def work(requests, union_options, control, compute=core.compute):
-    """Computes one envelope, or those of several groups of parts and the outer surface of them all.
-    Any thread.
+    """Computes one envelope, or for several groups of parts their envelopes and the outer surface
+    of all of them. Any thread.
 
     `compute` runs one request. Raises core.CoreError.
     """
@@ -136,13 +136,14 @@ def work(requests, union_options, control, compute=core.compute):
 
 
 def prepare(plan, document):
-    """Reads what a run needs. Returns run(control) for any thread, which returns an Outcome.
+    """Reads what a run needs. Returns a function run(control) for any thread, which returns an
+    Outcome.
 
     If the inputs differ from the last simplified result only in the tolerance, that result is
     simplified again. Raises InputProblem.
     """
     findings = plan.findings()
-    known = not contents.unread(plan.words())  # otherwise no surface is kept for these parts
+    known = not contents.unread(plan.words())  # kept.find() needs parts that were read
     before = kept.find(document, plan.hash(without=("tolerance",))) if known else None
     if before is not None and plan.records() and not core.has_sources(before):
         before = None
@@ -169,7 +170,7 @@ def can_recut(obj):
         return False
     plan = Plan.of(obj)
     unread = contents.unread(status.hash_or_problem(plan.words)[0])
-    if unread or plan.hash() == obj.InputHash:  # nothing is kept for parts that were not read
+    if unread or plan.hash() == obj.InputHash:  # no surface is kept for parts that were not read
         return False
     return kept.find(obj.Document, plan.hash(without=("tolerance",))) is not None
 

@@ -16,18 +16,18 @@ from .moving import Moving, grouped
 
 #: Approximate largest number of cells along one side of a grid; the core checks the exact limit.
 MOST_CELLS = 8000
-#: Largest deviation of the straight pieces that replace a smooth motion, in cells.
+#: Largest deviation of the straight segments that approximate a smooth motion, in cells.
 STRAIGHT = 0.02
 #: Deflection of solids for the closer estimate, as a fraction of the part's size.
 LOOK_DEFLECTION = 2e-3
 
 
 class Plan:
-    """The inputs of an envelope: moving parts, motions, reference part, values of the settings by
+    """The inputs of an envelope: moving parts, motions, reference part, and the settings by
     property name.
 
     Created from an object or a panel, anew for each use. Reads documents only in the GUI thread.
-    motions: one for each of pairs, or empty; reference: (root, sub).
+    motions: empty, or one motion for each item of pairs. reference: (root, sub).
     """
 
     SETTINGS = [name for _, name, *_ in ACCURACY]
@@ -111,7 +111,7 @@ class Plan:
         return groups or [Moving([], self.motion, *reference)]
 
     def _settings(self):
-        """Returns the settings by the names of the core, which need not be there."""
+        """Returns the settings by the names of the core. Works without the compiled module."""
         v = self.values
         found = {
             "resolution": int(v["Resolution"]),
@@ -133,13 +133,15 @@ class Plan:
         """Returns the settings in the form of the core. Raises CoreError, CoreMissing."""
         found = self._settings()
         if "accuracy" in found:
-            # Joining samples the envelopes of several groups again: each time half of it is lost.
+            # The envelopes of several groups are sampled again to join them. Each of the two
+            # samplings may use half of the accuracy.
             accuracy = found.pop("accuracy") / (1 if len(self.groups()) == 1 else 2)
             found.update(core.options_of_accuracy(accuracy))
         return found
 
     def records(self):
-        """Returns whether the run records what made each triangle. Grown envelopes cannot."""
+        """Returns whether the run records what made each triangle, which is impossible for grown
+        envelopes."""
         v = self.values
         return v["MadeBy"] != "Off" and not v["Offset"] > 0 and not v["Conservative"]
 
@@ -170,7 +172,7 @@ class Plan:
         for name in ("backend", "sources") + tuple(without):
             del options[name]
         if not options["position_filter"]:
-            # a filter of 0 gives the same hash as documents without this property.
+            # With a filter of 0, the hash equals that of documents without this property.
             del options["position_filter"]
         options = json.dumps(contents.steady(options), sort_keys=True)
         words = [options, repr(contents.steady(self.values["MeshDeflection"]))]
@@ -195,7 +197,7 @@ class Plan:
         groups, options = self.groups(), self.options()
         cell = self.cell(groups)
         if any(np.ptp(g.corners(), axis=0).max() > MOST_CELLS * cell for g in groups):
-            # The core refuses bad settings here, before solids are meshed for such a cell.
+            # For such a cell, estimate() raises the core's error before any solid is meshed.
             self.estimate()
         if len(groups) > 1:
             options.update(cell=cell, tolerance=0.0)
@@ -218,8 +220,8 @@ class Plan:
         return Plan(self.pairs, self.motion, values, self.motions, *reference).requests()
 
     def findings(self):
-        """Returns findings about the motions themselves: a motion may hide more than a cell between
-        two frames, or may have ended early."""
+        """Returns findings about the motions themselves: between two frames, a part may deviate
+        from its interpolated path by more than a cell; or a motion may have ended early."""
         groups, found = self.groups(), []
         cell = self.cell(groups)
         for group in groups:
@@ -248,14 +250,14 @@ class Plan:
         )
 
     def is_outlined(self):
-        """Returns whether estimate() answers at once because the outermost points of the parts are
+        """Returns whether estimate() is fast because the outermost points of the parts are
         known."""
         return all(contents.is_outlined(group.pairs) for group in self.groups())
 
     def closer_estimate(self, read=convert.body_from):
-        """Returns a function of a core.Control, for another thread, that gives a better estimate:
-        it samples a few steps of the motion with coarse triangles of the solids. It also finds
-        the outermost points."""
+        """Returns a function of a core.Control, for another thread, which returns a better
+        estimate. It samples a few steps of the motion with coarse triangles of the solids. It also
+        finds the outermost points."""
         groups = self.groups()
         size = min(float(np.ptp(group.corners(), axis=0).max()) for group in groups)
         outlines = [group.outline() for group in groups]
@@ -270,6 +272,6 @@ class Plan:
 
 
 def _together(found):
-    """Adds up the estimates of runs that follow each other."""
+    """Adds up the estimates of runs that are computed one after the other."""
     most = max(found, key=lambda e: e["memory_bytes"])
     return dict(most, seconds=sum(e["seconds"] for e in found))

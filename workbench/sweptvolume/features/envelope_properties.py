@@ -202,7 +202,7 @@ ACCURACY = [
         0,
     ),
 ]
-#: Placement of the result when it was stored. It shows whether the result was moved since.
+#: Placement of the result when it was stored. It shows whether the result was moved afterwards.
 PLACED = (
     "App::PropertyPlacement",
     "Placed",

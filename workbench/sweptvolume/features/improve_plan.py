@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Improves a motion: reads the document, runs the core, and creates another motion beside the given
+"""Improves a motion: reads the document, runs the core, and creates a new motion beside the given
 one."""
 import numpy as np
 
@@ -14,8 +14,8 @@ from .moving import Moving
 
 class ImprovePlan:
     """The inputs of a run. motion: a motion object; pairs: (root, sub) of the parts that move with
-    it; locked: indices of keys that do not change; more: make the clearance as large as
-    possible. The others are as in path_plan.PathPlan."""
+    it; locked: indices of keys that must not change; more: make the clearance as large as possible.
+    The other arguments are as in path_plan.PathPlan."""
 
     def __init__(self, motion, pairs, neighbours, locked=(), more=False, rules=None, **values):
         self.motion, self.pairs, self.neighbours = motion, list(pairs), list(neighbours)
@@ -86,7 +86,7 @@ def work(request, control):
     times, translations, rotations = found
     to_part = path_plan.placement_of(request.part)
     placed = [p.multiply(to_part) for p in convert.placements_from(translations, rotations)]
-    # The point that moved in a straight line, in coordinates of the part.
+    # The point of the part that moves in straight lines between keys, in coordinates of the part.
     pivot = to_part.inverse().Base
     return path_plan.Outcome(report, Poses(times, placed, pivot=pivot))
 
@@ -100,8 +100,8 @@ def make(plan, outcome):
 
 
 def improve(plan, control=None):
-    """Improves in this thread (for scripts without a GUI) as one undo step. Returns (report, motion
-    or None). Raises core.CoreError, InputProblem."""
+    """Improves the motion in this thread (for scripts without a GUI) as one undo step. Returns
+    (report, motion or None). Raises core.CoreError, InputProblem."""
     outcome = work(plan.request(), control or core.Control())
     if outcome.poses is None:
         return outcome.report, None

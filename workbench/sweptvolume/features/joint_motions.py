@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Creates and reads again the motions of all parts that one driver or simulation moves, in one run
-of it."""
+"""Creates the motions of all parts that one driver or simulation moves, and reads them again. All
+parts are recorded in one run of the source."""
 from .. import convert
 from ..convert import InputProblem
 from ..texts import translate
@@ -19,8 +19,8 @@ def is_of_source(obj, settings):
 
 
 def begin(document, settings, parts=()):
-    """Returns a moved_parts.Run for a source of sources.FROM_JOINTS. The first object of settings
-    is the source. parts: objects that are recorded in any case and must recompute in every
+    """Returns a moved_parts.Run for a source whose kind is in sources.FROM_JOINTS. The first object
+    of settings is the source. parts: objects that are always recorded and must recompute in every
     frame. Raises InputProblem.
     """
     objects = settings.objects[:1] + list(parts)
@@ -102,7 +102,7 @@ def reload(obj):
 
 def sources_in(document):
     """Returns the sources of the document that move several parts, each once: those of its motions,
-    and simulations."""
+    and its simulations."""
     found = []
     for obj in objects_of_kind(document, motion_feature.Motion.KIND):
         if obj.SourceType in sources.FROM_JOINTS and obj.SourceObjects:

@@ -80,7 +80,7 @@ class Record:
         )
 
     def packed(self):
-        """Returns the record as text, for a document."""
+        """Returns the record as text that can be stored in a document."""
         out = io.BytesIO()
         head = json.dumps({"key": self.key, "parts": self.parts})
         np.savez_compressed(
@@ -153,8 +153,8 @@ def find(obj):
 
 
 def _rename(obj, record):
-    """Updates labels and paths in the record of a current result. Its parts are in the order of the
-    inputs, so this works after renaming and regrouping."""
+    """Updates labels and paths in a record, so that they stay correct after renaming and
+    regrouping. If the result is up to date, its parts are in the order of the inputs."""
     if obj.Status != UP_TO_DATE:
         for part in record.parts:
             place = row_names.pair_at(obj.Document, [part["root"], part["sub"]])

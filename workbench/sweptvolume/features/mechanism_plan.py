@@ -16,9 +16,10 @@ from .still_parts import StillParts, chord_of, left_out_text
 
 
 class Part:
-    """A part of a mechanism. name: different for each part; pair: (root, sub); body: a convert.Body;
-    chord: largest deviation of its triangles from its surface (mm); way: a moving.Way, or None if
-    the part stands still; straight: largest deviation of straight pieces from a curved way (mm)."""
+    """A part of a mechanism. name: different for each part; pair: (root, sub); body: a
+    convert.Body; chord: largest deviation of its triangles from its surface (mm); way: a
+    moving.Way, or None if the part stands still; straight: largest deviation of straight segments
+    from a curved path (mm)."""
 
     def __init__(self, name, pair, body, chord, way=None, straight=0.0):
         self.name, self.pair, self.body, self.chord = name, pair, body, chord
@@ -296,8 +297,8 @@ class Plan(StillParts):
         return whole(self.reading())
 
     def reading(self):
-        """As request(), in pieces: a generator that returns the Request. Between two pieces the
-        window may handle events, but the document must not change (check_unchanged())."""
+        """As request(), but in steps: a generator whose return value is the Request. Between two
+        steps the window may handle events, but the document must not change (check_unchanged())."""
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         tolerance = float(self.values["Accuracy"])
         parts, ways, notes, names = [], [], [], self.names()
@@ -340,8 +341,8 @@ class Plan(StillParts):
         return [order[pair] for pair in self.pairs]
 
     def _moving_parts(self, group, way, names, deflection, straight):
-        """Returns the parts of one motion. straight: the largest distance (mm) between a curved path
-        and the straight pieces that replace it."""
+        """Returns the parts of one motion. straight: the largest distance (mm) between a curved
+        path and the straight segments that approximate it."""
         parts, more = [], straight if way.curved() else 0.0
         for pair in group.pairs:
             body = Seen(convert.body_from([pair], deflection), way.into_base, group.motion)

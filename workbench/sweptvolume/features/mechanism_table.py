@@ -10,8 +10,8 @@ _TITLES = {"Body": "First", "Neighbour": "Second"}
 
 
 def as_rows(report):
-    """Converts a report to the form of clearance_table: the first part of a pair is the body, the
-    second the neighbour."""
+    """Converts a report to the form of clearance_table: the first part of a pair becomes the body,
+    the second the neighbour."""
     ignored = [" - ".join(pair) for pair in report["ignored"]]
     return dict(report, neighbours=[pair["clearance"] for pair in report["pairs"]], ignored=ignored)
 
@@ -43,7 +43,7 @@ def smallest(report):
 
 
 def columns():
-    """Returns the heads of the columns."""
+    """Returns the column headings."""
     found = []
     for title in clearance_table.columns()[1:]:
         word, space, rest = title.partition(" ")

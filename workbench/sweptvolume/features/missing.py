@@ -33,7 +33,8 @@ def _value(holder, name):
 
 
 def _links(holder):
-    """Returns the names of the properties that are inputs. A part's rules belong to the part."""
+    """Returns the names of the properties that are inputs. Leaves out rules, which belong to their
+    parts."""
     for name in holder.PropertiesList:
         kind = holder.getTypeIdOfProperty(name)
         if (
@@ -118,8 +119,8 @@ def changed(holder, name):
 
 
 class _Observer:
-    """Is notified of objects to be deleted while the links to them still exist. Calls lost(holder,
-    object) of proxies that have it."""
+    """Is called before an object is deleted, while links to it still exist. Also calls lost(holder,
+    object) of the proxies that have this method."""
 
     def slotDeletedObject(self, obj):  # noqa: N802
         document = obj.Document

@@ -45,7 +45,7 @@ class Motion(Feature):
             look(obj)
         except (InputProblem, core.CoreMissing) as problem:
             set_changed(obj, "Status", str(problem))
-            status.tell_users(obj)  # FreeCAD does not reach these objects now
+            status.tell_users(obj)  # FreeCAD does not recompute the users of a failed object
             raise
         set_changed(obj, "Count", len(poses))
         span = poses.times[-1] - poses.times[0] if len(poses) else 0.0
@@ -80,7 +80,7 @@ def is_stale(obj):
 
 
 def check_usable(obj):
-    """Raises InputProblem if a motion could not follow its source, so that its poses are out of
+    """Raises InputProblem if the source of a motion could not be read, so that its poses are out of
     date."""
     if obj.Status not in ("", STALE) and len(obj.Placements):
         raise InputProblem('"{}": {}'.format(obj.Label, obj.Status))
@@ -102,7 +102,7 @@ def poses_of(obj):
 
 
 def parts_of(obj):
-    """Returns (root, sub) of the parts that a motion moves, if it knows them."""
+    """Returns (root, sub) of the parts that a motion moves. The list may be empty."""
     return convert.pairs_of(obj.Parts)
 
 
@@ -133,7 +133,7 @@ def set_tangents(obj, tangents):
 
 
 def words(obj):
-    """Returns texts that identify the way of the motion, for hashes."""
+    """Returns texts that identify the poses and the interpolation of a motion, for hashes."""
     found = [obj.Interpolation, obj.PoseType] + stored_poses.of(obj).words()
     if obj.Interpolation == "Spline":
         found.append(repr([obj.Tangents, [tuple(v) for v in obj.Velocities]]))
@@ -174,8 +174,8 @@ def store(obj, poses, touch=True):
 
 
 def _same(a, b):
-    """Returns whether two values are equal up to rounding. (== of placements fails after saving and
-    loading.)"""
+    """Returns whether two placements are equal up to rounding. (== of placements fails after saving
+    and loading.)"""
     return abs(matrix_of(a) - matrix_of(b)).max() <= 1e-12
 
 
@@ -205,7 +205,7 @@ def make_motion(document, label=None):
 
 
 def motion_from_poses(document, times, placements, interpolation="Linear", frame="Absolute"):
-    """Creates a motion object with the given poses. Its pivot is their origin (property Pivot)."""
+    """Creates a motion object with the given poses. The property Pivot stays at the origin."""
     poses = Poses(times, placements)
     obj = make_motion(document)
     store(obj, poses)

@@ -11,7 +11,7 @@ def container_of(obj):
 
 
 def seen_from_document(poses, container):
-    """Converts poses from a group with this placement to world coordinates."""
+    """Converts poses from the coordinates of a group with this placement to world coordinates."""
     if container.isIdentity():
         return poses
     tangents = [

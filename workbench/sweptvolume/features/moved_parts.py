@@ -21,8 +21,8 @@ def _leaves(document):
 
 
 class Run(Recording):
-    """Records all parts of a document while a source of sources.FROM_JOINTS runs. settings: its
-    objects are the source and, optionally, the part that must recompute."""
+    """Records all parts of a document while a source of sources.FROM_JOINTS runs. settings.objects:
+    the source and, optionally, the part that must recompute in every frame."""
 
     def __init__(self, document, settings):
         self.leaves = _leaves(document)

@@ -31,13 +31,13 @@ def _in_world(motion, standing):
     return poses.carried(), base.multiply(shift_to(poses.pivot))
 
 
-#: The deviation of a motion over two steps is about four times that over one step.
+#: Deviation over one step, as a fraction of the deviation over two: it grows with the square.
 SINGLE_STEP = 0.25
 
 
 def middle_of(pairs, placement):
-    """Returns the middle of the parts' bounding boxes (Vector, mm), in the coordinates to which
-    their placement applies."""
+    """Returns the middle of the parts' common bounding box (Vector, mm), in the coordinates to
+    which their placement applies."""
     inside = transform(matrix_of(placement.inverse()), convert.box_corners(pairs))
     middle = (0.5 * (inside.max(axis=0) + inside.min(axis=0))).round(6) + 0.0
     return App.Vector(*map(float, middle))
@@ -83,8 +83,8 @@ def grouped(pairs, motions, *reference):
 
 
 class Way:
-    """The way of parts that move rigidly together. Reads the document in the GUI thread; its
-    methods then work in any thread. moving: a Moving that was checked."""
+    """The motion of parts that move rigidly together. Created in the GUI thread, where it reads the
+    document; its methods then work in any thread. moving: a Moving that was checked."""
 
     def __init__(self, moving):
         motion = moving.motion
@@ -102,7 +102,7 @@ class Way:
             self._corners = transform(self.into_base, convert.box_corners(moving.pairs))
 
     def curved(self):
-        """Returns whether the core gets straight pieces in place of a curved way."""
+        """Returns whether straight segments approximate a curved motion for the core."""
         return self._reference is not None or self.interpolation == "Spline"
 
     def course(self):
@@ -176,7 +176,7 @@ class Way:
 
 class Moving:
     """Moving parts with one motion. reference: (root, sub) of a part that reference_motion moves.
-    The result is then relative to that part in its present place."""
+    The result is then relative to this part at its present placement."""
 
     def __init__(self, pairs, motion, reference=None, reference_motion=None):
         self.pairs = list(pairs)
@@ -257,9 +257,9 @@ class Moving:
         return convert.transform(self.into_base(), convert.box_corners(self.pairs))
 
     def hidden(self):
-        """Returns (mm, text): how far the part may deviate from its way between two frames of a
-        mechanism. The estimate compares each frame with the way from the frame before it to the
-        frame after it. 0 for poses that are keys."""
+        """Returns (mm, text): how far the part may deviate from its interpolated path between two
+        frames of a mechanism. The estimate compares each frame with the placement interpolated
+        between the frames before and after it. 0 if the poses are keys."""
         return self.way().hidden()
 
     def outline(self):
@@ -279,7 +279,7 @@ class Moving:
         return self.way().course()
 
     def trajectory(self, tolerance):
-        """Returns (Poses, interpolation of the core). tolerance: mm by which straight pieces may
+        """Returns (Poses, interpolation of the core). tolerance: mm by which straight segments may
         deviate from a curved motion."""
         return self.way().trajectory(tolerance)
 

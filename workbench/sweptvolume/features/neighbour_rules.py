@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rules of neighbours: settings of single parts or groups in place of the common distance. Checks
-and searches use the same rules, and the core has the same concept (docs/clearance.md, "Rules").
+"""Rules of neighbours: for single parts or groups they replace the common required distance. Checks
+and searches use the same rules, as does the core (docs/clearance.md, "Rules").
 
 A document stores the rules as three lists of equal length: the parts, the kinds, the lengths (mm).
 """
@@ -129,8 +129,8 @@ def of(rules, root, path):
 
 def merged(rules, shown, given):
     """Returns the rules after the user changed some. shown: all neighbours whose rules the user
-    saw. given: {pair: Rule} of those that now have a rule. If no shown neighbour has another rule
-    than before, nothing changes, and rules of groups stay. Otherwise the given rules replace all
+    saw. given: {pair: Rule} of those that now have a rule. If every shown neighbour has the same
+    rule as before, nothing changes, and rules of groups stay. Otherwise the given rules replace all
     rules that apply to a shown neighbour."""
     if all(of(rules, *pair) == given.get(pair, Rule()) for pair in shown):
         return dict(rules)
@@ -143,7 +143,7 @@ def merged(rules, shown, given):
 
 
 def drop(obj, gone):
-    """Removes the rules of an object that is being deleted; its links disappear, too."""
+    """Removes the rules that name an object that is being deleted; its links disappear, too."""
     links = convert.links_in(obj.RuleParts)
     if not len(links) == len(obj.RuleKinds) == len(obj.RuleLengths):
         return

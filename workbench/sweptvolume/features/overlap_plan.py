@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads parts, envelopes and solids that are compared in their present places, and converts them to
-plain values."""
+"""Reads parts, envelopes and solids that are compared at their present placements, and converts
+them to plain values."""
 import itertools
 
 from .. import contents, convert, core_overlap
@@ -27,8 +27,8 @@ class Plan:
         return contents.words(self.pairs)
 
     def state(self):
-        """Returns the names, and the texts that identify the geometry and the places of the objects.
-        Returns None if an object is gone, or if large parts must be read first."""
+        """Returns the names, and the texts that identify the geometry and the placements of the
+        objects. Returns None if an object is gone, or if large parts must be read first."""
         try:
             found = self.words()
             large = contents.is_much(contents.unread(found))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rules of pairs of parts that move at the same time, in place of the common distance
-(neighbour_rules.Rule). A document stores three lists: the two parts of each rule one after the
-other, the kinds, the lengths (mm). The rule of a group holds for all parts in it."""
+"""Rules for pairs of parts that move at the same time (neighbour_rules.Rule). They replace the
+common required distance. A document stores three lists: the two parts of each rule one after the
+other, the kinds, the lengths (mm). The rule of a group applies to all parts in it."""
 from .. import convert
 from ..convert import InputProblem
 from ..texts import translate
@@ -53,7 +53,7 @@ def of(rules, one, other):
     """Returns the rule of two parts: their own rule, or that of the smallest groups around them.
     Raises InputProblem if two rules contradict each other and neither is more specific: one has
     the smaller group around the first part, the other around the second."""
-    # The rules that hold: (lengths of the paths to both groups, rule, pair).
+    # The rules that apply: (lengths of the paths to both groups, rule, pair).
     held = []
     for pair, rule in rules.items():
         for a, b in (pair, pair[::-1]):
@@ -71,8 +71,8 @@ def of(rules, one, other):
 
 
 def _narrower(one, other):
-    """Returns whether a rule is more specific: no group larger than in the other rule, and one
-    group smaller."""
+    """Returns whether the first rule is more specific: neither of its groups is larger than in the
+    other rule, and one is smaller."""
     return one != other and all(a >= b for a, b in zip(one, other))
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A search for an installation path: reads the document, runs the core, and creates a motion.
 
-A run consists of PathPlan.request(), work() and make(). The poses for the core are those of the
-pivot of the new motion, the middle of the part. So the core certifies exactly the motion that the
-part makes between its keys."""
+A run consists of PathPlan.request(), work() and make(). The core gets the poses of the pivot of the
+new motion, which is the middle of the part. So the core certifies exactly the motion that the part
+makes between its keys."""
 import math
 
 import FreeCAD as App
@@ -35,7 +35,7 @@ class PathPlan:
     """The task of a search. Reads documents only in the GUI thread.
 
     pairs: (root, sub) of the parts that move together. goal: Placement of the first part in world
-    coordinates, or None for its present place. start: a Placement as well, or None with `extract`:
+    coordinates, or None for its present placement. start: also a Placement, or None with `extract`:
     a distance in mm or a direction (Vector). neighbours: (root, sub) of parts that stand still.
     rules: {(root, sub): neighbour_rules.Rule} of the neighbours with their own rule."""
 
@@ -82,7 +82,8 @@ class PathPlan:
             )
 
     def request(self):
-        """Returns the search as plain values, and stores the pivot. Raises InputProblem."""
+        """Returns the search as plain values, and stores the pivot in the plan. Raises
+        InputProblem."""
         self.check()
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         body = convert.body_from(self.pairs, deflection)
@@ -119,7 +120,7 @@ class PathPlan:
 
 
 def beside(document, pairs, neighbours=None):
-    """Returns the parts beside the moving ones, for leaves() and still_parts() of a check.
+    """Returns a plan whose leaves() and still_parts() are the parts beside the moving ones.
     neighbours None: all visible parts."""
     return clearance_plan.Plan(document, pairs, None, neighbours or [], neighbours is None, {})
 
@@ -143,8 +144,8 @@ class Outcome:
         self.poses = poses
 
     def farthest(self):
-        """Returns the farthest placement that a search without success reached, for the pivot (from
-        4x4 to Placement)."""
+        """Returns the placement of the pivot farthest from the goal that a failed search reached,
+        as a Placement."""
         pose = self.report["escape"]["pose"]
         return convert.placements_from([pose["translation"]], [pose["quaternion_xyzw"]])[0]
 

@@ -28,14 +28,14 @@ _FORMER = {new: old for names in RENAMED.values() for old, new in names.items()}
 
 
 def hashed(values):
-    """Returns JSON of settings for a hash, with their first names, so that renaming does not make
-    results stale."""
+    """Returns JSON of settings for a hash, under their original names, so that renaming does not
+    make results stale."""
     return json.dumps({_FORMER.get(k, k): v for k, v in values.items()}, sort_keys=True)
 
 
 def take_over(obj, names):
-    """Moves the properties of a restored object to their new names, which the object already has.
-    names: {old: new}."""
+    """Moves the values of a restored object from properties with old names to those with the new
+    names, which it already has, and removes the old properties. names: {old: new}."""
     names = {old: new for old, new in names.items() if old in obj.PropertiesList}
     if not names:
         return

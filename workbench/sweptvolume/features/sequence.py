@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Sequence: parts that are installed one after the other, each on its own motion, clear of all
-parts installed before; kept in the document (core: docs/paths.md, "Sequences").
+parts installed before. It is kept in the document (core: docs/paths.md, "Sequences").
 
 The paths that are found become motion objects. The sequence holds them in the order of the parts,
 and shows whether they are still the certified ones. Recomputing the object checks its motions
@@ -53,8 +53,8 @@ def is_sequence(obj):
 
 
 class Outcome:
-    """report (dict, docs/paths.md), notes; order: indices of the parts in the order given; found:
-    {index: Poses} for each part that was searched for and has a path."""
+    """report: dict, docs/paths.md; notes; order: for each step, the index of its part in the
+    request; found: {index: Poses} for each part that was searched for and has a path."""
 
     def __init__(self, report, notes, order, found):
         self.report, self.notes, self.order, self.found = report, notes, order, found

@@ -2,8 +2,8 @@
 """Reads the inputs of a sequence from an object or a panel (parts in their order, each with a
 motion or a search, and parts that stand still), and converts them to plain values for the core.
 
-The goal of a part without a motion is its present place. Its poses are those of its middle, as in
-path_plan."""
+The goal of a part without a motion is its present placement. Its poses are those of its middle, as
+in path_plan."""
 import itertools
 import math
 
@@ -17,7 +17,7 @@ from .mechanism_plan import Part
 from .moving import Moving, Seen, middle_of
 
 #: Values of a search besides the settings of the object. Out: mm by which a part must be taken out.
-#: MostMoves: as in the program, 0: no limit.
+#: MostMoves: as in the command-line program; 0: no limit.
 SEARCH = {
     "Order": "given",
     "Out": 100.0,
@@ -75,7 +75,7 @@ class Request:
 class Plan(mechanism_plan.Plan):
     """motions: one for each of pairs, None if a path is searched for; search: values of SEARCH;
     steps: those of the stored report in the order of the parts, or none if the report is out of
-    date; known: hash of its inputs."""
+    date; known: hash of the inputs of the stored report."""
 
     SETTINGS = ("RequiredDistance", "ReleaseDistance", "Accuracy", "MeshDeflection")
 
@@ -92,7 +92,8 @@ class Plan(mechanism_plan.Plan):
         return plan
 
     def groups(self):
-        """Returns the Moving of each part, or None if a path is searched for. Raises InputProblem."""
+        """Returns a list with the Moving of each part, or None where a path is searched for. Raises
+        InputProblem."""
         if self.lost:
             raise InputProblem(self.lost)
         if not self.pairs:
@@ -138,7 +139,8 @@ class Plan(mechanism_plan.Plan):
         return self._words
 
     def take(self, order, motions):
-        """Puts the parts into the order that was found (old indices), with all their motions."""
+        """Puts the parts into the order that was found (a list of old indices). motions: one for each
+        part, in the old order."""
         self.pairs = [self.pairs[k] for k in order]
         self.motions = [motions[k] for k in order]
         self._words = None
@@ -150,8 +152,8 @@ class Plan(mechanism_plan.Plan):
         there = {s["part"]: pair for s, pair in zip(report["steps"], self.pairs)}
         whole = len(there) == len(self.pairs) and set(there) == {known for known, _ in found}
         if whole and self.known and self.known == self.hash():
-            # The parts have the same content and order, so the part that now stands at a place
-            # gives the name.
+            # Content and order of the parts are those of the report. So each step gets the name of
+            # the part that now has the same index.
             found = [(known, row_names.place_of(*there[known])) for known, _ in found]
             report["places"] = [place for _, place in found]
         new = self._renamed(found + row_names.placed(report, "still", "still_places"))
@@ -209,7 +211,7 @@ class Plan(mechanism_plan.Plan):
             "most_moves": int(s["MostMoves"]),
         }
 
-    # --- what is seen
+    # --- pictures
 
     def seen(self):
         """As mechanism_plan.Plan.seen(), on the time axis of the stored result: before its motion a

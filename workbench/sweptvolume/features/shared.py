@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Shared volume: the space that two sides have in common, as a mesh in the document. A side
-consists of parts, envelopes or their solids; a motion may move it to its place at a given time
-(core: docs/overlap.md).
+consists of parts, envelopes or their solids. A side with a motion is placed where the motion is at
+a given time (core: docs/overlap.md).
 
 As with the envelope, `execute` only updates the state. A run consists of Plan.request(), work() and
 apply().
@@ -160,7 +160,7 @@ class Plan:
         """Returns both sides as plain values. Raises InputProblem."""
         self._check()
         names = self.names()
-        if names[0] == names[1]:  # two parts have the same name
+        if names[0] == names[1]:  # both sides have the same name
             names[1] += " (2)"
         deflection = max(self.deflection, 1e-4)
         found = []

@@ -114,8 +114,8 @@ def hash_of_before(obj):
     words = [contents.signature_of_before([(obj.Source, "")])]
     words += _words(obj.Source, settings(obj))
     if envelope_feature.is_envelope(obj.Source):
-        # The solid was made when its envelope had a hash of version 1; the envelope may have a
-        # present hash by now.
+        # The stored hash of the solid contains its envelope's hash of version 1. The envelope may
+        # have a hash of the present version by now.
         plan = envelope_feature.Plan.of(obj.Source)
         if obj.Source.InputHash == plan.hash():
             words[-1] = plan.hash_of_before()
@@ -124,7 +124,7 @@ def hash_of_before(obj):
 
 def _words(source, wanted):
     words = [str(wanted["merge"])]
-    # For default values, these words (they are hashed) are those of older versions without these
+    # With default values, the hashed words equal those of older versions, which lacked these
     # properties. So solids of older documents stay up to date.
     if wanted["tolerance"] > 0:
         words.append(repr(contents.steady(wanted["tolerance"])))
@@ -235,7 +235,7 @@ class Request:
                 self.vertices, self.triangles, control, suffix, quick, **self.options()
             )
 
-        # Without OpenCASCADE in the core, a trial would take as long as the solid.
+        # Without OpenCASCADE in the core, a trial would take as long as writing the solid.
         if self.settings["tessellated"] or not core.has_solids():
             return [estimate(True)]
         return [estimate(True), estimate(False)]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """State of the result of an object with InputHash and TriedHash: current, stale or failed.
 
-The state is what a new run would justify. InputHash: hash of the inputs of the stored result.
-TriedHash: hash of the inputs of the last run without a result.
+The state compares the hash of the present inputs with two stored hashes. InputHash: hash of the
+inputs of the stored result. TriedHash: hash of the inputs of the last run without a result.
 """
 from .. import contents, convert
 from ..convert import InputProblem
@@ -117,7 +117,7 @@ def renew(obj, before, now):
             setattr(obj, name, now)
 
 
-# --- place of a result that stands in the world
+# --- placement of a result in the world
 
 
 def outer_inverse(obj):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads STEP and BREP files with FreeCAD for a core that was built without OpenCASCADE. So only
-FreeCAD's own OpenCASCADE is in the process.
+"""Reads STEP and BREP files with FreeCAD for a core that was built without OpenCASCADE. With such a
+core, only FreeCAD's own OpenCASCADE is loaded in the process.
 
-The core makes the text of a solid and asks here whether its faces are valid after reading; faces
-that are not lose their surface, and the core makes the text again. It also asks here for the
-triangles of a part that is such a file.
+The core writes a solid as text and calls read() to learn which faces are valid after reading. For
+invalid faces it gives up the recognised surface, and writes the text again. For a part that is a
+STEP or BREP file, it calls solids() for the triangles.
 
 All functions run in the thread of the run. Cost: as opening the file in FreeCAD.
 """
@@ -17,8 +17,8 @@ from ..texts import translate
 
 
 def read(text):
-    """Judges the text of a STEP file (bytes). Returns a dict, as the core's write_solid() describes for
-    `reader`."""
+    """Reads the text of a STEP file (bytes) and judges the shape. Returns a dict in the form that
+    the core's write_solid() describes for `reader`."""
     import Part
 
     with passing(".step") as path:
@@ -33,7 +33,8 @@ def read(text):
 
 
 def judged(shape):
-    """Returns what the core asks about a shape."""
+    """Returns the counts, the volume and the faults of a shape in the form that the core
+    expects."""
     if shape.isNull():
         figures = dict.fromkeys("solids shells faces edges volume edge_tolerance".split(), 0)
         return dict(figures, valid=False, complaint="FreeCAD reads no shape", bad_faces=[])
@@ -79,9 +80,9 @@ def write(vertices, triangles, path, control, **options):
 
 
 def solids(path, deflection, angle):
-    """Reads the solids of a file, or all faces if there is no solid, as the core's read_body() describes
-    for `reader`. FreeCAD does not tell the names of the products: the solids have the name of the
-    file, and numbers if there are several. Raises InputProblem."""
+    """Reads the solids of a file, or all faces if there is no solid, as the core's read_body()
+    describes for `reader`. FreeCAD does not give the names of the products. So the solids get the
+    name of the file, and numbers if there are several. Raises InputProblem."""
     import Part
 
     try:
@@ -91,7 +92,7 @@ def solids(path, deflection, angle):
         raise InputProblem(text.format(path, problem)) from None
     name = os.path.splitext(os.path.basename(path))[0]
     parts = shape.Solids or [shape]
-    # The faces of a file are numbered through, if no two solids share one.
+    # Face numbers continue from solid to solid. If two solids share a face, they are left out.
     whole = sum(len(part.Faces) for part in parts) == len(shape.Faces)
     found, first = [], 0
     for number, part in enumerate(parts, 1):

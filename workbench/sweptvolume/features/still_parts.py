@@ -23,7 +23,7 @@ def _parts(root, sub):
     """Returns (root, path) of all solids and meshes below a path. Returns the object itself if it
     is a single one of any kind."""
     if root.getSubObject(sub, retType=1) is None:
-        convert.leaves(root, sub)  # raises
+        convert.leaves(root, sub)  # raises InputProblem
     found = convert.leaves(root, sub)
     if len(found) == 1 and found[0][1] == sub:
         return [(root, sub)]
@@ -83,8 +83,7 @@ def chord_of(pairs, deflection):
 
 class StillParts:
     """Base class of plans. A plan has `document`, `pairs` (the moving parts), `neighbours`,
-    `all_visible`, `rules` ({(root, sub): Rule}) and `values` (settings), and recognises its own
-    results."""
+    `all_visible`, `rules` ({(root, sub): Rule}), `values` (settings) and is_own()."""
 
     def asked_of(self, obj, rules):
         """Returns the rules of an object from rules.read(). Stores in `lost` the text about deleted
@@ -142,8 +141,8 @@ class StillParts:
         return DRAWN * max(float(self.values["MeshDeflection"]), 0.05)
 
     def left_out(self):
-        """Returns notes on visible results of ours. AllVisible leaves them out, but the user may
-        choose them."""
+        """Returns notes on visible envelopes and solids that AllVisible leaves out. The user may
+        choose them as neighbours."""
         if not self.all_visible:
             return []
         labels = [

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The poses that a motion object stores, as arrays. Units: mm, s.
 
-FreeCAD writes a list of placements to its files as numbers. This takes a twentieth of the time that
-Python needs to read each placement: 0.15 ms for 1,000 poses. So the numbers are read at each call,
-and derived values are kept as long as the numbers are the same. Thus no notification about changes
-is needed.
+FreeCAD can write a list of placements as numbers, in the form of its files. This takes a twentieth
+of the time that Python needs to read each placement: 0.15 ms for 1,000 poses. So the numbers are
+read at each call, and derived values are kept as long as the numbers are the same. Thus no
+notification about changes is needed.
 """
 import io
 import zipfile
@@ -47,7 +47,8 @@ class Stored:
 
 
 def of(obj):
-    """Returns the present poses of a motion object. Its proxy keeps them. Window's thread."""
+    """Returns the present poses of a motion object. Its proxy keeps them. Call it in the window's
+    thread."""
     times, packed = obj.Times, _packed(obj)
     known = getattr(obj.Proxy, "_stored", None)
     if known is None or not known.is_of(times, packed):

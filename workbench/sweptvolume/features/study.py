@@ -70,7 +70,7 @@ def update_status(obj):
     if waits:
         return
     if not problem and now == status.NOT_READ and not plan.sources:
-        # The fault of a study file that never ran.
+        # Shows the fault of a study file that has not run yet.
         _, problem = status.hash_or_problem(plan.runs)
     report = report_of(obj) if obj.Report else None
     if not problem and report is not None and report.get("labels") is not None:

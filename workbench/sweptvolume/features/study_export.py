@@ -32,7 +32,7 @@ def file_name(label):
     ()+,@.-_."""
     kept = "".join(c if c.isalnum() or c in "()+,@.-_ " else "_" for c in label)
     kept = kept[:_MOST_LETTERS].strip(" .")
-    # Names of files in the folder of the results.
+    # These names are taken by files in the folder of the results.
     taken = kept.casefold() in ("", "study.csv", "study.json", PAGE)
     return kept + "_" if taken else kept
 
@@ -111,8 +111,8 @@ class _Inputs:
         self.folder, self.used = os.path.join(folder, INPUTS), set()
 
     def add(self, key, name, make):
-        """Returns the path, relative to the study file, of a content with these bytes as key.
-        make(path) writes the content if it does not exist yet."""
+        """Returns the path, relative to the study file, of the content that these bytes (key)
+        identify. make(path) writes the content if it does not exist yet."""
         place = hashlib.sha256(key).hexdigest()[:16]
         self.used.add(place)
         path = os.path.join(self.folder, place, name)

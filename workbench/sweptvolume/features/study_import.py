@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Creates document objects from a run of a study file: the part and its neighbours as meshes, the
-motion, and a clearance check or an envelope with the settings of the run. The object is not
-computed, so its later result is that of the document."""
+motion, and a clearance check or an envelope with the settings of the run. The check or envelope is
+not computed yet, so its later result is computed from the document."""
 import pathlib
 
 import FreeCAD as App
@@ -31,8 +31,8 @@ _ENVELOPE = {
 
 
 class Taken:
-    """A run that was read, in any thread. put() creates the objects. Raises core.CoreError,
-    InputProblem."""
+    """A run that was read from a study file, in any thread. put() creates the objects. Raises
+    core.CoreError, InputProblem."""
 
     def __init__(self, run):
         self.run = run
@@ -64,7 +64,7 @@ class Taken:
             self._set(made, _ENVELOPE, "envelope")
         else:
             made = self._check(document, group, body, path)
-        # Set after the label of the run's object, so that the run keeps its name if both are equal.
+        # Set after the label of the check or envelope, which keeps its name if both are equal.
         path.Label = pathlib.PurePath(self.run.motion).stem
         group.addObject(made)
         return made

@@ -34,7 +34,7 @@ def names_of(sources):
 
 
 class Request:
-    """Input of one study, independent of any document: file and folder ("": the one set in the
+    """Input of one study, independent of any document: file and folder ("": the one named in the
     file), and the runs to be written into the file first (None: the file exists). labels:
     Plan.labels()."""
 
@@ -89,7 +89,7 @@ class Plan:
     # --- runs
 
     def place(self):
-        """Returns (study file, folder for results; "" for the one set in the file). Raises
+        """Returns (study file, folder for results; "" for the one named in the file). Raises
         InputProblem."""
         if self.lost:
             raise InputProblem(self.lost)
@@ -194,7 +194,8 @@ class Plan:
 
 
 def _stamps(study):
-    """Returns the text of a study file, with what shows a change of the files that it names."""
+    """Returns the hash of a study file, with size and time of last change of the files that it
+    names."""
     with open(study.file, "rb") as file:
         stamps = [hashlib.sha256(file.read()).hexdigest(), study.template]
     for name in sorted({file for run in study.runs for file in run.files()}):
@@ -209,6 +210,6 @@ def can_run(obj):
 
 
 def has_one_motion(obj):
-    """Returns whether all parts of a possible run have the same motion, as a run needs it."""
+    """Returns whether all parts of an envelope or check have the same motion, as a run requires."""
     motions = [motion for motion in getattr(obj, "Motions", ()) if motion]
     return len({(motion.Document.Name, motion.Name) for motion in motions}) <= 1

@@ -55,7 +55,8 @@ def worst(report):
 
 
 def verdict(report):
-    """Returns the verdict as in checks, for the icon: "failed" if a run failed, "" if all is well."""
+    """Returns a verdict for the icon: "failed" if a run failed, the worst verdict of the checks, or
+    "" if all is well."""
     row = worst(report)
     if row is None or row["state"] in ("done", "not run"):
         return ""

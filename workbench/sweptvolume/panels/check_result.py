@@ -22,9 +22,9 @@ NAME_LETTERS = 18
 
 
 class ResultPanel(StayingPanel):
-    """The half of the panel that shows the check `obj`, if there is one. The panel provides
-    `layout`, `message` and `document`. Subclasses define the name of a row (NAME), the module
-    that writes the result (TABLE), and what happens when a row is chosen."""
+    """The half of the panel that shows the result of the check `obj`, if there is one. The panel
+    provides `layout`, `message` and `document`. Subclasses define the word for what a row is about
+    (NAME), the module that writes the result (TABLE), and what happens when a row is chosen."""
 
     NAME = ""
     TABLE = clearance_table
@@ -156,7 +156,7 @@ class ResultPanel(StayingPanel):
         self.result.setVisible(report is not None)
         if report is None:
             return
-        self.table.clearSelection()  # rows may have other places now
+        self.table.clearSelection()  # the order of the rows may have changed
         self.whole, self.report = report, self.rows_of(report)
         text = self.TABLE.summary(report)
         if self.obj.Status != clearance.UP_TO_DATE:
@@ -211,7 +211,7 @@ class ResultPanel(StayingPanel):
             self.table.put(r, cells, r, row)
         clashes = any(row["verdict"] == "clash" for row in self.report["neighbours"])
         self.table.setColumnHidden(4, not clashes)
-        # Names keep a least width; if the numbers need more room, the table can be scrolled.
+        # Names keep a minimum width; if the numbers need more room, the table can be scrolled.
         modes = QtWidgets.QHeaderView
         self.table.horizontalHeader().setSectionResizeMode(
             0, modes.Interactive if clashes else modes.Stretch

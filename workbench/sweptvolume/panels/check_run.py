@@ -14,7 +14,7 @@ class CheckRun:
     CONTACTS = None
 
     def label_of(self, pair):
-        """Returns the text for what a rule applies to."""
+        """Returns the text for the part, or the pair of parts, to which a rule applies."""
         raise NotImplementedError
 
     def taken(self, plan):
@@ -22,7 +22,7 @@ class CheckRun:
         raise NotImplementedError
 
     def start(self):
-        plans = []  # one plan for both steps, because it keeps what it has read
+        plans = []  # one plan for both functions, because it keeps what it has read
 
         def plan():
             plans[:] = plans or [self.plan()]

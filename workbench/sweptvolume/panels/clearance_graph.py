@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Graph of distance over time, with one line for each neighbour and the required distances. The
-scale is linear near 0 and logarithmic above (asinh, as in the report), so that 5 mm and 365 mm
-are both visible. Pointing at a line shows its name; a click on a line chooses its row."""
+"""Graph of distance over time, with one line for each neighbour and lines for the required
+distances. The scale is asinh, as in the report: linear near 0 and logarithmic above, so that 5 mm
+and 365 mm are both visible. Pointing at a line shows its name; a click on a line chooses its
+row."""
 import numpy as np
 from PySide import QtCore, QtGui
 
@@ -11,19 +12,21 @@ from ..texts import translate
 from .widgets import QtWidgets
 
 COLOURS = ("#1f77b4", "#d95f02", "#2ca02c", "#9467bd", "#8c564b", "#17becf", "#7f7f7f", "#bcbd22")
-#: Colour of all further lines, whose names are not listed at the side.
+#: Colour of all lines beyond COLOURS; their names are not listed at the side.
 OTHERS = "#609a9a9a"
 LEFT, RIGHT, TOP, BOTTOM = 46, 8, 8, 30
-#: The scale changes from linear to logarithmic at the smallest required distance divided by BEND,
-#: or without a required distance at the largest distance divided by SHARE.
+#: The scale changes from linear to logarithmic at the smallest required distance divided by BEND.
+#: Without a required distance, it changes at the largest distance divided by SHARE. ABOVE: how far
+#: the scale extends beyond required distances, as a factor.
 BEND, SHARE, ABOVE = 1.5, 20.0, 1.2
-#: In pixels: distance between two numbers of the scale; largest distance between a line and the
-#: mouse that points at it.
+#: In pixels: least distance between two numbers of the scale; largest distance at which the mouse
+#: points at a line.
 TICK_GAP, NEAR = 15, 7
 
 
 class Scale:
-    """Maps distances in the unit of the preferences to 0 (at 0) to 1 (at `most`)."""
+    """Maps distances (in the unit of the preferences) to positions: 0 for distance 0, 1 for
+    `most`."""
 
     def __init__(self, most, asked):
         self.most = max([most, 1e-3] + [ABOVE * value for value in asked])
@@ -48,8 +51,8 @@ class Scale:
 
 
 class DistanceGraph(QtWidgets.QWidget):
-    """Draws curves [(name, times, distances)...], arrays. The chosen curve is thick.
-    `picked(index)`: the user clicked a curve."""
+    """Draws curves [(name, times, distances)...]; times and distances are arrays. The chosen curve
+    is thick. `picked(index)`: the user clicked a curve."""
 
     picked = QtCore.Signal(int)
 
@@ -98,7 +101,7 @@ class DistanceGraph(QtWidgets.QWidget):
         place = self.order.index(index)
         return COLOURS[place] if place < len(COLOURS) else OTHERS
 
-    # --- places
+    # --- positions
 
     def _box(self):
         return QtCore.QRectF(LEFT, TOP, self.width() - LEFT - RIGHT, self.height() - TOP - BOTTOM)
@@ -171,8 +174,8 @@ class DistanceGraph(QtWidgets.QWidget):
         painter.end()
 
     def _ink(self):
-        """Returns the text colour of the panel. The background stays unchanged, because a style
-        sheet may give a panel other colours than its palette."""
+        """Returns the text colour of the panel. No background is drawn, because a style sheet may
+        give a panel other colours than its palette."""
         return self.palette().color(QtGui.QPalette.WindowText)
 
     def _axes(self, painter):

@@ -30,7 +30,7 @@ class ClearancePanel(CheckRun, ResultPanel):
     def __init__(self, document, envelope=None, pairs=(), motion_obj=None, neighbours=(), obj=None):
         self.document = document
         self.obj = obj
-        self.run, self.hidden = None, None  # hidden: the envelope under its colours
+        self.run, self.hidden = None, None  # hidden: the envelope hidden by its coloured copy
         self.rules, self.listed = {}, None
         values, all_visible = DEFAULTS, not neighbours
         if obj is not None:
@@ -73,7 +73,7 @@ class ClearancePanel(CheckRun, ResultPanel):
             [o.Label for o in motions],
         )
         if self.obj is not None and self.motion is None and envelope is None:
-            self.path.setCurrentIndex(-1)  # a missing motion is not replaced silently
+            self.path.setCurrentIndex(-1)  # a missing motion must not be replaced silently
         self.moving = QtWidgets.QLabel(", ".join(label_of(*p) for p in self.pairs) or "-")
         rows.addRow(translate("SweptVolume", "Moving parts"), self.moving)
         rows.addRow(translate("SweptVolume", "Motion"), self.path)
@@ -171,10 +171,10 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.moving.setEnabled(own)
 
     def _list(self, found, names):
-        """Shows the rules of these neighbours. Rules of others are kept for when they come back."""
-        if (found, names) == self.listed:  # a rule may just be edited
+        """Shows the rules of these neighbours. Rules of other neighbours are kept for later."""
+        if (found, names) == self.listed:  # the user may be editing a rule
             return
-        with contextlib.suppress(InputProblem):  # of a rule that cannot be read
+        with contextlib.suppress(InputProblem):  # a rule may be unreadable
             self.rules = neighbour_rules.merged(self.rules, self.asked.pairs, self.asked.rules())
         new = [pair for pair in found if pair not in self.asked.pairs]
         self.asked.show_pairs(found, {p: neighbour_rules.of(self.rules, *p) for p in new})

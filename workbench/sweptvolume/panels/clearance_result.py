@@ -98,7 +98,8 @@ class ResultPanel(played_result.PlayedPanel):
         return self._shared(plan, sides, (plan.motion, None), time)
 
     def cut_plan(self, index):
-        """Returns the shared.Plan of what the envelope shares with the part of a row."""
+        """Returns the shared.Plan for the volume that the envelope shares with the part of a
+        row."""
         plan = clearance.Plan.of(self.obj)
         sides = [convert.root_path(self.obj.Envelope)], [self._neighbour(plan, index)]
         return self._shared(plan, sides, (None, None), 0.0)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Offers to install the core: says what is fetched from where, shows progress, can be cancelled. Not
-modal: FreeCAD can be used meanwhile."""
+"""Offers to install the core: says what is fetched from where, shows progress, can be cancelled.
+FreeCAD can be used while the dialog is open."""
 import os
 import sys
 import threading
@@ -11,7 +11,7 @@ from .. import __version__, core, core_install, icon, interpreter, quantities
 from ..texts import translate
 from .widgets import QtCore, QtWidgets, show_message
 
-#: Interval (ms) between two looks at the background work.
+#: Interval (ms) between two checks of the background work.
 POLL = 100
 #: The open dialog, or None.
 opened = None
@@ -19,7 +19,7 @@ _offered = False
 
 
 def offer():
-    """Shows the dialog, which is at most open once."""
+    """Shows the dialog. Only one can be open."""
     global opened
     if opened is None:
         opened = CoreDialog()
@@ -70,7 +70,7 @@ class CoreDialog(QtWidgets.QDialog):
         return label
 
     def _facts(self):
-        """Returns the table of what is fetched."""
+        """Returns the box that lists what is fetched."""
         box = QtWidgets.QGroupBox(translate("SweptVolume", "What is fetched"))
         rows = QtWidgets.QFormLayout(box)
         self.source = self._label("SweptVolumeCoreSource")
@@ -110,7 +110,7 @@ class CoreDialog(QtWidgets.QDialog):
         return row
 
     def _show_state(self):
-        """Says whether the core works, and which buttons can be used."""
+        """Shows whether the core works, and enables the buttons that can be used."""
         running, works = self.run is not None, core.available()
         blocked = "" if works else core_install.obstacle()
         if works:

@@ -265,7 +265,8 @@ class EnvelopePanel(StartPanel):
         }
 
     def _given(self, name, field):
-        """Returns the length in a field (mm) if the cell size is set by it, else 0."""
+        """Returns the length in a field (mm) if this field determines the cell size, otherwise
+        0."""
         return float(field.property("rawValue")) if self.by.currentData() == name else 0.0
 
     def plan(self):
@@ -341,7 +342,7 @@ class EnvelopePanel(StartPanel):
         widgets.show_message(self.preview_text, text)
 
     def estimate(self):
-        """Shows the grid at once, and memory and time a moment later, before a run starts."""
+        """Shows the grid at once, and memory and time a moment later."""
         if self.run is not None:
             return
         try:
@@ -382,7 +383,7 @@ class EnvelopePanel(StartPanel):
         return text.format(*cells, quantities.quantity(found["cell"]))
 
     def _one_pose(self):
-        """Shows a hint if the motion has only one pose."""
+        """Returns a hint if the motion has only one pose, otherwise ""."""
         motion = self.parts.motion()
         if motion is None or len(motion.Placements) != 1:
             return ""

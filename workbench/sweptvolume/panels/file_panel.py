@@ -18,8 +18,8 @@ from .widgets import QtWidgets
 
 
 class FilePanel:
-    """Shows the content of the file in the chosen unit before the motion takes it: a new motion
-    (obj None), or a motion that was read from a file before."""
+    """Shows the content of the file in the chosen unit before it is stored in a new motion (obj
+    None) or in a motion that was read from a file before."""
 
     def __init__(self, document, path, obj=None):
         self.document, self.obj = document, obj

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel: searches for a path of a part to its place, shows the progress, and creates a motion.
+"""Task panel: searches for a path of a part to its goal, shows the progress, and creates a motion.
 """
 from PySide import QtCore
 
@@ -83,7 +83,8 @@ class FindPathPanel(SearchPanel):
         return self.pairs[0] if self.pairs else None
 
     def _size(self):
-        """Returns the diagonal of the part, rounded: usually the part is out after this distance."""
+        """Returns the diagonal of the part, rounded: after this distance, the part is usually
+        clear."""
         try:
             corners = convert.box_corners(self.pairs) if self.pairs else None
         except InputProblem:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs a driver or a simulation behind a dialog with Cancel, one frame between two events of the
-window. The run changes the document meanwhile; the dialog blocks all other input."""
+"""Runs a driver or a simulation behind a dialog with Cancel. Between two frames, the window handles
+its events. The run changes the document; the dialog blocks all other input."""
 import FreeCADGui as Gui
 
 from ..features import joint_motions

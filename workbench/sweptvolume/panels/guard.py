@@ -15,7 +15,7 @@ from .widgets import QtCore, QtWidgets
 
 #: Exceptions caused by the input or the machine. All others are faults of the workbench.
 EXPECTED = (InputProblem, core.CoreError, core.CoreMissing, OSError)
-#: A typed length counts as understood if it agrees with the field's own value up to rounding.
+#: A typed length counts as understood if it agrees with the field's value up to rounding.
 AGREES = 1e-6
 
 
@@ -69,7 +69,7 @@ def check_fields(form):
 
 
 def name_of(field, form):
-    """Returns the label beside a field. Does not look at widgets around the form, which belong to
+    """Returns the label beside a field. Does not look at widgets around the form: they belong to
     FreeCAD (widgets.forget_with())."""
     widget = field
     while widget is not form:

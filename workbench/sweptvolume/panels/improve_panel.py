@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel: improves a motion. The result is another motion; the given one does not change."""
+"""Task panel: improves a motion. The result is a new motion; the given one does not change."""
 from PySide import QtCore
 
 from ..features.improve_plan import ImprovePlan

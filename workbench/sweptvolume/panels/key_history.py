@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Undo and Redo in the motion editor. While it is open, their keys apply to its keys, not to the
-document."""
+"""Undo and Redo in the motion editor. While the editor is open, both commands change the keys of
+the motion, not the document."""
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
@@ -20,7 +20,7 @@ def copy_of(keys):
 
 
 def content(keys):
-    """Returns what distinguishes two states of the keys: times, placements, tangents."""
+    """Returns what can differ between two states of the keys: times, placements, tangents."""
     numbers = [tuple(p.toMatrix().A) for p in keys.placements]
     tangents = [(kind, tuple(v) if v is not None else ()) for kind, v in keys.tangents]
     return list(keys.times), numbers, tangents
@@ -55,7 +55,7 @@ class History:
 
 class UndoKeys(QtCore.QObject):
     """Makes Undo and Redo of keyboard, menu and toolbar call a function (argument back: True or
-    False) until stop(). FreeCAD's own entries are hidden and have no shortcuts meanwhile."""
+    False) until stop(). Until then, FreeCAD's own entries are hidden and have no shortcuts."""
 
     def __init__(self, step):
         window = Gui.getMainWindow()
@@ -66,7 +66,7 @@ class UndoKeys(QtCore.QObject):
             sequences = QtGui.QKeySequence.keyBindings(standard)
             for action in actions_of(name):
                 self.taken.append((action, action.shortcuts()))
-                # Users may have chosen other keys in FreeCAD's preferences.
+                # Users may have chosen other shortcuts in FreeCAD's preferences.
                 sequences += [s for s in action.shortcuts() if s not in sequences]
                 action.setShortcuts([])
             self._replace(name, back, step)
@@ -77,8 +77,8 @@ class UndoKeys(QtCore.QObject):
                 self.keys.append(key)
 
     def _replace(self, name, back, step):
-        """Puts one of our entries in the place of FreeCAD's, in menus and toolbars. The entry in
-        the toolbar has no name, but the text of the other."""
+        """Puts one of our entries in the place of FreeCAD's, in menus and toolbars. The entry in a
+        toolbar has no object name, but the same text."""
         texts = {action.text() for action in actions_of(name)}
         window = self.parent()
         for holder in window.findChildren(QtWidgets.QToolBar) + window.findChildren(

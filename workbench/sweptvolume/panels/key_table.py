@@ -102,8 +102,8 @@ def units():
 
 
 class KeyTable(QtCore.QObject):
-    """Signals: `wanted(name)`: an action; `typed(row, column, text)`: a cell; `chosen(row)`: the
-    current key."""
+    """Signals: `wanted(name)`: an action was requested; `typed(row, column, text)`: a cell was
+    edited; `chosen(row)`: another key became the current one."""
 
     wanted = QtCore.Signal(str)
     typed = QtCore.Signal(int, int, str)
@@ -124,7 +124,7 @@ class KeyTable(QtCore.QObject):
             False
         )  # Tab leaves the table, so that the panel works without a mouse
         modes = QtWidgets.QHeaderView
-        for column in range(len(self.units)):  # heads of angles are long, their numbers are short
+        for column in range(len(self.units)):  # headings of angles are long, their numbers short
             mode = modes.ResizeToContents if column >= len(COLUMNS) else modes.Stretch
             self.table.horizontalHeader().setSectionResizeMode(column, mode)
         self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 8)
@@ -157,8 +157,8 @@ class KeyTable(QtCore.QObject):
         for row in range(len(keys)):
             self._fill(keys, row)
         if len(keys):
-            # Selects only this row, even if Ctrl is held, with which a view would extend the
-            # selection.
+            # Selects only this row. Without this flag, the view would extend the selection while
+            # Ctrl is held.
             alone = QtCore.QItemSelectionModel.ClearAndSelect | QtCore.QItemSelectionModel.Rows
             self.table.setCurrentCell(max(0, min(current, len(keys) - 1)), 1, alone)
         self.filling = False
@@ -179,7 +179,7 @@ class KeyTable(QtCore.QObject):
             self.table.setItem(row, column, item)
 
     def copy(self, keys):
-        """Copies the chosen rows to the clipboard, in the form of spreadsheets."""
+        """Copies the chosen rows to the clipboard, as tab-separated text for spreadsheets."""
         lines = []
         for row in sorted({index.row() for index in self.table.selectedIndexes()}):
             numbers = (keys.times[row],) + keys.numbers(row)
@@ -236,7 +236,7 @@ def add_to(layout, part, source=""):
         rows.addRow(translate("SweptVolume", "Source"), _name(source))
     table = KeyTable(rows)
     table.part = button
-    # The first field of the panel is the list of keys.
+    # The button of the part comes last in the tab order, so the list of keys is the first field.
     QtWidgets.QWidget.setTabOrder(list(table.buttons.values())[-1], button)
     return table
 

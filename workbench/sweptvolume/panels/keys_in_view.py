@@ -20,8 +20,8 @@ from .preview import request_for
 #: of keys with a ghost; triangles of the simplified mesh that is drawn during editing.
 GHOST_DEFLECTION, MOST_GHOSTS, PART_TRIANGLES = 0.003, 60, 15000
 
-#: Time (s) between two pictures while a key is dragged. A picture waits for its envelope, but not
-#: longer than LATEST. If each picture came at once, the envelopes would get no time.
+#: Time (s) between two pictures while a key is dragged: at least SOONEST. A picture waits for its
+#: coarse envelope, but at most LATEST. More pictures would leave no time to compute envelopes.
 SOONEST, LATEST = 0.07, 0.16
 
 
@@ -89,7 +89,7 @@ class KeysInView:
 
     def base(self):
         """Returns the frame that the poses move (poses.base_of())."""
-        # The points of the ghosts are those of the body when they were made.
+        # The ghosts show the body as it was placed when it was read, so this placement is used.
         poses, frame = self.world_poses(), self.frame.currentData()
         return base_of(poses, frame, self.body.placement, self.container)
 
@@ -113,7 +113,7 @@ class KeysInView:
         if not 0 <= row < len(self.keys):
             return
         if self.frame.currentData() == "RelativeToFirst" and row == 0:
-            return  # the first pose is fixed at the present place of the part
+            return  # the first pose is fixed at the present placement of the part
         world, self.let_go = placement.multiply(self.handle.inverse()), False
         if self.live.stops():
             self.live.reach(row, self._standing_at(row), world, placement.Base)
@@ -122,7 +122,7 @@ class KeysInView:
         self._move_key(row, world)
 
     def reached(self, row, world, last):
-        """Moves the key to where the part can get on the way to the dragged placement."""
+        """Moves the key as far towards the dragged placement as the part can get."""
         if row != self.keyboard.row() or row >= len(self.keys):
             return
         self._move_key(row, world)
@@ -165,7 +165,7 @@ class KeysInView:
             self._settle()
 
     def _settle(self):
-        """Called when the dragged key has its final place."""
+        """Called when the dragged key has its final placement."""
         self.let_go = False
         self.draw_dragged()
         self.noted()

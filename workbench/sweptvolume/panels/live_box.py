@@ -24,11 +24,11 @@ PAUSE = 0.5
 
 
 class LiveBox(QtCore.QObject):
-    """Signal `reached(row, placement, last)`: how far the part of a key may go, the answer to
-    reach(). last: there is no newer request."""
+    """Signal `reached(row, placement, last)` answers reach(): the part of key `row` may go to
+    `placement`. last: there is no newer request."""
 
     reached = QtCore.Signal(int, object, bool)
-    #: Whether the part clashes at its present place.
+    #: Whether the part clashes at its present placement.
     clashes = QtCore.Signal(bool)
 
     def __init__(self, document, rows):
@@ -60,14 +60,14 @@ class LiveBox(QtCore.QObject):
             box.toggled.connect(lambda *ignored: self._forget())
 
     def begin(self, pair, body):
-        """Sets the part (convert.Body in its present place) whose keys are dragged."""
+        """Sets the part (convert.Body at its present placement) whose keys are dragged."""
         self.pair, self.body = pair, body
         self.middle = shift_to(middle_of([pair], body.placement))
         for widget in (self.show_box, self.stop_box, self.text):
             widget.setEnabled(True)
 
     def stops(self):
-        """Returns whether the part moves only to where reach() allows."""
+        """Returns whether the part stops at its neighbours, as reach() reports."""
         return self.stop_box.isEnabled() and self.stop_box.isChecked() and self._begun()
 
     def follow(self, world, at):
@@ -83,8 +83,8 @@ class LiveBox(QtCore.QObject):
         self.live.want(self._matrix(before), self._matrix(world), stop=True)
 
     def _begun(self):
-        """Returns whether there is something to measure. Reads the neighbours if they were not read
-        or have changed."""
+        """Returns whether there is a part with neighbours to measure. Reads the neighbours if they
+        were not read or have changed."""
         if self.pair is not None and time.monotonic() - self._asked > PAUSE:
             stands = self._stands()
             if stands != self._read:
@@ -101,8 +101,8 @@ class LiveBox(QtCore.QObject):
         return self.live is not None
 
     def _stands(self):
-        """Returns what identifies the neighbours and their places, for comparison, or None if there
-        are none."""
+        """Returns what identifies the neighbours and their placements, for comparison, or None if
+        there are none."""
         try:
             return contents.words(path_plan.beside(self.document, [self.pair]).leaves())
         except InputProblem:

@@ -104,8 +104,8 @@ class LiveClearance:
         return self.scene.chord + 0.01
 
     def want(self, before, to, stop=False):
-        """Sends a request and returns its number. stop: how far the part gets on the straight way
-        from `before`."""
+        """Sends a request and returns its number. stop: also asks how far the part can move in a
+        straight line from `before`."""
         self.number += 1
         wish = (self.number, before, to, self.apart() if stop else None)
         self.take()

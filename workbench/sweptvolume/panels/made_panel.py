@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Task panel "What made this?": colours an envelope. After a click on the envelope, shows the face
-of the part that made the place, and the part at that moment. Changes nothing but the view."""
+of the part that created this point, and the part at that moment. Only remember() changes the
+document."""
 import FreeCADGui as Gui
 from PySide import QtCore
 
@@ -128,8 +129,8 @@ class MadePanel(StayingPanel):
         self.player.setEnabled(False)
 
     def show_result(self):
-        """Shows another state of the envelope. What was said of the clicked place stays, marked as
-        earlier, until the envelope is computed again."""
+        """Shows another state of the envelope. The answer for the clicked point stays, marked as
+        outdated, until the envelope is computed again."""
         if self.obj is None:
             self.reject()
         elif self.answer is None or self.obj.Status == UP_TO_DATE:
@@ -173,7 +174,7 @@ class MadePanel(StayingPanel):
 
     @guard.told
     def found(self, obj, answer):
-        """Handles a click on a place of an envelope."""
+        """Handles a click on a point of an envelope."""
         if obj.Name != self.obj.Name or made_by.find(self.obj) is None:
             return
         self.answer = answer
@@ -197,7 +198,7 @@ class MadePanel(StayingPanel):
         if current:
             self._show_parts(self.answer.motion)
             self.player.go_to(self.answer.time)
-        else:  # the part may not pass there any more
+        else:  # the motion may no longer pass there
             self._remove_parts()
 
     def _show_parts(self, motion):
@@ -219,7 +220,7 @@ class MadePanel(StayingPanel):
 
     @guard.told
     def select(self):
-        """Selects the face, or the two faces at the edge, on the part in its present place."""
+        """Selects the face, or the two faces at the edge, on the part at its present placement."""
         Gui.Selection.clearSelection()
         for part, number in self.answer.faces:
             element = "" if part["facets"] else "Face{}".format(number)

@@ -143,8 +143,8 @@ class MechanismPanel(CheckRun, ResultPanel):
         self.chosen.setText(text.format(len(names), (", ".join(names[:6]) or "-") + more))
         new = [pair for pair in pairs if pair not in self.asked.pairs]
         listed = pairs, [pair_rules.label_of(pair) for pair in pairs]
-        if listed != self.listed:  # otherwise a rule may just be edited
-            self.rules = plan.pair_rules  # those of parts that are hidden now are kept
+        if listed != self.listed:  # otherwise the user may be editing a rule
+            self.rules = plan.pair_rules  # includes rules of parts that are hidden now
             self.asked.show_pairs(pairs, {p: pair_rules.of(self.rules, *p) for p in new})
             self.listed = listed
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panel before an envelope that is not up to date is written to a mesh file. A current envelope
-is written at once (run_panel)."""
+"""Task panel that warns before an outdated envelope is written to a mesh file. An envelope that is
+up to date is written at once (run_panel)."""
 import os
 
 from .. import export, targets

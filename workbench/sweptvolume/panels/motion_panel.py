@@ -320,7 +320,8 @@ class MotionPanel(KeysInView):
         self.show_tangent()
 
     def place_clicked(self, envelope, answer):
-        """Handles a click on an envelope along this motion: goes to the moment that made the place."""
+        """Handles a click on an envelope of this motion: shows the moment that created the
+        point."""
         if answer is not None and self.obj is not None and answer.motion == self.obj.Name:
             self.player.go_to(answer.time)
 
@@ -390,7 +391,7 @@ class MotionPanel(KeysInView):
         return self._close()
 
     def reject(self):
-        """Cancel: moves the part back to its place when the panel was opened."""
+        """Cancel: moves the part back to where it was when the panel was opened."""
         self._put_back()
         return self._close()
 

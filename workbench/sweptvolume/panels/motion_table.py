@@ -27,7 +27,7 @@ class MotionTable(QtCore.QObject):
         self.motions = list(motions) + [None] * (len(self.pairs) - len(motions))
 
     def build_table(self, name, head, height):
-        """head: title of the column of motions."""
+        """Builds the table. head: title of the column of motions."""
         self.table = QtWidgets.QTableWidget(0, 2)
         self.table.setObjectName(name)
         self.table.setHorizontalHeaderLabels([translate("SweptVolume", "Part"), head])
@@ -44,8 +44,8 @@ class MotionTable(QtCore.QObject):
         return objects_of_kind(self.document, motion.Motion.KIND)
 
     def fill(self, texts, name, empty):
-        """texts: those of the parts; name: name of the combo boxes, followed by a number; empty:
-        text for no motion."""
+        """Fills the table. texts: labels of the parts; name: name of the combo boxes, followed by a
+        number; empty: text for no motion."""
         known = self.known()
         names, labels = [""] + [m.Name for m in known], [empty] + [m.Label for m in known]
         self.table.setRowCount(len(self.pairs))
@@ -74,7 +74,7 @@ class MotionTable(QtCore.QObject):
             box.setObjectName("{}{}".format(name, row + 1))
             box.currentIndexChanged.connect(lambda i, row=row, box=box: self._chose(row, box))
             self.table.setCellWidget(row, 1, box)
-            # Without this, Tab would reach the boxes last of all in the window.
+            # Without this, Tab would reach the boxes only after all other widgets of the window.
             QtWidgets.QWidget.setTabOrder(before, box)
             before = box
             if row % BOXES_AT_ONCE == BOXES_AT_ONCE - 1:

@@ -77,7 +77,7 @@ class NeighboursBox(QtCore.QObject):
         self.table.setFocus()
 
     def drop_moving(self):
-        """Removes the moving part after it has changed, because it is not its own neighbour."""
+        """Removes parts that now move, because a moving part is not its own neighbour."""
         moving = self.moving()
         self._show(
             [p for p in self.pairs if not any(p[0] is r and p[1].startswith(s) for r, s in moving)]

@@ -183,7 +183,7 @@ class OverlapPanel(StayingPanel):
             self._show_summary()
 
     def _is_of_before(self):
-        """Returns whether objects or settings differ from those of the result that is shown."""
+        """Returns whether objects or settings have changed since the result that is shown."""
         now = self.new_plan()
         known, wanted = ((plan.pairs, plan.required, plan.deflection) for plan in (self.plan, now))
         return known != wanted or now.state() != self.plan.known
@@ -262,7 +262,7 @@ class OverlapPanel(StayingPanel):
 
     @guard.told
     def _look(self):
-        """Moves the camera to the place of the row."""
+        """Moves the camera to the shared volume of the row, or to its nearest points."""
         row = self.chosen_row()
         if row < 0:
             return

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of the worst places of a check in the document's 3D view, for pages without their own 3D
-view.
+"""Pictures of the worst rows of a check, taken in the document's 3D view, for pages without their
+own 3D view.
 
 The view belongs to the window's thread. Work in this thread is divided into steps, between which
 the window handles events. Other threads read the parts of a mechanism and compress the pictures.

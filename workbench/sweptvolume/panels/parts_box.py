@@ -10,8 +10,8 @@ from .widgets import QtWidgets
 
 
 class PartsBox(MotionTable):
-    """Signal `changed`: other parts, motions or reference. None in `motions` means the common
-    motion."""
+    """Signal `changed`: other parts, motions or another reference were chosen. None in `motions`
+    means the common motion."""
 
     def __init__(self, document, plan, layout, chosen=False):
         """chosen: the plan is that of an object, so missing inputs are not filled in silently."""

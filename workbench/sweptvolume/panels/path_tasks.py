@@ -8,7 +8,7 @@ from ..texts import translate
 
 class FindPathTask(Task):
     """Finds a path and creates its motion as one undo step. `outcome`: result (path_plan.Outcome);
-    `obj`: the motion, or None; seen: what a view may show meanwhile (core_paths.watch())."""
+    `obj`: the motion, or None; seen: the observer from core_paths.watch(), for the view."""
 
     def __init__(self, plan):
         self.title = translate("SweptVolume", "Find path")

@@ -54,7 +54,8 @@ class PivotBox(QtWidgets.QWidget):
         self.setEnabled(False)  # without a part there is no choice, so disabled until begin()
 
     def begin(self, middle, point):
-        """middle, point: in coordinates of the part (mm). point None: the origin of the poses."""
+        """Shows the pivot of a part. middle, point: in coordinates of the part (mm). point None:
+        the origin of the poses."""
         self.middle = middle
         near = point is not None and (point - middle).Length <= SAME
         self.point = middle if point is None or near else point
@@ -67,7 +68,7 @@ class PivotBox(QtWidgets.QWidget):
         self._set(kind)
 
     def show_fixed(self, pivot):
-        """Shows the pivot of a motion without a part."""
+        """Shows the pivot of a motion without a part. The user cannot change it."""
         self._set("Point" if pivot.Length else "Origin")
 
     def in_part(self):

@@ -44,7 +44,8 @@ def _distances(p, a, b, c):
 
 
 class Places:
-    """The places of one envelope in its present state. Reads its mesh at the first call."""
+    """Finds what made points of one envelope in its present state. Reads its mesh at the first
+    call."""
 
     def __init__(self, obj):
         self.obj, self.record = obj, made_by.find(obj)
@@ -69,7 +70,7 @@ class Places:
 
 class PlacePicker:
     """Calls found(envelope, answer) for each click on an envelope of a document in its 3D view,
-    until stop(). answer is None if there is no record of what made this place. The envelope is
+    until stop(). answer is None if there is no record of what made this point. The envelope is
     deselected, so that FreeCAD reports the next click and its colours are visible."""
 
     def __init__(self, document, found):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Shows the motion in the result of a check. A player moves the parts. The shortest line between
-the two parts of a row follows, and so does a section through that place. The user can keep the
-volume of a clash as an object."""
+the two parts of a row and a section through this line follow. The user can keep the volume of a
+clash as an object."""
 import numpy as np
 
 from .. import convert, core_paths, quantities, runner
@@ -41,7 +41,7 @@ class RowScene(Scene):
 
 
 class PlayedPanel(check_result.ResultPanel):
-    """Subclasses define what moves, and the two parts of a row."""
+    """Subclasses define what moves, and which two parts belong to a row."""
 
     def plan_shown(self):
         """Returns the plan of `obj`, whose seen() is drawn."""
@@ -100,7 +100,7 @@ class PlayedPanel(check_result.ResultPanel):
     # --- a row
 
     def show_buttons(self, index):
-        """Enables the buttons that can keep something of a row; None: no row is chosen."""
+        """Enables the buttons that keep a shared volume of a row; None: no row is chosen."""
         row = self.report["neighbours"][index] if index is not None else None
         self.clash.setEnabled(row is not None and row["verdict"] == "clash")
 

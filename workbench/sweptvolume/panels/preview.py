@@ -21,21 +21,21 @@ MOST_TRIANGLES = 30000
 MOST_CELLS = 192
 #: Time (ms) without a change until the fine envelope is computed.
 REST = 300
-#: Time (ms) after the last request until the panel looks for results by itself. A request draws the
-#: view anyway, and drawing it twice would take time. So this time is longer than the interval in
-#: which a dragger makes requests (its POLL).
+#: Time (ms) after the last request until the panel checks for results by itself. Each request draws
+#: the view anyway, and drawing it twice would take time. So this time is longer than the interval
+#: between two requests of a dragger (its POLL).
 LOOK = 100
 #: Times (s): above SLOW the next coarse run is coarser, below QUICK it is finer, by the factor
 #: STEP; smallest number of cells.
 SLOW, QUICK, STEP, LEAST_CELLS = 0.12, 0.04, 0.7, 32
-#: Largest deviation of the straight pieces that replace a smooth motion, as a fraction of the
+#: Largest deviation of the straight segments that approximate a smooth motion, as a fraction of the
 #: path's size.
 STRAIGHT = 1e-3
 
 
 def request_for(body, poses, base, interpolation, resolution):
-    """Returns a run for a body in its present place (convert.Body), independent of any document.
-    base: as poses.base_of()."""
+    """Returns a run for a body at its present placement (convert.Body), independent of any
+    document. base: as poses.base_of()."""
     base = base.multiply(shift_to(poses.pivot))
     poses = poses.carried()
     vertices = body.seen(convert.matrix_of(base.inverse()))

@@ -66,7 +66,7 @@ class StartPanel:
         return False
 
     def reject(self):
-        """Cancel: first stops a run, which writes nothing before its end."""
+        """Cancel: first stops the run, if there is one. A run writes nothing before its end."""
         if self.run is not None:
             self.run.ended.disconnect(self.ended)
             self.run.cancel()
@@ -108,7 +108,7 @@ class StayingPanel(StartPanel):
         self.show_result()
 
     def renew_inputs(self):
-        """Called after changes of the document. Subclasses update what they list of it."""
+        """Called after changes of the document. Subclasses update the objects that they list."""
 
     def lost(self):
         """Called when the object was deleted while the panel shows it, for example by Undo."""

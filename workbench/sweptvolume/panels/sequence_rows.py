@@ -72,8 +72,8 @@ class SequenceRows(QtCore.QObject):
         rows.addRow(line)
 
     def show_rows(self, pairs, motions=None, states=None):
-        """motions, states: one for each part. No motion: a path is searched for. No state: the cell
-        is empty."""
+        """Shows the parts. motions, states: one for each part. No motion: a path is searched for.
+        No state: the cell is empty."""
         self.pairs = list(pairs)
         self.motions = list(motions or [None] * len(self.pairs))
         self.states = list(states or [""] * len(self.pairs))

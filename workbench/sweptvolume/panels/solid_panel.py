@@ -196,7 +196,7 @@ class SolidPanel(StartPanel):
         return tasks.SolidTask(self.document, self.source, self.obj, self.settings())
 
     def start(self):
-        # The estimate would do the same work beside the run.
+        # Otherwise the estimate would do the same work at the same time as the run.
         self.timer.stop()
         self.look.stop()
         if self.begin(self.task, self.ended):

@@ -41,7 +41,7 @@ class SourcePanel:
         self.frame.setToolTip(translate("App::Property", FRAME_HELP))
         rows.addRow(translate("SweptVolume", "Interpolation"), self.interpolation)
         rows.addRow(translate("SweptVolume", "Pose type"), self.frame)
-        if self._all_parts():  # absolute, because poses of joints are the true places of the parts
+        if self._all_parts():  # absolute: joints give placements of the parts
             self.frame.setEnabled(False)
             text = translate(
                 "SweptVolume", "No part is selected: every part that moves gets a motion."
@@ -50,7 +50,7 @@ class SourcePanel:
         layout.addWidget(self.message)
         layout.addStretch(1)
 
-    # --- what each kind asks for
+    # --- the fields of each kind of source
 
     def _build_curve(self, rows):
         accuracy = widgets.length(self.given.get("accuracy", ACCURACY), 1e-4, 0.01)

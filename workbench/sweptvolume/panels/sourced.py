@@ -31,7 +31,7 @@ def edit(obj):
 
 
 def may_cut(obj):
-    """Asks the user whether to remove the link of a motion to its source."""
+    """Asks the user whether to remove the link of a motion to its source. Returns the answer."""
     text = translate(
         "SweptVolume",
         'The poses of "{0}" are linked to {1}. To edit a key, you must remove the '

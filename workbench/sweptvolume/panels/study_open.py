@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Opens a run of a study: the panel of its check, with the moving part at its worst place, or of
-its envelope. A check that is not up to date is computed first."""
+"""Opens a run of a study: the panel of its envelope, or the panel of its check with the moving part
+at the time of the worst row. A check that is not up to date is computed first."""
 from PySide import QtCore
 
 from ..features import clearance, clearance_table
@@ -34,6 +34,6 @@ def _open(source):
 
 
 def _worst(panel):
-    """Chooses the worst row, so that the part is shown at its worst place."""
+    """Chooses the worst row, so that the part is shown at the time of this row."""
     for index in clearance_table.worst_rows(panel.report)[:1]:
         panel.choose(index)

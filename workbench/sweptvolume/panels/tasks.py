@@ -62,8 +62,8 @@ class PlanTask(Task):
             self.apply(value)
 
     def undoable(self, value):
-        """Returns whether Undo keeps the result. Otherwise Undo restores only the inputs, and the
-        result is then stale."""
+        """Returns whether the result is part of the undo step. If not, Undo restores only the
+        inputs, and the result becomes stale."""
         return True
 
     def after(self, value):
@@ -88,7 +88,7 @@ class PlanTask(Task):
 
 def read_in_pieces(plan):
     """A generator for Task.steps() that returns a plan's request. The window handles events between
-    its pieces. Raises InputProblem, also if the document was changed meanwhile."""
+    its steps. Raises InputProblem, also if the document was changed meanwhile."""
     plan.words()
     pieces, began = plan.reading(), 0.0
     while True:
@@ -317,8 +317,8 @@ class SolidTask(Task):
 
 
 class ExportTask(Task):
-    """Writes an envelope to a file; the document does not change. The file is written in a folder
-    beside its place and then moved there, so a stopped run leaves no file."""
+    """Writes an envelope to a file; the document does not change. The file is written in a
+    temporary folder beside the target and then moved, so a stopped run leaves no file."""
 
     def __init__(self, source, path, settings=None):
         self.title = translate("SweptVolume", "Export envelope")

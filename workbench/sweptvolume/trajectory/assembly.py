@@ -16,8 +16,8 @@ _CALLS = ("generateSimulation", "numberOfFrames", "updateForFrame")
 
 
 def is_simulation(obj):
-    """Returns whether an object is a simulation. Its properties show it, because its class is a
-    Python class."""
+    """Returns whether an object is a simulation. Only its properties distinguish it, because its
+    type is that of any Python object."""
     names = getattr(obj, "PropertiesList", [])
     return {"aTimeStart", "bTimeEnd", "cTimeStepOutput"}.issubset(names)
 
@@ -98,7 +98,7 @@ def shortfall(label, start, end, step, frames):
 
 
 def signature(objects):
-    """Returns a text that changes when the simulation or the place of the part changes."""
+    """Returns a text that changes when the simulation or the placement of the part changes."""
     simulation, part = pair(objects)
     words = [repr(_seconds(getattr(simulation, n))) for n in ("aTimeStart", "bTimeEnd")]
     words.append(repr(_seconds(simulation.cTimeStepOutput)))

@@ -37,7 +37,7 @@ def is_path(obj):
 
 
 def poses(objects, rapid=100.0, convention="Head"):
-    """Returns all moves of one CAM object."""
+    """Returns the poses of all moves of one CAM object."""
     if len(objects) != 1 or not is_path(objects[0]):
         raise InputProblem(translate("SweptVolume", "Select one CAM (Path) operation."))
     place = {"Head": _by_head, "Table": _by_table}[convention]
@@ -126,14 +126,15 @@ def _centre(state, target, words, kind, plane):
 
 
 def _between(state, target, u):
-    """Returns the state at the share u of a move along straight lines."""
+    """Returns the state at the fraction u of a straight move."""
     return {axis: state[axis] + (target[axis] - state[axis]) * u for axis in state}
 
 
 def _steps(state, target, words, kind, plane):
     """Returns the states along the move, the target last."""
     centre = _centre(state, target, words, kind, plane) if kind >= 2 else None
-    # Between two poses a part always turns the shorter way, so a turn by 270 degrees needs poses.
+    # Between two poses a part always turns the shorter way, so a turn by 270 degrees needs more
+    # poses.
     turn = math.radians(max(abs(target[axis] - state[axis]) for axis in "ABC"))
     if centre is None:
         count = max(1, int(math.ceil(turn / ARC_STEP - 1e-9)))

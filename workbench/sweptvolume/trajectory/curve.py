@@ -26,13 +26,13 @@ ORIENTATIONS = ["Fixed", "Tangent", "SecondCurve"]
 ACCURACY = 0.1
 #: A motion with more poses would block the window for seconds at each recompute.
 MAX_POSES = 20_000
-#: An edge is halved at most this often. Its pieces are then about as short as points can be
-#: distinguished.
+#: An edge is halved at most this often. Its pieces are then about as short as the smallest distance
+#: between two points that can be distinguished.
 MAX_HALVINGS = 24
 #: Turns (rad) between two edges below this are ignored: half a millimetre at a distance of 500 m.
 CORNER = 1e-6
-#: Fractions between two poses at which the deviation of the curve is measured. They are irrational,
-#: because at simple fractions a helix of several turns looks straight.
+#: Fractions between two poses at which the deviation of the curve is measured. Two are irrational:
+#: at simple fractions alone, a helix of several turns would look straight.
 LOOK_AT = (math.sqrt(5) - 2, 0.5, math.sqrt(0.5))
 #: Duration of a full turn in place, as a fraction of the duration of the path.
 TURN_SHARE = 0.25
@@ -194,7 +194,7 @@ def _adaptive(track, accuracy, turning):
 
 def _leaves(track, k, a, here, b, there, reach):
     """Returns how far (mm) the straight line between two samples deviates from edge k. Also
-    accounts for the turn between their tangents at a distance `reach`. Measured at three points."""
+    accounts for the turn between their tangents at a distance `reach`. Measured at LOOK_AT."""
     turn, way, most = _least_turn(here[1], there[1]), there[0] - here[0], 0.0
     for u in LOOK_AT:
         point, tangent = track.at_part(k, a + (b - a) * u)
@@ -235,8 +235,8 @@ def _turns(samples, shares, orientation, objects):
 
 
 def _turns_by_tangent(samples):
-    """Turns from x to the first tangent, and then from tangent to tangent, always by the least
-    turn."""
+    """Returns rotations that turn x to the first tangent, and then from tangent to tangent, always
+    by the least turn."""
     turns, turn, before = [], App.Rotation(), App.Vector(1, 0, 0)
     for _, tangent in samples:
         turn = _least_turn(before, tangent).multiply(turn)
@@ -246,8 +246,9 @@ def _turns_by_tangent(samples):
 
 
 def _turns_by_second(samples, others, objects):
-    """x points along the tangent, z as closely as possible to the point of the second curve. If
-    that point lies on the line of the tangent, z is carried on from the pose before."""
+    """Returns rotations: x points along the tangent, z as closely as possible to the point of the
+    second curve. If that point lies on the line of the tangent, z is carried on from the pose
+    before."""
     turns, before = [], None
     for (point, tangent), other in zip(samples, others):
         up = other - point

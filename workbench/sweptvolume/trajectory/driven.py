@@ -123,7 +123,7 @@ class Handle:
 
 
 def names_of(driver):
-    """Returns the values of an object that can be driven, by their names in expressions."""
+    """Returns the names, as used in expressions, of the values of an object that can be driven."""
     if driver.isDerivedFrom("Spreadsheet::Sheet"):
         cells = [c for c in driver.PropertiesList if re.fullmatch("[A-Z]{1,2}[0-9]+", c)]
         cells = [c for c in cells if not driver.getContents(c).startswith("=")]
@@ -189,7 +189,7 @@ def pair(objects):
 
 def signature(objects, name):
     """Returns a text that changes when the mechanism changes. It contains the value and the present
-    place of the part."""
+    placement of the part."""
     driver, part = pair(objects)
     place = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
     return "{!r} {}".format(Handle(driver, name).value(), place.tolist())

@@ -18,9 +18,9 @@ AUTO = ("Auto", None)
 
 
 class Keys:
-    """Times (s), placements and tangents (spline.py) under edit. Indices count from 0; times always
-    increase. pivot: as in Poses. displaces: the keys are displacements, whose numbers are zero
-    if the part does not move."""
+    """The times (s), placements and tangents (spline.py) of a motion that is edited. Indices count
+    from 0; times always increase. pivot: as in Poses. displaces: the keys are displacements, whose
+    numbers are zero if the part does not move."""
 
     def __init__(self, times=(), placements=(), tangents=(), step=1.0, pivot=None, displaces=False):
         self.pivot = App.Vector(pivot) if pivot is not None else App.Vector()
@@ -60,8 +60,8 @@ class Keys:
         return self._put(len(self), time, placement)
 
     def insert_after(self, index, interpolation="Linear", placement=None):
-        """Adds a key halfway to the next one, at the place of the part then. After the last key:
-        one time step later."""
+        """Adds a key at half the time to the next key, at the placement that the part has then.
+        After the last key: one time step later."""
         if index + 1 >= len(self):
             return self.append(
                 placement or (self.placements[-1] if self.placements else App.Placement())
@@ -72,7 +72,7 @@ class Keys:
         return self._put(index + 1, time, placement)
 
     def insert_at(self, time, interpolation="Linear"):
-        """Adds a key at a time between two others, at the place of the part then."""
+        """Adds a key at a time between two others, at the placement that the part has then."""
         index = bisect.bisect(self.times, time)
         if not 0 < index < len(self) or time in self.times:
             raise InputProblem(
@@ -89,7 +89,7 @@ class Keys:
         self.placements[index] = App.Placement(placement)
 
     def set_tangent(self, index, kind, velocity=None):
-        """kind: one of spline.TANGENTS; velocity (mm/s): for Given."""
+        """Sets the tangent of a key. kind: one of spline.TANGENTS; velocity (mm/s): for Given."""
         self.tangents[index] = (kind, App.Vector(velocity) if kind == "Given" else None)
 
     def delete(self, index):

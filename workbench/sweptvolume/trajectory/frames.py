@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One run of a driver or a simulation, and the places of parts in each of its frames.
+"""One run of a driver or a simulation, and the placements of parts in each of its frames.
 
 A source gives its frames as a generator. It brings the document into a frame and yields the time
 (s). When it ends or is closed, it restores the document and returns a note about the run.

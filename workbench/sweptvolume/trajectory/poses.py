@@ -7,9 +7,9 @@ from ..convert import InputProblem, matrices_from, pose_arrays
 from ..texts import QT_TRANSLATE_NOOP, translate
 from .spline import Spline, rotation_vector
 
-#: Name in the property -> name in the core. The core gets a spline as many straight pieces.
+#: Name in the property -> name in the core. A spline is converted to straight segments.
 INTERPOLATIONS = {"None": "none", "Linear": "linear", "Screw": "screw", "Spline": "linear"}
-#: A curved way is halved until its straight pieces are accurate enough, at most this often.
+#: A curved path is halved until its straight segments are accurate enough, at most this often.
 MOST_HALVINGS = 10
 
 #: Values of the property PoseType: what a pose means for the part.
@@ -81,8 +81,8 @@ class Poses:
 
     def check_function(self):
         """Raises InputProblem if two poses have the same time. The part then still moves between
-        them, but its place is not a function of time, which splines and moving reference parts
-        need.
+        them, but its placement is not a function of time. Splines and moving reference parts need
+        such a function.
         """
         for i in range(1, len(self.times)):
             if self.times[i] == self.times[i - 1]:
@@ -181,12 +181,12 @@ def between(a, b, u, interpolation):
 
 
 def straightened(at, knots, reach, tolerance):
-    """Converts a function time -> Placement to poses that the core may connect by straight pieces
+    """Converts a function time -> Placement to poses that the core may connect by straight segments
     (Linear).
 
     knots: times (s) that must be poses. reach: largest distance of a point of the part from the
-    origin of the poses. tolerance: mm by which such a point may deviate from its way, tested at
-    three points of each piece.
+    origin of the poses. tolerance: mm by which such a point may deviate from its path, tested at
+    three points of each segment.
     """
     times, placements = [knots[0]], [at(knots[0])]
     for last in knots[1:]:
@@ -206,8 +206,8 @@ def straightened(at, knots, reach, tolerance):
 
 
 def _leaves(at, a, here, b, there, reach):
-    """Returns a bound (mm) on the deviation of the way from a to b from the straight one, evaluated
-    at three times."""
+    """Returns a bound (mm) on the deviation of the path from a to b from the straight one,
+    evaluated at three times."""
     most = 0.0
     for u in (0.25, 0.5, 0.75):
         true = at(a + (b - a) * u)

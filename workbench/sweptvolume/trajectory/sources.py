@@ -178,13 +178,13 @@ FROM_JOINTS = ("Driven", "Simulation")
 
 
 def interpolation_of(kind):
-    """Returns the default interpolation for such a source."""
+    """Returns the default interpolation for a kind of source."""
     return "Screw" if kind in FROM_JOINTS else "Linear"
 
 
 def frame_of(kind):
-    """Returns the default pose type for such a source: a part follows a wire from its present
-    place."""
+    """Returns the default pose type for a kind of source. A part follows a wire from its present
+    placement; other sources give placements of the part."""
     return "RelativeToFirst" if kind == "Curve" else "Absolute"
 
 

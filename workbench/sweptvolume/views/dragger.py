@@ -16,8 +16,8 @@ except ImportError:  # in FreeCAD 0.20, the module PySide has the widgets in QtG
 _NAMES = ("SoTransformDragger", "SoFCCSysDragger")
 #: Size of the dragger as a fraction of the part's diagonal: its arrows end a little outside a cube.
 SIZE = 0.4
-#: Interval (ms) between two checks of the dragger's place. The dragger itself follows the mouse;
-#: the panel decides how often its own drawing is updated.
+#: Interval (ms) between two checks of the dragger's placement. The dragger itself follows the
+#: mouse; the panel decides how often its own drawing is updated.
 POLL = 30
 
 
@@ -41,8 +41,8 @@ class PoseDragger:
         self.switch.addChild(self.node)
         self.root.addChild(self.switch)
         self.graph.addChild(self.root)
-        # Polled by a timer without callbacks: pivy would call Python from mouse events without the
-        # interpreter lock, which crashes the program.
+        # A timer polls the dragger. Callbacks are not possible: pivy would call Python from mouse
+        # events without the interpreter lock, which crashes the program.
         self.moved, self.dropped, self.last, self.dragging = moved, dropped, None, False
         self.timer = QtCore.QTimer()
         self.timer.timeout.connect(self._look)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Drawings of the panels in the 3D view that belong to no document: the part at each key and on its
-way, the way itself, a coarse envelope."""
+"""Drawings of the panels in the 3D view that belong to no document: the part at each key and along
+its path, the path itself, a coarse envelope."""
 import FreeCADGui as Gui
 import numpy as np
 
@@ -118,7 +118,7 @@ class MovingParts(Overlay):
             self.shown.append(shown)
 
     def show(self, placements, marked=()):
-        """marked: indices of the parts that are shown in another colour."""
+        """Shows the parts at these placements. marked: indices of the parts in another colour."""
         for k, placement in enumerate(placements):
             self.places[k].matrix = _matrix(placement)
             self.paints[k].diffuseColor = MOVING_COLOUR if k in marked else KEY_COLOUR
@@ -130,7 +130,7 @@ class MovingParts(Overlay):
 
 
 class Ghosts(Overlay):
-    """A part (vertices, triangles) at its keys and on its way, and the way with its frames."""
+    """A part (vertices, triangles) at its keys and along its path, and the path with its frames."""
 
     def __init__(self, document, vertices, triangles):
         from pivy import coin
@@ -159,7 +159,7 @@ class Ghosts(Overlay):
         surface.fill(self.copies.matrix, np.array(rows, np.float32).reshape(-1, 16))
 
     def show_path(self, poses, interpolation):
-        """Draws the way as a line with frames."""
+        """Draws the path as a line with frames."""
         self.way.show(poses, interpolation)
 
     def show_moving(self, placement):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours that show what made each place of an envelope."""
+"""Colours that show what made each triangle of an envelope."""
 import colorsys
 
 import numpy as np
@@ -21,7 +21,7 @@ CHOICES = [
 #: Number of hues for faces (faces with adjacent numbers differ clearly), and for times (from blue
 #: to red).
 FACE_HUES, TIME_HUES = 24, 24
-#: Colours by kind: cap, edge, graze; colour of unknown places.
+#: Colours by kind: cap, edge, graze; colour of triangles with an unknown source.
 OF_KIND = ((0.25, 0.55, 0.95), (0.95, 0.55, 0.15), (0.30, 0.75, 0.40))
 UNKNOWN = (0.5, 0.5, 0.5)
 #: Brightness of faces, by the kind of source: cap, edge, graze.

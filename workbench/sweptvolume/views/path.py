@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws a motion: the way of its pivot as a line, with a small frame at each pose."""
+"""Draws a motion: the path of its pivot as a line, with a small frame at each pose."""
 import numpy as np
 
 from ..convert import InputProblem, matrix_of, pose_arrays
@@ -14,7 +14,7 @@ BETWEEN, MOST_FRAMES, MOST_SMOOTH = 8, 200, 2000
 
 
 class Way:
-    """Coin nodes of the way and its frames, kept from picture to picture."""
+    """Coin nodes of the path and its frames, kept from picture to picture."""
 
     def __init__(self):
         from pivy import coin
@@ -43,7 +43,7 @@ class Way:
 
 
 def points_of(poses, interpolation):
-    """Returns the points (n,3) of the way of the poses' origin."""
+    """Returns the points (n,3) of the path of the poses' origin."""
     straight = interpolation in ("None", "Linear")
     if straight or not 2 <= len(poses) <= MOST_SMOOTH:
         return pose_arrays(poses.placements)[0]
@@ -82,7 +82,7 @@ class _Lines:
         self.lengths = []
 
     def fill(self, points, lengths, width):
-        """points (n,3); lengths: number of points in each line."""
+        """Sets the lines. points (n,3); lengths: number of points in each line."""
         fill(self.where.point, np.asarray(points, np.float32))
         if lengths != self.lengths:
             self.lengths = lengths

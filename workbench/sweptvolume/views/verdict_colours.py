@@ -28,7 +28,8 @@ class VerdictColours:
         self._painted = []  # (root node of the object, node that was put before it)
 
     def show(self, colours):
-        """colours: {object: (r, g, b)}. Objects that are not listed get their own colours back."""
+        """Colours these objects. colours: {object: (r, g, b)}. Objects that are not listed get
+        their own colours back."""
         self.remove()
         for obj, colour in colours.items():
             root = getattr(getattr(obj, "ViewObject", None), "RootNode", None)

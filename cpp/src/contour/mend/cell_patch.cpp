@@ -31,8 +31,8 @@ class Patcher {
     firstAdded_ = count;
   }
 
-  /// Fills each ring by a fan about the n-th wanted place of its vertex. Returns false if fans
-  /// intersect, or if a ring has no n-th place.
+  /// Fills each ring by a fan about the n-th wanted position of its vertex. Returns false if fans
+  /// intersect, or if a ring has no n-th position.
   bool fans(std::size_t n) {
     patch_ = {};
     for (std::size_t r = 0; r < rings_.size(); ++r) {
@@ -95,8 +95,8 @@ class Patcher {
     return points_[r].points[number - first_[r]];
   }
 
-  /// Returns whether the triangles of different rings are apart. Two rings share no corner, so any
-  /// contact is an intersection.
+  /// Returns whether the triangles of different rings do not touch. Two rings share no corner, so
+  /// any contact is an intersection.
   bool areApart() const {
     std::vector<Corners> corners;
     std::vector<std::int32_t> ringOf;
@@ -112,7 +112,8 @@ class Patcher {
     return true;
   }
 
-  /// Shrinks a ring to its small copy, and fills the copy by the walls on one side of it.
+  /// Connects a ring with its small copy by triangles. Closes the copy by the part of the small
+  /// walls on one side of it.
   template <class Copy>
   void fill(std::size_t r, const RingSides& sides, bool left, const Copy& copy) {
     const std::vector<Eigen::Vector3d> walls = sides.wallPoints(r);

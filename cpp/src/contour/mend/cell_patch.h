@@ -1,15 +1,15 @@
 // Fills the pieces of surface in one cell with triangles that do not intersect.
 //
-// In: the rings of the cell (cell_rings.h), the points on them, and the places where their vertices
-// are wanted. Out: triangles that fill every ring inside the cell, and the points that they add.
-// Cost: microseconds a cell.
+// In: the rings of the cell (cell_rings.h), the points on them, and the wanted positions of their
+// vertices. Out: triangles that fill every ring inside the cell, and the points that they add.
+// Cost: microseconds per cell.
 // Promise: triangles of one cell share nothing but corners and edges of their own ring, and stay in
 // the cell.
 // Method: each ring is filled by a fan about one vertex if an exact test finds no two fans that
 // intersect. Otherwise all rings are shrunk towards one common point of the cell. Seen from this
 // point, no two points of the cell's walls lie in the same direction, so the shrinking rings sweep
 // surfaces that do not intersect. Each ring ends as a small copy of itself, on the walls of a small
-// copy of the cell. The part of these small walls on one side of the ring fills its copy. If rings
+// copy of the cell. The copy is filled by the part of these small walls on one side of it. If rings
 // are nested, an outer ring ends at a smaller copy of the cell than the rings inside it.
 // Source: own method.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -28,7 +28,7 @@ namespace swept {
 struct PatchRing {
   /// The crossings of the ring, each followed by the point on the chord to the next crossing.
   std::vector<Eigen::Vector3d> points;
-  std::vector<Eigen::Vector3d> vertices;  ///< wanted places of the vertex, the best first
+  std::vector<Eigen::Vector3d> vertices;  ///< wanted positions of the vertex, the best first
 };
 
 struct CellPatch {
@@ -37,7 +37,7 @@ struct CellPatch {
   /// The corner indices count the points of all rings first, then the points of `added`.
   std::vector<std::array<std::int32_t, 3>> triangles;
   std::vector<std::int8_t> slotOf;  ///< per triangle: the slot of its crossing
-  bool layered = false;  ///< true if all choices of fans intersect, so that the rings were shrunk
+  bool layered = false;  ///< true: all choices of fans intersect, so the rings were shrunk
 };
 
 /// Position and size of a cell, in mm.

@@ -11,7 +11,7 @@ namespace {
 constexpr double kApart = 1e-4;
 
 /// Returns the face along which a ring leaves a slot. The triangles of the slot's polygon run round
-/// its edge, counter-clockwise as seen from the outside end (surface.cpp).
+/// the edge of the slot, counter-clockwise seen from the outside end (surface.cpp).
 int faceBehind(int slot) {
   const int edge = slot >> 1, axis = edge >> 2;
   const bool seenFromLow = (slot & 1) == 0;

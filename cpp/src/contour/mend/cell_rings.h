@@ -1,7 +1,7 @@
-// The pieces of surface in a cell, as closed rings on the walls of the cell.
+// Finds the pieces of surface in a cell, as closed rings on the walls of the cell.
 //
-// On each face, chords join the crossings and do not cross (components.h). A ring goes from
-// crossing to crossing along these chords. The rings of a cell therefore do not meet, wherever the
+// On each face, chords join the crossings and do not cross each other (components.h). A ring goes
+// from crossing to crossing along these chords. So the rings of a cell do not meet, wherever the
 // vertices in the cell lie.
 // Units: the coordinates of the cell, [0, 1]^3. Cost: O(crossings of the cell).
 // Source: own method; docs/contouring.md, "Pairs of triangles that meet".
@@ -26,9 +26,9 @@ struct CellRing {
 
 std::vector<CellRing> ringsOf(const Cell& cell, const Crossing* crossings);
 
-/// Returns the fraction of the slot's edge at which a ring passes. The ring keeps a small distance
-/// from the ends of the edge and from the other crossing of the edge. The fraction is the same for
-/// all four cells of the edge.
+/// Returns the fraction of the slot's edge at which the ring crosses the edge. The ring keeps a
+/// small distance from the ends of the edge and from the other crossing of the edge. The fraction
+/// is the same for all four cells of the edge.
 double apartFraction(const Cell& cell, int slot, const Crossing* crossings);
 Eigen::Vector3d apartPosition(const Cell& cell, int slot, const Crossing* crossings);
 

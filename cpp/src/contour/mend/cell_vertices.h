@@ -1,6 +1,6 @@
-// Tells which vertices of a surface belong to which cell.
+// Finds which vertices of a surface belong to which cell.
 //
-// In: a surface as contoured (its first vertices are in the order of the cells), and its grid.
+// In: a surface as contoured (component vertices first, in the order of the cells), and its grid.
 // Cost: O(crossings) for the constructor; O(crossings of a column) for each query. 4 bytes per cell
 // with crossings, 4 bytes per column of the grid.
 // SPDX-License-Identifier: LGPL-2.1-or-later

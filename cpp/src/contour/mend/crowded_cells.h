@@ -1,10 +1,10 @@
 // Finds polygons that may intersect in cells with several vertices.
 //
 // In: a surface, its grid, and a mark per crossing (1: its polygon lies in the tetrahedra of its
-// own lattice edge, see surface_intersections.h). Out: every pair of marked polygons that
-// may intersect: two polygons of different vertices of one cell that no plane was found to
-// separate, or two polygons of one lattice edge that share a vertex. Cost: some dot products per
-// cell with several vertices.
+// own lattice edge, see surface_intersections.h). Out: pairs of marked polygons that may intersect.
+// These are two polygons of different vertices of one cell that no tested plane separates, or two
+// polygons of one lattice edge that share a vertex. Cost: some dot products per cell with several
+// vertices.
 // Promise: no pair is missing. Two polygons that intersect have a cell in common. If they use the
 // same vertex in all common cells, they lie in tetrahedra that do not overlap, unless both belong
 // to one lattice edge. If they use different vertices of a cell, the pair is reported unless a
@@ -23,7 +23,7 @@
 
 namespace swept {
 
-/// Each pair lists its smaller crossing first. The pairs are in rising order.
+/// Each pair lists its smaller crossing first. The pairs are in ascending order.
 using CrossingPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 CrossingPairs entangledPolygons(const Surface& surface, const HermiteGrid& grid,

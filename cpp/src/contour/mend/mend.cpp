@@ -20,22 +20,23 @@
 namespace swept {
 namespace {
 
-/// A triangle spans two cells, so it can only intersect triangles within four cells.
+/// A triangle spans two cells, so it cannot intersect triangles more than four cells away.
 constexpr int kReachCells = 4;
 constexpr std::size_t kPerTask = 1 << 15;
 // Largest number of rounds, to limit the time. Mending ends earlier if no pairs are left.
 constexpr int kRounds = 8;
 /// The first round aligns only the sides of walls up to this thickness (cells).
 constexpr double kMaxFirstThickness = 0.1;
-/// Distances (cells) by which a corner steps aside, tried in turn. The first is just above
-/// rounding.
+/// Distances (cells) by which a corner is moved away from the line through the others, tried in
+/// turn. The first is just above rounding.
 constexpr double kStepsAside[] = {1e-9, 1e-7, 1e-5, 1e-3};
-/// Fractions of the way back to its first position that a vertex goes, tried in turn.
+/// A vertex moves back towards its first position by these fractions of the distance, tried in
+/// turn.
 constexpr double kReturnFractions[] = {1e-3, 1e-2, 0.1, 1};
 
 using Triangle = std::array<std::int32_t, 3>;
 
-/// Changes the surface in place, within the region near the first pairs.
+/// Changes the surface in place, near the pairs that intersected at first.
 class Mender {
  public:
   Mender(Surface& surface, const HermiteGrid& grid, const SelfIntersections& found, RunContext& run)
@@ -63,8 +64,8 @@ class Mender {
   const SelfIntersections& left() const { return pairs_; }
 
   /// Gives area back to triangles whose corners were moved onto one point or line: their vertices
-  /// go back part of the way. If that does not help, the middle one of three collinear corners
-  /// steps aside by a tiny distance.
+  /// move back part of the way. If that does not help, the middle one of three collinear corners
+  /// moves off the line by a tiny distance.
   void restoreAreas() {
     for (const double back : kReturnFractions) {
       std::vector<std::int32_t> vertices;
@@ -119,8 +120,8 @@ class Mender {
     const TrianglesAround around = trianglesAround(vertices, near);
     for (const std::int32_t v : vertices) before_.try_emplace(v, mesh_.vertices[v]);
     relax(vertices, around, round == 0 ? 0.5 : 1.0);
-    // Where relaxing does not help, aligning the sides of a wall often does. Done every other
-    // round.
+    // Where relaxing does not help, aligning the sides of a wall often does. This is done in every
+    // other round.
     if (round % 2 == 0) {
       alignWallSides(surface_, grid_, facing, around, round == 0 ? kMaxFirstThickness : HUGE_VAL);
     }
@@ -189,8 +190,8 @@ class Mender {
     mesh_.vertices[v] = toWorld(now + weight * (mass - now));
   }
 
-  /// Returns whether fans round this vertex are enough, so that it need not move: no other vertex
-  /// shares its cell, and the vertex lies inside the cell.
+  /// Returns whether the vertex need not move because fans round it suffice: no other vertex shares
+  /// its cell, and the vertex lies inside the cell.
   bool settled(std::int32_t v) const {
     return static_cast<std::size_t>(v) >= surface_.dualVertices ||
            surface_.cellFlags[v] == Surface::kInsideCell;
@@ -298,7 +299,7 @@ class Mender {
     findAgain(nearPairs(&region_));
   }
 
-  /// Keeps the pairs in which neither triangle has changed, and tests all others again.
+  /// Keeps the pairs of which neither triangle has changed, and tests all other pairs again.
   void findAgain(const std::vector<std::int32_t>& near) {
     std::vector<std::int32_t> candidates;
     candidates.reserve(near.size() + changed_.size());

@@ -2,20 +2,20 @@
 //
 // In: a surface and its pairs of intersecting triangles. Out: the same surface, still closed and
 // manifold, and the pairs that are left. Units: mm, distances as fractions of the cell. Cost: one
-// pass over the triangles to find the region round the pairs; after that, each round looks only at
+// pass over the triangles to find the region round the pairs. After that, each round tests only
 // triangles near the remaining pairs.
 // Promise: only polygons near a pair change. The number of rounds has a fixed limit, so the result
 // does not depend on time or threads.
 // Source: fans about the crossing after Ju and Udeshi 2006; docs/contouring.md, "Pairs of triangles
 // that meet".
 //
-// Each round replaces polygons near a pair by fans about their crossing: every triangle then stays
-// in the cells round its lattice edge. It also moves the vertices of components that share a cell
-// towards their mass points, which lie in the hull of their crossings: half way in the first round,
-// all the way later. Every other round also aligns the two sides of thin walls (wall_sides.h).
-// Later rounds also replace the other polygons round the pairs' vertices by fans. A triangle spans
-// at most the cells round one lattice edge, so it can only intersect triangles a few cells away.
-// The region that is tested again is wider than the change by this distance.
+// Each round replaces polygons near a pair by fans about their crossing. Every triangle then stays
+// in the cells round its lattice edge. Each round also moves the vertices of components that share
+// a cell towards their mass points, which lie in the hull of their crossings: half way in the first
+// round, all the way later. Every other round also aligns the two sides of thin walls
+// (wall_sides.h). Later rounds also replace the other polygons round the pairs' vertices by fans. A
+// triangle lies within the cells round one lattice edge, so it can only intersect triangles a few
+// cells away. The region that is tested again is wider than the change by this distance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,7 +24,7 @@
 
 namespace swept {
 
-/// Mends `surface` in place and returns the pairs that are left, by its triangle numbers. `surface`
+/// Mends `surface` in place. Returns the pairs that are left, as its triangle indices. `surface`
 /// must have been contoured from `grid`.
 SelfIntersections mendSelfIntersections(Surface& surface, const HermiteGrid& grid,
                                         const SelfIntersections& found, RunContext& run);

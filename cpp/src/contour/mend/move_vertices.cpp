@@ -13,7 +13,7 @@ namespace swept {
 namespace {
 
 constexpr std::size_t kPerTask = 1 << 15;
-/// A triangle can only intersect triangles within this many cells (mend.cpp).
+/// A triangle cannot intersect triangles more than this many cells away (mend.cpp).
 constexpr int kReachCells = 4;
 
 using Places = std::unordered_map<std::int32_t, Eigen::Vector3d>;

@@ -1,8 +1,8 @@
 // Moves vertices of a surface as far as possible without making triangles intersect.
 //
 // In: a surface without intersecting triangles, and the target positions of vertices. Out: the
-// surface, still without intersections. A vertex goes half of its way, or stays, if its triangles
-// would intersect others or lose their area.
+// surface, still without intersections. A vertex moves only half of the distance, or not at all, if
+// its triangles would otherwise intersect others or lose their area.
 // Units: mm. Cost: one pass over the triangles, then a few passes over those near the moved
 // vertices.
 // Promise: the same bytes for any number of threads.

@@ -1,7 +1,7 @@
-// Finds the polygon of a crossing: a run of consecutive triangles.
+// Finds the polygon of a crossing: consecutive triangles of the surface.
 //
-// In: a surface straight from contouring, before mending, in which these triangles are consecutive.
-// Cost: one pass over the triangles, 4 bytes per crossing.
+// In: a surface directly after contouring, because mending may add triangles of the polygon
+// elsewhere. Cost: one pass over the triangles, 4 bytes per crossing.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -24,9 +24,9 @@ constexpr std::size_t kPerTask = 1 << 15;
 /// Largest number of rounds, to limit the time. Each round adds the cells of the triangles that
 /// still intersect.
 constexpr int kRounds = 24;
-/// A triangle can only intersect triangles within this many cells (mend.cpp).
+/// A triangle cannot intersect triangles more than this many cells away (mend.cpp).
 constexpr int kReachCells = 4;
-/// A vertex nearer to a wall of its cell than this (cells) gets another place.
+/// A vertex nearer to a wall of its cell than this (cells) gets another position.
 constexpr double kInside = 1e-3;
 
 Eigen::Vector3i vectorOf(const CellIndex& cell) { return {cell[0], cell[1], cell[2]}; }
@@ -132,7 +132,8 @@ class Rebuilder {
     }
   }
 
-  /// Removes the polygons of all crossings of the cells, and the strips at their vertices.
+  /// Removes the polygons of all crossings of the cells, and the strips at the vertices of the
+  /// cells.
   void removeTriangles() {
     std::vector<std::uint8_t> ofCrossing(grid_.crossings.size()), ofVertex(mesh_.vertices.size());
     for (const std::uint32_t crossing : crossings_) ofCrossing[crossing] = 1;
@@ -188,7 +189,8 @@ class Rebuilder {
     return found->second;
   }
 
-  /// Adds the points that cells share: crossings, and points on the chords of their walls.
+  /// Adds the points that neighbouring cells share: crossings, and points on the chords of their
+  /// walls.
   void addFixedPoints() {
     crossingAt_.clear();
     chordAt_.clear();
@@ -300,8 +302,8 @@ class Rebuilder {
     return time;
   }
 
-  /// Returns the position that the vertex of a ring had in the original surface; nothing if the
-  /// ring had several vertices, or if its vertex does not lie inside the cell.
+  /// Returns the position of the ring's vertex in the original surface. Returns nothing if the ring
+  /// had several vertices, or if its vertex does not lie inside the cell.
   std::optional<Eigen::Vector3d> vertexOf(const CellIndex& index, const RebuiltCell& cell,
                                           const CellRing& ring) const {
     std::int32_t vertex = -1;
@@ -317,8 +319,9 @@ class Rebuilder {
     return mesh_.vertices[vertex];
   }
 
-  /// Adds the end of a strip. If the next cell has a vertex for each side of the chord, a strip
-  /// joined these two vertices to the vertices of this cell. The strip now ends at the chord.
+  /// Adds the end of a strip at a chord. If the next cell has a vertex for each side of the chord,
+  /// a strip joined these two vertices to the vertices of this cell. This strip now ends at the
+  /// chord.
   void addStrip(const CellIndex& index, const RebuiltCell& cell, const CellRing& ring,
                 std::size_t n, std::int32_t chord) {
     const int face = ring.faces[n];

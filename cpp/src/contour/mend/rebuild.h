@@ -18,8 +18,8 @@
 
 namespace swept {
 
-/// Rebuilds cells of `surface` in place and returns the pairs that are left, by its triangle
-/// numbers. Crossings may move by 0.0001 of a cell.
+/// Rebuilds cells of `surface` in place. Returns the pairs that are left, as its triangle indices.
+/// Crossings may move by 0.0001 of a cell.
 SelfIntersections rebuildCells(Surface& surface, const HermiteGrid& grid,
                                const SelfIntersections& found, RunContext& run);
 

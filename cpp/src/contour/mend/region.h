@@ -1,7 +1,6 @@
-// Selects the triangles of a surface near some of its triangles, by blocks of cells.
-//
-// Cost: one bit per block of the grid, and one number per triangle. The number is valid as long as
-// the first corner of its triangle stays in place.
+// Selects the triangles of a surface that are near given triangles of it, by blocks of cells.
+// Memory: one bit per block of the grid, and one block number per triangle. This number is valid as
+// long as the first corner of the triangle stays where it is.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

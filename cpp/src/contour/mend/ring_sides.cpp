@@ -15,8 +15,9 @@ RingSides::Cut RingSides::cut(const CellRing& ring) const {
   Cut out;
   out.corners.fill(Side::Unknown);
   for (int face = 0; face < kFaces; ++face) cutFace(ring, face, out);
-  // A face without chords lies wholly on one side, the side of any of its corners. Faces with
-  // chords decide their corners first; the loop then passes the sides on from face to face.
+  // A face without chords lies wholly on one side: the side of any of its corners. Faces with
+  // chords determine the side of their corners first; the loop then passes the sides on from face
+  // to face.
   const auto firstCorner = static_cast<std::int32_t>(2 * ring.slots.size());
   for (int round = 0; round < kFaces; ++round) {
     for (std::size_t p = 0; p < out.pieces.size(); ++p) {
@@ -33,7 +34,7 @@ RingSides::Cut RingSides::cut(const CellRing& ring) const {
 
 void RingSides::cutFace(const CellRing& ring, int face, Cut& out) const {
   const auto count = static_cast<std::int32_t>(ring.slots.size());
-  // The points that the walk round the face passes, as numbers of wallPoints().
+  // The points on a walk round the face, as indices of wallPoints().
   Loop walk;
   for (const FaceStep& step : kFaceWalks[face]) {
     walk.push_back(2 * count + cornerOf(step.edge, step.backward ? 1 : 0));
@@ -105,7 +106,7 @@ Nesting RingSides::nesting() const {
   const std::size_t count = rings_.size();
   Nesting best;
   int fewest = 0;
-  // One region of the cell's walls belongs to no chosen side. Try all regions, and take the choice
+  // One region of the cell's walls belongs to no chosen side. Try each region, and take the choice
   // whose sides contain the fewest corners of the cell.
   for (std::size_t root = 0; root < count; ++root) {
     for (const bool left : {true, false}) {

@@ -1,4 +1,4 @@
-// The walls of a cell on both sides of a ring.
+// Divides the walls of a cell into the two sides of each ring.
 //
 // In: the rings of a cell. Out: for each ring, its left and its right side as flat polygons on the
 // six faces; and how the rings are nested.
@@ -17,7 +17,7 @@ namespace swept {
 /// A choice of one side for every ring. Any two chosen sides are nested or disjoint.
 struct Nesting {
   std::vector<bool> left;  ///< true: the left side, seen from outside the cell; false: the right
-  /// 1 for a side that contains no other chosen side; otherwise one more than the greatest height
+  /// 1 for a side that contains no other chosen side; otherwise one more than the largest height
   /// among the sides that it contains.
   std::vector<int> height;
 };
@@ -28,13 +28,13 @@ class RingSides {
 
   Nesting nesting() const;
 
-  /// Returns the crossings of a ring, each followed by the point on the chord after it, then the
-  /// corners of the cell.
+  /// Returns the crossings of a ring, each followed by the point on the chord after it, and then
+  /// the corners of the cell.
   std::vector<Eigen::Vector3d> wallPoints(std::size_t ring) const;
 
   struct Piece {
     int face;
-    Loop corners;  ///< counter-clockwise seen from outside the cell; numbers of wallPoints()
+    Loop corners;  ///< counter-clockwise seen from outside the cell; indices of wallPoints()
   };
   /// Returns one side of a ring, cut into pieces of the six faces.
   std::vector<Piece> pieces(std::size_t ring, bool left) const;

@@ -3,9 +3,9 @@
 // In: a surface and its intersecting pairs. Out: the surface without specks, and their number.
 // Units: cells, cubic cells. Cost: O(triangles).
 // Source: own argument. The sweep of a connected body is connected. Where the body is thinner than
-// the grid resolves, single crossings beyond the thin part become shells of their own. These shells
-// are dropped, so that a solid made from the envelope is one solid, and the report gives their
-// number. Two triangles belong to the same shell if they share a vertex.
+// the grid resolves, single crossings beyond the thin part become separate shells. These shells are
+// dropped, so that a solid made from the envelope is one solid. The report gives their number. Two
+// triangles belong to the same shell if they share a vertex.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -26,7 +26,7 @@ struct Specks {
 };
 
 /// Volumes in cubic cells. A speck of a sweep is smaller than kSpeckVolume. A shell smaller than
-/// kFlatVolume has no inside at all, because mending has flattened it.
+/// kFlatVolume has no inside, because mending has flattened it.
 constexpr double kSpeckVolume = 0.01, kFlatVolume = 1e-9;
 
 /// Drops shells that are smaller than `maxVolume` cubic cells and less than 2 cells across. Drops

@@ -16,7 +16,7 @@
 namespace swept {
 namespace {
 
-/// The centre of a fan lies on its lattice edge up to this rounding (cells).
+/// The centre of a fan may deviate from its lattice edge by this (cells), because of rounding.
 constexpr double kOnEdge = 1e-9;
 constexpr std::size_t kPerTask = 1 << 15;
 using Triangle = std::array<std::int32_t, 3>;
@@ -64,7 +64,7 @@ class PolygonSorter {
   bool inside(std::int32_t v) const {
     return (surface_.cellFlagsOf(v) & Surface::kInsideCell) != 0;
   }
-  /// Does the test of lies() for a fan, whose centre must be a point of the lattice edge.
+  /// Does the test of lies() for a fan, whose centre must lie on the lattice edge.
   bool fanLies(const PolygonEdge& edge, const Polygon& polygon) const {
     const Triangle* triangles = &surface_.mesh.triangles[polygon.first];
     const Eigen::Vector3d centre = local(edge, triangles[0][0]);
@@ -94,7 +94,7 @@ class PolygonSorter {
     const Eigen::Vector3d from = local(edge, a), to = local(edge, c);
     const Passage b = passage(from, to, local(edge, p[third]));
     const Passage d = passage(from, to, local(edge, q[fourth]));
-    // A diagonal that nearly meets the lattice edge may pass on either side of it.
+    // A diagonal that nearly meets the lattice edge may lie on either side of it.
     return b.inside || d.inside || (b.atEdge && d.atEdge);
   }
 
@@ -116,8 +116,8 @@ class PolygonSorter {
     return {g[(edge.axis + 1) % 3], g[(edge.axis + 2) % 3], g[edge.axis]};
   }
 
-  /// How a segment passes through the triangle between the lattice edge and the point s: inside the
-  /// triangle, or close to the edge.
+  /// How a segment passes the triangle between the lattice edge and the point s: through its
+  /// inside, or close to the edge.
   struct Passage {
     bool inside = false, atEdge = false;
   };
@@ -176,8 +176,8 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
           part.push_back(static_cast<std::int32_t>(t));
       });
   if (unsure != nullptr) *unsure = static_cast<std::int64_t>(members.size());
-  // A polygon that lies in the tetrahedra of its own edge spans two cells, so no point of a
-  // triangle is farther than this from its first corner.
+  // A polygon that lies in the tetrahedra of its own edge spans two cells. So every point of a
+  // triangle is within this distance of its first corner.
   constexpr int kReachCells = 2;
   const TriangleBlocks blocks(surface.mesh, grid.plan);
   SelfIntersections found =

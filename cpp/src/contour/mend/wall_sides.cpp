@@ -15,7 +15,8 @@
 namespace swept {
 namespace {
 
-/// Smallest distance (cells) from a side to the middle of the wall, far above rounding of a vertex.
+/// Smallest distance (cells) of a side from the middle of the wall, far above the rounding of
+/// vertices.
 constexpr double kMinHalfThickness = 2e-4;
 /// Steps of directionAmong(); its error falls as 1 / sqrt(steps).
 constexpr int kIterations = 200;
@@ -66,8 +67,8 @@ class Layer {
   Layer(const Surface& surface, const HermiteGrid& grid, const TrianglesAround& around)
       : surface_(surface), grid_(grid), around_(around) {}
 
-  /// Returns all lattice edges through the wall, or none if the wall is thicker than `maxThickness`
-  /// cells along any of them.
+  /// Returns all lattice edges through the wall. Returns none if the wall is thicker than
+  /// `maxThickness` cells along any of them.
   std::vector<Through> throughWall(const WallSides& sides, double maxThickness) const {
     const std::vector<std::uint32_t> ofA = crossingsAt(surface_, around_, sides.a),
                                      ofB = crossingsAt(surface_, around_, sides.b);
@@ -99,8 +100,8 @@ class Layer {
     return intoCell(now, homeCell(now, mass));
   }
 
-  /// Returns half of the vector (cells) from a to b after the move. Call this when both vertices
-  /// lie at their common point.
+  /// Returns half of the vector (cells) by which a and b will be apart. Requires that both vertices
+  /// have been moved onto their common point.
   Vec3 half(const WallSides& sides, const std::vector<Through>& edges) const {
     std::vector<Vec3> normals;  // pointing into the wall from the side of a
     addNormals(sides.a, -1, normals);

@@ -1,14 +1,14 @@
 // Aligns the two sides of walls so thin that their triangles intersect.
 //
-// In: surface, its grid, the triangles round the vertices. Out: moved vertices; the faces do not
-// change. Units: mm; thickness in cells. Cost: some microseconds per pair.
+// In: surface, its grid, the triangles round the vertices. Out: moved vertices; the triangles stay
+// the same. Units: mm; thickness in cells. Cost: some microseconds per pair.
 // Source: own method; directions by Badoiu and Clarkson 2003, "Smaller core-sets for balls".
 //
-// If a wall is thinner than the error of the vertices on its two sides, the sides cross. Two
+// If a wall is thinner than the error of the vertices on its two sides, the sides may cross. Two
 // vertices of one cell whose polygons intersect are first moved onto one common point. Then they
 // are moved apart, along a direction that is outward for all triangles round them. Their new
 // distance is the thickness of the wall, measured on the lattice edges that pass through it. The
-// polygons round such a lattice edge are then the two faces of one sheet, which cannot cross.
+// two polygons round such a lattice edge are then the two faces of one sheet, which cannot cross.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,7 +24,7 @@ namespace swept {
 /// Sorted pairs of a vertex and a triangle at that vertex that belongs to a crossing's polygon.
 using TrianglesAround = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/// Returns the crossings whose polygons meet in a vertex, in rising order.
+/// Returns the crossings whose polygons meet in a vertex, in ascending order.
 std::vector<std::uint32_t> crossingsAt(const Surface& surface, const TrianglesAround& around,
                                        std::int32_t vertex);
 
@@ -36,8 +36,9 @@ struct WallSides {
 /// Returns pairs of vertices of one cell whose triangles intersect. No vertex occurs twice.
 std::vector<WallSides> wallSides(const Surface& surface, const SelfIntersections& pairs);
 
-/// Puts the two vertices of each pair side by side. A pair stays in place if no lattice edge passes
-/// through its wall, or if the wall is thicker than `maxThickness` cells along one of these edges.
+/// Moves the two vertices of each pair to the two sides of its wall. A pair does not move if no
+/// lattice edge passes through its wall, or if the wall is thicker than `maxThickness` cells along
+/// one of these edges.
 void alignWallSides(Surface& surface, const HermiteGrid& grid, const std::vector<WallSides>& sides,
                     const TrianglesAround& around, double maxThickness);
 

@@ -35,9 +35,9 @@ WalkTable::Entry walk(std::uint32_t crossed) {
   return entry;
 }
 
-constexpr int kMaxComponents = kSlots / 2;  ///< the caller has room for this many components
+constexpr int kMaxComponents = kSlots / 2;  ///< the result has room for this many components
 
-/// Returns the slots at which a walk stops; `stops` has one bit per edge and direction (WalkTable).
+/// Returns the slots at which a walk stops. `stops` has one bit per edge and direction (WalkTable).
 /// On an edge with two crossings, the walk stops at the first crossing in its direction.
 std::uint32_t slotsOf(std::uint32_t stops, std::uint32_t mask) {
   std::uint32_t slots = 0;
@@ -67,7 +67,7 @@ float agreement(const Cell& cell, std::uint32_t slots, const Crossing* crossings
 void findDualMarchingCubes(const Cell& cell, Components& out) {
   SlotLinks links;
   for (int face = 0; face < kFaces; ++face) {
-    // On the way round the face, join each crossing that enters the inside to the next crossing,
+    // On a walk round the face, join each crossing that enters the inside to the next crossing,
     // which leaves the inside.
     std::int8_t stops[4];
     bool enters[4];
@@ -105,7 +105,7 @@ void findEquivalence(const Cell& cell, Components& out) {
   out.of.fill(-1);
   const WalkTable::Entry& entry = walkTable().entries[crossed];
   for (int group = 0; group < entry.count; ++group) {
-    // A walk from an outside corner stops in the slots of that corner's side.
+    // A walk from an outside corner stops at the crossings that are seen from this corner.
     const std::uint32_t mine = entry.stops[group] & cell.mask;
     if (mine == 0) continue;
     for (int slot = 0; slot < kSlots; ++slot) {

@@ -18,8 +18,8 @@ namespace swept {
 /// components. Separates the inside corners on ambiguous faces. Drops edges with both ends outside.
 void findDualMarchingCubes(const Cell& cell, Components& out);
 
-/// Equivalence relation (Varadhan et al. 2003): a crossing belongs to the outside corner from which
-/// it is seen. Crossings are equivalent if edges without crossings join their corners.
+/// Equivalence relation (Varadhan et al. 2003). A crossing belongs to the outside corner from which
+/// it is seen. Crossings are equivalent if their corners are connected by edges without crossings.
 void findEquivalence(const Cell& cell, Components& out);
 
 /// Greedy (J. Brummer, bachelor's thesis, Mainz 2017, section 4.2.2). Walks start at every corner,
@@ -29,9 +29,9 @@ void findEquivalence(const Cell& cell, Components& out);
 void findGreedy(const Cell& cell, const Crossing* crossings, Components& out);
 
 /// Table of all walks over uncrossed edges, one entry for each configuration of crossed edges. An
-/// entry has one set of stops for each group of corners that uncrossed edges join. Bit 2 * edge +
-/// direction is set if a walk from the group stops on that edge. Direction 0 is the way from the
-/// low end of the edge to its high end.
+/// entry has one set of stops for each group of corners that are connected by uncrossed edges. Bit
+/// 2 * edge + direction is set if a walk from the group stops on that edge. Direction 0 leads from
+/// the low end of the edge to its high end.
 struct WalkTable {
   struct Entry {
     int count = 0;

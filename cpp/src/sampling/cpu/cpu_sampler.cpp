@@ -21,14 +21,14 @@
 namespace swept {
 namespace {
 
-/// Counts the crossings of all work items together and stops a run that would exceed its memory
-/// limit. If large faces turn, thousands of side patches overlap, and no estimate knows in advance
-/// how many crossings they have.
+/// Counts the crossings of all work items together, and stops a run that would exceed its memory
+/// limit. If large faces turn, thousands of side patches overlap, so their number of crossings
+/// cannot be estimated in advance.
 class CrossingBudget {
  public:
   CrossingBudget(const RunContext& run, double cell) : limit_(memoryLimit(run)), cell_(cell) {}
 
-  /// Adds a number of crossings. If a step thins its crossings, it passes a negative number,
+  /// Adds a number of crossings. After crossings were thinned, the caller passes a negative number,
   /// converted to unsigned; the sum then wraps around to the correct value.
   void add(std::size_t crossings) {
     const std::uint64_t bytes = kBytes * (taken_ += crossings);
@@ -77,7 +77,7 @@ class PosedVertices {
   std::uint32_t placement_ = kNowhere;
   Placement pose_;
   std::vector<SnappedPoint> points_;
-  std::vector<std::uint32_t> knownAt_;  // placement for which the point is known
+  std::vector<std::uint32_t> knownAt_;  // placement at which the point was computed
 };
 
 /// Rasterises the elements of one work item along all three axes.
@@ -103,8 +103,8 @@ class ItemSampler {
     });
   }
   /// Once there are many crossings, removes those that are neither first nor last on their lattice
-  /// edge. Faces that slide within their own surface cross the same edges at every placement.
-  /// `last`: true for the last call of the item.
+  /// edge. There are many of them if faces slide within their own surface, because they cross the
+  /// same edges at every placement. `last`: true for the last call of the item.
   void thin(bool last) {
     if (out_.records.size() < limit_ && !(last && thinned_)) return;
     keepEnds(out_.records, input_.grid);
@@ -264,7 +264,8 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   const bool byClusters = input.motion.continuous || input.inside != nullptr;
   const FaceClusters& clusters =
       byClusters || input.clusters != nullptr ? clustersOf(input, own) : own;
-  // Finds the steps that the last run sampled, too. The cache only keeps items of one placement.
+  // Finds the steps that the previous run sampled, too. The cache only keeps items of one
+  // placement.
   std::vector<SampleCache::Key> keys;
   std::vector<std::uint8_t> known(items.size(), 0);
   if (input.cache != nullptr && input.motion.continuous && items.front().end == 1) {
@@ -278,7 +279,8 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   if (input.groups == nullptr) ownGroups.emplace(input, clusters, run);
   const PlaceGroups& groups = input.groups != nullptr ? *input.groups : *ownGroups;
   CrossingBudget budget(run, input.grid.cell);
-  // Each thread has its own buffers, which keep their size, and its own posed vertices of a union.
+  // Each thread has its own buffers, which keep their capacity, and its own posed vertices for a
+  // union.
   tbb::enumerable_thread_specific<std::vector<CrossingRecord>> rooms;
   tbb::enumerable_thread_specific<PosedVertices> posed([&] { return PosedVertices(input); });
   parallelFor(items.size(), [&](std::size_t i) {

@@ -13,16 +13,16 @@
 namespace swept {
 namespace {
 
-/// The number of whole copies is that of the placements, divided by kPlacementsPerCopy, up to
-/// kMost. A motion with merged steps has few placements for the way it goes, so it needs more
-/// copies: the divisor is kMergedPerCopy. With 128 instead of 32, two wheels along 124,992 poses,
-/// of which 2,153 are left, take 1.6 times as long. If the number is less than kFewest, no copies
-/// are sampled. If it is kWithExtreme or more, the copies include the placements farthest along
-/// many directions.
+/// The number of whole copies is the number of placements divided by kPlacementsPerCopy, but at
+/// most kMost. A motion with merged steps has few placements for the length of its path, so the
+/// divisor is kMergedPerCopy. With 128 instead of 32, two wheels along 124,992 poses, of which
+/// 2,153 remain after merging, take 1.6 times as long. If the number of copies is below kFewest,
+/// none are sampled. If it is kWithExtreme or more, the copies include the placements farthest
+/// along many directions.
 constexpr std::size_t kPlacementsPerCopy = 128, kMergedPerCopy = 32, kFewest = 8,
                       kWithExtreme = 176, kMost = 256;
-/// The map is used only if it hides at least this fraction of the crossings of some other copies.
-/// Thin parts that travel far hide little, and the queries take time.
+/// The map is used only if it hides at least this fraction of the crossings of kTrials other
+/// copies. For thin parts that travel far it hides little, and its queries take time.
 constexpr double kLeastHidden = 0.5;
 constexpr std::size_t kTrials = 8;
 
@@ -43,8 +43,7 @@ bool hidesEnough(const SamplerInput& input, const InsideMap& inside) {
   return static_cast<double>(hidden) >= kLeastHidden * static_cast<double>(all);
 }
 
-/// The positions of four points of the body at every placement, which suffice to compare
-/// placements.
+/// The positions of four points of the body at every placement. They suffice to compare placements.
 class Places {
  public:
   Places(const SamplerInput& input) {
@@ -63,7 +62,8 @@ class Places {
   }
 
   /// For each of some directions, adds the placements that carry a point of the body farthest in
-  /// this direction. These placements form the surface of the sweep, or lie close below it.
+  /// this direction. The body at these placements forms the surface of the sweep, or lies close
+  /// below it.
   void addExtreme(std::vector<std::size_t>& chosen) const {
     constexpr int kFine = 2;
     for (int x = -kFine; x <= kFine; ++x) {
@@ -126,7 +126,8 @@ std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& r
   const std::size_t placements = input.motion.placements.size();
   const std::size_t perCopy = input.motion.mergeError > 0 ? kMergedPerCopy : kPlacementsPerCopy;
   const std::size_t count = std::min(kMost, placements / perCopy);
-  // The cache keeps results for the next run; they must not depend on the rest of this motion.
+  // The cache keeps crossings for the next run, so they must not depend on other parts of this
+  // motion.
   const bool mayHide = input.cull && input.orientable && input.fillsHollows && !input.cache;
   if (count < kFewest || !mayHide) {
     return std::nullopt;

@@ -14,8 +14,8 @@ SampleCache::Key SampleCache::keyOf(const SamplerInput& input, std::size_t place
   }
   key[n++] = input.cull ? input.grid.cell : -input.grid.cell;
   for (int step = -1; step <= 1; ++step) {
-    // At the ends of the motion a neighbour is missing. Zeros replace it in the key; they cannot be
-    // a rotation matrix.
+    // At the ends of the motion one neighbour is missing. Zeros replace it in the key; no rotation
+    // matrix has only zeros.
     const bool there =
         !(step < 0 && placement == 0) &&
         placement + static_cast<std::size_t>(step + 1) <= input.motion.placements.size();

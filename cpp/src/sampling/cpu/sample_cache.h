@@ -1,8 +1,8 @@
 // Keeps the crossings of each step of a continuous motion for the next run with the same body.
 // After a change of a few poses, only the steps near them are sampled again.
-// The crossings of a step depend on the grid, on culling and on three placements: the one before
-// (culling uses its direction), its own and the next. The key contains their exact numbers.
-// Memory: the chunks of the last run, up to kMaxBytes. Not safe for several threads at a time.
+// The crossings of a step depend on the grid, on culling and on three placements: its own, the one
+// before it (for culling by direction) and the one after it. The key contains their exact numbers.
+// Memory: the chunks of the previous run, up to kMaxBytes. Not safe for several threads at a time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,21 +17,22 @@ namespace swept {
 
 class SampleCache {
  public:
-  // A motion with more crossings is not cached. A preview at 64 to 128 cells takes far less.
+  // Motions with more crossings are not cached. A preview at 64 to 128 cells takes far less.
   static constexpr std::size_t kMaxBytes = 256u << 20;
 
   using Key = std::array<double, 43>;
   static Key keyOf(const SamplerInput& input, std::size_t placement);
 
-  /// Copies the chunk of this key, with its elements moved to `placement`. Returns false if the key
-  /// is not known.
+  /// Copies the chunk with this key to `out`, and changes its elements to `placement`. Returns
+  /// false if the key is unknown.
   bool find(const Key& key, std::size_t placement, RecordChunk& out) const;
   /// Replaces the contents: chunks[k] holds the crossings for keys[k].
   void replace(const std::vector<Key>& keys, const std::vector<RecordChunk>& chunks);
 
   void clear() { chunks_.clear(); }
 
-  std::int64_t hits() const { return hits_; }  ///< number of known steps in all runs
+  /// Number of steps found in the cache, over all runs.
+  std::int64_t hits() const { return hits_; }
   void countHit() { ++hits_; }
 
  private:

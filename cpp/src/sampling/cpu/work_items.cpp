@@ -6,12 +6,12 @@
 namespace swept {
 namespace {
 
-/// Faces per item of a union. With this number an item takes some milliseconds, and several cores
-/// can share the faces of a large body.
+/// Faces per item of a union. An item of this size takes some milliseconds, and several cores can
+/// share the faces of a large body.
 constexpr std::size_t kFaces = 8192;
-/// About this many items of a union suffice for all cores. More items take more memory: each has
-/// its own list of grid layers. If faces can be left out, there are fewer and longer items, since
-/// blocks of many placements are decided at once.
+/// About this many items of a union keep all cores busy. More items take more memory, because each
+/// has its own list of grid layers. If a map of the inside can hide faces, there are fewer and
+/// longer items (kCulledItems), because blocks of many placements are decided at once.
 constexpr std::size_t kUnionItems = 4096, kCulledItems = 512;
 
 }  // namespace
@@ -26,9 +26,9 @@ std::size_t placementsOfItem(const SamplerInput& input) {
     return std::max(
         {std::size_t{1}, std::min(kFaces / faces, placements / 64), placements / kUnionItems});
   }
-  // Items should be long. Each item computes, for each face and step, whether the face moves
-  // outward. Where two items meet, both do this for the same step. With a cache, an item has one
-  // placement and is kept for the next run, unless the motion has many placements.
+  // Items should be long: where two items meet, both compute the directions of the faces for the
+  // same step. With a cache, an item has one placement and is kept for the next run, unless the
+  // motion has many placements.
   const bool kept = input.cache != nullptr && placements < 256;
   return std::max<std::size_t>(1, placements / (kept ? placements : kMotionItems));
 }

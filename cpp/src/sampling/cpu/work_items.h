@@ -13,11 +13,11 @@ namespace swept {
 
 /// Approximate number of work items of a continuous motion.
 constexpr std::size_t kMotionItems = 48;
-/// A work item with at least this many placements or crossings may hold many crossings that cannot
-/// matter. Such an item removes them on the way (thinning).
+/// A work item with at least this many placements or crossings may collect many crossings that
+/// cannot matter. Such an item removes them from time to time (thinning).
 constexpr std::size_t kMinThinPlacements = 16, kMinThinRecords = std::size_t{1} << 20;
 
-/// Work item: the placements [begin, end) with the faces [faceBegin, faceEnd).
+/// A work item: the faces [faceBegin, faceEnd) at the placements [begin, end).
 struct WorkItem {
   std::size_t begin, end, faceBegin, faceEnd;
 };

@@ -10,7 +10,8 @@
 namespace swept {
 namespace {
 
-/// Smallest cosine of a normal to that of the first face: a cone of at most 10 degrees.
+/// Smallest cosine of the angle between a normal and that of the first face: a cone of at most 10
+/// degrees.
 constexpr float kMinCosine = 0.985f;
 constexpr std::uint32_t kNone = 0xffffffffu;
 
@@ -122,8 +123,8 @@ void growClusters(const TriMesh& body, const BodyTopology& topology, FaceCluster
   }
 }
 
-/// Separates the edges inside clusters from those between clusters. Returns where the inner edges
-/// of each cluster start.
+/// Separates the edges inside clusters from those between clusters. Returns the index of the first
+/// inner edge of each cluster.
 std::vector<std::uint32_t> splitEdges(const BodyTopology& topology, FaceClusters& out) {
   std::vector<std::uint32_t> start(out.clusters.size() + 1, 0);
   const auto inner = [&](const BodyEdge& e) {

@@ -28,11 +28,12 @@ struct FaceClusters {
   static constexpr std::uint32_t kMaxFaces = 24;
 
   std::vector<FaceCluster> clusters;
-  std::vector<std::uint32_t> faces;        ///< the faces in the order of the clusters
-  std::vector<std::uint32_t> clusterOf;    ///< per face
-  std::vector<std::uint32_t> indexOf;      ///< per face: its index in `faces`
-  std::vector<std::uint32_t> innerEdges;   ///< edges whose two faces are in one cluster, by cluster
-  std::vector<std::uint32_t> borderEdges;  ///< all other edges, by pair of clusters
+  std::vector<std::uint32_t> faces;      ///< the faces in the order of the clusters
+  std::vector<std::uint32_t> clusterOf;  ///< per face
+  std::vector<std::uint32_t> indexOf;    ///< per face: its index in `faces`
+  /// Edges whose two faces are in one cluster, sorted by cluster.
+  std::vector<std::uint32_t> innerEdges;
+  std::vector<std::uint32_t> borderEdges;  ///< all other edges, sorted by pair of clusters
   /// Data of these edges for sampling, in the same order: the indices in `faces` of the two faces
   /// (twice the left one for a boundary edge), and the end vertices.
   struct EdgeEnds {

@@ -13,8 +13,8 @@ namespace {
 constexpr std::uint8_t kDeepest = 255;
 
 /// Computes for each block the distance to the nearest block that holds 0. A step to any of the 26
-/// neighbours counts as one. One forward pass looks at half of the neighbours, one backward pass at
-/// the others. Blocks at the rim of the lattice hold 0.
+/// neighbours counts as one. A forward pass considers half of the neighbours, a backward pass the
+/// others. Blocks at the rim of the lattice hold 0.
 class Distances {
  public:
   Distances(std::vector<std::uint8_t>& depth, const std::array<std::size_t, 3>& blocks)
@@ -27,8 +27,8 @@ class Distances {
   }
 
  private:
-  /// Processes one row of blocks. With `way` -1, looks at the rows and the block before it, with 1
-  /// at those after it.
+  /// Processes one row of blocks. With `way` -1, considers the rows before it and, in the row, the
+  /// block before; with 1, those after.
   void pass(std::size_t row, int way) {
     const auto i = static_cast<std::ptrdiff_t>(row / blocks_[1]);
     const auto j = static_cast<std::ptrdiff_t>(row % blocks_[1]);
@@ -52,7 +52,7 @@ class Distances {
       if (way > 0) limit(n - 1 - k, values[n - k]);
     }
   }
-  /// Replaces each value of near_ by the value of the row if that is smaller.
+  /// Replaces each value of near_ by the value of the row (i, j) if that is smaller.
   void take(std::ptrdiff_t i, std::ptrdiff_t j) {
     if (i < 0 || j < 0 || i >= static_cast<std::ptrdiff_t>(blocks_[0]) ||
         j >= static_cast<std::ptrdiff_t>(blocks_[1])) {
@@ -83,7 +83,7 @@ InsideMap::InsideMap(const MarkedEdges& marked, const SignRuns& signs, const Gri
   while (count() > kMaxBlocks) ++shift_;
   for (int axis = 0; axis < 3; ++axis) limit_[axis] = grid.points[axis] - 1;
   depth_.assign(count(), kDeepest);
-  // The eight cells around a point outside are not deep inside.
+  // The eight cells around an outside point are not deep inside.
   const std::int32_t edge = std::int32_t{1} << shift_;
   parallelFor(blocks_[0], [&](std::size_t slab) {
     const std::int32_t begin = static_cast<std::int32_t>(slab) * edge;
@@ -107,9 +107,9 @@ InsideMap::InsideMap(const MarkedEdges& marked, const SignRuns& signs, const Gri
 }
 
 void InsideMap::findFronts(const MarkedEdges& marked, const SignRuns& signs, const GridPlan& grid) {
-  /// A crossing is hidden only if it lies at least this far behind a known one, in units of 1 /
-  /// kParts of an edge. This is well above the precision of crossings, so an equal crossing is
-  /// never hidden.
+  /// A crossing is hidden only if it lies at least this far (in units of 1 / kParts of an edge)
+  /// behind a known one. This distance is well above the precision of crossings, so a crossing at
+  /// the same position is never hidden.
   constexpr float kApart = 0.01f;
   for (auto& fronts : fronts_) fronts.resize(depth_.size());
   parallelFor(static_cast<std::size_t>(grid.points[0]), [&](std::size_t layer) {
@@ -146,19 +146,21 @@ void InsideMap::findFronts(const MarkedEdges& marked, const SignRuns& signs, con
 }
 
 /// The part of hides() for lines along the axis W. Returns true if, on each line that the triangle
-/// may meet, all crossings in the possible range are hidden.
+/// may meet, all its possible crossings are hidden.
 template <int W>
 bool InsideMap::hidesAlong(const std::array<Eigen::Vector3d, 3>& corner,
                            const Eigen::Vector3d& normal, const Eigen::Array3d& low,
                            const Eigen::Array3d& high, double reach) const {
   constexpr int U = W == 0 ? 1 : 0, V = W == 2 ? 1 : 2;
-  /// Sine of the angle between plane and lines below which the plane does not narrow the range.
+  /// If the sine of the angle between plane and lines is below this, the plane does not narrow the
+  /// range.
   constexpr double kLeastSlope = 1e-3;
   const double across = std::abs(normal[W]);
   const bool steep = across < kLeastSlope * normal.norm();
   const double slack =
       steep ? 0 : reach * (1 + (std::abs(normal[U]) + std::abs(normal[V])) / across) + 1e-9;
-  // Sense of the triangle in the (U, V) plane: the sign of normal[W], reversed if U x V is -W.
+  // Orientation of the triangle in the (U, V) plane: the sign of normal[W], reversed if U x V is
+  // -W.
   const double turn = (normal[W] > 0) == (W != 1) ? 1 : -1;
   std::array<std::int32_t, 3> p;
   for (p[U] = static_cast<std::int32_t>(low[U]) + 1; p[U] <= high[U]; ++p[U]) {

@@ -1,15 +1,15 @@
-// Knows which lattice points lie inside the swept volume, and how deep. Pieces of the sweep that
-// lie deep inside cannot reach the surface.
-//
-// In: marked edges and signs of some true pieces of the sweep (whole copies of the body).
+// Knows which lattice points lie inside the swept volume, and how deep. Elements of the sweep that
+// lie deep inside cannot reach its surface.
+// In: marked edges and signs of some whole copies of the body. Each copy lies in the swept volume.
 // Out: for a box, a triangle or a crossing, whether it can be left out ("hidden").
 // Units: cells. Cost: O(lattice points) once; a few look-ups per query.
-// Memory: 7 bytes per lattice point up to kMaxBlocks of them; above, one byte per block of cells.
+// Memory: 7 bytes per lattice point in grids of up to kMaxBlocks points; 1 byte per block of cells
+// in larger ones.
 // Promise: leaving out a hidden crossing changes neither signs nor other crossings. Reason: the
-//        search for the outside follows unmarked edges, and more pieces only mark more edges. So
-//        points that a part of the sweep encloses stay enclosed, and the search never reaches an
-//        edge between two of them. On an edge with an outside end, only the first crossing from
-//        that end counts, so a crossing behind a known one does not.
+//        search for the outside follows unmarked edges, and further copies only mark more edges. So
+//        a lattice point that some copies enclose stays enclosed, and a crossing on an edge between
+//        two enclosed points never counts. On an edge with an end outside, only the crossing
+//        nearest to that end counts, so one behind a known crossing can be left out.
 // Source: docs/pipeline.md, "Culling".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -59,7 +59,8 @@ class InsideMap {
     return fraction * kParts >= front.from && fraction * kParts <= front.to;
   }
 
-  /// True if the map can hide single crossings: only on grids of at most kMaxBlocks points.
+  /// Returns whether the map can hide single crossings. It can on grids of at most kMaxBlocks
+  /// points.
   bool hasFronts() const { return !fronts_[0].empty(); }
   std::size_t bytes() const { return depth_.size() + 3 * fronts_[0].size() * sizeof(Front); }
 
@@ -82,8 +83,8 @@ class InsideMap {
   int shift_ = 0;  // a block has 2^shift_ cells along each axis
   Eigen::Array3d limit_ = Eigen::Array3d::Zero();
   std::array<std::size_t, 3> blocks_{};
-  /// For each block of cells: the number of blocks, along any axis, to the nearest block with a
-  /// corner outside. 0 means this block itself; the largest value is 255.
+  /// For each block of cells: the largest distance along any axis, in blocks, to the nearest block
+  /// with a corner outside. 0: this block itself has one; the largest value is 255.
   std::vector<std::uint8_t> depth_;
   /// For each axis and lattice point: the hidden part of the edge that starts there. Empty if a
   /// block has several cells.

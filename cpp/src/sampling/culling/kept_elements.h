@@ -1,6 +1,6 @@
 // Visits the faces and side patches that culling keeps, placement by placement, for a continuous
-// motion. The order is fixed, so all samplers number the elements in the same way. The caller gives
-// the clusters that matter ("shown", step_blocks.h).
+// motion. The order is fixed, so all samplers number the elements in the same way. The caller
+// passes the clusters that can matter ("shown", step_blocks.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace swept {
 
-/// A cluster that can matter at a placement and in the step after it, with one bit for each of its
-/// faces that can matter.
+/// A cluster that can matter at a placement and in the step after it. One bit for each of its faces
+/// says whether this face can matter.
 struct ShownCluster {
   std::uint32_t cluster, faces;
 
@@ -24,13 +24,13 @@ struct ShownCluster {
 };
 using ShownClusters = std::vector<ShownCluster>;  // in ascending order
 
-/// A trial (pipeline/sampling_trial.h) uses only a part of the clusters. It takes or leaves this
-/// many successive clusters together. Successive clusters are near each other, so a trial also
-/// covers the borders between them.
+/// A trial (pipeline/sampling_trial.h) samples only a part of the clusters. It takes or leaves this
+/// many successive clusters together. They are near each other, so a trial also covers the borders
+/// between clusters.
 constexpr std::size_t kClustersTogether = 16;
 
-/// Returns one of `parts` equal parts of the clusters, spread over the body: all of them for 1,
-/// none for 0.
+/// Returns one of `parts` equal parts of the clusters, spread over the body. 1: all clusters; 0:
+/// none.
 inline ShownClusters allClusters(const FaceClusters& clusters, std::size_t parts = 1) {
   ShownClusters all;
   for (std::uint32_t c = 0; parts > 0 && c < clusters.clusters.size(); ++c) {
@@ -44,7 +44,7 @@ class KeptElements {
   KeptElements(const SamplerInput& input, const FaceClusters& clusters)
       : input_(input), clusters_(clusters), before_(input, clusters), after_(input, clusters) {}
 
-  /// Goes to a placement. Going to the next one is cheapest.
+  /// Goes to a placement. This is fastest for the next one.
   void goTo(std::size_t placement) {
     if (placement > 0 && placement == placement_ + 1) {
       std::swap(before_, after_);
@@ -104,8 +104,8 @@ class KeptElements {
   }
 
  private:
-  /// Calls use(edge, ends) for the side patches kept on one border. `s` is the cluster on the left
-  /// of the border. If its bits are kAll, every face is shown.
+  /// Calls use(edge, ends) for the side patches kept on one border. `s`: the cluster on the left of
+  /// the border; if its bits are kAll, every face is shown.
   template <class Use>
   void borderPatches(const FaceClusters::Border& border, std::uint32_t firstFace,
                      const ShownCluster& s, const Use& use) const {

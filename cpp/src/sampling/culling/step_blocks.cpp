@@ -15,11 +15,12 @@ namespace swept {
 namespace {
 
 constexpr double kRoom = 1 + 1e-9;   ///< covers the rounding of the bounds
-constexpr double kSnapReach = 1e-4;  ///< cells: above the largest displacement by snapping
+constexpr double kSnapReach = 1e-4;  ///< cells: more than snapping can move a point
 /// Largest and smallest size of a group of placements, in cells.
 constexpr double kLargestGroup = 2, kSmallestGroup = 1e-3;
-constexpr double kFaceGroup = 0.5;  ///< cells; groups of at most this size are tested face by face
-/// Groups are worth their tests if they have at least this many placements on average.
+/// cells: in groups of at most this size, single faces are tested, too.
+constexpr double kFaceGroup = 0.5;
+/// Grouping saves time only if groups have at least this many placements on average.
 constexpr std::size_t kWorthGroup = 8;
 
 /// Returns whether a triangle or flat quad with this bounding box (in cells) can meet a grid line.
@@ -105,8 +106,8 @@ PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters
   parallelBlocks(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) boxes[k] = bounds.boxOf(k);
   });
-  // Smaller groups hide more, but there are more of them. A group only tests the clusters that the
-  // larger group around it shows.
+  // Smaller groups hide more clusters, but there are more groups. A group only tests the clusters
+  // that the larger group around it shows.
   for (double cells = kLargestGroup; cells > kSmallestGroup; cells /= 2) {
     std::vector<std::uint32_t> groupOf;
     const auto groups = group(boxes, cells, bounds.radius(), groupOf);
@@ -190,7 +191,7 @@ StepBlocks::StepBlocks(const SamplerInput& input, const FaceClusters& clusters,
     narrows_ |= bounds_.hasInside() || c.radius < 0.5 * input.grid.cell;
   }
   below_.resize(1 + kMostLevels);
-  if (!groups.empty()) narrows_ = false;  // each group has been decided face by face
+  if (!groups.empty()) narrows_ = false;  // every group has been tested face by face
   if (!narrows_) return;
   std::vector<PlaceBounds::Box> boxes;
   boxes.reserve(end - begin);

@@ -1,19 +1,19 @@
-// Decides which clusters of faces can matter at which placements. These clusters "are shown", all
-// others are hidden. Blocks of placements are decided as a whole. A cluster that a block hides is
-// not tested again at the single placements of the block.
+// Decides which clusters of faces can matter at which placements. These clusters are "shown", all
+// others are hidden. A block of placements is decided as a whole: a cluster that is hidden for the
+// block is not tested again at its single placements.
 //
-// In: body, motion, clusters, and, if known, the map of the inside.
+// In: body, motion, clusters and, if there is one, the map of the inside.
 // Out: the clusters shown at every placement.
 // Units: mm, cells. Cost: O(shown clusters + placements).
 // Promise: an element that is left out crosses no lattice line, or its crossings cannot matter
-//        (inside_map.h). The marks that count are the same to the last bit.
+//        (inside_map.h). The marked edges that count are the same to the last bit.
 // Source: own method (docs/pipeline.md, "Culling").
 //
-// A block bounds where its placements, and the steps that start at them, carry the body: an affine
-// map and the largest deviation from it. The map takes the ball of a cluster to a box that contains
-// all its copies and side patches. There are two kinds of blocks. One kind has 8 or 64 successive
-// placements. The other kind, PlaceGroups, has placements at nearly the same place, since a
-// recorded motion often returns to the same places.
+// A block bounds where its placements, and the steps that start at them, carry the body. The bound
+// is an affine map and the largest deviation from it. The map takes the bounding ball of a cluster
+// to a box that contains all its copies and side patches. There are two kinds of blocks: 8 or 64
+// successive placements; and PlaceGroups, which are placements at nearly the same position and
+// orientation, to which a recorded motion often returns.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,7 +24,8 @@
 
 namespace swept {
 
-/// Where some placements carry the body: x -> turn (x - centre of the body) + place, in cells.
+/// Bounds on a group of placements. Each of them maps a point x of the body to about turn (x -
+/// centre of the body) + place, in cells.
 struct PlaceBlock {
   Eigen::Matrix3d turn;
   Eigen::Vector3d place;
@@ -32,8 +33,8 @@ struct PlaceBlock {
   double turnSpread = 0;   ///< further deviation per mm of distance from the centre
 };
 
-/// Computes bounds of placements. A placement is twelve numbers here, and boxes bound these
-/// numbers.
+/// Computes bounds of placements. A placement is a vector of twelve numbers here, and a box bounds
+/// each of them.
 class PlaceBounds {
  public:
   PlaceBounds(const SamplerInput& input, const FaceClusters& clusters);
@@ -64,12 +65,13 @@ class PlaceBounds {
   double radius_ = 0;
 };
 
-/// Groups of placements that differ by a small part of a cell, at any times of the motion, with the
-/// clusters that each group shows. Empty unless the motion often returns to the same places.
+/// Groups of placements that differ by at most a few cells, at any times of the motion, with the
+/// clusters that each group shows. Empty without a map of the inside, or if the motion rarely
+/// returns to the same placements.
 class PlaceGroups {
  public:
-  /// For a trial. Then the constructor only decides the groups that contain placements of `only`,
-  /// and estimates the time for the other groups.
+  /// For a trial: the constructor only decides the groups that contain placements of `only`, and
+  /// estimates the time for the other groups.
   struct Trial {
     std::vector<PlacementRange> only;
     double secondsOfOthers = 0;  ///< CPU seconds, on one thread
@@ -82,8 +84,8 @@ class PlaceGroups {
   const ShownClusters& shownAt(std::size_t placement) const { return shown_[groupOf_[placement]]; }
 
  private:
-  /// Returns the boxes of the groups of at most `cells` in size, and the group of each placement.
-  /// Ends early if there are too many groups to be worth it.
+  /// Returns the boxes of the groups of at most `cells` in size, and sets the group of each
+  /// placement. Ends early if there are too many groups to save time.
   static std::vector<PlaceBounds::Box> group(const std::vector<PlaceBounds::Box>& boxes,
                                              double cells, double radius,
                                              std::vector<std::uint32_t>& groupOf);
@@ -98,8 +100,8 @@ class StepBlocks {
   StepBlocks(const SamplerInput& input, const FaceClusters& clusters, const PlaceGroups& groups,
              std::size_t begin, std::size_t end);
 
-  /// Calls use(placement, shown) in ascending order for the placements that show clusters. Calls
-  /// passed(placement) once per block, to report progress.
+  /// Calls use(placement, shown) in ascending order for all placements at which clusters are shown.
+  /// Calls passed(placement) once per block, to report progress.
   template <class Passed, class Use>
   void forPlacements(const Passed& passed, const Use& use) {
     const ShownClusters all = allClusters(clusters_, parts_);
@@ -140,7 +142,7 @@ class StepBlocks {
   const PlaceGroups& groups_;
   PlaceBounds bounds_;
   std::size_t parts_, begin_, end_;
-  bool narrows_ = false;  // whether testing single placements can hide anything
+  bool narrows_ = false;  // true if tests of single placements can hide anything
   std::vector<std::vector<PlaceBlock>> levels_;  // blocks of 8 and of 64 placements
   std::vector<PlaceBlock> single_;               // single placements
   std::vector<ShownClusters> below_;             // by level

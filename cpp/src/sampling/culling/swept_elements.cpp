@@ -36,8 +36,8 @@ int FaceDirections::decideCluster(const FaceCluster& cluster) const {
                         travel * (step.angle * step.angle + kNormalRounding +
                                   snapAngle(cluster.minHeight, input_->grid.cell)) +
                         step.snap;
-  // `side` finds the smallest |n . d| over the normal cone, at one end of the step. Returns the
-  // sign of n . d, or 0 if n . d may be within the margin.
+  // Finds the smallest |n . d| over the normal cone, at one end of the step. Returns the sign of n
+  // . d, or 0 if n . d may be within the margin.
   const auto side = [&](double along) {
     const double across = std::sqrt(std::max(0.0, length * length - along * along));
     const double least = std::abs(along) * cluster.cosCone - across * cluster.sinCone;
@@ -88,7 +88,7 @@ MotionStep::MotionStep(const SamplerInput& input, std::size_t k) {
   bend = turn - Eigen::Matrix3d::Identity();
   turnBack = turn.transpose();
   shift = p.rotation.transpose() * (q.translation - p.translation);
-  // The turn changes a vector by at most twice the sine of half its angle. The factor covers
+  // The turn changes a unit vector by at most twice the sine of half its angle. The factor covers
   // rounding.
   angle = bend.norm() / std::sqrt(2.0) * (1 + 1e-9);
   snap = 4 * kSnapCells * input.grid.cell;

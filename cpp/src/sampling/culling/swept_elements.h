@@ -1,15 +1,15 @@
-// Decides step by step which faces and side patches of the swept surface must be sampled.
+// Decides for each step which faces and side patches of the swept surface must be sampled.
 //
 // In: body, motion, clusters. Out: a direction per face and step. Units: mm.
 // Cost: O(clusters), plus O(faces) for undecided clusters.
 // Promise: a dropped element is enclosed by the swept volume: on both sides of it, there is a part
-// of the swept volume with a thickness above 0. The proof only requires a closed body.
+//        of the swept volume with a thickness above 0. The proof only requires a closed body.
 // Source: docs/pipeline.md, "Culling".
 //
 // A face has direction +1 if all its points move outward during a whole step, -1 if all move
-// inward, otherwise 0. During the chord motion of the step, a point p is at p + s d(p). The
-// direction is +1 if n(s) . d > 0 at all corners for all s. (n is quadratic in s. A margin covers
-// its middle coefficient, snapping and rounding.)
+// inward, otherwise 0. In a step with straight paths, a point p of the body is at p + s d(p), with
+// s from 0 to 1. The direction is +1 if n(s) . d > 0 at all corners for all s, where n(s) is the
+// normal. (n is quadratic in s. A margin covers its middle coefficient, snapping and rounding.)
 //   A copy of a face at placement k is enclosed if it has the same direction, +1 or -1, before and
 //   after k: it lies between the two prisms that the face sweeps. For closed bodies with outward
 //   normals it is also enclosed if it moves outward after k (prism outside, body inside), or inward
@@ -30,8 +30,8 @@ namespace swept {
 /// Returns the clusters of the input. If it has none, builds them in `own`.
 const FaceClusters& clustersOf(const SamplerInput& input, FaceClusters& own);
 
-/// The step placements[k] -> placements[k + 1], seen from the body at its start: a point p moves by
-/// bend * p + shift.
+/// The step placements[k] -> placements[k + 1] in coordinates of the body at its start: a point p
+/// moves by bend * p + shift.
 struct MotionStep {
   MotionStep() = default;
   MotionStep(const SamplerInput& input, std::size_t k);
@@ -42,8 +42,8 @@ struct MotionStep {
   double snap = 0;   ///< mm, bound on the effect of snapping
 };
 
-/// Returns a bound on the rounding of a displacement in single precision, in mm. `farthest`:
-/// largest distance (mm) of a point of the body from its origin.
+/// Returns a bound (mm) on the rounding of a displacement in single precision. `farthest`: largest
+/// distance (mm) of a body point from the origin of the body.
 float displacementRounding(const MotionStep& step, double farthest);
 
 /// Returns the direction of one face during a step.
@@ -57,8 +57,8 @@ class FaceDirections {
   /// Changes the step to placements[k] -> placements[k + 1].
   void setStep(std::size_t k);
 
-  /// Returns the direction of a whole cluster, -1 or +1. 0: there is no common direction, or only
-  /// the directions of the single faces are known.
+  /// Returns the direction of a whole cluster, -1 or +1. Returns 0 if its faces have no common
+  /// direction, or if only single faces can be decided.
   int ofCluster(std::size_t cluster) const {
     if (decidedAt_[cluster] != stamp_) decide(cluster);
     return clusterDirection_[cluster];
@@ -67,8 +67,8 @@ class FaceDirections {
     ofCluster(clusters_->clusterOf[face]);
     return ofIndex(clusters_->indexOf[face]);
   }
-  /// Returns the direction of a face, by its index in FaceClusters::faces. Call ofCluster() for its
-  /// cluster first.
+  /// Returns the direction of the face with this index in FaceClusters::faces. Call ofCluster() for
+  /// its cluster first.
   int ofIndex(std::size_t index) const {
     if (faceDirection_[index] == kNotDecided) decideFace(index);
     return faceDirection_[index];
@@ -83,13 +83,13 @@ class FaceDirections {
 
   const SamplerInput* input_;
   const FaceClusters* clusters_;
-  double farthest_ = 0;  // mm, farthest point of the body from its origin
+  double farthest_ = 0;  // mm, distance of the farthest vertex of the body from its origin
   MotionStep step_;
   Eigen::Matrix3f bendFloat_, turnBackFloat_;
   Eigen::Vector3f shiftFloat_;
   float rounding_ = 0;                            // mm: rounding of a displacement in float
-  std::uint32_t stamp_ = 0;                       // number of the setStep() call
-  mutable std::vector<std::uint32_t> decidedAt_;  // per cluster: stamp of its direction
+  std::uint32_t stamp_ = 0;                       // counts the calls of setStep()
+  mutable std::vector<std::uint32_t> decidedAt_;  // per cluster: the stamp_ at which it was decided
   mutable std::vector<std::int8_t> clusterDirection_, faceDirection_;
 };
 

@@ -13,10 +13,10 @@ namespace swept::dense {
 namespace {
 
 constexpr std::size_t kBlock = 256;  // vertices per task
-/// Cosine of 1.1 degrees: of several normals closer than this, only one is queried.
+/// Cosine of 1.1 degrees: of several normals within this angle, only one is queried.
 constexpr double kMinSameCosine = 0.9998;
-// Queries per vertex, and halvings of an arc between two normals. Both bound the time per vertex.
-// leak_repair.h finds and adds the pairs that these limits miss.
+// Largest numbers of queries per vertex, and of halvings of an arc between two normals. They bound
+// the time per vertex. leak_repair.h finds and adds the pairs that these limits miss.
 constexpr std::size_t kMaxNormals = 8;
 constexpr int kArcDepth = 3;
 
@@ -82,7 +82,8 @@ class CandidateSearch {
     return best.placement;
   }
 
-  /// Queries normals on the arc between two (point, normal) pairs that have been queried already.
+  /// Queries normals on the arc between two (point, normal) pairs that have been queried already,
+  /// by halving the arc. `winner` and `other`: the winners of the two pairs.
   void queryBetween(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::uint32_t winner,
                     const Eigen::Vector3d& y, const Eigen::Vector3d& m, std::uint32_t other,
                     int depth, Set& out) const {
@@ -121,7 +122,7 @@ class CandidateSearch {
     }
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
-        // Two normals of faces are paired only across a crease.
+        // For two normals of faces, only those of a crease have an arc between them queried.
         if (i > 0 && queried[i].dot(queried[j]) > 0.9) continue;
         queryBetween(x, queried[i], answer[i], x, queried[j], answer[j], kArcDepth, winners_[v]);
       }
@@ -129,8 +130,8 @@ class CandidateSearch {
     queries_[v].shrink_to_fit();
   }
 
-  /// Queries along the edges whose ends have different winners. The winners in between belong to
-  /// both ends.
+  /// Queries along the edges whose ends have different winners. The winners found in between are
+  /// added to both ends.
   void queryAlongEdges() {
     const auto& edges = input_.topology.edges;
     std::vector<Set> found(edges.size());
@@ -160,8 +161,8 @@ class CandidateSearch {
     return false;
   }
 
-  /// Spreads the winners by one ring of vertices, with `freely` regardless of the slack. Returns
-  /// false if nothing changed.
+  /// Passes the winners of each vertex on to its neighbours: all of them with `freely`, otherwise
+  /// those within the slack. Returns false if nothing changed.
   bool spread(bool freely) {
     if (fresh_.empty()) fresh_ = winners_;
     std::vector<Set> next(vertices_);
@@ -217,7 +218,8 @@ class CandidateSearch {
   const SamplerInput& input_;
   const PlacementSpace& space_;
   const DenseSettings& settings_;
-  float slack_;  // mm: a winner spreads if its advance is less than the best by at most this
+  // mm: a winner is passed on if its advance is less than the best one by at most this.
+  float slack_;
   const ListsByKey<>& corners_;
   RunContext& run_;
   std::size_t vertices_;

@@ -1,15 +1,15 @@
 // Finds the placements that can bring a face of the body to the surface of the envelope.
 //
-// In: body, placement space. Out: per face the sorted placements at which it must be sampled.
+// In: body, placement space. Out: for each face the sorted placements at which it must be sampled.
 // Units: mm. Cost: O(vertices x queries); 4 bytes per (face, placement) pair.
-// Source: docs/pipeline.md, "Dense motions". The figures for slack and rings are in DenseSettings.
+// Source: docs/pipeline.md, "Dense motions". DenseSettings has the values of slack and rings.
 //
 // A query at a vertex with a normal finds its winner: the placement with the largest advance along
-// the normal (placement_space.h). Every vertex queries its own normal, the normals of its faces,
-// and normals in between if two winners differ. Pairs of adjacent vertices do the same. Then the
-// winners spread from vertex to vertex while their advance is within a slack of the local best.
-// Reason: at a ridge the envelope changes from one placement to another, and both surfaces must
-// reach the ridge.
+// the normal (placement_space.h). Every vertex queries its own normal and the normals of its faces.
+// If two winners differ, normals in between are queried, too. The same is done for pairs of
+// adjacent vertices. Then a vertex passes its winners on to its neighbours, as long as their
+// advance there is within a slack of the best one. Reason: at a ridge the envelope changes from one
+// placement to another, and both surfaces must reach the ridge.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

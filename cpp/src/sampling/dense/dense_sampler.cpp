@@ -30,7 +30,7 @@ class DenseRun {
     for (std::size_t v = 0; v < corners_.keys(); ++v) corners_.of(v);
   }
 
-  /// Returns nothing if `mayGiveUp` is set and the choice leaves too much of the surface open.
+  /// Returns nothing if `mayGiveUp` is set and the chosen pairs leave too much of the surface open.
   std::optional<DenseSurface> sample(bool mayGiveUp) {
     const std::size_t faces = input_.body.triangles.size();
     const double cell = input_.grid.cell;

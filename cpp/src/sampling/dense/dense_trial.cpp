@@ -17,21 +17,21 @@
 namespace swept::dense {
 namespace {
 
-/// The patches lie evenly spaced in the order of the faces. Together they have about the fraction
-/// 1 / kPartOfFaces of the faces of the body.
+/// The patches are spaced evenly in the order of the faces. Together they have about 1 /
+/// kPartOfFaces of the faces of the body, within the limits for the number of patches.
 constexpr std::size_t kFacesOfPatch = 1300, kFewestPatches = 4, kMostPatches = 12, kPartOfFaces = 4;
-/// Only the middle of a patch is sampled, the fraction 1 / kPartOfPatch of its faces. There the
-/// missing surroundings of the patch have no effect.
+/// Only the middle of a patch is sampled: 1 / kPartOfPatch of its faces. The faces missing around
+/// the patch have no effect there.
 constexpr std::size_t kPartOfPatch = 6;
-/// Largest number of faces at one vertex that join a patch. At the hub of a fan, faces reach far
+/// Largest number of faces at one vertex that join a patch. At the hub of a fan, the faces lie far
 /// apart.
 constexpr std::size_t kMostOfStar = 48;
 /// Number of exact tests that are timed, and number of exact tests that a run needs for each open
 /// point.
 constexpr std::size_t kTests = 500;
 constexpr double kFollowed = 3;
-/// Bytes of a placement (in the tree and in cells), of a face (in the lists of candidates, whole
-/// copies and leaks), of a candidate (while lists of blocks are joined), and of a crossing in the
+/// Bytes per item. Placement: in the tree and in cells. Face: in the lists of candidates, whole
+/// copies and leaks. Pair: a candidate, while lists of blocks are joined. Sorted: a crossing in the
 /// batch that is being sorted.
 constexpr double kPlacementBytes = 250, kFaceBytes = 300, kPairBytes = 8,
                  kSortedBytes = 2 * sizeof(CrossingRecord);

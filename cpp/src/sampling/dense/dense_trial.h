@@ -1,10 +1,11 @@
 // Estimates time and memory of the dense sampler by running it on a part of the body.
 // In: sampler input that suits the dense sampler; number of crossings of the envelope.
 // Out: CPU seconds and bytes for the whole body.
-// Cost: builds the tree over the placements and the tests of the body. For some patches of the
-//        body, a quarter of it or less, finds the candidates. Samples the middle of each patch and
-//        searches it for leaks. Uses one thread.
-// Winners spread from vertex to vertex, so the rim of a patch has fewer candidates than in a run.
+// Cost: builds the tree of placements and prepares the tests for the whole body. Finds the
+// candidates for some patches: about a quarter of the faces; all faces of small bodies. Samples the
+// middle of each patch and searches this middle for leaks. Uses one thread.
+// A vertex passes the placements that it found best on to its neighbours. At the rim of a patch
+// some neighbours are missing, so there are fewer candidates than in a run.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

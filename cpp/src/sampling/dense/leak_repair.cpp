@@ -13,8 +13,8 @@
 namespace swept::dense {
 namespace {
 
-// Largest number of covered points. It limits memory and time: their table then takes several
-// hundred MB.
+// Largest number of covered points. It limits time and memory: the table of this many points takes
+// several hundred MB.
 constexpr std::size_t kMaxFollowed = 6'000'000;
 constexpr std::size_t kMaxTried = 8;  // placements tested exactly per point
 constexpr std::size_t kTrialPoints = 4000;
@@ -53,8 +53,8 @@ class CoverSearch {
   }
   bool isInside(const Eigen::Vector3d& x) const { return tests_.rays.winding(x) > 0; }
 
-  /// The lattice point g lies near `face` at `placement`, outside of that copy of the body.
-  /// Searches for another placement whose copy covers the point.
+  /// Tests the lattice point g, which is near `face` at `placement` and outside of that copy of the
+  /// body. Searches for another placement whose copy covers the point.
   bool findCover(const Lattice& g, std::uint32_t face, std::uint32_t placement, Scratch& s,
                  Covered& out) const {
     const Eigen::Vector3d x = inBody(g, placement);
@@ -104,7 +104,7 @@ class LeakFinder : CoverSearch {
   }
 
  private:
-  /// Returns a key that rises in the order in which the edges of a layer are visited.
+  /// Returns a key that increases in the order in which the edges of a layer are visited.
   static std::uint64_t orderOf(int axis, std::int32_t j, std::int32_t k, std::uint64_t side) {
     return static_cast<std::uint64_t>(axis) << 32 | static_cast<std::uint64_t>(j) << 17 |
            static_cast<std::uint64_t>(k) << 1 | side;
@@ -145,7 +145,7 @@ class LeakFinder : CoverSearch {
     parallelFor(layers, [&](std::size_t layer) {
       run_.checkpoint(Phase::Signs, layer, layers);
       Scratch scratch;
-      // Both lists have the same ascending order, so one pass over the old list finds all known
+      // Both lists are in the same ascending order, so one pass over the old list finds all known
       // points.
       std::vector<ClearPoints::Point> known = std::move(clear_.layers[layer]);
       std::vector<ClearPoints::Point>& clear = clear_.layers[layer];
@@ -196,7 +196,8 @@ class LeakFinder : CoverSearch {
     if (cover_.size() > kMaxFollowed) out_.complete = false;
   }
 
-  /// Goes from one covered point to its six neighbours. Adds covered neighbours and missing pairs.
+  /// Goes from a covered point to its six neighbours. Adds neighbours that are covered, too, and
+  /// missing pairs.
   void step(const Covered& from, Scratch& s, std::vector<Covered>& covered,
             std::vector<std::pair<std::uint32_t, std::uint32_t>>& missing) const {
     const Lattice g = unpack(from.point);

@@ -1,16 +1,15 @@
-// Finds where a choice of (face, placement) pairs leaves the envelope open, and the missing pairs.
-//
-// In: marked edges and signs of the choice, placement space. Out: missing pairs, and how much is
-// open. Units: mm. Cost: one support query and one exact test per surface point.
+// Finds where the chosen (face, placement) pairs leave the envelope open, and the missing pairs.
+// In: marked edges and signs from sampling the chosen pairs, placement space. Out: missing pairs,
+// and how much is open. Units: mm. Cost: one support query and one exact test per surface point.
 // Source: own method; docs/pipeline.md, "Dense motions".
 //
-// The choice can err only in one way: it may call a covered point outside. Each sampled crossing is
-// a true one, so a point that the choice calls inside is inside. The search tests each lattice
-// point next to the surface against all placements. A support query gives the placement that pushes
-// the surface farthest there; an exact test shows whether the body at this placement covers the
-// point. From a covered point that the choice called outside, the search follows unmarked edges to
-// the surface of the covering copy. An unmarked edge that this surface crosses is a hole. The
-// missing pair is the triangle there with the placement of the copy.
+// The choice can err only in one way: it may call a covered point outside. A point that it calls
+// inside is inside, because each sampled crossing belongs to the sweep. The search tests each
+// lattice point next to the surface against all placements. A support query gives the placement
+// that moves the surface farthest there. An exact test shows whether the body at this placement
+// covers the point. From a covered point that the choice called outside, the search follows
+// unmarked edges to the surface of the covering copy. An unmarked edge that this surface crosses is
+// a hole. The missing pair is the triangle at the crossing, with the placement of the copy.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -30,7 +29,7 @@ namespace swept::dense {
 
 struct LeakSearch {
   std::int64_t tested = 0;  ///< number of surface points (outside ends of edges) that were tested
-  /// Number of these points that a placement covers, although they were called outside.
+  /// Number of these points that a placement covers although the choice called them outside.
   std::int64_t covered = 0;
   double deepest = 0;    ///< mm: largest advance of a missed placement beyond such a point
   bool complete = true;  ///< false: the search stopped at a limit
@@ -43,7 +42,7 @@ struct LeakSearch {
 /// again.
 struct ClearPoints {
   struct Point {
-    /// Key of the lattice point, and of the axis and side of its edge.
+    /// Key made of the lattice point, and of axis and side of its edge.
     std::uint64_t place;
     std::uint32_t face, placement;
     bool operator==(const Point&) const = default;
@@ -61,7 +60,7 @@ struct BodyTests {
 };
 
 /// Searches for holes. `margin` (mm): a placement counts as missed if it reaches beyond a point by
-/// more. All calls that share `clear` must use the same margin.
+/// more than this. All calls that share `clear` must use the same margin.
 LeakSearch findLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                      const MarkedEdges& marked, const SignRuns& signs, double margin,
                      ClearPoints& clear, RunContext& run);
@@ -79,9 +78,9 @@ struct LeakTrial {
   double seconds = 0;  ///< CPU seconds per point
 };
 
-/// Estimates how much the choice leaves open, without signs. A point counts as open if the
-/// placement that covers it is not chosen for the face. A point covered by another chosen placement
-/// does not lie next to the surface and does not count.
+/// Estimates without signs how much the choice leaves open. A point counts as open if a placement
+/// covers it that was not chosen for the face. A point covered by a chosen placement does not lie
+/// next to the surface and does not count.
 LeakTrial tryLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                    const ChosenFaces& chosen, double margin);
 

@@ -14,8 +14,8 @@ namespace {
 // Crossings per task: a batch has 160 tasks, enough to balance all cores.
 constexpr double kTaskCrossings = 150e3;
 
-/// Returns the expected number of crossings of a face with this area (cells^2): half the sum of its
-/// three projections, at most 1.74 times the area.
+/// Returns the expected number of crossings of a face with this area (cells^2): the sum of its
+/// three projections, at most 1.74 times the area, plus one half.
 double expectedCrossings(double area) { return 1.74 * area + 0.5; }
 
 }  // namespace
@@ -67,7 +67,7 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
   chunks.resize(first + (layers + kLayers - 1) / kLayers);
   parallelBlocks(layers, kLayers, [&](std::size_t begin, std::size_t end) {
     RecordChunk& chunk = chunks[first + begin / kLayers];
-    // One element often marks many adjacent edges. So an element that was written shortly before is
+    // One element often marks many adjacent edges. An element that was written a short time ago is
     // not written again.
     struct Carried {
       std::uint32_t from = 0xffffffffu, to = 0;
@@ -81,8 +81,8 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
       }
       return slot.to;
     };
-    // Returns the middle of the interval of a fixed-point fraction. Rounding then gives the same
-    // fixed-point fraction again.
+    // Returns the middle of the interval of numbers that a fixed-point fraction represents.
+    // Rounding it gives the same fraction again.
     constexpr double kHalf = 0.5 / ((1 << CrossingRecord::kFractionBits) - 1);
     const auto fractionOf = [](float f) { return std::min(static_cast<double>(f) + kHalf, 1.0); };
     for (std::size_t i = begin; i < end; ++i) {

@@ -31,7 +31,7 @@ class PairSampler {
   /// Returns the number of raw crossings of all pairs, before those on one edge are merged.
   std::int64_t crossings() const { return crossings_; }
   /// Returns the expected number of crossings of a face at one placement. A batch has about
-  /// kBatchWork of these; each takes 12 bytes, and twice that while they are sorted.
+  /// kBatchWork crossings; each takes 12 bytes, and 24 bytes while they are sorted.
   double workOf(std::uint32_t face) const;
   static constexpr double kBatchWork = 24e6;
 
@@ -46,8 +46,9 @@ class PairSampler {
 
   const SamplerInput& input_;
   RunContext& run_;
-  std::vector<Placement> placements_;    // their results are in cells
-  std::vector<std::uint32_t> identity_;  // 0, 1, 2 ...: entries serve as lists of one placement
+  std::vector<Placement> placements_;  // placements whose results are in cells
+  // 0, 1, 2 ...: each entry serves as a list of one placement.
+  std::vector<std::uint32_t> identity_;
   std::vector<Item> items_;
   MarkedEdges marked_;
   std::int64_t pairs_ = 0, crossings_ = 0;

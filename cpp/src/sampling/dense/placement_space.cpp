@@ -10,7 +10,7 @@
 namespace swept::dense {
 namespace {
 
-// Points per leaf: testing eight points costs about as much as testing the boxes of one more level.
+// Points per leaf. Testing eight points costs about as much as testing the boxes of one more level.
 constexpr std::uint32_t kLeaf = 8;
 
 Placement meanOf(const std::vector<Placement>& placements, const Eigen::Vector3d& centre) {
@@ -105,7 +105,8 @@ Point6 PlacementSpace::gradient(const Eigen::Vector3d& x, const Eigen::Vector3d&
   return g;
 }
 
-/// Visits leaves, best branches first. Enters a branch only if isWanted(its bound) is true.
+/// Visits leaves, best branches first. Descends into a branch only if isWanted(bound of the
+/// branch).
 template <class IsWanted, class Visit>
 void PlacementSpace::descend(const Point6& g, const IsWanted& isWanted, const Visit& visit) const {
   struct Open {
@@ -133,7 +134,7 @@ void PlacementSpace::descend(const Point6& g, const IsWanted& isWanted, const Vi
 }
 
 PlacementSpace::Best PlacementSpace::support(const Point6& g, std::uint32_t guess) const {
-  constexpr float kRounding = 1e-5f;  // mm: bounds and dot products add in a different order
+  constexpr float kRounding = 1e-5f;  // mm: bounds and dot products are summed in different orders
   Best best{guess, dot(g, points_[guess])};
   const auto isWanted = [&](float bound) { return bound + kRounding >= best.advance; };
   descend(g, isWanted, [&](const Node& leaf) {

@@ -1,17 +1,19 @@
 // The placements of a dense motion as points in six dimensions, and support queries over them.
 //
 // In: body, placements. Out: the placement with the largest advance along a normal.
-// Units: mm; w is scaled by the body's radius, so that all six coordinates are lengths.
+// Units: mm. The turn w is multiplied by the body's radius, so that all six coordinates are
+// lengths.
 // Cost: O(n log n) to build; microseconds per query.
 // Promise: of equal values the lower index wins, so results are the same for any number of threads.
 // Source: docs/pipeline.md, "Dense motions".
 //
 // Relative to a mean placement, a body point with mean position c + q moves by dt + w x q, to first
-// order in the turn w. So its advance along a unit normal n is n.dt + (q x n).w, which is linear in
-// the point (dt, w). The placement that pushes a piece of surface farthest is therefore the answer
-// to a support query. Branch and bound over a tree of boxes finds it. remainder() bounds the error
-// of the linear form in any direction, to second order: radius * |w|^2 / 2.
-// SPDX-License-Identifier: LGPL-2.1-or-later
+// Let a body point have the position c + q at a mean placement (c: centre of the body). At another
+// placement, it has moved by dt + w x q, to first order in the turn w. So its advance along a unit
+// normal n is n.dt + (q x n).w, which is linear in the point (dt, w). Therefore a support query
+// finds the placement that moves a piece of surface farthest. It uses branch and bound over a tree
+// of boxes. remainder() is the error of the linear form in any direction, to second order: radius *
+// |w|^2 / 2.
 #pragma once
 
 #include <Eigen/Core>
@@ -54,7 +56,7 @@ class PlacementSpace {
 
   const Placement& mean() const { return mean_; }
   double remainder() const { return remainder_; }  ///< mm
-  double reach() const { return reach_; }          ///< mm: largest |dt| + |w| radius
+  double reach() const { return reach_; }          ///< mm: largest |dt| + |w| * radius
   double turn() const { return turn_; }            ///< rad: largest |w|
 
  private:

@@ -10,7 +10,7 @@ namespace swept::gl {
 
 std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
                               std::uint64_t budgetBytes) {
-  // The shader counts the words of a brick with 32 bits.
+  // The shader uses 32-bit indices for the words of a brick.
   const std::uint64_t most =
       std::min<std::uint64_t>({budgetBytes / 4, static_cast<std::uint64_t>(limits.storageBytes) / 4,
                                std::uint64_t{1} << 30});

@@ -1,6 +1,6 @@
-// Cuts the grid into bricks. The marks of a brick (one bit per edge) fit into one storage block of
-// the device and into a memory budget. Bricks are slabs of whole layers if these fit; else layers
-// are cut along y, then along z. The cuts do not change the result. Cost: O(bricks).
+// Cuts the grid into bricks. The marks of a brick (one bit per lattice edge) fit into one storage
+// block of the device and into a memory budget. Bricks are slabs of whole layers if these fit. If
+// not, layers are cut along y, then along z. The cuts do not change the result. Cost: O(bricks).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

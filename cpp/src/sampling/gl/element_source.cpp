@@ -9,7 +9,7 @@ namespace swept::gl {
 namespace {
 
 constexpr std::size_t kStepNumbers = 6 * 4;
-/// Placements and steps are uploaded in double precision, steps in single precision, too.
+/// Placements and steps are uploaded in double precision, steps also in single precision.
 constexpr std::uint64_t kPlacementBytes =
     (12 + kStepNumbers) * sizeof(double) + kStepNumbers * sizeof(float);
 
@@ -107,7 +107,8 @@ std::vector<double> stepRows(const SamplerInput& input, double farthest,
 
 std::vector<ElementChunk> planChunks(const ElementSource& source, std::uint64_t bytes) {
   std::vector<ElementChunk> chunks;
-  // A side patch also needs the placement after its own. Numbers within a chunk have 32 bits.
+  // A side patch also needs the placement after its own. The numbers of elements within a chunk
+  // must fit in 32 bits.
   const std::uint64_t window = std::max<std::uint64_t>(2, bytes / kPlacementBytes);
   const std::uint64_t maxCount = std::max<std::uint64_t>(
       1, std::min<std::uint64_t>(window - 1, 0xfffffff0u / std::max(1u, source.perPlacement)));

@@ -1,10 +1,9 @@
-// Numbers the elements of the swept surface for the device, and prepares what culling needs.
-//
-// Numbers run placement by placement: at each placement all faces and then, for a continuous
-// motion, the side patches of all edges in the step that starts there. Faces and edges have the
-// order in which the CPU sampler visits them, so that equal crossings get the same winner. The
-// shader derives the elements from their numbers and decides itself which of them are enclosed
-// (docs/gpu.md).
+// Numbers the elements of the swept surface for the device, and prepares the data for culling.
+// Elements are numbered placement by placement: at each placement all faces and then, for a
+// continuous motion, the side patches of all edges in the step that starts there. Faces and edges
+// have the order in which the CPU sampler visits them, so that of equal crossings the same element
+// wins. The shader derives the elements from their numbers and decides itself which of them are
+// enclosed (docs/gpu.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -26,7 +25,7 @@ struct ElementSource {
   std::uint32_t placements = 0;
   std::vector<std::uint32_t> faceOrder, edgeOrder;  ///< empty: the order of the body
   std::vector<std::int32_t> topology;               ///< buffer of shaders/element.glsl
-  std::vector<float> balls;                         ///< likewise; empty without culling
+  std::vector<float> balls;  ///< another buffer of that shader; empty without culling
 
   double farthest = 0;  ///< mm, distance of the farthest vertex from the origin of the body
 

@@ -1,4 +1,4 @@
-// Entry points of EGL 1.5 and OpenGL 4.5, found at run time. Nothing links against GL.
+// Entry points of EGL 1.5 and OpenGL 4.5, found at run time. The program is not linked against GL.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace swept::gl {
 
-/// The source of entry points. Tests use their own loader.
+/// Finds entry points. Tests replace it with their own loader.
 class GlLoader {
  public:
   virtual ~GlLoader() = default;

@@ -65,11 +65,11 @@ SampledSurface sampleOnGpu(const SamplerInput& whole, const GlSetup& setup,
   static std::mutex oneAtATime;
   const std::lock_guard lock(oneAtATime);
   std::shared_ptr<GlDevice> device = openTested(setup, run);
-  // The first call gives the device that was just tested. After a loss, a new one is opened and
-  // tested.
+  // The first call returns the device that was just tested. After a loss, a new device is opened
+  // and tested.
   const auto next = [&] { return device ? std::move(device) : openTested(setup, run); };
   SamplerInput input = whole;
-  FaceClusters own;  // for the device, the trial on the CPU, and the checks
+  FaceClusters own;  // for the device, for the trial on the CPU, and for the checks
   if (input.motion.continuous || cpuSeconds) input.clusters = &clustersOf(whole, own);
   GlSampler sampler(input, next, setup.settings);
   if (cpuSeconds) requireFaster(sampler, setup, input, cpuSeconds, run);

@@ -1,4 +1,4 @@
-// One sampling run on the GPU, from opening the device to verified marks and winners.
+// Does one sampling run on the GPU, from opening the device to verified marks and winners.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,14 +24,14 @@ std::shared_ptr<GlDevice> openTested(const GlSetup& setup, RunContext& run);
 /// Returns the seconds that the CPU is expected to take for sampling. The input has clusters.
 using CpuSeconds = std::function<double(const SamplerInput&)>;
 
-/// Runs the sampler on the GPU. If `cpuSeconds` is given, throws Error(DeviceUnavailable) if the
-/// device is expected, by a sample of this input, to take at least as long as the CPU.
-/// cpuSeconds() is called only if there is a device.
+/// Runs the sampler on the GPU. If `cpuSeconds` is given, short samples of this input are timed. If
+/// the device is then expected to take at least as long as the CPU, throws
+/// Error(DeviceUnavailable). cpuSeconds() is called only if there is a device.
 SampledSurface sampleOnGpu(const SamplerInput& input, const GlSetup& setup,
                            const CpuSeconds& cpuSeconds, const FindSigns& findSigns,
                            RunContext& run);
 
-/// Returns the settings from the environment variables in docs/gpu.md, else the system's defaults.
+/// Returns the settings from the environment variables in docs/gpu.md, and defaults for the others.
 /// Nothing else in this folder reads these variables.
 GlSetup currentSetup();
 /// Testing hook: currentSetup() returns `setup` from now on; null restores the normal behaviour.

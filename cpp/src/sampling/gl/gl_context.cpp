@@ -45,8 +45,8 @@ struct GlContext::Candidate {
   bool software;
 };
 
-/// Returns the devices that EGL lists, hardware first. If there are none, returns the surfaceless
-/// platform or else the default display.
+/// Returns the devices that EGL lists, hardware first. If EGL lists none, returns the surfaceless
+/// platform or, without it, the default display.
 std::vector<GlContext::Candidate> GlContext::candidates() const {
   const char* client = egl_.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   std::vector<Candidate> all;

@@ -25,15 +25,15 @@ struct Limits {
   int storageBlocks = 0;          ///< storage blocks of a compute shader
 };
 
-/// What to do: in all messages about a device that cannot be used, as the last part.
+/// Advice for the user: the last part of all messages about a device that cannot be used.
 inline constexpr const char* kDeviceAdvice = "; set the backend to cpu or auto";
 
-/// Throws Error(DeviceLost, "DeviceGarbage"): the device gave a wrong answer.
+/// Throws Error(DeviceLost, "DeviceGarbage"), which says that the device gave a wrong answer.
 [[noreturn]] void reportGarbage(const std::string& device, const std::string& what);
 
 class GlContext {
  public:
-  /// Throws Error(DeviceUnavailable) that names, for each device, the step that failed.
+  /// Throws Error(DeviceUnavailable) that says for each device which step failed.
   static std::unique_ptr<GlContext> open(std::shared_ptr<GlLoader> loader, const DeviceWish& wish);
   ~GlContext();
   GlContext(const GlContext&) = delete;
@@ -51,7 +51,7 @@ class GlContext {
  private:
   struct Candidate;
   GlContext() = default;
-  /// Both functions return why the candidate cannot be used, or an empty text if it can be used.
+  /// Both functions return an empty text, or the reason why the candidate cannot be used.
   std::string tryOpen(const Candidate& candidate, const DeviceWish& wish);
   std::string describe(const DeviceWish& wish);
   std::vector<Candidate> candidates() const;

@@ -14,14 +14,14 @@
 namespace swept::gl {
 namespace {
 
-/// Longest and shortest time of a dispatch, in seconds. The batch grows or shrinks to keep
-/// dispatches between them. The promised limit is 0.050 s, so a dispatch may take four times as
-/// long as the one before.
+/// Upper and lower limit (s) for the time of a dispatch. The batch is made smaller or larger to
+/// keep dispatches between them. The promised limit is 0.050 s, so a dispatch may take four times
+/// as long as the one before.
 constexpr double kMaxSeconds = 0.012, kMinSeconds = 0.004;
 // Limits of the batch, so that a single odd measurement cannot make it far too small or too large.
 constexpr std::uint64_t kMinBatch = 64, kMaxBatch = std::uint64_t{1} << 26;
-/// Elements of a group of the shader (kGroup), and the groups in a row of a dispatch. OpenGL
-/// guarantees 65,535 groups a row.
+/// Elements per work group of the shader (kGroup there), and groups per row of a dispatch. OpenGL
+/// guarantees that a row may have 65,535 groups.
 constexpr std::uint32_t kGroup = 64, kGroupsInRow = 32768;
 
 /// Locations of the uniforms in shaders/*.
@@ -138,7 +138,7 @@ void GlPasses::useBrick(const Brick& brick) {
   gl.Uniform1ui(kCulling, source_.culling);
 }
 
-/// Runs the current program on the elements [first, end) of the chunk, counted from its first one.
+/// Runs the current program on the elements [first, end) of the chunk, numbered from its first one.
 void GlPasses::run(const ElementChunk& chunk, std::uint64_t first, std::uint64_t end,
                    std::uint64_t epochFirst, const std::function<void()>& afterDispatch) {
   const GlApi& gl = context_.gl();
@@ -169,7 +169,7 @@ void GlPasses::run(const ElementChunk& chunk, std::uint64_t first, std::uint64_t
   }
 }
 
-/// Makes pass 1 ready for the brick, with no marks set.
+/// Prepares pass 1 for the brick: no edge is marked.
 void GlPasses::startMarks(const Brick& brick) {
   const GlApi& gl = context_.gl();
   gl.UseProgram(device_.mark.id());
@@ -178,11 +178,12 @@ void GlPasses::startMarks(const Brick& brick) {
   upload(kMarks, nullptr, bytes);
   const std::uint32_t zero = 0;
   gl.ClearNamedBufferData(buffers_[kMarks], GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-  context_.finish(settings_.fenceTimeoutSeconds);  // notices a lack of memory
+  context_.finish(settings_.fenceTimeoutSeconds);  // detects a lack of memory
 }
 
 double GlPasses::expectedSeconds(const Brick& brick, const std::function<void()>& afterDispatch) {
-  // A window must be long enough to keep the device busy; all together are 1/64 of the elements.
+  // A window must be long enough to keep the device busy. All windows together are 1/64 of the
+  // elements.
   constexpr std::uint64_t kWindows = 16, kFraction = 64, kMinWindow = std::uint64_t{1} << 17;
   startMarks(brick);
   const std::uint64_t total = source_.count();
@@ -197,7 +198,7 @@ double GlPasses::expectedSeconds(const Brick& brick, const std::function<void()>
     const std::uint64_t first = begin - chunks_[c].first;
     const std::uint64_t end = std::min(first + window, chunks_[c].count);
     uploadChunk(c);
-    // Drivers finish compiling at the first use, and the batch adapts: that is not timed.
+    // Drivers finish compiling at the first use, and the batch adapts, so a first run is not timed.
     if (n == 0) run(chunks_[c], first, end, chunks_[c].first, afterDispatch);
     const Timer timer;
     run(chunks_[c], first, end, chunks_[c].first, afterDispatch);

@@ -1,10 +1,11 @@
-// The two passes on the device, brick by brick: pass 1 marks the crossed lattice edges, pass 2
+// Runs the two passes on the device, brick by brick. Pass 1 marks the crossed lattice edges. Pass 2
 // finds for each contributing edge (with at least one end outside) the first and the last crossing
 // and their elements. Owns all buffers in the device's memory.
 //
 // Cost: O(elements) per pass and brick, plus crossings. A dispatch takes less than 50 ms, so that a
-// cancel is noticed and no watchdog of the driver ends it. Positions are doubles in cells of the
-// grid. The device snaps them to 2^-17 cell by the same operations as the CPU.
+// request to cancel is noticed soon and no watchdog of the driver ends the dispatch. Positions are
+// doubles in cells of the grid. The device snaps them to 2^-17 cell by the same operations as the
+// CPU.
 // Source: J. Brummer, bachelor's thesis, Mainz 2017, chapter 3 (there by rasterisation);
 // docs/gpu.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -22,20 +23,22 @@ namespace swept::gl {
 
 struct GlSettings {
   std::uint64_t budgetBytes = std::uint64_t{192} << 20;  ///< memory for marks, targets and chunks
-  std::uint64_t chunkBytes = 0;  ///< placements and steps of a chunk; 0: from the limits
+  /// Bytes of placements and steps per chunk; 0: derived from the limits.
+  std::uint64_t chunkBytes = 0;
   double fenceTimeoutSeconds = 10;
-  std::uint32_t firstBatch = 1024;  ///< elements in the first dispatch; later ones adapt
+  /// Elements in the first dispatch; later ones have more or fewer.
+  std::uint32_t firstBatch = 1024;
   bool adaptBatch = true;
   std::uint64_t epochElements = 0xfffffff0u;  ///< limit for 32-bit element numbers
 };
 
-/// An edge that contributes, for pass 2: its row in the marks of the brick, and its k in the brick.
+/// A contributing edge for pass 2: its row in the marks of the brick, and its k in the brick.
 struct Target {
   std::uint32_t row = 0, k = 0;
 };
 
-/// Result of pass 2 for a target. Element numbers count from the first element of the epoch (a run
-/// of chunks with few enough elements for 32-bit numbers).
+/// Result of pass 2 for a target. Element numbers are relative to the first element of the epoch
+/// (successive chunks with few enough elements for 32-bit numbers).
 struct EdgeWinner {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t lowFraction = kNone, highFraction = 0;  ///< in units of 1 / (2^23 - 1)
@@ -61,7 +64,7 @@ class GlPasses {
   /// Returns the seconds that pass 1 is expected to take on the brick, from a sample of the
   /// elements.
   double expectedSeconds(const Brick& brick, const std::function<void()>& afterDispatch);
-  /// Returns the chunks. An epoch may end between two of them.
+  /// Returns the chunks. Epochs end between chunks.
   const std::vector<ElementChunk>& chunks() const { return chunks_; }
   /// Returns the largest number of targets for one call of findWinners().
   std::size_t maxTargets() const { return maxTargets_; }

@@ -17,8 +17,8 @@ namespace {
                   "; the driver says: " + (log.empty() ? "(nothing)" : log) + kDeviceAdvice);
 }
 
-/// Returns the driver's log of a shader or a program. `getNumber` and `getLog`: the GL calls for
-/// its kind.
+/// Returns the driver's log of a shader or a program. `getNumber` and `getLog`: the matching GL
+/// functions.
 template <class GetNumber, class GetLog>
 std::string logOf(GetNumber getNumber, GetLog getLog, unsigned id) {
   GLint length = 0;

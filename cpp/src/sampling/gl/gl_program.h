@@ -25,7 +25,7 @@ class Program {
   unsigned id_ = 0;
 };
 
-/// A context with the programs of the sampler. Test it before a run relies on it.
+/// A context with the programs of the sampler. It must be tested before a run relies on it.
 struct GlDevice {
   std::unique_ptr<GlContext> context;
   Program mark, winner;

@@ -15,7 +15,7 @@
 namespace swept::gl {
 namespace {
 
-// After a second loss in one run, the device is not tried again; the CPU takes over.
+// How often the device is opened again after a loss. If it is lost once more, the sampler fails.
 constexpr int kReopenings = 1;
 constexpr float kFractionUnits = (1 << CrossingRecord::kFractionBits) - 1;
 
@@ -68,7 +68,7 @@ void finishLayer(LayerEdges& layer, int axis, std::vector<std::uint32_t>& column
   edges.shrink_to_fit();
 }
 
-/// True if all edges of layer i end inside the grid. The later steps rely on it.
+/// Returns whether all edges of layer i end inside the grid. Later steps rely on this.
 bool staysInGrid(const LayerEdges& layer, std::int32_t i, const GridPlan& grid) {
   const auto& n = grid.points;
   if (i + 1 >= n[0] && !layer.edges[0].empty()) return false;
@@ -83,7 +83,7 @@ bool staysInGrid(const LayerEdges& layer, std::int32_t i, const GridPlan& grid) 
 }
 
 /// Returns the first element number of each epoch, and the end. Element numbers on the device have
-/// 32 bits, so an epoch is a run of whole chunks with at most `maxElements` elements.
+/// 32 bits, so an epoch consists of successive whole chunks with at most `maxElements` elements.
 std::vector<std::uint64_t> epochsOf(const std::vector<ElementChunk>& chunks, std::uint64_t count,
                                     std::uint64_t maxElements) {
   std::vector<std::uint64_t> epochs{0};
@@ -95,13 +95,12 @@ std::vector<std::uint64_t> epochsOf(const std::vector<ElementChunk>& chunks, std
   return epochs;
 }
 
-/// The first and last crossing of an edge in the epochs so far.
+/// The first and last crossing of an edge in all epochs so far.
 struct BestCrossings {
   std::uint32_t low = 0xffffffffu, high = 0;
   std::uint64_t lowElement = ~std::uint64_t{0}, highElement = ~std::uint64_t{0};
 
-  /// Merges the winners of an epoch into the best crossings. `epoch` is the number of its first
-  /// element.
+  /// Merges the winners of an epoch into the best crossings. `epoch`: number of its first element.
   void add(const EdgeWinner& w, std::uint64_t epoch) {
     if (w.lowElement != EdgeWinner::kNone && w.lowFraction < low) {
       low = w.lowFraction;
@@ -151,10 +150,10 @@ auto GlSampler::withDevice(const Work& work) {
 }
 
 double GlSampler::expectedSeconds(RunContext& run) {
-  // Pass 2 goes over all elements twice.
+  // Pass 2 goes over all elements twice, so both passes together make three rounds.
   constexpr double kRounds = 3;
-  // Transfers, and the work of the CPU on the marks: 0.68 s for 190 MB of marks with an H200 and 16
-  // cores (bunny_keys16 at 1024 cells).
+  // Seconds per byte of marks, for transfers and for the work of the CPU. Measured: 0.68 s for 190
+  // MB with an H200 and 16 cores (bunny_keys16 at 1024 cells).
   constexpr double kSecondsPerByte = 3.6e-9;
   const auto afterDispatch = [&] { run.checkpoint(Phase::Sampling); };
   const double pass = passes_->expectedSeconds(bricks_[bricks_.size() / 2], afterDispatch);
@@ -264,8 +263,8 @@ void GlSampler::resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& 
                 "the envelope has " + std::to_string(winners_.size()) +
                     " grid crossings, but the limit is 4294967280; use a larger cell");
   }
-  // So far the edges refer to winners_, in order of discovery. Now each element is stored only
-  // once, in the order of the numbers, and the edges get their indices.
+  // So far the edges refer to winners_, in order of discovery. Now each element is stored once, in
+  // the order of the element numbers, and the edges get the indices of their elements.
   std::vector<std::uint64_t> used(winners_);
   tbb::parallel_sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());

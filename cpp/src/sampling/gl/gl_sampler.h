@@ -1,4 +1,4 @@
-// Sampling on the GPU: two passes (gl_passes.h). The CPU computes the signs in between.
+// Samples on the GPU in two passes (gl_passes.h). The CPU computes the signs in between.
 // In: body, motion, grid. Out: the marked edges of sampleCpu(), bit for bit. Elements and fractions
 // are set for contributing edges only.
 // Cost: time O(elements x bricks + crossings), device memory within a budget.
@@ -22,8 +22,8 @@ class GlSampler {
   GlSampler(const SamplerInput& input, OpenDevice open, const GlSettings& settings);
   ~GlSampler();
 
-  /// Returns the seconds that both passes are expected to take, from a sample of the elements that
-  /// takes about 1/200 of this time.
+  /// Returns the seconds that both passes are expected to take. It is estimated from a sample of
+  /// the elements, which takes about 1/200 of this time.
   double expectedSeconds(RunContext& run);
   /// Pass 1. After a first loss of the device, repeats the brick on a new context; after a second
   /// loss throws Error(DeviceLost).

@@ -34,8 +34,8 @@ std::string edgeName(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
   return textOf(6, "lattice edge (", i, ", ", j, ", ", k, ") along ") + "xyz"[axis];
 }
 
-/// A test case: an octahedron that turns and moves. It has faces, side patches, ties with the
-/// lattice, and two bricks.
+/// A test case: an octahedron that turns and moves. Its sweep has faces and side patches, vertices
+/// and edges exactly on lattice lines, and two bricks.
 struct KnownField {
   TriMesh body;
   Motion motion;
@@ -96,8 +96,8 @@ std::vector<KnownEdge> contributingEdges(const MarkedEdges& marked, const GridPl
   return edges;
 }
 
-/// Without culling, the marks must be the known ones. With culling, the device may keep more
-/// elements than the CPU; the edges that contribute must be the same.
+/// Compares with the CPU. Without culling, all marks must be equal. With culling, the device may
+/// keep more elements than the CPU, but the contributing edges must be equal.
 void testKnownField(const std::shared_ptr<GlDevice>& device, bool cull, double fenceTimeoutSeconds,
                     RunContext& run) {
   const KnownField field;
@@ -165,7 +165,7 @@ void verifyMarks(const SamplerInput& input, const MarkedEdges& marked, const std
     const auto k = static_cast<std::uint32_t>(random.below(placements));
     elements.clear();
     if (input.motion.continuous) {
-      // What the CPU keeps, the device must keep, too.
+      // The device must keep everything that the CPU keeps.
       kept.goTo(k);
       kept.forFaces(all, [&](std::uint32_t f) { elements.push_back({f, k}); });
       if (k < input.motion.steps()) {
@@ -204,7 +204,8 @@ void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const Sig
       high[axis] = std::max(high[axis], g);
     }
   }
-  // Changes of the winding number at the lattice points of the chosen lines, in ascending order.
+  // For 64 random lines: how the winding number changes at their lattice points, ordered by
+  // position along the line.
   using Line = std::pair<std::int32_t, std::int32_t>;
   std::map<Line, std::map<std::int32_t, int>> lines;
   for (int n = 0; n < 64; ++n) {
@@ -249,7 +250,7 @@ void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const S
   std::vector<std::int32_t> layers;
   std::uint64_t total = 0;
   for (std::uint64_t n = 0; n < std::min(kLayers, all); ++n) {
-    // One layer in each of the equal parts of the grid.
+    // The layers are cut into equal ranges, and one layer is chosen from each.
     const std::uint64_t begin = n * all / std::min(kLayers, all),
                         end = (n + 1) * all / std::min(kLayers, all);
     layers.push_back(static_cast<std::int32_t>(begin + random.below(end - begin)));

@@ -1,8 +1,8 @@
-// Tests whether the device computes correctly: a known case at the start, random parts of every
-// run.
+// Tests whether the device computes correctly: with a known case at the start, and with random
+// parts of every run.
 //
 // All checks compare with the exact predicates of the CPU, without any tolerance. They throw
-// Error(DeviceLost, "DeviceGarbage") with the device, the expected value and the place.
+// Error(DeviceLost, "DeviceGarbage") with the device, the expected value and the position.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -27,8 +27,8 @@ void verifyMarks(const SamplerInput& input, const MarkedEdges& marked, const std
 void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
                  const std::string& device);
 
-/// Checks that the winners of about `samples` contributing edges, in at most 16 random layers,
-/// cross them at the given fractions.
+/// Chooses about `samples` contributing edges in at most 16 random layers. Checks that their
+/// winners cross them at the given fractions.
 void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
                    const std::string& device, int samples);
 

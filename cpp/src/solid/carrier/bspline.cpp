@@ -27,7 +27,7 @@ void insertKnot(std::vector<double>& flat, Eigen::MatrixXd& poles, int degree, d
   poles = std::move(more);
 }
 
-// Returns the largest length of the vectors in a row; each three columns are one vector.
+// Returns the length of the longest vector in a row. Each three columns are one vector.
 double largestError(const Eigen::RowVectorXd& difference) {
   double largest = 0;
   for (Eigen::Index i = 0; i + 2 < difference.cols(); i += 3)
@@ -49,7 +49,7 @@ Knots::Basis Knots::basis(double t) const {
   const int p = degree_;
   const auto inner = flat_.begin() + p + 1, last = flat_.end() - p - 1;
   const auto span = static_cast<std::size_t>(std::upper_bound(inner, last, t) - flat_.begin()) - 1;
-  // The triangle of basis functions; its lower half has the knot differences.
+  // Basis functions in the upper triangle, knot differences in the lower one.
   std::array<std::array<double, kMaxDegree + 1>, kMaxDegree + 1> ndu{};
   std::array<double, kMaxDegree + 1> left{}, right{};
   ndu[0][0] = 1;
@@ -69,7 +69,7 @@ Knots::Basis Knots::basis(double t) const {
   result.first = span - p;
   for (int r = 0; r <= p; ++r) {
     result.value[0][r] = ndu[r][p];
-    // Differences of lower basis functions, once and twice.
+    // First and second differences of basis functions of lower degree.
     const auto lower = [&](int order, int i) {
       return i < 0 || i > p - order ? 0.0 : ndu[i][p - order];
     };
@@ -134,9 +134,9 @@ Knots finer(const Knots& knots, const std::vector<int>& pieces) {
 std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, double bound,
                               std::size_t mostSpans) {
   Knots knots(degree, {range.from, range.to});
-  // The errors of a span are largest near the middle between two sites.
+  // The errors of a span are largest near the middles between successive sites.
   constexpr std::array<double, 6> kBetween{0.06, 0.23, 0.41, 0.59, 0.77, 0.94};
-  /// All spans are cut alike if each needs at least this share of the largest number of pieces.
+  /// All spans are cut alike if each needs at least this fraction of the largest number of pieces.
   constexpr double kEven = 0.4;
   while (knots.breaks().size() <= mostSpans + 1) {
     const std::vector<double> sites = knots.sites();
@@ -148,8 +148,8 @@ std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, do
       values.row(static_cast<Eigen::Index>(i)) = row;
     }
     const Eigen::MatrixXd poles = Interpolator(knots).poles(values);
-    // Number of pieces that each span needs. The error is proportional to the span length to the
-    // power degree + 1.
+    // Number of pieces that each span needs. The error of a span is proportional to its length to
+    // the power degree + 1.
     std::vector<double> wanted;
     for (std::size_t i = 0; i + 1 < knots.breaks().size(); ++i) {
       const Range span{knots.breaks()[i], knots.breaks()[i + 1]};
@@ -165,7 +165,7 @@ std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, do
     if (*most <= 1) return knots;
     if (*least >= kEven * *most) {
       // Uses equal spans. An estimate from fewer than three spans is too high, so only 80 % of it
-      // is taken.
+      // is used.
       const double share = wanted.size() < 3 ? 0.8 : 1;
       const auto count = static_cast<double>(wanted.size());
       const double next = std::max(count + 1, std::ceil(share * *most * count));

@@ -1,8 +1,8 @@
 // B-splines: knots, basis functions, and interpolation between exact values.
-// In:      distinct knots ("breaks"); the ends have multiplicity degree + 1, inner ones `joints`.
+// In:      distinct knots ("breaks"). The ends have multiplicity degree + 1, inner ones `joints`.
 // Cost:    O(degree^2) per evaluation, O(poles^3) once to interpolate (few poles).
-// Source:  Piegl and Tiller, "The NURBS Book" (A2.2, A2.3, A5.1); sites of interpolation by
-//          Greville 1969, for which the equations are well-conditioned up to degree 5 and beyond.
+// Source:  Piegl and Tiller, "The NURBS Book" (A2.2, A2.3, A5.1). The sites of interpolation are
+// those of Greville 1969, for which the equations are well-conditioned at least up to degree 5.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -26,7 +26,7 @@ struct Range {
 class Knots {
  public:
   static constexpr int kMaxDegree = 5;
-  /// The basis functions that are not zero at one parameter, with two derivatives: [order][i]
+  /// The basis functions that are not zero at one parameter, and two derivatives. value[order][i]
   /// belongs to pole first + i.
   struct Basis {
     std::size_t first = 0;
@@ -45,7 +45,7 @@ class Knots {
   Basis basis(double t) const;
   /// Returns one parameter for each pole, including both ends.
   std::vector<double> sites() const;
-  /// Returns the knots; each occurs as often as its multiplicity says.
+  /// Returns all knots, each as often as its multiplicity.
   const std::vector<double>& flat() const { return flat_; }
 
  private:
@@ -53,7 +53,7 @@ class Knots {
   std::vector<double> breaks_{0, 1}, flat_{0, 0, 1, 1};
 };
 
-/// Finds poles, one in each row, from values at the sites of the knots, one in each row.
+/// Finds poles (one per row) from values at the sites of the knots (one per row).
 class Interpolator {
  public:
   explicit Interpolator(const Knots& knots);
@@ -63,23 +63,23 @@ class Interpolator {
   Eigen::PartialPivLU<Eigen::MatrixXd> solver_;
 };
 
-/// Returns the value (derivative 0, 1 or 2) of a spline with these poles, one in each row.
+/// Returns the value, or a derivative (1 or 2), of a spline with these poles, one per row.
 Eigen::RowVectorXd valueOf(const Knots& knots, const Eigen::MatrixXd& poles, double t,
                            int derivative = 0);
 
-/// Several exact curves at once: the value at one parameter is one row.
+/// Several exact curves at once. The values at one parameter form one row.
 using ExactRow = std::function<Eigen::RowVectorXd(double)>;
 
-/// Returns knots with which the interpolating spline is within `bound` of the exact values; each
-/// three columns are a point. Cuts only spans that are too inaccurate, so knots are dense only
-/// where necessary. Returns nothing if `mostSpans` do not suffice or a value is not finite.
+/// Returns knots with which the interpolating spline is within `bound` of the exact values. Each
+/// three columns of a row are a point. Cuts only spans that are too inaccurate, so knots are dense
+/// only where necessary. Returns nothing if `mostSpans` do not suffice or a value is not finite.
 std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, double bound,
                               std::size_t mostSpans);
 
 /// Cuts spans into equal pieces: pieces[i] for span i.
 Knots finer(const Knots& knots, const std::vector<int>& pieces);
 
-/// Returns the poles of the same spline between two parameters, on `part`, which gets its knots.
+/// Returns the poles of the same spline between two parameters. `part` receives their knots.
 Eigen::MatrixXd partOf(const Knots& knots, const Eigen::MatrixXd& poles, Range range, Knots& part);
 
 }  // namespace swept::step

@@ -1,5 +1,5 @@
-// Carrier: the unbounded surface on which a face lies. Elementary surfaces, extrusions, revolutions
-// and free-form sheets, with signed distance and outward normal.
+// Carrier: the unbounded surface on which a face lies. Carriers are elementary surfaces,
+// extrusions, revolutions and free-form sheets. They have a signed distance and an outward normal.
 // Units:   mm, rad. The distance is exact (not algebraic) and positive on the side of `normal`.
 // Cost:    O(1) per query; a sheet takes O(samples).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -36,7 +36,7 @@ struct Carrier {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   /// Direction in which angles start. Zero: anyOrthogonal(axis) replaces it.
   Eigen::Vector3d xdir = Eigen::Vector3d::Zero();
-  double radius = 0;     ///< cylinder, sphere; cone: at `point`; torus: of the centre circle
+  double radius = 0;     ///< cylinder, sphere; cone: at `point`; torus: of its centre circle
   double minor = 0;      ///< torus: radius of the tube
   double tubeMid = 0;    ///< torus: tube angle in the middle of the face
   double halfAngle = 0;  ///< cone: between axis and generator line; the radius grows along the axis
@@ -44,14 +44,14 @@ struct Carrier {
   /// True if the material lies outside (a bore). The outward normal then points towards the axis or
   /// centre; on a sheet, against S_u x S_t.
   bool reversed = false;
-  /// The curve that generates the surface; outward is to its right. The profile of an extrusion
-  /// lies in the plane perpendicular to the axis, with coordinates along xdir and axis x xdir from
-  /// `point`. The profile of a revolution lies in the half plane of xdir. Its coordinates are the
-  /// distance from the axis and the position along the axis.
+  /// The curve that generates the surface; outward is to the right of it. The profile of an
+  /// extrusion lies in the plane through `point` perpendicular to the axis. Its coordinates are
+  /// along xdir and axis x xdir. The profile of a revolution lies in the half plane of xdir. Its
+  /// coordinates are the distance from the axis and the position along the axis.
   std::shared_ptr<const Profile> profile;
-  /// Curves and points of the surface where other surfaces meet it (traces.h). Null: none is known.
+  /// Known curves and points of the surface where other surfaces meet it (traces.h). Null: none.
   std::shared_ptr<const Traces> traces;
-  /// The free-form surface itself. The fields above do not apply to it.
+  /// The free-form surface. The fields above do not apply to it.
   std::shared_ptr<const Sheet> sheet;
 
   bool isPlanar() const { return kind == CarrierKind::Facet || kind == CarrierKind::Plane; }

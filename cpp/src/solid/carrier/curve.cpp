@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Cosine of 11 degrees. If two surfaces are nearer to parallel, their normals do not determine the
-// point across the line of contact.
+// position of the point across the line of contact.
 constexpr double kTouchingCosine = 0.98;
 
 double lengthScale(const Carrier& s) {
@@ -46,8 +46,8 @@ Eigen::VectorXd equations(const Vector3d& p, const std::vector<const Carrier*>& 
   for (std::size_t k = 0; k < touching.size(); ++k) {
     const Carrier& a = *surfaces[touching[k].first];
     const Carrier& b = *surfaces[touching[k].second];
-    // These rows have less weight than the distances, since they only decide the direction that the
-    // distances leave open.
+    // These rows have less weight than the distances, because they only determine the direction
+    // that the distances leave open.
     const double scale = 0.1 * std::min(lengthScale(a), lengthScale(b));
     value.segment<3>(surfaces.size() + 3 * k) = scale * (a.normal(p) - b.normal(p));
   }
@@ -64,7 +64,7 @@ std::optional<Curve> circleThrough(const std::vector<Vector3d>& points, bool clo
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Vector3d normal = solver.eigenvectors().col(0).normalized();
   const Vector3d x = anyOrthogonal(normal), y = normal.cross(x);
-  // The circle as a linear equation: x^2 + y^2 = 2 a x + 2 b y + c.
+  // The circle as an equation linear in a, b, c: x^2 + y^2 = 2 a x + 2 b y + c.
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   Vector3d right = Vector3d::Zero();
   const double scale = std::sqrt(solver.eigenvalues().sum() / static_cast<double>(points.size()));
@@ -125,7 +125,7 @@ Curve splineAlong(const std::vector<Vector3d>& points, const std::vector<Vector3
 
 namespace {
 
-// Drops points that fold back or are too close to the previous one. Both ends stay.
+// Drops points that turn back or are too close to the previous one. Both ends stay.
 std::vector<Vector3d> inOrder(const std::vector<Vector3d>& points) {
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
@@ -186,8 +186,8 @@ Vector3d Curve::at(double t) const {
   }
   std::size_t i = 0;
   while (i + 2 < knots.size() && knots[i + 1] < t) ++i;
-  // Bezier points of span i. An inner joint lies between its two neighbouring poles, in the ratio
-  // of the knot spacings.
+  // Bezier points of span i. The curve point at an inner knot lies between the two poles next to
+  // it, in the ratio of the knot spacings.
   auto joint = [&](std::size_t k) -> Vector3d {
     if (k == 0) return poles.front();
     if (k + 1 == knots.size()) return poles.back();
@@ -302,7 +302,7 @@ void keepBends(const std::vector<Vector3d>& points,
 }
 
 Curve curveAlong(const std::vector<Vector3d>& points, bool closed, double tolerance) {
-  // A spline rounds the corners of the polyline.
+  // A spline would round the corners of the polyline, so corners beyond the tolerance are kept.
   std::vector<char> kept(points.size(), 0);
   kept.front() = kept.back() = 1;
   std::vector<std::pair<std::size_t, std::size_t>> spans{{0, points.size() - 1}};

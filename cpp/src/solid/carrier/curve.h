@@ -1,7 +1,8 @@
-// Curves of edges, and points where carrier surfaces intersect.
+// Finds curves for edges, and points where carrier surfaces intersect.
 // In:      points in order, or carriers.
 // Out:     the simplest curve within a tolerance.
-// Units:   mm, rad. Parameters: Line 0..length, Circle 0..sweep, Spline 0..last.
+// Units:   mm, rad. Ranges of parameters: Line 0 to length, Circle 0 to its angle, Spline 0 to
+// `last`.
 // Cost:    O(points).
 // Source:  circles by linear least squares (Kasa 1976); cubic B-splines (Piegl and Tiller, "The
 //          NURBS Book"); polylines (Douglas and Peucker 1973).
@@ -27,8 +28,8 @@ struct Curve {
   Eigen::Vector3d xdir = Eigen::Vector3d::UnitX();  ///< circle: direction of its first point
   double radius = 0;
   double last = 0;  ///< end parameter; the first parameter is 0
-  /// Spline: a B-spline. Cubics with C1 joints unless `degree` and `joints` say otherwise; they
-  /// have 2 n + 2 poles for n + 1 knots.
+  /// Spline: a B-spline. By default it consists of cubics that meet with equal derivatives (C1); n
+  /// + 1 knots then have 2 n + 2 poles.
   std::vector<Eigen::Vector3d> poles;
   std::vector<double> knots;   ///< distinct knots; the ends have multiplicity degree + 1
   int degree = 3, joints = 2;  ///< `joints`: multiplicity of inner knots
@@ -41,7 +42,7 @@ Curve partOf(const Curve& curve, double from, double to);
 
 Curve lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// Returns the arc or circle that passes through the ordered points within eps, if there is one.
+/// Returns the arc or circle within eps of the ordered points, if there is one.
 std::optional<Curve> circleThrough(const std::vector<Eigen::Vector3d>& points, bool closed,
                                    double eps);
 
@@ -52,14 +53,13 @@ Curve splineAlong(const std::vector<Eigen::Vector3d>& points,
 /// Returns the profile of an extrusion or a revolution as a curve in space.
 Curve profileOf(const Carrier& surface);
 
-/// Returns the simplest of line, circle and spline that passes through the ordered points within
-/// eps. `surfaces`: empty, or two that intersect along the curve; their normals then give the
-/// tangents of a spline.
+/// Returns the simplest of line, circle and spline within eps of the ordered points. `surfaces`:
+/// empty, or two that intersect along the curve; their normals then give the tangents of a spline.
 Curve curveThrough(std::vector<Eigen::Vector3d> points, bool closed, double eps,
                    const std::vector<const Carrier*>& surfaces);
 
 /// Returns the point strictly between `from` and `to` that is farthest from the segment between
-/// these two. `distance` is -1 if no point lies between.
+/// these two. `distance` is -1 if there is no point between them.
 std::size_t farthestPoint(const std::vector<Eigen::Vector3d>& points, std::size_t from,
                           std::size_t to, double& distance);
 
@@ -69,11 +69,13 @@ void keepBends(const std::vector<Eigen::Vector3d>& points,
                std::vector<std::pair<std::size_t, std::size_t>> spans, double tolerance,
                std::vector<char>& kept);
 
-/// Returns a line or spline along a jagged polyline, smoothed within the tolerance. The ends stay.
+/// Returns a line or spline along a jagged polyline, smoothed within the tolerance. The ends stay
+/// where they are.
 Curve curveAlong(const std::vector<Eigen::Vector3d>& points, bool closed, double tolerance);
 
-/// Returns the point near `from` on all surfaces, as far as they determine it. If two surfaces
-/// touch, returns the point where their normals agree.
+/// Returns the point near `from` that lies on all surfaces. In directions that they do not
+/// determine, it stays near `from`. If two surfaces touch, returns the point where their normals
+/// agree.
 Eigen::Vector3d meetingPoint(const Eigen::Vector3d& from,
                              const std::vector<const Carrier*>& surfaces);
 

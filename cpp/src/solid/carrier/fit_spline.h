@@ -1,5 +1,5 @@
-// A spline that interpolates an exact curve, refined until it is within a bound between the points
-// of interpolation.
+// Fits a spline that interpolates an exact curve. It is refined until it is within a bound between
+// the points of interpolation.
 // Units:   mm.
 // Cost:    about ten exact evaluations per pole.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -13,16 +13,16 @@
 
 namespace swept::step {
 
-/// Degree of curves and of sheets in curved directions. Rotations are so smooth that degree 5 needs
-/// a third of the poles of degree 3.
+/// Degree of curves, and of sheets in curved directions. Rotations are so smooth that degree 5
+/// needs a third of the poles of degree 3.
 constexpr int kSmoothDegree = 5;
 constexpr std::size_t kMostSpans = 64;
 
 /// Returns a point of the exact curve; its coordinates are not finite where the curve is undefined.
 using ExactCurve = std::function<Eigen::Vector3d(double)>;
 
-/// Returns the curve through exact(v), v in `range`; its parameter starts at 0. Returns nothing if
-/// the bound is not reached with kMostSpans spans, or if a value is not finite.
+/// Returns the curve through exact(v) for v in `range`. Its parameter starts at 0. Returns nothing
+/// if the bound is not reached with kMostSpans spans, or if a value is not finite.
 std::optional<Curve> fitSpline(const ExactCurve& exact, Range range, double bound);
 
 }  // namespace swept::step

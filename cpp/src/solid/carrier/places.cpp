@@ -17,7 +17,7 @@ double largestOff(const Vector3d& p, const std::vector<const Carrier*>& surfaces
   return largest;
 }
 
-// Returns the point of the curve near parameter t that lies on the surface.
+// Returns the parameter, near t, of the curve point on the surface.
 std::optional<double> meet(const Curve& curve, const Carrier& surface, double t, double reach) {
   const bool closed = isClosed(curve);
   const auto inRange = [&](double s) {

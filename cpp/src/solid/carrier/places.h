@@ -1,11 +1,11 @@
-// Exact places of vertices and edges of a solid, from curves and points that are known to lie on
-// the carriers (carrier/traces.h).
-// In:      the carriers that meet; points of the mesh near the place.
-// Out:     the place on all carriers, within kOnCarrier. Nothing if no trace fits.
+// Finds exact positions of vertices and edges of a solid, from curves and points that are known to
+// lie on the carriers (carrier/traces.h).
+// In:      the carriers that meet; points of the mesh near the wanted position.
+// Out:     the position, within kOnCarrier of all carriers. Nothing if no trace fits.
 // Units:   mm.
 // Cost:    O(traces).
-// Note:    Newton's method fails where carriers touch, as a cylinder touches the plane that it
-//          sweeps. Traces are exact there.
+// Note:    Newton's method fails where carriers touch, for example where a cylinder touches the
+// plane that it sweeps. Traces are exact there.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,13 +16,13 @@
 
 namespace swept::step {
 
-/// Returns the point on all surfaces that a trace gives, within `reach` of `from`.
+/// Returns a point on all surfaces that a trace gives, within `reach` of `from`.
 std::optional<Eigen::Vector3d> knownPlace(const Eigen::Vector3d& from,
                                           const std::vector<const Carrier*>& surfaces,
                                           double reach);
 
-/// Returns the trace that lies on both surfaces, between the first and the last of these points. It
-/// lies within `gap` (mm) of both surfaces.
+/// Returns the piece of a trace that lies on both surfaces, between the first and the last of these
+/// points. It lies within `gap` (mm) of both surfaces, and within `strays` (mm) of the points.
 std::optional<Curve> knownCurve(const std::vector<Eigen::Vector3d>& along, const Carrier& a,
                                 const Carrier& b, double gap, double strays);
 

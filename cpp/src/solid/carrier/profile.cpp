@@ -21,7 +21,7 @@ Profile::Profile(std::vector<Node> nodes, bool closed, double beyond)
   first_ = nodes_.front().knot;
   last_ = nodes_.back().knot;
   if (beyond_ > 0) {
-    // The end pieces are straight and evenly parametrised, so the slope stays the same.
+    // The end pieces are straight and have the same derivative everywhere.
     for (const double direction : {-1.0, 1.0}) {
       Node end = direction < 0 ? nodes_.front() : nodes_.back();
       end.knot += direction * beyond_ / end.slope.norm();
@@ -87,8 +87,8 @@ void Profile::sample() {
   cellStart_.push_back(static_cast<std::int32_t>(cellSegments_.size()));
 }
 
-// Adds the segment to each grid cell within one cell of it. A segment that a cell does not list is
-// farther away than one cell.
+// Adds the segment to each grid cell within one cell of it. So a segment that a cell does not list
+// is farther away than one cell.
 void Profile::addToCells(std::int32_t segment,
                          std::vector<std::vector<std::int32_t>>& cells) const {
   const Vector2d &a = samples_[segment], &b = samples_[segment + 1];
@@ -101,8 +101,8 @@ void Profile::addToCells(std::int32_t segment,
   }
 }
 
-// Returns the parameter of the segment's nearest point if its squared distance is below `smallest`;
-// otherwise -1e300.
+// Returns the parameter of the segment point nearest to q if its squared distance is below
+// `smallest`; otherwise -1e300.
 double Profile::bestOn(std::int32_t segment, const Vector2d& q, double& smallest) const {
   const Vector2d &a = samples_[segment], ab = samples_[segment + 1] - a;
   const double w = std::clamp((q - a).dot(ab) / std::max(1e-300, ab.squaredNorm()), 0.0, 1.0);

@@ -1,11 +1,11 @@
 // A smooth plane curve that generates a surface: moved along a direction (extrusion) or rotated
 // about an axis (revolution).
-// In:      nodes in order, with slopes. Cubics with common slopes join them.
+// In:      nodes in order, with slopes. Cubics with these slopes join them.
 // Out:     signed distance (positive to the right of the direction of travel), normal, foot point.
 // Units:   mm. The parameter is approximately the arc length.
 // Cost:    constant per query near the curve.
-// Note:    An open profile continues straight beyond its ends, so that the borders of faces have
-//          room.
+// Note:    An open profile continues straight beyond its ends, so that the borders of faces do not
+// lie at the end of the surface.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -34,8 +34,8 @@ class Profile {
   double distance(const Eigen::Vector2d& q) const;
   /// Returns the unit normal to the right.
   Eigen::Vector2d normal(const Eigen::Vector2d& q) const;
-  /// Whether the foot point lies between the first and the last given node, not on a straight end
-  /// piece.
+  /// Returns whether the foot point lies between the first and the last given node, not on a
+  /// straight end piece.
   bool covers(const Eigen::Vector2d& q) const;
 
   Eigen::Vector2d at(double t) const;
@@ -49,7 +49,7 @@ class Profile {
   /// Returns the profile shifted to the right by a distance that is small compared with its radii
   /// of curvature.
   Profile offset(double right) const;
-  /// Returns the part of a closed profile from parameter `from`, past its end, to parameter `to`.
+  /// Returns the part of a closed profile from parameter `from`, through its closing node, to `to`.
   Profile opened(double from, double to) const;
 
  private:

@@ -17,8 +17,8 @@ using Eigen::Vector3d;
 constexpr double kLeastSine = 0.003;
 constexpr std::size_t kFewestPieces = 4, kMostPieces = 64;
 
-// Returns the point on both carriers near q. Each step of the iteration is the shortest to first
-// order. Returns nothing if the point moves farther than `strays`.
+// Returns the point on both carriers near q. Each step of the iteration is, to first order, the
+// shortest possible. Returns nothing if the point moves farther than `strays` (mm).
 std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const Carrier& b,
                                     double strays) {
   Vector3d p = q;
@@ -31,7 +31,8 @@ std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const C
     p -= ((da - c * db) * na + (db - c * da) * nb) / sine2;
     if (!((p - q).norm() <= strays)) return std::nullopt;
   }
-  // Far from the origin, rounding exceeds the target of the iteration.
+  // Far from the origin, rounding exceeds the target of the iteration. Then a larger distance is
+  // accepted.
   const bool isOn = std::max(std::abs(a.distance(p)), std::abs(b.distance(p))) < 0.1 * kOnCarrier;
   return isOn ? std::optional<Vector3d>(p) : std::nullopt;
 }
@@ -58,9 +59,9 @@ bool isOnBoth(const Curve& curve, const Carrier& a, const Carrier& b) {
 }
 
 // Returns the direction of the intersection at a point where the carriers touch and two branches of
-// the intersection cross. There, to second order, the distance between the carriers is a quadratic
-// form of the direction, and it is zero along the branches. Returns nothing if no branch is near
-// the given direction `way`.
+// the intersection cross. To second order, the distance between the carriers there is a quadratic
+// form of the direction. It is zero along the branches. Returns nothing if no branch is near the
+// direction `way`.
 std::optional<Vector3d> branchTangent(const Vector3d& p, const Vector3d& way, double step,
                                       const Carrier& a, const Carrier& b) {
   const Vector3d normal = a.normal(p), x = (way - way.dot(normal) * normal).normalized();
@@ -91,8 +92,8 @@ std::optional<Vector3d> branchTangent(const Vector3d& p, const Vector3d& way, do
   return best ? std::optional<Vector3d>(direction(*best)) : std::nullopt;
 }
 
-// Returns unit tangents of the intersection, in the order of the points; nothing if the points turn
-// back.
+// Returns unit tangents of the intersection, in the order of the points. Returns nothing if the
+// points turn back.
 std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& points, bool closed,
                                                 const Carrier& a, const Carrier& b) {
   std::vector<Vector3d> tangents;
@@ -119,7 +120,8 @@ std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& poi
 // profile and is computed span by span.
 std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrier& extrusion,
                                 const Carrier& plane) {
-  constexpr double kLeastCosine = 0.05;  // the plane is at least 3 degrees off the direction
+  // The angle between plane and direction is at least 3 degrees.
+  constexpr double kLeastCosine = 0.05;
   const double slope = extrusion.axis.dot(plane.axis);
   const Profile& profile = *extrusion.profile;
   if (std::abs(slope) < kLeastCosine || profile.isClosed()) return std::nullopt;
@@ -178,9 +180,9 @@ Vector3d pointInSlice(Vector3d p, const Carrier& a, const Carrier& b, const Vect
   return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-// Returns the intersection as an interpolated spline of few poles. Each of its points is found in a
-// plane across the line from the first to the last point, so the curve must not turn away from this
-// line. Returns nothing if it does.
+// Returns the intersection as an interpolated spline with few poles. Each of its points is found in
+// a plane perpendicular to the line from the first to the last point. Returns nothing if the curve
+// turns away from this line.
 std::optional<Curve> slicedCurve(const std::vector<Vector3d>& points,
                                  const std::vector<Vector3d>& tangents, const Carrier& a,
                                  const Carrier& b) {

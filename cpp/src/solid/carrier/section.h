@@ -1,15 +1,15 @@
 // Computes the curve in which two carriers intersect, so exactly that a CAD kernel sees no gap.
 // In:      points along the curve in order. The first and the last one lie on both carriers.
 // Out:     a line, circle or spline with all points within kOnCarrier of both carriers. Nothing if
-//          the carriers are nearly parallel (less than 0.6 degrees) somewhere along it, or if the
-//          curve strays from the points.
+//        the carriers are nearly parallel (less than 0.6 degrees) somewhere along it, or if the
+//        curve leaves the points by more than `strays`.
 // Units:   mm.
 // Method:  Newton's method on both distances at evenly spaced points, joined by cubics whose
 //          tangents follow from the normals. The number of points doubles until each span is
-//          accurate. With a sheet, a spline of degree 5 is interpolated instead, which needs far
-//          fewer poles, unless the curve turns away from the line between its ends.
+//          accurate. With a sheet, a spline of degree 5 is interpolated instead, unless the curve
+//          turns away from the line between its ends. Such a spline needs far fewer poles.
 // Cost:    O(points).
-// Source:  marching over intersections with exact tangents (Patrikalakis and Maekawa 2002, ch. 5).
+// Source:  following the intersection with exact tangents (Patrikalakis and Maekawa 2002, ch. 5).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -26,7 +26,7 @@ constexpr double kOnCarrier = 5e-8;
 /// Returns the largest distance of sampled points of the curve from the carrier.
 double largestGap(const Curve& curve, const Carrier& carrier);
 
-/// Returns the curve. `strays`: mm, how far the curve may lie from the polyline.
+/// Returns the curve. `strays`: mm, how far the curve may deviate from the polyline.
 std::optional<Curve> sectionCurve(std::vector<Eigen::Vector3d> along, bool closed, const Carrier& a,
                                   const Carrier& b, double strays);
 

@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Share of the range by which the surface is continued beyond its borders.
+// Fraction of the range by which the surface is continued beyond its borders.
 constexpr double kBeyond = 0.05;
-/// Number of samples along the longer direction. Along the other one, samples are about as far
-/// apart, but there are at least a few.
+/// Number of samples along the longer direction. Along the other direction, samples have about the
+/// same spacing, but there are at least kFewestSamples.
 constexpr int kSamples = 40, kFewestSamples = 6;
 constexpr int kRounds = 40;
 
@@ -115,7 +115,7 @@ Sheet::Foot Sheet::foot(const Vector3d& p) const {
   const std::ptrdiff_t first = nearest(-1);
   const Foot found = from(first);
   if (found.isInside && (found.at - p).norm() < 0.01 * spacing_) return found;
-  // Another part of the surface may be nearer than its samples are.
+  // Another part of the surface may be nearer, although its samples are not.
   const std::ptrdiff_t second = nearest(first);
   if (second < 0) return found;
   const Foot other = from(second);
@@ -129,7 +129,7 @@ bool isBlocked(const Range& room, double x, double step) {
   return (x <= room.from && step < 0) || (x >= room.to && step > 0);
 }
 
-// Returns the largest share of a step, at most 1, that stays in the range.
+// Returns the largest fraction of a step, at most 1, that stays in the range.
 double shareInRoom(const Range& room, double x, double step) {
   if (step == 0) return 1;
   return std::min(1.0, ((step > 0 ? room.to : room.from) - x) / step);
@@ -137,8 +137,8 @@ double shareInRoom(const Range& room, double x, double step) {
 
 }  // namespace
 
-// Minimises the squared distance within the box of parameters. A step that does not shorten the
-// distance is halved. Where the second derivatives would lead to a saddle, they are ignored.
+// Minimises the squared distance within the box of parameters. A step that does not reduce the
+// distance is halved. Second derivatives that would lead to a saddle point are ignored.
 Sheet::Foot Sheet::foot(const Vector3d& p, double u, double t) const {
   u = std::clamp(u, roomU_.from, roomU_.to);
   t = std::clamp(t, roomT_.from, roomT_.to);
@@ -157,8 +157,7 @@ Sheet::Foot Sheet::foot(const Vector3d& p, double u, double t) const {
     }
     const double det = std::max(a * c - b * b, 1e-12 * a * c);
     double du = -(c * gu - b * gt) / det, dt = -(a * gt - b * gu) / det;
-    // If one parameter would leave its range, it is kept, and the step of the other is computed
-    // alone.
+    // A parameter that would leave its range is kept, and the step of the other is computed alone.
     const bool fixU = isBlocked(roomU_, u, du) || isBlocked(roomU_, u, -gu);
     if (fixU) {
       du = 0;
@@ -199,7 +198,7 @@ double Sheet::distance(const Vector3d& p) const {
 Sheet Sheet::part(Range u, Range t) const {
   const auto rows = static_cast<Eigen::Index>(u_.poleCount());
   const auto columns = static_cast<Eigen::Index>(t_.poleCount());
-  // Along t first: one row of the matrix for each pole of this direction.
+  // First along t: each row of the matrix has the poles of all u with one index along t.
   Eigen::MatrixXd byT(columns, 3 * rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
     for (Eigen::Index j = 0; j < columns; ++j) byT.block<1, 3>(j, 3 * i) = pole(i, j).transpose();

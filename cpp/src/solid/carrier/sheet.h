@@ -1,8 +1,8 @@
-// Sheet: a free-form surface S(u, t), a tensor product of B-splines. It carries faces that no
-// plane, cylinder or the like can carry: what an edge sweeps, and where a face grazes the envelope
-// (solid/sweep/swept_surface.h).
+// Sheet: a free-form surface S(u, t), a tensor product of B-splines. It carries faces that lie on
+// no plane, cylinder or other simple surface: surfaces that an edge sweeps, and surfaces in which a
+// face grazes the envelope (solid/sweep/swept_surface.h).
 // Units:   mm. Distances are exact. The surface is continued a little beyond its borders, so that
-//          borders of faces have room.
+// borders of faces do not lie at its end.
 // Cost:    O(samples) for a distance without a start, O(1) with one.
 // Source:  foot points by Newton's method with a damped step (Piegl and Tiller, section 6.1).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -18,7 +18,7 @@ namespace swept::step {
 class Sheet {
  public:
   /// The nearest point of the surface, with the derivatives there. `isInside`: false if the point
-  /// lies at the end of the continuation; the way to it then need not be perpendicular.
+  /// lies at the end of the continuation; the connection to it then need not be perpendicular.
   struct Foot {
     double u = 0, t = 0;
     Eigen::Vector3d at, alongU, alongT;
@@ -26,14 +26,14 @@ class Sheet {
     Eigen::Vector3d normal() const { return alongU.cross(alongT).normalized(); }
   };
 
-  /// `poles`: row after row, u is the slow index.
+  /// `poles`: row after row; the index along u changes slowest.
   Sheet(Knots u, Knots t, std::vector<Eigen::Vector3d> poles);
 
   Eigen::Vector3d at(double u, double t) const;
   Foot footAt(double u, double t) const;
   /// Returns the foot point nearest to p. Newton's method starts at the nearest sample.
   Foot foot(const Eigen::Vector3d& p) const;
-  /// Does the same, but starts at the given parameters, such as those of the query before.
+  /// Does the same, but starts at the given parameters, such as those found for a nearby point.
   Foot foot(const Eigen::Vector3d& p, double u, double t) const;
   /// Positive on the side of S_u x S_t.
   double distance(const Eigen::Vector3d& p) const;

@@ -36,7 +36,8 @@ Vector3d onCubic(double a, const CurvePoint& p, double b, const CurvePoint& q, d
          h * w * m * (m * p.slope - w * q.slope);
 }
 
-// Returns the piece of a spline for parameters in one turn, with from < to.
+// Adds the nodes of a spline between two parameters of one turn, with from < to. `shift` is added
+// to their parameters.
 void addNodes(const Curve& curve, double from, double to, double shift, std::vector<double>& at,
               std::vector<CurvePoint>& nodes) {
   constexpr double kShortest = 1e-7;
@@ -139,7 +140,7 @@ std::optional<Curve> pieceAlong(const Curve& curve, const std::vector<Vector3d>&
       to += std::remainder(now - before, curve.last);
       before = now;
     }
-    // Points beside the curve may turn back a little at the ends.
+    // Points beside the curve may turn back a little at the ends, so a tolerance is allowed.
     if (!(std::abs(to - from) <= 1.001 * curve.last)) return std::nullopt;
   } else {
     to = nearestParameter(curve, points.back());
@@ -189,8 +190,8 @@ Curve asSpline(const Curve& curve, double bound) {
   if (curve.kind == CurveKind::Line)
     return hermite({0, curve.last},
                    {{curve.at(0), curve.axis}, {curve.at(curve.last), curve.axis}});
-  // A cubic with the best length of its tangents is off by 2.7e-4 radii over a quarter; the error
-  // grows with the sixth power of the angle.
+  // A cubic with the best length of its tangents deviates by 2.7e-4 radii over a quarter circle.
+  // The error grows with the sixth power of the angle.
   const double angle =
       std::min(M_PI / 4, M_PI / 2 * std::pow(bound / (2.8e-4 * curve.radius), 1.0 / 6));
   const int count = std::max(1, static_cast<int>(std::ceil(curve.last / angle)));

@@ -1,5 +1,5 @@
-// Traces: curves and points on a carrier that are known before anything is intersected, and the
-// tools to use pieces of them as edges.
+// Traces: curves and points on a carrier that are known before anything is intersected. Functions
+// that use pieces of such curves as edges.
 // In:      a curve and points near it.
 // Out:     parameters and pieces of the curve.
 // Units:   mm. Parameters as in curve.h.
@@ -24,7 +24,7 @@ struct Traces {
 /// Returns the derivative of the curve by its parameter.
 Eigen::Vector3d slopeAt(const Curve& curve, double t);
 
-/// Whether the curve ends where it begins.
+/// Returns whether the curve ends where it begins.
 bool isClosed(const Curve& curve);
 
 /// Returns the parameter of the point of the curve that is nearest to p.
@@ -34,8 +34,8 @@ double nearestParameter(const Curve& curve, const Eigen::Vector3d& p);
 /// curve, `to` may lie up to one turn beyond either end.
 Curve pieceOf(const Curve& curve, double from, double to);
 
-/// Returns the piece that follows the points from the first to the last one. These two must lie on
-/// the curve. Nothing if the piece would have no length.
+/// Returns the piece along the points, from the first to the last one. These two must lie on the
+/// curve. Returns nothing if the piece would have no length.
 std::optional<Curve> pieceAlong(const Curve& curve, const std::vector<Eigen::Vector3d>& points);
 
 /// A point of a curve and its derivative.
@@ -43,12 +43,13 @@ struct CurvePoint {
   Eigen::Vector3d at, slope;
 };
 
-/// Returns a spline within `bound` of a curve: cubics with its points and derivatives at the
-/// breaks. `breaks`: ascending parameters, including both ends. More are added where needed.
+/// Returns a spline within `bound` of a curve. It consists of cubics with the points and
+/// derivatives of the curve at the breaks. `breaks`: ascending parameters, including both ends.
+/// More are added where needed.
 Curve splineOf(const std::function<CurvePoint(double)>& exact, std::vector<double> breaks,
                double bound);
 
-/// Returns a circle or line as a spline within `bound`; a spline stays as it is.
+/// Returns a circle or line as a spline within `bound`, and a spline unchanged.
 Curve asSpline(const Curve& curve, double bound);
 
 /// Returns the curve after a rigid motion.

@@ -27,7 +27,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// mm: how far the stored curve may lie from that of the file.
+/// mm: how far the stored curve may deviate from the curve in the file.
 constexpr double kCurveError = 1e-8;
 
 Vector3d pointOf(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
@@ -94,7 +94,7 @@ Curve generalCurve(const BRepAdaptor_Curve& curve, double from, double to) {
     curve.D1(t, at, slope);
     return CurvePoint{pointOf(at), vectorOf(slope)};
   };
-  // Many files hold lines and circles as splines.
+  // Many files contain lines and circles as splines.
   constexpr int kSamples = 32;
   constexpr double kSame = 1e-7;
   std::vector<Vector3d> points;

@@ -1,9 +1,9 @@
 // Reads the faces and edges of a kernel shape as carriers and curves.
-// In:      a shape; `faces` gives the numbers of its faces.
-// Out:     BodyShape. A surface that no Carrier can hold has the kind Facet.
+// In:      a shape; `faces` maps its faces to their numbers.
+// Out:     BodyShape. A surface that no Carrier can represent has the kind Facet.
 // Units:   mm.
 // Cost:    O(faces + edges).
-// The caller holds the KernelSession.
+// The caller must hold a KernelSession.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -45,10 +45,10 @@ gp_Pnt pointOf(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 gp_Dir dirOf(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
 
 // Returns the tolerance to store for a measured distance: slightly larger because of rounding, and
-// never below the kernel's own.
+// never below kKernelTolerance.
 double stated(double measured) { return std::max(kKernelTolerance, 1.01 * measured); }
 
-// The knots of a B-spline as the kernel takes them.
+// The knots of a B-spline in the form that the kernel expects.
 struct KernelKnots {
   explicit KernelKnots(const Knots& knots)
       : at(1, static_cast<Standard_Integer>(knots.breaks().size())), multiplicities(1, at.Upper()) {
@@ -155,7 +155,7 @@ class BrepBuilder {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const ModelEdge& edge = model_.edges[e];
       const Eigen::Vector3d a = model_.vertices[edge.start].point;
-      // An edge without length or curve stays null; its faces are reported as failed.
+      // An edge without length or curve stays null, and its faces are reported as failed.
       if (!((edge.curve.at(edge.curve.last / 2) - a).norm() > kKernelTolerance)) continue;
       try {
         TopoDS_Edge made;
@@ -184,14 +184,14 @@ class BrepBuilder {
         if (!face.surface.isPlanar()) addParameterCurve(use.edge, face.surface, made);
       }
       wire.Closed(true);
-      // The face of a bore is reversed, and so are its loops.
+      // The face of a bore is reversed, and therefore its loops are, too.
       builder_.Add(made, reversed ? wire.Reversed() : wire);
     }
     return reversed ? TopoDS::Face(made.Reversed()) : made;
   }
 
-  // Adds the curve of an edge in the parameters of the surface, shifted to the period in which the
-  // face lies.
+  // Adds the curve of an edge in the parameters of the surface. Shifts it to the period in which
+  // the face lies.
   void addParameterCurve(std::int32_t e, const Carrier& surface, const TopoDS_Face& face) {
     const Curve& curve = model_.edges[e].curve;
     const Handle(Geom_Surface) geometry = BRep_Tool::Surface(face);

@@ -21,11 +21,11 @@ namespace {
 using Eigen::Vector3d;
 using Box = Eigen::AlignedBox3d;
 
-/// Distance in mm; faces nearer than this may count as touching.
+/// Distance in mm; faces nearer than this may touch.
 constexpr double kNear = 1e-5;
 
 // Returns points along the borders of a face. The inside of a curved face may lie outside the box
-// of these points, but by less than the size of the box. The callers add slack for that.
+// of these points, but by less than the size of the box. The callers add a margin for that.
 std::vector<Vector3d> pointsOf(const Model& model, const ModelFace& face) {
   constexpr int kSteps = 8;
   std::vector<Vector3d> points;
@@ -44,8 +44,8 @@ struct Known {
   Box box;
 };
 
-// Returns whether a face with these points may meet a recognised face. It cannot if their boxes are
-// apart, or if all its points lie on one side of the recognised surface.
+// Returns whether a face with these points may meet a recognised face. It cannot if their boxes do
+// not intersect, or if all its points lie on one side of the recognised surface.
 bool mayMeet(const std::vector<Vector3d>& points, const Box& box, const Known& known) {
   if (!box.intersects(known.box)) return false;
   const double size = box.diagonal().norm();

@@ -1,10 +1,10 @@
 // Finds faces that intersect or touch where they share no vertex or edge. Uses the kernel's own
 // test for Boolean operations.
 // In:      a Model and its kernel faces. Only faces near a recognised surface or plane region are
-//          tested, since the simplifier lets no two facets intersect.
+//        tested, because the simplifier lets no two facets intersect.
 // Out:     indices into Model::faces.
 // Cost:    about 2 ms per tested face.
-// The caller holds a KernelSession.
+// The caller must hold a KernelSession.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,8 +21,8 @@ namespace swept::step {
 std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, RunContext& run);
 
 /// Returns edges of curved faces that are farther from a face than a reader of the file would
-/// assume. A reader sets the tolerance of an edge from the distances at some points along it. Each
-/// entry has the curve parameter at which the distance is largest.
+/// assume. A reader computes the tolerance of an edge from the distances at some of its points.
+/// Each entry has the curve parameter at which the distance is largest.
 std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep);
 
 }  // namespace swept::step

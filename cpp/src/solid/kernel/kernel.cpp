@@ -28,7 +28,7 @@ std::mutex& kernelMutex() {
   return mutex;
 }
 
-// Collects the messages of this thread's kernel calls and passes on those of other threads.
+// Collects the messages of kernel calls in this thread. Passes on the messages of other threads.
 class Collector : public Message_Printer {
  public:
   explicit Collector(Message_SequenceOfPrinters others)
@@ -59,7 +59,7 @@ class Collector : public Message_Printer {
 };
 
 #if OCC_VERSION_HEX < 0x070900
-// Switches healing off for the shapes that its own thread reads; the kernel still heals what other
+// Switches healing off for shapes that its own thread reads. The kernel still heals what other
 // threads read. The template passes on all arguments after the shape, because their number depends
 // on the version of the kernel.
 class AsItStands : public XSAlgo_AlgoContainer {
@@ -164,8 +164,8 @@ void KernelProgress::Show(const Message_ProgressScope&, Standard_Boolean) {
                     static_cast<std::uint64_t>(kScale * (from_ + (to_ - from_) * GetPosition())),
                     static_cast<std::uint64_t>(kScale));
   } catch (...) {
-    // If the run is cancelled, the kernel calls UserBreak() next and stops by itself. No exception
-    // may pass through the kernel's functions.
+    // If the run is cancelled, the kernel next calls UserBreak() and stops by itself. No exception
+    // may pass through functions of the kernel.
   }
 }
 

@@ -1,7 +1,7 @@
 // Gives one thread at a time access to the OpenCASCADE kernel, because its STEP settings and
-// messages are process-wide. KernelSession holds the lock and makes the settings. It collects the
-// kernel's messages of its thread; those of other threads go where they went before. Its destructor
-// restores everything.
+// messages are process-wide. A KernelSession holds the lock and makes the settings. It collects the
+// kernel's messages of its thread. Messages of other threads are passed on as before. The
+// destructor restores everything.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -34,8 +34,8 @@ class KernelSession {
   std::unique_ptr<State> state_;
 };
 
-/// Allows long kernel calls to be cancelled and reports their progress to the run, from `from` to
-/// `to` (shares of the export, 0 to 1).
+/// Allows long kernel calls to be cancelled. Reports their progress to the run, from `from` to `to`
+/// (fractions of the export, 0 to 1).
 class KernelProgress : public Message_ProgressIndicator {
  public:
   KernelProgress(RunContext& run, double from, double to) : run_(run), from_(from), to_(to) {}

@@ -1,4 +1,4 @@
-// The judge of this program: OpenCASCADE.
+// The judge (model/judge.h) of builds with OpenCASCADE.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
@@ -18,7 +18,7 @@ namespace {
 
 [[noreturn]] void refuseFailure(const Standard_Failure& failure, const KernelSession& kernel,
                                 RunContext& run) {
-  // If the run was cancelled, this throws: a cancelled kernel call may end in an exception too.
+  // Throws if the run was cancelled, because a cancelled kernel call may end in an exception, too.
   run.checkpoint(Phase::Export);
   const char* text = failure.GetMessageString();
   throw Error(Status::ExportFailed, "KernelFailure",
@@ -62,8 +62,8 @@ class KernelJudge : public Judge {
     if (!check.valid && format == SolidFormat::Step)
       check = checkShape(readStepFile(file, kernel_, run), run, 0.8, 1.0);
     if (!check.valid && format == SolidFormat::Step && !isFlat(model)) {
-      // Some curved faces read back wrong without parameter curves. The writer of the kernel adds
-      // them.
+      // The kernel reads some curved faces wrongly if the file has no parameter curves. The
+      // kernel's own writer adds them.
       writeStepFile(brep_.shape, file, name, options, kernel_, run);
       check = checkShape(readStepFile(file, kernel_, run), run, 0.8, 1.0);
     }

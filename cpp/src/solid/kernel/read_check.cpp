@@ -24,8 +24,8 @@ std::vector<std::int32_t> ReadCheck::read(const std::string& text, std::size_t c
   const TopoDS_Shape shape = readStepText(stream, kernel_, run);
   std::vector<TopoDS_Shape> faces;
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
-  // If the reader split faces, their order is lost. Then only the later check of the whole file can
-  // decide.
+  // If the reader split faces, the order of the faces is lost. Then only the later check of the
+  // whole file can find bad faces.
   if (faces.size() != count) return {};
   return findBadFaces(faces, run, 0.3, 0.3);
 }

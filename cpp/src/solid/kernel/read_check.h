@@ -1,8 +1,8 @@
 // Finds curved faces that the kernel does not read back as they were written.
-// In:      Model; the caller holds the KernelSession.
+// In:      Model. The caller must hold a KernelSession.
 // Out:     indices into Model::faces.
-// Cost:    the curved faces are written as text and read again in memory. They are few and cheap
-//          compared with the facets.
+// Cost:    the curved faces are written as text and read back in memory. They are few and take
+//        little time compared with the facets.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

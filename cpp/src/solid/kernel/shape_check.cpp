@@ -43,7 +43,7 @@ bool isStraight(const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoD
          line->Value(to).Distance(BRep_Tool::Pnt(last)) <= slack + BRep_Tool::Tolerance(last);
 }
 
-// Returns the corners of a sound plane triangle, counter-clockwise seen from outside. Returns
+// Returns the corners of a valid plane triangle, counter-clockwise seen from outside. Returns
 // nothing for any other face.
 std::optional<Corners> triangleOf(const TopoDS_Face& face) {
   const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face));
@@ -87,8 +87,8 @@ std::optional<Corners> triangleOf(const TopoDS_Face& face) {
 }
 
 // Returns the volume of the cone from `base` over the face of an extrusion; nothing for other
-// faces. The kernel's quadrature does not follow the spans of a spline and would miss half a
-// percent. The contribution of a point of the profile does not depend on how far it was extruded,
+// faces. The kernel's quadrature does not follow the spans of a spline and would be wrong by half a
+// percent. The contribution of a profile point does not depend on how far the point was extruded,
 // so an integral along the border suffices.
 std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt& base) {
   const auto surface = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(BRep_Tool::Surface(face));
@@ -121,8 +121,8 @@ std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt
   return face.Orientation() == TopAbs_REVERSED ? -sum : sum;
 }
 
-// Returns the volume of the cone from `base` over the face. The sum over all faces of a solid is
-// the volume of the solid.
+// Returns the signed volume of the cone from `base` over the face. The sum over all faces of a
+// solid is the volume of the solid.
 double volumeUnder(const TopoDS_Face& face, const gp_Pnt& base) {
   if (const auto corners = triangleOf(face)) {
     const gp_Vec a(base, (*corners)[0]), b(base, (*corners)[1]), c(base, (*corners)[2]);
@@ -150,7 +150,8 @@ void parallelFaces(std::size_t count, RunContext& run, double from, double to, c
 }
 
 // Returns an empty text if the shell is closed (every edge is used twice) and oriented (once in
-// each direction). The kernel's own check of a shell tests the same and takes ten times as long.
+// each direction), otherwise the fault. The kernel's own check of a shell tests the same and takes
+// ten times as long.
 std::string shellComplaint(const TopoDS_Shape& shell) {
   TopTools_IndexedMapOfShape edges;
   std::vector<std::array<std::int32_t, 2>> uses;
@@ -219,8 +220,8 @@ SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, d
   }
   const std::vector<std::int32_t> bad = findBadFaces(faces, run, from, (from + to) / 2);
   if (!bad.empty()) check.complaint = std::to_string(bad.size()) + " faces are not valid";
-  // The volume is computed relative to a point of the shape. Otherwise it would lose digits far
-  // from the origin.
+  // The volume is computed relative to a point of the shape, because far from the origin it would
+  // lose digits.
   gp_Pnt base;
   if (edgeMap.Extent() > 0) base = BRep_Tool::Pnt(TopExp::FirstVertex(TopoDS::Edge(edgeMap(1))));
   std::vector<double> volumes(faces.size());

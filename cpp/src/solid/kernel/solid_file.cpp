@@ -52,7 +52,7 @@ Handle(TCollection_HAsciiString) text(const std::string& utf8) {
   return new TCollection_HAsciiString(utf8.c_str());
 }
 
-// Ends the input when the run is cancelled. The kernel's own cancelling would print to the console.
+// Ends the input when the run is cancelled. Cancelling in the kernel would print to the console.
 class CancellableInput : public std::filebuf {
  public:
   explicit CancellableInput(RunContext& run) : run_(run) {}
@@ -97,7 +97,7 @@ TopoDS_Shape shapeOf(STEPControl_Reader& reader, const KernelSession& kernel, Ru
 
 ProductNames productNames(const STEPControl_Reader& reader) {
   ProductNames names;
-  // Number of solids in the product that names a solid.
+  // Number of solids in the smallest product found so far that contains the solid.
   std::unordered_map<const TopoDS_TShape*, int> sizes;
   const Handle(StepData_StepModel) model = reader.StepModel();
   const Handle(Transfer_TransientProcess) transfers =

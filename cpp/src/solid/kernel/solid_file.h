@@ -1,5 +1,5 @@
-// Writes and reads kernel shapes as STEP or BREP files. The caller holds the KernelSession. Throws
-// Error(ExportFailed, "WriteFailed" | "RereadFailed" | "KernelFailure"), Error(Cancelled).
+// Writes and reads kernel shapes as STEP or BREP files. The caller must hold a KernelSession.
+// Throws Error(ExportFailed, "WriteFailed" | "RereadFailed" | "KernelFailure"), Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,20 +20,20 @@ void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
                    const std::string& targetName, const StepOptions& options, KernelSession& kernel,
                    RunContext& run);
 /// Maps a solid to the name of its product (the innermost one in an assembly). The key is the shape
-/// without its location, which all instances of the solid share.
+/// without its location, because all instances of the solid share this.
 using ProductNames = std::unordered_map<const TopoDS_TShape*, std::string>;
-/// Reads a shape in the default manner of the kernel, which computes parameter curves and
-/// tolerances by itself. `names`, unless null, receives the names of the solids.
+/// Reads a shape with the default settings of the kernel, which then computes parameter curves and
+/// tolerances itself. `names`, unless null, receives the names of the solids.
 TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run,
                           ProductNames* names = nullptr);
 /// Does the same with a text in memory.
 TopoDS_Shape readStepText(std::istream& text, KernelSession& kernel, RunContext& run);
-/// Reads the shape of a file with plane faces only. The kernel does not change the shape and takes
-/// the tolerance (mm) that the file states. This takes a fifth of the time of readStepFile().
+/// Reads a file that has plane faces only. The kernel does not change the shape and uses the
+/// tolerance (mm) that the file states. This takes a fifth of the time of readStepFile().
 TopoDS_Shape readFlatStepFile(const std::string& path, double tolerance, KernelSession& kernel,
                               RunContext& run);
-/// Reads the shape of a file that has mostly plane faces. Plane triangles stay unchanged; the
-/// kernel heals only the other faces.
+/// Reads a file that has mostly plane faces. Plane triangles stay unchanged; the kernel heals only
+/// the other faces.
 TopoDS_Shape readMostlyFlatStepFile(const std::string& path, KernelSession& kernel,
                                     RunContext& run);
 void writeBrep(const TopoDS_Shape& shape, std::ostream& out, RunContext& run);

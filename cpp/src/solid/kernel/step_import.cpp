@@ -55,7 +55,7 @@ void checkStructure(const std::filesystem::path& file, const std::string& path) 
                   "; export the file again from the program that made it");
 }
 
-/// Decides by the suffix of the file, or by its first characters if the suffix is unknown.
+/// Decides by the suffix of the file. If the suffix is unknown, the first characters decide.
 bool isBrep(const std::filesystem::path& file) {
   const std::string suffix = suffixOf(utf8FromPath(file));
   if (suffix == "brep" || suffix == "brp") return true;
@@ -66,7 +66,7 @@ bool isBrep(const std::filesystem::path& file) {
   return head.find("ISO-10303-21") == std::string::npos;
 }
 
-// `faces` are those of the whole file.
+// `faces`: the faces of the whole file, whose order gives the face numbers.
 TriMesh meshOf(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces) {
   TriMesh mesh;
   for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())
@@ -81,8 +81,8 @@ TopoDS_Shape readShape(const std::string& path, step::KernelSession& kernel, Run
   return step::readStepFile(path, kernel, run, &names);
 }
 
-// Names each solid after its product, or after the file if the products do not tell the solids
-// apart. Solids with the same name get numbers.
+// Names each solid after its product. If all have the same product name (also if there is only one
+// solid), or if one has none, names all after the file. Solids with the same name get numbers.
 void nameSolids(std::vector<ImportedSolid>& solids, const std::string& stem) {
   std::map<std::string, int> counts;
   for (const ImportedSolid& solid : solids) ++counts[solid.name];
@@ -98,8 +98,8 @@ void nameSolids(std::vector<ImportedSolid>& solids, const std::string& stem) {
   }
 }
 
-// Calls `read` with the shape of a file and the names of its products. A failure of the kernel
-// becomes an error of the input.
+// Calls `read` with the shape in a file and the names of its products. Turns a failure of the
+// kernel into an error of the input.
 template <class Read>
 auto withShape(const std::string& path, RunContext& run, Read read) {
   std::error_code code;

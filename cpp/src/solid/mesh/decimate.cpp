@@ -14,10 +14,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Distance of sample points, in tolerances. It is larger than for envelopes: the distance of facets
-// from the mesh is not measured afterwards, but the solid gets new vertices where it misses the
-// mesh. With 1.5, the gripper test mesh moved over 34 keys takes an eighth more time and gets a
-// fiftieth more facets.
+// Spacing of sample points, in tolerances. It is larger than for envelopes, because the solid later
+// gets new vertices where it is too far from the mesh. The distance of facets from the mesh is not
+// measured afterwards. With 1.5, the gripper test mesh moved over 34 keys takes an eighth more time
+// and gets a fiftieth more facets.
 constexpr double kCoarseness = 5;
 
 // The surface of a patch, in the form that the simplifier needs.
@@ -32,7 +32,7 @@ class PatchSurface final : public LabelSurface {
   const Carrier& surface_;
 };
 
-// Copies the patches of `before`, with their triangles according to now.patchOf.
+// Copies the patches of `before`. Their triangles follow from now.patchOf.
 void listPatches(const Partition& before, Partition& now) {
   now.patches = before.patches;
   now.cuts = before.cuts;
@@ -73,7 +73,8 @@ class Decimator {
 
  private:
   // Moves border vertices onto the surfaces of their patches, where facets will end in the solid.
-  // This happens before the collapses, so that the move counts within the tolerance of the facets.
+  // This is done before the collapses, so that this movement counts within the tolerance of the
+  // facets.
   void putBordersOnSurfaces() {
     std::vector<std::vector<std::int32_t>> around(in_.points.size());
     for (std::size_t t = 0; t < in_.triangles.size(); ++t) {
@@ -106,8 +107,8 @@ class Decimator {
     }
   }
 
-  // Whether the points attached to triangles around v stay near these triangles if v moves to
-  // `place`.
+  // Returns whether the points attached to triangles around v stay near these triangles if v moves
+  // to `place`.
   bool holdsAttached(const std::vector<std::int32_t>& around, std::int32_t v,
                      const Vector3d& place) const {
     const double limit = state_.tolerance * state_.tolerance;
@@ -125,8 +126,8 @@ class Decimator {
     return true;
   }
 
-  // Sets the kind of each vertex. Border: exactly one patch and open ground around the vertex, with
-  // two border edges. Fixed: all other vertices of patches. Free: vertices without a patch.
+  // Sets the kind of each vertex. Border: one patch and open ground lie around the vertex, and two
+  // border edges meet there. Fixed: all other vertices of patches. Free: vertices without a patch.
   void classify() {
     std::vector<std::int32_t> borders(state_.mesh.vertices.size(), 0),
         patch(state_.mesh.vertices.size(), -1);
@@ -201,8 +202,8 @@ Decimated decimate(Decimated start, double tolerance, const NearestTriangle& ori
                    RunContext& run, Effort effort) {
   Decimated once = Decimator(std::move(start), tolerance, original, effort, run).work();
   if (effort == Effort::Rough) return once;
-  // The second run starts with the planes of the reduced mesh. They allow collapses that the planes
-  // of the original mesh did not.
+  // The second pass starts with the planes of the reduced mesh. They allow collapses that the
+  // planes of the original mesh did not allow.
   return Decimator(std::move(once), tolerance, original, effort, run).work();
 }
 

@@ -1,8 +1,7 @@
 // Reduces the triangles where no surface was recognised (open ground).
-// In:      HalfEdgeMesh, Partition, tolerance. Triangles of patches keep their patch. Triangles
-//          without a patch (patchOf < 0) are collapsed edge by edge by the simplifier
-//          (simplify/collapse.h), which treats patches as labels. Before that, the borders of
-//          patches move onto the surfaces of the patches.
+// In:      HalfEdgeMesh, Partition, tolerance. Triangles of patches keep their patch. In open
+//        ground (patchOf < 0) edges are collapsed (simplify/collapse.h); patches are labels there.
+//        Before that, the borders of patches are moved onto the surfaces of the patches.
 // Out:     the reduced mesh and its partition. The result may be the input of a further call.
 // Units:   mm.
 // Promise: The mesh stays closed and manifold. Each removed or moved vertex outside the patches
@@ -22,23 +21,24 @@ namespace swept::step {
 struct Decimated {
   HalfEdgeMesh mesh;
   Partition partition;
-  /// By triangle: removed vertices that must stay near the triangle. Empty before the first call.
+  /// For each triangle, removed vertices that must stay near it. Empty before the first call.
   std::vector<std::vector<Eigen::Vector3d>> attached;
-  std::vector<char> watched;  ///< by triangle: 1 if `attached` has points on its long edges already
-  double deviation = 0;       ///< mm: largest distance of an attached point from its triangle
+  /// For each triangle, 1 if `attached` already has points on its long edges.
+  std::vector<char> watched;
+  double deviation = 0;  ///< mm: largest distance of an attached point from its triangle
 };
 
 enum class Effort {
   Rough,  ///< only the parallel part, for a first estimate
   Thorough,
-  Again,  ///< after patches became open ground: the remaining borders stay in place
+  Again,  ///< after patches became open ground: the remaining borders do not move
 };
 
 /// Thins open ground at a few microseconds per triangle, before the first call of decimate().
 /// Removes vertices without a patch if the surface moves by at most `limit`.
 Decimated thinOpenGround(Decimated start, double limit, RunContext& run);
 
-/// Returns the reduced mesh. `original` is the mesh before any collapse; triangles of open ground
+/// Returns the reduced mesh. `original`: the mesh before any collapse; triangles of open ground
 /// stay near it.
 Decimated decimate(Decimated start, double tolerance, const NearestTriangle& original,
                    RunContext& run, Effort effort = Effort::Thorough);

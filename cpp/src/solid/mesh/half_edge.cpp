@@ -53,8 +53,9 @@ void checkNumbers(const TriMesh& mesh) {
   }
 }
 
-/// Returns the text of a place: the middle of the first edge that isBad(ascending, descending), the
-/// numbers of its half-edges in both directions. There must be one.
+/// Returns a text with a position: the middle of the first edge for which isBad(ascending,
+/// descending) is true. The arguments are the numbers of its half-edges in both directions. There
+/// must be such an edge.
 template <class IsBad>
 std::string firstPlace(const TriMesh& mesh, const IsBad& isBad) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -91,7 +92,7 @@ void refuseFaults(const EdgeFaults& faults, const TriMesh& mesh) {
   }
 }
 
-// Gives each fan of triangles a vertex of its own.
+// Gives each fan of triangles its own vertex.
 void splitFans(HalfEdgeMesh& mesh) {
   const auto count = static_cast<std::int32_t>(3 * mesh.triangles.size());
   std::vector<char> seen(count, 0), used(mesh.points.size(), 0);
@@ -127,7 +128,7 @@ void findOwners(const TriMesh& mesh, const Shells& shells, const std::vector<She
     run.checkpoint(Phase::Export);
     std::int32_t best = -1;
     for (const std::int32_t o : nesting.shellsAround(extents[s].first)) {
-      // The cavity and its shell may touch at a vertex, so their boxes may touch as well.
+      // The cavity and its shell may touch at a vertex, so their boxes may touch, too.
       if (!isOuter(extents[o]) || !extents[o].box.contains(extents[s].box)) continue;
       if (best < 0 || extents[o].volume <= extents[best].volume) best = o;
     }

@@ -1,10 +1,10 @@
-// Adjacency of a closed triangle mesh, and its shells.
+// Finds the adjacency of a closed triangle mesh, and its shells.
 // In:      any TriMesh.
 // Out:     HalfEdgeMesh. Half-edge 3 t + k runs from corner k to corner k + 1 of triangle t. A
 //          vertex that several fans of triangles share is split, so each vertex has one fan.
 // Units:   mm.
-// Cost:    O(n log n). Throws Error(ExportFailed, ...) unless the edges form a closed, oriented
-//          2-manifold.
+// Cost:    O(n log n) for n triangles. Throws Error(ExportFailed, ...) unless the edges form a
+//        closed, oriented 2-manifold.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,7 +24,7 @@ struct HalfEdgeMesh {
   std::vector<std::array<std::int32_t, 3>> triangles;
   std::vector<std::int32_t> opposite;  ///< per half-edge
   std::vector<std::int32_t> shellOf;   ///< per triangle
-  /// By shell: the outer shell around a cavity; an outer shell names itself.
+  /// For each shell: the outer shell around a cavity. For an outer shell: its own index.
   std::vector<std::int32_t> shellOwner;
   double area = 0;    ///< mm^2
   double volume = 0;  ///< mm^3, without the cavities

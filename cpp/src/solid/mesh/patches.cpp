@@ -11,11 +11,11 @@
 namespace swept::step {
 namespace {
 
-// Cosine of 45 degrees. A triangle at a larger angle to the plane of its region is a fold, unless
-// it is a sliver.
+// Cosine of 45 degrees. If the angle of a triangle to the plane of its region is larger, the
+// triangle is a fold, unless it is a sliver.
 constexpr double kMinCosine = 0.7;
 
-// Moments of a growing point set, relative to a base point near it to avoid cancellation.
+// Moments of a growing set of points, relative to a nearby base point to avoid cancellation.
 struct PlaneFit {
   Eigen::Vector3d base = Eigen::Vector3d::Zero();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -61,7 +61,7 @@ struct PlaneGrower {
   }
 
   // Grows a region breadth first from the seed. With `refit`, fits the plane again each time the
-  // region has doubled.
+  // region has doubled its size.
   std::vector<std::int32_t> grow(std::int32_t seed, Carrier& plane, bool refit) {
     ++stamp;
     PlaneFit fit;
@@ -102,8 +102,8 @@ struct PlaneGrower {
     std::vector<std::int32_t> region = grow(seed, plane, true);
     if (region.size() < 2) return;
     if (largestDistance(mesh, region, plane) > tolerance) {
-      // The plane has moved away from early triangles. Grows again with the final plane, which
-      // drops them.
+      // The plane has moved away from triangles that were added early. Grow again with the final
+      // plane, which excludes them.
       if (!accepts(seed, plane)) {
         plane.axis = shapes.normal[seed];
         plane.point = mesh.points[mesh.triangles[seed][0]];

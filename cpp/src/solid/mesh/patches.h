@@ -1,12 +1,13 @@
-// Partition of a mesh into patches, each of which becomes one face. A patch is a connected region
-// of the mesh on one carrier surface. (It is not a side patch, the surface that a moving edge
+// Divides a mesh into patches, each of which becomes one face. A patch is a connected region of the
+// mesh on one carrier surface. (A side patch is something else: the surface that a moving edge
 // sweeps.)
 // In:      HalfEdgeMesh, tolerance.
 // Out:     edge-connected sets of triangles. Each vertex of a patch lies within the tolerance of
 //          its carrier.
 // Units:   mm.
-// Cost:    O(n log n).
-// Source:  region growing as in Besl and Jain 1988; planes are fitted again as they grow.
+// Cost:    O(n log n) for n triangles.
+// Source:  region growing as in Besl and Jain 1988; planes are fitted again while their regions
+// grow.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,10 +23,10 @@ struct Patch {
   Carrier surface;
   std::vector<std::int32_t> triangles;
   double deviation = 0;         ///< mm: largest distance of its mesh vertices from the surface
-  std::int32_t surfaceId = -1;  ///< equal for all pieces of one surface that was cut; -1: none
+  std::int32_t surfaceId = -1;  ///< equal for all pieces of one surface that was cut; -1: not cut
 };
 
-/// A plane that cuts a surface that closes on itself, so that no face needs a seam.
+/// A plane that cuts a closed surface (such as a cylinder), so that no face needs a seam.
 struct Cut {
   std::int32_t surfaceId = -1;
   Carrier plane;
@@ -53,11 +54,11 @@ double areaOf(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangl
 double largestDistance(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles,
                        const Carrier& surface);
 
-/// Grows planes over unassigned triangles. A triangle that remains alone becomes a Facet, a plane
-/// through its vertices.
+/// Grows plane regions over unassigned triangles. A triangle that remains alone becomes a Facet,
+/// whose plane passes through its vertices.
 void growPlanes(const HalfEdgeMesh& mesh, double tolerance, Partition& partition, RunContext& run);
 
-/// Makes each unassigned triangle a patch of its own.
+/// Makes each unassigned triangle a separate patch.
 void addFacets(const HalfEdgeMesh& mesh, Partition& partition);
 
 /// Splits a patch into facets. Used if the kernel does not accept the face.

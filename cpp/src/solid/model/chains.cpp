@@ -11,8 +11,8 @@
 namespace swept::step {
 namespace {
 
-// Cosine of about two degrees. Planes at a smaller angle do not determine their line of
-// intersection.
+// Cosine of about two degrees. Two planes at a smaller angle do not determine a line of
+// intersection reliably.
 constexpr double kNearlyParallel = 0.9994;
 
 class Finder {
@@ -89,7 +89,7 @@ class Finder {
     if (chain.closed) {
       double distance = 0;
       const std::size_t middle = farthestPoint(points, 0, last, distance);
-      // A closed line needs three corners, whatever the tolerance.
+      // A closed line needs three corners, whatever the tolerance is.
       const std::size_t third = middle > 1 ? farthestPoint(points, 0, middle, distance)
                                            : farthestPoint(points, middle, last, distance);
       const auto [low, high] = std::minmax({middle, third});
@@ -102,7 +102,7 @@ class Finder {
     }
   }
 
-  // Two straight edges between the same two vertices would enclose no area, so more vertices of
+  // Two straight edges between the same two vertices would enclose no area. So more vertices of
   // their chains are kept.
   void separateTwins() {
     for (bool again = true; again;) {
@@ -127,8 +127,8 @@ class Finder {
     }
   }
 
-  // Looks at the vertices of a chain between its vertex `from` and its next kept vertex, and keeps
-  // the one farthest from the straight line between these two. Returns false if there is none.
+  // Of the vertices of a chain between vertex `from` and the next kept vertex, keeps the one
+  // farthest from the line between these two. Returns false if there is none.
   bool keepWithin(std::size_t c, std::size_t from) {
     std::size_t to = from + 1;
     while (!kept_[vertexAt(chains_[c], to)]) ++to;
@@ -138,9 +138,9 @@ class Finder {
     return true;
   }
 
-  // Marks a chain between two recognised surfaces: as curved if at least one of them is curved, and
-  // as straight if both are planes that are not nearly parallel. The chain then becomes a piece of
-  // the curve, or of the straight line, in which the two surfaces intersect.
+  // Marks a chain between two recognised surfaces. It is curved if at least one of them is curved,
+  // and straight if both are planes that are not nearly parallel. The chain then becomes a piece of
+  // the curve or line in which the two surfaces intersect.
   void classify(Chain& chain) {
     const Patch& left = partition_.patches[borders_.patchOf(chain.halfEdges[0])];
     const Patch& right = partition_.patches[borders_.patchOf(mesh_.opposite[chain.halfEdges[0]])];

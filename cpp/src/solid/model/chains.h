@@ -1,9 +1,11 @@
-// Borders of patches as chains of half-edges, and the vertices on them that a solid needs.
+// Finds the borders of patches as chains of half-edges, and the vertices on them that the solid
+// keeps.
 // In:      HalfEdgeMesh and Partition.
 // Out:     Chains. Each border edge belongs to exactly one chain. A chain runs from one kept vertex
-//          to another, or is closed.
+//        to another, or is closed.
 // Units:   mm.
-// Cost:    O(n), and at worst O(length^2) for the bends of a chain.
+// Cost:    O(n) for n half-edges. Finding the vertices at which a chain of k edges bends takes
+//        O(k^2) at worst.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,7 +18,7 @@
 
 namespace swept::step {
 
-/// The borders between patches, half-edge by half-edge.
+/// The half-edges on the borders between patches.
 class Borders {
  public:
   Borders(const HalfEdgeMesh& mesh, const Partition& partition)
@@ -40,7 +42,7 @@ class Borders {
 struct Chain {
   /// The half-edges in order. The same two patches lie beside all of them.
   std::vector<std::int32_t> halfEdges;
-  /// The surfaces on which the chain lies, without facets. A cutting plane comes last.
+  /// The surfaces on which the chain lies, without facets. A plane that cuts a surface comes last.
   std::vector<const Carrier*> surfaces;
   bool closed = false;
   bool curved = false;    ///< a single edge along the curve in which two surfaces intersect
@@ -57,8 +59,8 @@ struct Chains {
   std::vector<char> kept;  ///< mesh vertices that become vertices of the solid
 };
 
-/// Finds the chains. `tolerance`: mm, largest distance of a dropped vertex from the straight edge
-/// that replaces it.
+/// Finds the chains. `tolerance`: mm, largest distance of a vertex that is not kept from the
+/// straight edge that replaces it.
 Chains findChains(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
                   RunContext& run);
 

@@ -15,9 +15,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kBlock = 2048;
-constexpr double kCommonFraction = 0.6;  // of the limit: nearly all meshes deviate more than this
-/// If a point is nearer to an edge than this fraction of the triangle's height, it splits that
-/// edge.
+constexpr double kCommonFraction = 0.6;  // fraction of the limit: nearly all meshes deviate by more
+/// A point splits an edge instead of the triangle if its distance from the edge is less than this
+/// fraction of the triangle's height.
 constexpr double kMaxEdgeFraction = 0.1;
 
 struct Beyond {
@@ -35,7 +35,7 @@ Vector3d barycentric(const Vector3d& p, const std::array<Vector3d, 3>& c) {
   return weights;
 }
 
-// Replaces triangles of the mesh by finer ones and hands on the points that must stay near them.
+// Replaces triangles of the mesh by finer ones. Passes on the points that must stay near them.
 class Splitter {
  public:
   explicit Splitter(Decimated& small) : small_(small), taken_(small.mesh.triangles.size(), 0) {
@@ -80,8 +80,8 @@ class Splitter {
   }
 
  private:
-  // Connects `vertex` to each edge of triangle t except `without`. The first new triangle takes the
-  // number of the old one.
+  // Replaces triangle t by triangles that connect `vertex` with each edge of t except `without`.
+  // The first new triangle gets the index of the old one.
   void fan(std::int32_t t, std::int32_t without, std::int32_t vertex,
            std::vector<std::int32_t>& fresh) {
     bool first = true;
@@ -142,7 +142,7 @@ Deviation measureDeviation(const std::vector<Vector3d>& points, const Decimated&
   const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;
   std::vector<std::vector<Beyond>> found(blocks);
   std::vector<double> largestOf(blocks, 0);
-  // Distances below `smallest`, or below the largest known one, need not be exact.
+  // Distances below `smallest`, or below the largest distance known so far, need not be exact.
   const auto measure = [&](double smallest) {
     parallelBlocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
       double& largest = largestOf[begin / kBlock];

@@ -1,11 +1,11 @@
-// Measures how far a mesh lies from the solid that was made from it, and adds vertices where that
-// is too far.
+// Measures how far a mesh deviates from the solid that was made from it, and adds vertices where
+// this is too much.
 // In:      the original vertices, the reduced mesh with its partition, and the positions that the
 //          model gave its vertices.
 // Out:     the largest distance of a vertex from the nearest triangle, or from the surface that
 //          replaces that triangle.
 // Units:   mm.
-// Cost:    O(n log n), parallel.
+// Cost:    O(n log n) for n vertices, parallel.
 // Promise: The result does not depend on the number of threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -22,8 +22,9 @@ struct Violation {
 };
 
 struct Deviation {
-  double largest = 0;             ///< mm
-  std::vector<Violation> beyond;  ///< for each triangle, the vertex farthest beyond the limit
+  double largest = 0;  ///< mm
+  /// For each triangle, the vertex with the largest distance beyond the limit.
+  std::vector<Violation> beyond;
 };
 
 Deviation measureDeviation(const std::vector<Eigen::Vector3d>& points, const Decimated& small,

@@ -11,22 +11,22 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Share of the facet's angle at a vertex that a curve may use: the other edge there may bend
-/// inward too.
+/// Fraction of the facet's angle at a vertex that a curve may use, because the other edge there may
+/// bend inward, too.
 constexpr double kMaxIntoCorner = 0.45;
 /// rad; largest angle by which a curve may turn away from the facet. Edges of the curved face may
-/// lie beyond.
+/// lie on that side.
 constexpr double kMaxOutward = 0.4;
-/// Largest distance of the curve from its chord, as a share of the chord's length.
+/// Largest distance of the curve from its chord, as a fraction of the length of the chord.
 constexpr double kMaxStray = 0.3;
 
 double angleAt(const Vector3d& corner, const Vector3d& a, const Vector3d& b) {
   return std::atan2((a - corner).cross(b - corner).norm(), (a - corner).dot(b - corner));
 }
 
-// Whether the curve from a to b stays clear of the other two sides of the facet (a, b, apex) and of
-// edges on its outer side. `into`: unit vector in the plane of the facet, perpendicular to the
-// chord.
+// Returns whether the curve from a to b stays away from the other two sides of the facet (a, b,
+// apex) and from edges on its outer side. `into`: unit vector in the plane of the facet,
+// perpendicular to the chord.
 bool keepsClear(const Curve& curve, const Vector3d& a, const Vector3d& b, const Vector3d& apex,
                 const Vector3d& into) {
   constexpr int kSteps = 16;
@@ -58,8 +58,8 @@ std::vector<Sides> sidesOf(const Model& model) {
   return sides;
 }
 
-// Returns the vertex of a triangular facet opposite to the edge, or null if the face is no such
-// facet.
+// Returns the vertex of a triangular facet opposite to the edge. Returns null if the face is not
+// such a facet.
 const Vector3d* apexOf(const Model& model, const ModelFace& face, const ModelEdge& edge) {
   if (face.surface.kind != CarrierKind::Facet || face.loops.size() != 1 ||
       face.loops.front().size() != 3)

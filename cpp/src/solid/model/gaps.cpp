@@ -9,7 +9,7 @@
 namespace swept::step {
 namespace {
 
-/// mm; initial tolerance of the kernel. An edge within it needs no larger tolerance.
+/// mm; default tolerance of the kernel. An edge this near to its faces needs no larger tolerance.
 constexpr double kHeld = 1e-7;
 
 }  // namespace

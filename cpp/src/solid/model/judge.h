@@ -1,7 +1,7 @@
-// What the making of a solid asks a geometry kernel: whether it accepts the faces of a model, and
-// whether it reads a file back as it was written. The kernel changes nothing: the text of the file
-// is made from the model alone. So the solid is the same with every kernel that gives the same
-// answers.
+// Interface to a geometry kernel for making a solid: it decides whether the kernel accepts the
+// faces of a model, and whether it reads a file back as it was written. The kernel changes nothing:
+// the text of the file is made from the model alone. So the solid is the same with every kernel
+// that gives the same answers.
 // In:      a Model. Out: indices into Model::faces and Model::edges.
 // Units:   mm.
 // Throws Error(ExportFailed, "KernelFailure" | "RereadFailed"), Error(Cancelled).
@@ -26,30 +26,31 @@ class Judge {
  public:
   virtual ~Judge() = default;
 
-  /// Takes a model, to which the next four functions refer. Returns the faces that cannot be made.
+  /// Takes a model, to which the next four functions refer. Returns the faces that the kernel
+  /// cannot make.
   virtual std::vector<std::int32_t> take(const Model& model, RunContext& run) = 0;
-  /// Edges of curved faces that are farther from a face than a reader of the file would assume.
-  /// Each entry has the curve parameter at which the distance is largest.
+  /// Returns edges of curved faces that are farther from a face than a reader of the file would
+  /// assume. Each entry has the curve parameter at which the distance is largest.
   virtual std::vector<EdgeCut> findUnheldEdges(const Model& model) = 0;
-  /// Faces that are not valid. `from` and `to` are the progress of the export (0 to 1).
+  /// Returns faces that are not valid. `from` and `to`: progress of the export (0 to 1).
   virtual std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) = 0;
-  /// Curved faces that are not valid after the text of the file was read back.
+  /// Returns curved faces that are not valid after the text of the file was read back.
   virtual std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
                                                    RunContext& run) = 0;
-  /// Faces that intersect or touch where they share no vertex or edge.
+  /// Returns faces that intersect or touch where they share no vertex or edge.
   virtual std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) = 0;
 
   /// Writes the model that was taken last as a BREP file.
   virtual void writeBrep(std::ostream& out, RunContext& run) = 0;
-  /// Reads a finished file back and checks it. May write the file once more, in another way, if it
-  /// cannot be read as it is. `name`: the file's final name, for its header.
+  /// Reads a finished file back and checks it. If the file cannot be read correctly, may write it
+  /// once more in another way. `name`: final name of the file, for its header.
   virtual SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
                               const StepOptions& options, SolidFormat format, RunContext& run) = 0;
-  /// Calls work(), and turns the kernel's own failures in it into an Error.
+  /// Calls work(), and converts failures of the kernel to an Error.
   virtual void guard(const std::function<void()>& work, RunContext& run) = 0;
 };
 
-/// Returns the kernel of this program, of which one thread at a time has one. Throws
+/// Returns the judge of this build. With a kernel, only one thread at a time can have one. Throws
 /// Error(ExportFailed, "NoKernel") if the program was built without a kernel.
 std::unique_ptr<Judge> openJudge();
 

@@ -49,8 +49,8 @@ class Builder {
  private:
   std::int32_t vertexAt(const Chain& chain, std::size_t i) const { return chain.vertex(mesh_, i); }
 
-  // Moves each kept vertex to the point where the surfaces of its chains intersect, if that is
-  // near. A vertex of a facet takes the facet along, so it may use only a small share of the
+  // Moves each kept vertex to the point where the surfaces of its chains intersect, if this point
+  // is near. A vertex of a facet moves the facet, too, so it may use only a small fraction of the
   // tolerance.
   void moveVertices() {
     position_ = mesh_.points;
@@ -73,8 +73,8 @@ class Builder {
     for (std::size_t v = 0; v < at.size(); ++v) {
       if (at[v].empty()) continue;
       if ((v & 4095U) == 0) run_.checkpoint(Phase::Export);
-      // Other vertices slide along their surfaces, from a jagged border to the line of
-      // intersection.
+      // Vertices without facets may move farther along their surfaces, from a jagged border to the
+      // line of intersection.
       const double limit = isFacetCorner_[v] ? kCornerFraction * tolerance_
                                              : std::max(10 * tolerance_, 4 * reach[v]);
       const auto known = knownPlace(mesh_.points[v], at[v], limit);
@@ -95,7 +95,7 @@ class Builder {
   std::int32_t root(std::int32_t v) { return findRoot(same_, v); }
 
   // Jagged borders can meet in several vertices that belong to one corner of the solid. The chains
-  // between them shrink to a point and are dropped.
+  // between these vertices shrink to a point and are dropped.
   void dropShrunkChains() {
     same_ = singleSets<std::int32_t>(mesh_.points.size());
     const double eps = std::max(1e-6, 0.02 * tolerance_);
@@ -110,7 +110,8 @@ class Builder {
       same_[root(a)] = root(b);
       return true;
     });
-    // The remaining chains need distinct ends. Ends that coincide go back to their mesh positions.
+    // The remaining chains need distinct ends. Ends that coincide move back to their mesh
+    // positions.
     for (int round = 0; round < 3; ++round) {
       for (const Chain& chain : chains_) {
         std::int32_t last = vertexAt(chain, 0);
@@ -170,7 +171,7 @@ class Builder {
     const bool profiled = std::any_of(chain.surfaces.begin(), chain.surfaces.end(),
                                       [](const Carrier* s) { return s->hasProfile(); });
     // A profile may bend between the few vertices that remain on its border, so more points are
-    // needed.
+    // used.
     const int between = profiled ? 1 + static_cast<int>(60 / count) : count < 8 ? 4 : 1;
     double reach = 0, moved = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -195,7 +196,7 @@ class Builder {
     return curveAlong(along, chain.closed, tolerance_);
   }
 
-  // Whether the curve stays within the tolerance of its surfaces and near the mesh.
+  // Returns whether the curve stays within the tolerance of its surfaces and near the mesh.
   bool isNear(const Curve& curve, const std::vector<Vector3d>& along, const Chain& chain,
               double limit) const {
     constexpr int kSteps = 32;
@@ -297,7 +298,7 @@ class Builder {
                      [](const ModelFace& a, const ModelFace& b) { return a.shell < b.shell; });
   }
 
-  // Recomputes the planes of facets, whose vertices may have moved onto other surfaces.
+  // Recomputes the planes of facets, because their vertices may have moved onto other surfaces.
   void fitFacets() {
     for (ModelFace& face : model_.faces) {
       if (face.surface.kind != CarrierKind::Facet) continue;
@@ -339,11 +340,11 @@ class Builder {
   std::vector<Chain> chains_;
   std::vector<char> kept_;  // mesh vertices that become model vertices
   Model model_;
-  std::vector<char> isFacetCorner_;     // by mesh vertex: 1 if a facet uses it
+  std::vector<char> isFacetCorner_;     // for each mesh vertex, 1 if a facet uses it
   std::vector<std::int32_t> vertexId_;  // mesh vertex -> model vertex
   std::vector<std::int32_t> edgeOf_;    // half-edge -> model edge
-  std::vector<char> isForward_;         // by half-edge: 1 if it runs in the direction of its edge
-  // By half-edge: 1 if it is the first of its edge in its own direction.
+  std::vector<char> isForward_;  // for each half-edge, 1 if it runs in the direction of its edge
+  // For each half-edge, 1 if it is the first one along its edge, in its own direction.
   std::vector<char> startsEdge_;
   std::vector<Vector3d> position_;  // mesh vertex -> new position
   std::vector<std::int32_t> same_;  // union-find over mesh vertices that coincide

@@ -1,8 +1,8 @@
-// The solid as plain data, independent of a CAD kernel: vertices, edges, faces, shells.
+// The solid as plain data (vertices, edges, faces, shells), independent of a CAD kernel.
 // In:      HalfEdgeMesh and Partition.
 // Out:     Model.
 // Units:   mm.
-// Cost:    O(n).
+// Cost:    O(n) for n triangles.
 // Promise: Each edge belongs to exactly two faces, or twice to one face (seam). Loops are simple.
 //          Outer loops run counter-clockwise, seen from outside.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -56,7 +56,7 @@ struct Model {
 Model buildModel(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
                  RunContext& run);
 
-/// Returns the number and the place of faces, for a message. `faces`: at least one, by index.
+/// Returns the number and the position of faces, for a message. `faces`: at least one, by index.
 std::string facesText(const std::vector<std::int32_t>& faces, const Model& model);
 
 }  // namespace swept::step

@@ -18,11 +18,11 @@ struct EdgeCut {
   double at = 0;  ///< parameter of the edge's curve
 };
 
-/// Returns the parameter at which a curve is best halved. This is a knot, since a profile may bend
-/// unevenly there.
+/// Returns the parameter at which a curve should be halved. For a spline this is a knot, because a
+/// profile may bend unevenly there.
 double middleOf(const Curve& curve);
 
-/// An edge may be split once per call.
+/// Splits edges. Each edge may occur only once in `cuts`.
 void splitEdges(const std::vector<EdgeCut>& cuts, Model& model);
 
 }  // namespace swept::step

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kSamples = 24;
-constexpr int kNodes = 32;  // number of moments at which the contact along an edge is found first
+constexpr int kNodes = 32;  // number of times at which the contact along an edge is found first
 
 }  // namespace
 
@@ -56,7 +56,7 @@ std::optional<Curve> curveOf(const ExactCurve& exact, Range range, double bound)
   const bool isStraight = std::all_of(points.begin(), points.end(), [&](const Vector3d& p) {
     return (p - line.start).cross(line.axis).norm() <= 0.5 * bound;
   });
-  // A path that turns back on itself is not a line.
+  // A path that turns back on itself is longer than its chord and is not a line.
   if (isStraight) {
     return length <= line.last + bound ? std::optional<Curve>(line) : std::nullopt;
   }
@@ -95,7 +95,7 @@ Carrier posed(const Carrier& carrier, const Placement& placement) {
 
 namespace {
 
-// An edge as a rail: its points with the normal of a face beside it.
+// An edge as a rail: its points, with the normal of a face beside it.
 class EdgeRail : public Rails {
  public:
   EdgeRail(const Curve& curve, const std::function<Vector3d(double)>& normalAt)
@@ -118,7 +118,7 @@ std::optional<Curve> contactAlong(const Curve& curve, Range along,
                       (curve.at(along.at(0.5)) - curve.at(along.from)).norm();
   const ContactMap map(rail, path, size);
   const Range room = along.grown(kMargin);
-  // From the middle of the time to both ends.
+  // Goes from the middle of the time range to both of its ends.
   std::vector<double> places(kNodes + 1);
   for (const int way : {-1, 1}) {
     double v = start;

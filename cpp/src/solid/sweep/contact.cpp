@@ -13,10 +13,10 @@ using Eigen::Vector3d;
 
 constexpr int kRounds = 30;
 constexpr double kNoPlace = std::numeric_limits<double>::quiet_NaN();
-/// Sine of 3 degrees: rails must cross the contact curve at no smaller angle.
+/// Sine of 3 degrees: the smallest angle at which rails must cross the contact curve.
 constexpr double kLeastCrossing = 0.05;
 
-// Returns the position of x in the range, counted in nodes.
+// Returns the position of x in the range, in units of node intervals.
 double share(Range range, double x, int nodes) {
   return range.length() > 0 ? std::clamp((x - range.from) / range.length(), 0.0, 1.0) * nodes : 0;
 }
@@ -40,7 +40,7 @@ double ContactMap::speed(double w, double v, const Moment& moment) const {
   return point.normal.dot(moment.velocityAt(point.at));
 }
 
-// Returns the length on the face for one unit of one of its parameters.
+// Returns the length on the face per unit of one of its parameters.
 double ContactMap::lengthPer(double w, double v, bool alongRail) const {
   constexpr double kStep = 1e-4;
   const Vector3d a = alongRail ? rails_.at(w, v - kStep).at : rails_.at(w - kStep, v).at;
@@ -71,7 +71,7 @@ std::optional<double> ContactMap::solve(double w, double v, const Moment& moment
     v -= step;
     const double moved = std::abs(step) * perV;
     if (moved < 1e-13 * size_) return v;
-    // Because of rounding, the steps do not become smaller than this.
+    // Rounding prevents steps smaller than this.
     if (moved < 1e-9 * size_ && moved >= 0.5 * last) return v;
     last = moved;
   }
@@ -87,7 +87,7 @@ Degeneracy ContactMap::follow(Range w, Range s, Range innerW, Range innerS, cons
   const int firstS = static_cast<int>(std::lround(share(s, start.z(), kNodes)));
   std::vector<Moment> moments;
   for (int j = 0; j <= kNodes; ++j) moments.emplace_back(path_, s.at(j / double{kNodes}));
-  // Follows the contact over time on the first rail, then from rail to rail at each moment.
+  // Follows the contact over time on the first rail, then from rail to rail at each time.
   const auto visit = [&](int i, int j, double from) {
     const double rail = w.at(i / double{kNodes}), at = s.at(j / double{kNodes});
     const auto found = solve(rail, from, moments[j]);

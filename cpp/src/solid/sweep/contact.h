@@ -1,8 +1,8 @@
-// Points of contact: where the normal of a face of the moving body is orthogonal to its velocity,
-// followed over rails and time.
+// Finds points of contact, where the normal n of a face of the moving body is orthogonal to its
+// velocity v. Follows them over rails (rails.h) and time.
 // In:      rails of a face, the motion, a range of rails and time, and a start.
 // Units:   mm, rad.
-// Cost:    O(kNodes^2) steps of Newton's method to begin with, then O(1) per point.
+// Cost:    O(kNodes^2) steps of Newton's method first, then O(1) per point.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace swept::step {
 
-/// The motion at one moment, seen from the body: x moves with linear + angular x x.
+/// The motion at one time, in coordinates of the body: x moves with linear + angular x x.
 struct Moment {
   Moment(const StepPath& path, double s);
   Eigen::Vector3d velocityAt(const Eigen::Vector3d& x) const { return linear + angular.cross(x); }
@@ -24,25 +24,25 @@ struct Moment {
 
 class ContactMap {
  public:
-  /// `size`: mm, extent of the contact. Starts at rail w and moment s with the place v.
+  /// `size`: mm, extent of the contact.
   ContactMap(const Rails& rails, const StepPath& path, double size)
       : rails_(rails), path_(path), size_(size) {}
 
   /// Returns n.v at one point, in mm per unit of s.
   double speed(double w, double v, const Moment& moment) const;
-  /// Returns the derivatives of n.v by the length along the rail and by the length across the
-  /// rails.
+  /// Returns the derivatives of n.v with respect to the length along the rail and the length across
+  /// the rails.
   Eigen::Vector2d slopes(double w, double v, const Moment& moment) const;
   /// Returns the parameter v of the contact on rail w near the given v, if Newton's method finds
-  /// it.
+  /// one.
   std::optional<double> solve(double w, double v, const Moment& moment) const;
 
-  /// Follows the contact from the start over the ranges of w and s. Returns how the contact
-  /// degenerates within the inner ranges; `where` receives the place. Faults in the margin around
-  /// the inner ranges do not count.
+  /// Follows the contact from `start` (w, v, s) over the ranges of w and s. Returns how the contact
+  /// degenerates within the inner ranges; `where` receives the parameters (w, s). Faults in the
+  /// margin around the inner ranges do not count.
   Degeneracy follow(Range w, Range s, Range innerW, Range innerS, const Eigen::Vector3d& start,
                     Eigen::Vector2d& where);
-  /// Returns the parameter v of the contact at (w, s) in the range that was followed; NaN if there
+  /// Returns the parameter v of the contact at (w, s) in the range that was followed. NaN if there
   /// is none.
   double placeAt(double w, double s) const;
 

@@ -12,17 +12,17 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kTests = 13;  // test points in each direction
-/// Relative: sines below this count as zero until the test points decide.
+/// Sines below this count as zero for the guess; the test points decide later.
 constexpr double kTiny = 1e-7;
-/// A revolution may not come nearer to its axis than this share of its size.
+/// A revolution may not come nearer to its axis than this fraction of its size.
 constexpr double kNearAxis = 1e-3;
-/// A profile consists of cubics with C1 joints. If it needs more than kMostNodes, a sheet is
-/// better: it has fewer poles. It also passes the kernel's test of a shape for Boolean operations
-/// (BOPAlgo_ArgumentAnalyzer), which finds curves off their surfaces (InvalidCurveOnSurface) in
-/// such profiles.
+/// A profile consists of cubics that meet with equal derivatives (C1). If it needs more than
+/// kMostNodes, a sheet is better, because it has fewer poles. The sheet also passes the kernel's
+/// test of a shape for Boolean operations (BOPAlgo_ArgumentAnalyzer). In such profiles this test
+/// finds curves off their surfaces (InvalidCurveOnSurface).
 constexpr std::size_t kFewestNodes = 4, kMostNodes = 16;
 
-// Points of the surface, row after row along t, for each of kTests values of u.
+// Points of the surface: for each of kTests values of u, a row of points along t.
 struct Samples {
   std::vector<Vector3d> points;
   Vector3d middle, normal;  // of the patch, along S_u x S_t; zero if it is singular there
@@ -48,14 +48,14 @@ Samples sampled(const ExactSurface& exact, Range u, Range t) {
   return samples;
 }
 
-// Whether all points lie on the carrier. Turns its outward side to that of the samples.
+// Returns whether all points lie on the carrier. Turns its outward side to that of the samples.
 bool holds(Carrier& carrier, const Samples& samples, double bound) {
   for (const Vector3d& p : samples.points) {
     if (!(std::abs(carrier.distance(p)) <= bound)) return false;
   }
   const Vector3d d = samples.middle - carrier.point;
   const Vector3d across = d - d.dot(carrier.axis) * carrier.axis;
-  // The seam of the kernel's surface lies opposite to the middle of the face.
+  // This puts the seam of the kernel's surface opposite to the middle of the face.
   if (!carrier.isPlanar() && !carrier.hasProfile() && across.norm() > 0)
     carrier.xdir = -across.normalized();
   const bool turn = carrier.normal(samples.middle).dot(samples.normal) < 0;
@@ -81,7 +81,8 @@ Carrier planeGuess(const Samples& samples) {
   return ofKind(CarrierKind::Plane, mean, solver.eigenvectors().col(0).normalized());
 }
 
-// Centre and radius of the circle through three points of a plane. Nothing for points in a line.
+// Returns centre and radius of the circle through three points of a plane. Returns nothing if they
+// lie on a line.
 std::optional<Vector3d> circleOf(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   Eigen::Matrix2d rows;
   rows << (b - a).transpose(), (c - a).transpose();
@@ -92,8 +93,8 @@ std::optional<Vector3d> circleOf(const Vector2d& a, const Vector2d& b, const Vec
   return Vector3d(a.x() + from.x(), a.y() + from.y(), from.norm());
 }
 
-// Surfaces that turn about the axis: their points, as (distance from the axis, height), form one
-// curve; three of them give the guess.
+// For surfaces that turn about the axis: their points, as (distance from the axis, height), form
+// one curve. Three of the points give a guess of the surface.
 std::optional<Carrier> turnedGuess(const Samples& samples, const FixedAxis& axis, double bound) {
   std::vector<Vector2d> flat;
   for (const Vector3d& p : samples.points) {
@@ -126,25 +127,25 @@ std::optional<Carrier> turnedGuess(const Samples& samples, const FixedAxis& axis
   round.radius = std::abs(circle->x());
   round.minor = circle->z();
   round.tubeMid = std::atan2(b.y() - circle->y(), b.x() - circle->x());
-  // A torus that meets itself is two surfaces in one.
+  // A torus that intersects itself would consist of two surfaces.
   if (round.minor < round.radius && holds(round, samples, bound)) return round;
   return std::nullopt;
 }
 
-// The profile through plane points q(v), with slopes from q itself.
+// Returns the profile through plane points at(v). Slopes are differences of these points.
 std::shared_ptr<const Profile> profileThrough(const std::function<Vector2d(double)>& at,
                                               Range range, std::size_t count) {
   std::vector<Profile::Node> nodes;
   const double h = 1e-5 * range.length();
   for (std::size_t i = 0; i <= count; ++i) {
     const double v = range.at(static_cast<double>(i) / static_cast<double>(count));
-    // A difference of fourth order.
+    // A difference quotient of fourth order.
     const Vector2d slope =
         (8 * (at(v + h) - at(v - h)) - (at(v + 2 * h) - at(v - 2 * h))) / (12 * h);
     nodes.push_back({at(v), slope, v});
   }
   // Scales the parameter so that it is about the length along the profile. All nodes get the same
-  // factor, so that the cubics on both sides of a node keep the same slope there.
+  // factor, so that the cubics on both sides of a node have the same slope there.
   double length = 0;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     length += (nodes[i + 1].at - nodes[i].at).norm();
@@ -169,7 +170,7 @@ std::optional<Carrier> withProfile(Carrier carrier, const ExactCurve& generator,
       const double v = range.at(static_cast<double>(i) / static_cast<double>(4 * count));
       error = std::max(error, std::abs(carrier.distance(generator(v))));
     }
-    // The profile is exact now. If points lie off its surface, more nodes would not help.
+    // The profile is accurate now. If points lie off its surface, more nodes would not help.
     if (error <= 0.5 * bound)
       return holds(carrier, samples, bound) ? std::optional(carrier) : std::nullopt;
   }
@@ -224,8 +225,8 @@ std::optional<Carrier> extrusion(const ExactSurface& exact, Range u, Range t,
 std::optional<Carrier> revolution(const ExactSurface& exact, Range u, Range t,
                                   const Samples& samples, const FixedAxis& axis, double bound) {
   Carrier carrier = ofKind(CarrierKind::Revolution, axis.point, axis.direction);
-  // The profile lies in the half plane of xdir, opposite to the middle of the face, so that the
-  // seam of the kernel's surface is far from the face.
+  // The profile lies in the half plane of xdir, opposite to the middle of the face. So the seam of
+  // the kernel's surface is far from the face.
   const Vector3d d = samples.middle - axis.point;
   const Vector3d across = d - d.dot(axis.direction) * axis.direction;
   if (!(across.norm() > 0)) return std::nullopt;
@@ -234,8 +235,8 @@ std::optional<Carrier> revolution(const ExactSurface& exact, Range u, Range t,
     if (!((p - axis.point).cross(axis.direction).norm() > kNearAxis * samples.size))
       return std::nullopt;
   }
-  // The surface of a general motion is no surface of revolution. Then the profiles at the two ends
-  // of the turn differ.
+  // A general motion does not sweep a surface of revolution. Then the profiles at the two ends of
+  // the turn differ.
   for (int i = 0; i < kTests; ++i) {
     const Vector2d a = carrier.inProfile(samples.at(i, 0)),
                    b = carrier.inProfile(samples.at(i, kTests - 1));

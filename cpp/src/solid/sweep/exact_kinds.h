@@ -1,8 +1,8 @@
-// Finds out whether a swept surface is a plane, cylinder, cone, sphere, torus, extrusion or
+// Decides whether a swept surface is a plane, cylinder, cone, sphere, torus, extrusion or
 // revolution. A guess from a few points and the motion is kept only if all test points lie on it.
 // In:      the exact surface over a range, its motion.
-// Out:     the carrier, with its outward side towards S_u x S_t in the middle; or nothing. It is an
-//          extrusion or a revolution only if a profile of few cubics is within the bound.
+// Out:     the carrier, or nothing. Its outward side is that of S_u x S_t in the middle. It is an
+//        extrusion or a revolution only if a profile of few cubics is within the bound.
 // Units:   mm.
 // Cost:    some hundred exact evaluations; extrusions and revolutions up to some thousand.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -19,7 +19,7 @@ namespace swept::step {
 std::optional<Carrier> exactKind(const ExactSurface& exact, Range u, Range t, const StepPath& path,
                                  double bound);
 
-/// The line about which all points turn and along which they slide in this step, if there is one.
+/// The line about which all points turn and along which they slide in one step, if there is one.
 struct FixedAxis {
   Eigen::Vector3d point, direction;
 };

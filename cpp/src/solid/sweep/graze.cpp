@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Smaller speeds, relative to the largest one, count as zero.
+/// Smaller speeds, relative to the largest speed, count as zero.
 constexpr double kNone = 1e-9;
 /// Radians: the smallest gap between contacts on a closed rail at which the rail can be cut open.
 constexpr double kLeastGap = 0.35;
@@ -29,8 +29,8 @@ SweptSurface none(Degeneracy why, const Vector2d& where = Vector2d::Zero()) {
   return result;
 }
 
-// Shifts periodic values by whole periods so that they lie together, cut at their largest gap.
-// Returns whether there is a gap.
+// Shifts periodic values by whole periods so that they lie together: the period is cut at their
+// largest gap. Returns whether this gap is large enough.
 bool unwrap(std::vector<double>& values, double period) {
   if (period == 0) return true;
   std::vector<double> sorted;
@@ -56,7 +56,7 @@ Range rangeOf(const std::vector<double>& values) {
   return {*low, *high};
 }
 
-// Returns the index of the value nearest to the middle of the box.
+// Returns the index of the contact nearest to the middle of the ranges of w and s.
 std::size_t middleOf(const std::vector<double>& w, Range rangeW, const std::vector<double>& s,
                      Range rangeS) {
   std::size_t best = 0;
@@ -71,7 +71,8 @@ std::size_t middleOf(const std::vector<double>& w, Range rangeW, const std::vect
   return best;
 }
 
-// Makes the carrier of an exact surface, and tests it. `outward`: normal of the face there.
+// Makes the carrier of an exact surface, and tests it. `outward`: outward normal of the face at (w,
+// s).
 SweptSurface carrierOf(const ExactSurface& exact, const ExactSurface& outward, Range w, Range s,
                        Range innerW, Range innerS, bool isRuled, const StepPath& path,
                        double bound) {
@@ -93,7 +94,7 @@ SweptSurface carrierOf(const ExactSurface& exact, const ExactSurface& outward, R
   return result;
 }
 
-// A sphere touches the envelope in the great circle across the velocity of its centre.
+// A sphere touches the envelope along the great circle perpendicular to the velocity of its centre.
 class SphereContact {
  public:
   SphereContact(const Carrier& face, const StepPath& path) : face_(face), path_(path) {
@@ -176,13 +177,14 @@ SweptSurface grazeOfSphere(const Carrier& face, const std::vector<Contact>& cont
   return carrierOf(exact, outward, w, s, innerW, innerS, false, path, bound);
 }
 
-// Contacts on the rails of a face: their parameters and the ranges of these.
+// Contacts on the rails of a face: their parameters, and the ranges of w and s.
 struct OnRails {
   std::vector<double> w, v, s;
   Range rangeW, rangeS;
   bool isOpen = true;   // true: on closed rails, there is a gap between the contacts
   double crossing = 0;  // the smallest sine of the angle between rails and contact curves
-  double fastest = 0, farthest = 0;  // largest speeds (mm per unit of s): normal, any
+  // Largest speed (mm per unit of s): along the normal, in any direction.
+  double fastest = 0, farthest = 0;
 };
 
 OnRails place(const Rails& rails, const std::vector<Contact>& contacts, const StepPath& path,
@@ -233,7 +235,7 @@ SweptSurface followed(const Rails& rails, const OnRails& on, bool isRuled, doubl
   const std::size_t first = middleOf(on.w, on.rangeW, on.s, on.rangeS);
   const Vector3d start(on.w[first], on.v[first], on.s[first]);
   SweptSurface result;
-  // If the surface with a margin around the range is too complex, tries again without the margin.
+  // If the surface with a margin around the range is too complex, try again without the margin.
   for (const double margin : {kMargin, 0.0}) {
     const Range w = on.rangeW.grown(margin), s = on.rangeS.grown(margin);
     ContactMap map(rails, path, size);
@@ -308,7 +310,7 @@ std::optional<Curve> contactAt(const Carrier& face, const std::vector<Vector3d>&
     std::swap(rails, crossed);
     std::swap(on, other);
   }
-  // The points may lie beside the curve, but they must be in the order of the rails.
+  // The points need not lie on the curve, but they must be in the order of the rails.
   const double way = on.w.back() > on.w.front() ? 1 : -1;
   for (std::size_t i = 1; i < on.w.size(); ++i) {
     if (!(way * (on.w[i] - on.w[i - 1]) > 0)) return std::nullopt;

@@ -18,7 +18,7 @@ std::vector<double> evenly(Range range, std::size_t count) {
   return result;
 }
 
-// Knots across the iso-lines at these parameters of the other direction.
+// Finds knots for curves across the iso-lines at these parameters of the other direction.
 std::optional<Knots> knotsAcross(const ExactSurface& exact, Range range,
                                  const std::vector<double>& lines, bool alongU, double bound) {
   const ExactRow row = [&](double v) {
@@ -56,7 +56,7 @@ Sheet interpolate(const ExactSurface& exact, const Knots& u, const Knots& t) {
   return {u, t, std::move(poles)};
 }
 
-// Points between the sites, where the error is largest, at both thirds.
+// Returns points at about both thirds of the gaps between sites, where the error is largest.
 std::vector<double> between(const Knots& knots) {
   const std::vector<double> sites = knots.sites();
   std::vector<double> result;
@@ -85,8 +85,8 @@ std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t,
   std::size_t lines = kLines;
   double each = bound / 3;  // the errors of the two directions add up
   for (int attempt = 0; attempt < kTries; ++attempt, lines = 2 * lines - 1, each /= 3) {
-    // If the knots along u are given, the surface is a rigidly moved spline, and so its poles move
-    // rigidly. For a line, the paths of its two ends are enough to choose the knots along t.
+    // If the knots along u are given, the surface is a spline that moves rigidly, so its poles move
+    // rigidly. For a line, the paths of its two ends suffice to choose the knots along t.
     const auto across = given != nullptr && given->degree() == 1 ? evenly(u, 2) : evenly(u, lines);
     const auto knotsT = knotsAcross(exact, t, across, false, each);
     if (!knotsT) return std::nullopt;

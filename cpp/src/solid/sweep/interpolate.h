@@ -1,9 +1,9 @@
-// Sheets that interpolate an exact surface on a grid, refined until they are within a bound between
-// the grid points.
+// Makes sheets that interpolate an exact surface on a grid. They are refined until they are within
+// a bound between the grid points.
 // Units:   mm.
 // Cost:    O(poles) exact evaluations for the grid and about five times as many to test it.
-// Promise: `error` is at most the bound at twice as many test points as poles in each direction;
-//          the result depends on nothing but the exact values.
+// Promise: `error` is at most the bound at twice as many test points as poles in each direction.
+// The result depends only on the exact values.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,18 +19,18 @@ namespace swept::step {
 /// A sheet that needs more poles is nearly singular and is not made.
 constexpr std::size_t kMostPoles = 1000;
 
-/// Returns a point of the exact surface, or coordinates that are not finite where the surface is
+/// Returns a point of the exact surface. Its coordinates are not finite where the surface is
 /// undefined.
 using ExactSurface = std::function<Eigen::Vector3d(double u, double t)>;
 
 struct FittedSheet {
   std::shared_ptr<const Sheet> sheet;
-  double error = 0;  ///< mm, largest one at the test points
+  double error = 0;  ///< mm, largest deviation at the test points
 };
 
 /// Returns a sheet within `bound` of the exact surface. `given`: the knots along u if the exact
-/// surface is a spline along u, such as the surface that a line or a spline sweeps; null: the knots
-/// are searched for. Returns nothing if the bound is not reached with kMostSpans spans and
+/// surface is a spline along u, as for surfaces that a line or a spline sweeps; null: the function
+/// searches for knots. Returns nothing if the bound is not reached with kMostSpans spans and
 /// kMostPoles poles, or if a value is not finite.
 std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
                                     double bound);

@@ -20,7 +20,7 @@ struct Frame {
   Vector3d z, x, y;
 };
 
-// Lines perpendicular to the direction of contact.
+// Lines perpendicular to the line of contact.
 class PlaneRails : public Rails {
  public:
   PlaneRails(const Carrier& face, const Vector3d& along)
@@ -128,7 +128,7 @@ class SheetRails : public Rails {
   Carrier face_;
 };
 
-// The rails in the other direction: w and v are exchanged.
+// The second set of rails: w and v are exchanged.
 class Crossed : public Rails {
  public:
   explicit Crossed(std::unique_ptr<const Rails> rails) : rails_(std::move(rails)) {}

@@ -1,5 +1,5 @@
-// Rails: curves that cover a face of the body, on which points of contact are sought. A point of
-// the face has the parameters (w, v): rail w, place v on the rail.
+// Rails: curves that cover a face of the body, on which points of contact are searched for. A point
+// of the face has the parameters (w, v): the rail w, and the position v on the rail.
 // In:      the carrier of a face, in coordinates of the body.
 // Units:   mm, rad.
 // Cost:    O(1).
@@ -30,9 +30,9 @@ class Rails {
   virtual bool covers(double, double) const { return true; }
 };
 
-/// Returns the rails of a face; null if this kind of face has none. There are two sets of rails,
-/// which cross each other; `crossed` chooses between them. `direction`: for a plane, the direction
-/// of w; ignored for other faces.
+/// Returns the rails of a face; null if there are none for this kind of face. There are two sets of
+/// rails, which cross each other; `crossed` selects the second set. `direction`: for a plane, the
+/// direction of w; ignored for other faces.
 std::unique_ptr<const Rails> railsOf(const Carrier& face, bool crossed,
                                      const Eigen::Vector3d& direction);
 

@@ -12,7 +12,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kSteps = 32;
-/// Cosine of 45 degrees. Between adjacent normals that differ by more, there is a singular point.
+/// Cosine of 45 degrees. If the angle between adjacent normals is larger, there is a singular
+/// point.
 constexpr double kLeastAgreement = 0.7;
 
 class Search {
@@ -27,8 +28,8 @@ class Search {
     }
   }
 
-  // Returns the area of the unit parallelogram or a relative length, whichever is smallest. It is 0
-  // at a singular point.
+  // Returns the smallest of three numbers: the sine between both derivatives, and their relative
+  // lengths. It is 0 at a singular point.
   double regularity(const Sheet::Foot& foot) const {
     const double a = foot.alongU.norm(), b = foot.alongT.norm();
     if (!(a > 0 && b > 0)) return 0;
@@ -36,7 +37,7 @@ class Search {
     return std::min({sine, a / largestU_, b / largestT_});
   }
 
-  // Returns the least regular point: the worst point of the grid, improved in ever smaller steps.
+  // Returns the least regular point: that of the grid, improved in smaller and smaller steps.
   Vector2d worst() const {
     const auto least = std::min_element(
         feet_.begin(), feet_.end(),
@@ -63,8 +64,8 @@ class Search {
     return at;
   }
 
-  // Returns a place where the normal differs much between adjacent grid points, or changes its
-  // side.
+  // Returns parameters at which the normal differs much between adjacent grid points, or changes
+  // its side.
   std::optional<Vector2d> turning(const std::function<Vector3d(double, double)>& side) const {
     double sign = 0;
     for (int i = 0; i <= kSteps; ++i) {

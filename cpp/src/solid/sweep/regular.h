@@ -1,5 +1,5 @@
-// Whether a sheet is regular: S_u and S_t nowhere vanish or become parallel. A sheet that is not
-// has a pole, a crease or an edge of regression, where no kernel can work with it.
+// Tests whether a sheet is regular: S_u and S_t nowhere vanish or become parallel. Otherwise it has
+// a pole, a crease or an edge of regression, where no kernel can work with it.
 // Units:   none (sines).
 // Cost:    O(samples).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -12,13 +12,13 @@
 
 namespace swept::step {
 
-/// Smallest sine of the angle between S_u and S_t, and smallest ratio of a derivative to the
-/// largest one of its kind, of a regular sheet.
+/// Smallest values allowed: for the sine of the angle between S_u and S_t, and for the length of a
+/// derivative relative to the longest one of the sheet.
 constexpr double kLeastRegular = 0.01;
 
-/// Returns a place (u, t) within the two ranges where the sheet is not regular, if there is one.
-/// `side`: if given, it returns a direction at (u, t). The normal S_u x S_t must then point to the
-/// same side everywhere: always along this direction, or always against it.
+/// Returns parameters (u, t) within the two ranges at which the sheet is not regular, if there are
+/// any. `side`: if given, returns a direction at (u, t). The normal S_u x S_t must then be always
+/// along this direction, or always against it.
 std::optional<Eigen::Vector2d> findSingular(
     const Sheet& sheet, Range u, Range t,
     const std::function<Eigen::Vector3d(double u, double t)>& side = nullptr);

@@ -13,10 +13,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kSteps = 16;
-/// A relative speed, or a relative area, below this is none.
+/// A relative speed or relative area below this counts as zero.
 constexpr double kNone = 1e-9;
 
-// The range with its margin; a circle does not pass its own start.
+// Returns the range with its margin. The range of a circle does not extend beyond one turn.
 Range withRoom(const Curve& curve, Range range) {
   const Range grown = range.grown(kMargin);
   if (curve.kind != CurveKind::Circle || grown.length() < 2 * M_PI) return grown;
@@ -39,7 +39,7 @@ std::optional<Knots> knotsOf(const Curve& curve, Range range) {
   return Knots(curve.degree, std::move(breaks), curve.joints);
 }
 
-// Returns whether the curve is at rest, or moves only along itself.
+// Finds out whether the curve is at rest, or moves only along itself.
 Degeneracy idle(const ExactSurface& exact, Range u, Range t) {
   double way = 0, length = 0, area = 0;
   for (int i = 0; i < kSteps; ++i) {
@@ -49,8 +49,8 @@ Degeneracy idle(const ExactSurface& exact, Range u, Range t) {
       const Vector3d p = exact(u0, t0), along = exact(u1, t0) - p, moved = exact(u0, t1) - p;
       way = std::max(way, moved.norm());
       length = std::max(length, along.norm());
-      // If the curve slides along itself, both chords lie along it and span no area. Bent curves
-      // escape this test: see turnsInItself().
+      // If the curve slides along itself, both chords lie along it and span no area. This fails for
+      // bent curves; see turnsInItself().
       area = std::max(area, along.cross(moved).norm());
     }
   }
@@ -59,7 +59,7 @@ Degeneracy idle(const ExactSurface& exact, Range u, Range t) {
 }
 
 // Returns whether the curve is a circle that turns about its own axis. Its chords are not parallel,
-// so idle() cannot tell.
+// so idle() cannot detect this.
 bool turnsInItself(const Curve& curve, const StepPath& path) {
   const auto axis = fixedAxis(path);
   if (curve.kind != CurveKind::Circle || !axis) return false;

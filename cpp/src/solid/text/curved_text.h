@@ -1,5 +1,6 @@
-// Asks a reader of STEP text which curved faces of a model it refuses.
-// In:      a model, and a function that reads a text and returns indices of its faces.
+// Finds the curved faces of a model that a reader of STEP text refuses.
+// In:      a model, and a function that reads a text and returns the indices of the faces that it
+//        refuses.
 // Out:     indices into Model::faces.
 // Cost:    that of the function. It is not called again while the curved faces stay the same.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -41,7 +42,8 @@ class CurvedText {
   }
 
  private:
-  // The last query and its answer. The same faces are checked again if only facets have changed.
+  // The last query and its answer, because the same faces are checked again if only facets have
+  // changed.
   std::string lastText_;
   std::vector<std::int32_t> answer_;
 };

@@ -80,7 +80,7 @@ Id FileSections::plain(const char* keyword, Words arguments) {
   return id;
 }
 // An entity of several types has no keyword before its parentheses. The keywords of all its types
-// stand inside, so plain() gets an empty keyword here.
+// are inside the parentheses, so plain() gets an empty keyword here.
 Id FileSections::context(double exact) {
   const Id mm = plain("", {"LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)"});
   const Id radian = plain("", {"NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.)"});

@@ -26,12 +26,13 @@ constexpr std::size_t kFlushAt = 1U << 20U;  // characters; longer text is writt
 
 using Id = std::int64_t;
 
-// Writes lines one after another and numbers the entities in this order.
+// Writes entities one after another, and numbers them in this order.
 class Lines {
  public:
   Lines(std::ostream& out, RunContext& run) : out_(out), run_(run) { text_.reserve(2 * kFlushAt); }
 
-  /// Begins entity `#n=keyword(` and returns n. Append the arguments, then call end().
+  /// Begins the entity `#n=keyword(` and returns n. The caller appends the arguments, then calls
+  /// end().
   Id begin(const char* keyword) {
     text_ += '#';
     integer(++last_);
@@ -139,8 +140,8 @@ class FileSections {
                const Eigen::Vector3d& x);
   /// Writes the units and the accuracy of points (mm).
   Id context(double exact);
-  /// Writes the product. `representation` is the keyword of its shape, which consists of `items`.
-  /// The items in `coloured` get the colour of the options.
+  /// Writes the product. `representation`: the keyword of its shape, which consists of `items`. The
+  /// items in `coloured` get the colour of the options.
   void product(const char* representation, const std::vector<Id>& items,
                const std::vector<Id>& coloured, Id where);
   void end();
@@ -155,7 +156,7 @@ class FileSections {
   const StepOptions& options_;
 };
 
-/// Returns a STEP string with its quotes. Characters outside ASCII become \X2\....\X0\.
+/// Returns a quoted STEP string. Characters outside ASCII become \X2\....\X0\.
 std::string stepString(const std::string& utf8);
 
 }  // namespace swept::step

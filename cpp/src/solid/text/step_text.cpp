@@ -76,7 +76,7 @@ class Writer {
     return id;
   }
 
-  // The multiplicities of the knots of a B-spline.
+  // Writes the multiplicities of the knots of a B-spline.
   void multiplicities(int degree, int joints, std::size_t count) {
     const std::string ends = std::to_string(degree + 1), inner = ',' + std::to_string(joints);
     lines_.raw("(").raw(ends);
@@ -136,8 +136,7 @@ class Writer {
   Id surface(const ModelFace& face) {
     const Carrier& s = face.surface;
     if (s.kind == CarrierKind::Facet) {
-      // The corners of the facet are already written, and its plane needs no x direction of its
-      // own.
+      // The corners of the facet are already written. The plane needs no particular x direction.
       const ModelUse& first = face.loops.front().front();
       const ModelEdge& edge = model_.edges[first.edge];
       const Id up = sections_.direction(s.axis);
@@ -192,8 +191,8 @@ class Writer {
     return id;
   }
 
-  // If the file contains only corners, a loop is stored as its vertices. The edges follow from
-  // them.
+  // If the file contains only corners, a loop is written as its vertices, from which the edges
+  // follow.
   Id writeFace(const ModelFace& face) {
     std::vector<Id> bounds, uses;
     for (const auto& loop : face.loops) {
@@ -214,7 +213,7 @@ class Writer {
     }
     const Id geometry = surface(face);
     // The surface normal of a bore points into the material. The loops follow the orientation of
-    // the face.
+    // the face, not of the surface.
     const bool against = !face.surface.isPlanar() && face.surface.reversed;
     const Id id = lines_.begin(faceted_ ? "FACE_SURFACE" : "ADVANCED_FACE");
     lines_.raw("'',").ids(bounds).raw(",").id(geometry).raw(against ? ",.F." : ",.T.").end();
@@ -269,8 +268,8 @@ bool isFaceted(const Model& model) {
 }
 
 double statedAccuracy(const Model& model) {
-  // Readers compute the gaps between surfaces themselves. A larger value would let them drop short
-  // edges, and accept curves that lie off their surfaces by as much.
+  // Readers compute the gaps between surfaces themselves. With a larger value, they could drop
+  // short edges, and accept curves that lie off their surfaces by this distance.
   if (!isFlat(model)) return 1e-7;
   double largest = 1e-7;
   for (const ModelVertex& vertex : model.vertices) largest = std::max(largest, vertex.tolerance);

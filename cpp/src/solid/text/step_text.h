@@ -4,7 +4,7 @@
 //          names, colour and author. Points have 9 decimals (1e-9 mm), directions 13 digits.
 // Cost:    O(model). Throws Error(Cancelled). A full disk sets the error state of the stream.
 // Why:     The translator of the kernel takes a minute and three times the bytes for 100,000 faces.
-//          Parameter curves are left out, since readers compute their own.
+// Parameter curves are left out, because readers compute them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -25,14 +25,14 @@ void writeStepText(const Model& model, std::ostream& out, const std::string& fil
 /// file has less than half of the bytes and is read in half of the time.
 constexpr std::int64_t kManyFaces = 20000;
 
-/// Whether all faces are plane.
+/// Returns whether all faces are plane.
 bool isFlat(const Model& model);
 
-/// Whether the file contains only the corners of the faces: all are plane, there are very many, and
-/// the solid has no cavities.
+/// Returns whether the file contains only the corners of the faces: all are plane, there are at
+/// least kManyFaces, and the solid has no cavities.
 bool isFaceted(const Model& model);
 
-/// Returns the accuracy that the file states, mm: how far vertices and edges lie from their
+/// Returns the accuracy (mm) that the file states: how far vertices and edges may lie from their
 /// surfaces.
 double statedAccuracy(const Model& model);
 

@@ -16,7 +16,7 @@ namespace swept::step {
 namespace {
 
 constexpr double kBytesPerTriangle = 45;
-// Volumes that differ by less than this share of area^1.5 are equal.
+// Volumes count as equal if they differ by less than this fraction of area^1.5.
 constexpr double kSameVolume = 1e-9;
 constexpr double kExact = 1e-7;  // mm, accuracy stated in the file
 
@@ -70,7 +70,7 @@ class Writer {
     }
     lines_.raw(")").end();
     const Id id = lines_.begin("TRIANGULATED_FACE");
-    // The empty attributes are the normals, the surface, and the list that selects some of the
+    // The empty attributes are the normals, the surface, and the list that would select some of the
     // points.
     lines_.raw("'',").id(list).raw(",").integer(count);
     lines_.raw(",(),$,()");
@@ -89,10 +89,11 @@ class Writer {
   const StepOptions& options_;
   Lines lines_;
   FileSections sections_;
-  std::vector<std::int32_t> numberOf_;  // by vertex: number in the point list of its shell, from 1
+  // For each vertex, its number in the point list of its shell, from 1.
+  std::vector<std::int32_t> numberOf_;
 };
 
-// Reads the points and triangles, statement by statement.
+// Reads the points and triangles of a file, statement by statement.
 class Reader {
  public:
   Reader(std::istream& text, RunContext& run) : in_(*text.rdbuf()), run_(run) {}

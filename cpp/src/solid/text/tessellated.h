@@ -4,9 +4,9 @@
 // Out:     a file with one TESSELLATED_SOLID for each outer shell. The cavities of a shell are
 //          further faces of its solid.
 // Units:   mm.
-// Cost:    O(n).
+// Cost:    O(n) for n triangles.
 // Promise: The file is written beside the target, read back by an independent reader and compared
-//          (points, triangles, closedness, volume). Only then it gets its final name.
+// (points, triangles, closedness, volume). Only then does it get its final name.
 // Throws Error(ExportFailed, "WriteFailed" | "RereadDiffers" | "TooManyFaces" | ...),
 // Error(Cancelled).
 // SPDX-License-Identifier: LGPL-2.1-or-later

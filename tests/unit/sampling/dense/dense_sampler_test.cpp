@@ -19,7 +19,7 @@
 namespace swept::test {
 namespace {
 
-/// A wandering, smooth motion, as a vibration is: sums of sines in all six coordinates.
+/// Returns a wandering, smooth motion, like a vibration: sums of sines in all six coordinates.
 Trajectory vibration(std::mt19937& random, int poses, double travel, double turn) {
   std::uniform_real_distribution<double> unit(-1, 1);
   struct Wave {
@@ -50,7 +50,8 @@ Trajectory vibration(std::mt19937& random, int poses, double travel, double turn
   return out;
 }
 
-/// A ball with bumps: curved both ways, as a scanned figure is.
+/// Returns a ball with bumps, which is convex in some places and concave in others, like a scanned
+/// figure.
 TriMesh bumpyBall(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   TriMesh ball = makeBall({0, 0, 0}, 20, 4);

@@ -17,7 +17,7 @@
 namespace swept::test {
 namespace {
 
-/// A part that stands still, as a recorder with noise sees it.
+/// Returns the motion of a part that stands still, as a recorder with noise reports it.
 Trajectory trembling(int poses, double travel, double turn) {
   Random random(7);
   Trajectory out;
@@ -50,14 +50,15 @@ double ratioOfPairs(const TriMesh& body) {
   return cost.pairs / static_cast<double>(all.placement.size());
 }
 
-// Winners spread over eight rings: a patch without surroundings of its own misses most of them.
+// Candidates spread over eight rings of neighbours, so a patch without its surroundings misses most
+// of them.
 TEST(DenseTrial, MiddlesOfPatchesStandForTheBody) {
   const double ratio = ratioOfPairs(makeTorus(20, 8, 100, 60));
   EXPECT_GT(ratio, 0.8);
   EXPECT_LT(ratio, 1.25);
 }
 
-// All faces of a fan are neighbours: what they find far apart comes to all of them.
+// All faces of a fan are neighbours, so candidates that one face finds reach all the others.
 TEST(DenseTrial, HubsOfFansPassOnWhatFarFacesFind) {
   const double ratio = ratioOfPairs(makeCylinder(20, 0, 10, 3000));
   EXPECT_GT(ratio, 0.5);

@@ -67,7 +67,7 @@ EGLDisplay currentDisplay() { return EGL_NO_DISPLAY; }
 EGLSurface currentSurface(EGLint) { return EGL_NO_SURFACE; }
 EGLint eglError() { return EGL_BAD_MATCH; }
 
-// --- what it is
+// --- properties of the device
 const GLubyte* getString(GLenum what) {
   static std::string text;
   text = what == GL_VENDOR ? "Nobody"
@@ -152,7 +152,7 @@ void clearBuffer(GLuint name, GLenum, GLenum, GLenum, const void*) {
   auto& buffer = state.buffers[name];
   std::fill(buffer.begin(), buffer.end(), std::byte{0});
 }
-/// Applies the faults of marks that come back.
+/// Applies the faults to marks that are read back.
 void spoilMarks(std::uint32_t* marks, std::size_t count) {
   const int nth = ++state.counts.markReadbacks;
   if (nth == state.faults.setOneBitAtReadback) {

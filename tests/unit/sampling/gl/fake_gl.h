@@ -18,11 +18,11 @@ struct FakeFaults {
   std::string renderer = "Imaginary 9000";
   int storageBlocks = 16;
   long long storageBytes = 1 << 27;
-  std::string brokenShader;  ///< a word of the source that does not compile
+  std::string brokenShader;  ///< shaders whose source contains this word do not compile
   bool linkFails = false;
-  int resetFromFence = 0;         ///< contexts report a reset from this fence of theirs on
-  int silentFromFence = 0;        ///< fences never signal from this one on
-  int faultyContexts = 1000;      ///< the two above hold for so many contexts
+  int resetFromFence = 0;         ///< contexts report a reset from the fence with this number on
+  int silentFromFence = 0;        ///< fences with this number and later ones never signal
+  int faultyContexts = 1000;      ///< only so many contexts have the two faults above
   int setBitsFromReadback = 0;    ///< marks appear all over the brick
   int setOneBitAtReadback = 0;    ///< one mark appears, well within the empty border of the grid
   int clearBitsFromReadback = 0;  ///< a share of the marks disappears
@@ -35,7 +35,7 @@ struct FakeCounts {
 };
 
 std::shared_ptr<gl::GlLoader> makeFakeGl(const FakeFaults& faults);
-/// Of the fake made last.
+/// Returns the counts of the fake that was made last.
 const FakeCounts& fakeCounts();
 
 }  // namespace swept::test

@@ -11,7 +11,7 @@
 namespace swept::test {
 namespace {
 
-constexpr double kLongRun = 1e6;  // s: auto looks for a GPU
+constexpr double kLongRun = 1e6;  // s; a run so long that `auto` uses a GPU
 
 class GlFault : public testing::Test {
  protected:
@@ -52,8 +52,8 @@ class GlFault : public testing::Test {
     EXPECT_EQ(d.elements, 0);
     EXPECT_GT(d.contributing, 1000);
   }
-  /// With gpu, the run fails with this status and a text that contains `part`. With auto, it
-  /// continues on the CPU, with a finding.
+  /// Tests both backends with this fault. With gpu, the run must fail with this status and a text
+  /// that contains `part`. With auto, it must continue on the CPU, with a finding.
   void expectFallback(const FakeFaults& faults, Status status, const std::string& part) {
     use(faults);
     try {

@@ -9,6 +9,7 @@
 #include "input/body_check.h"
 #include "sampling/gl/gl_backend.h"
 #include "sampling/gl/gl_verify.h"
+#include "support/sampled.h"
 #include "swept/compute.h"
 #include "swept/io.h"
 #include "unit/sampling/gl/scene.h"
@@ -92,7 +93,7 @@ TEST(GlParity, TiesOnTheLattice) {
 TEST(GlParity, SlabsBatchesAndChunksChangeNothing) {
   NEED_DEVICE(device);
   for (const auto interpolation : {Interpolation::None, Interpolation::Linear}) {
-    const Scene scene(makeTorus(3, 1, 24, 12), turningPath(3, interpolation), 40);
+    const Scene scene(makeTorus(3, 1, 24, 12), turningPath(3, interpolation), 28);
     for (const std::uint64_t budget : {3'000u, 12'000u, 60'000u}) {
       gl::GlSettings settings;
       settings.budgetBytes = budget;
@@ -149,11 +150,10 @@ TEST(GlParity, SharedMeshes) {
   const std::filesystem::path data = SWEPT_SHARED_DATA;
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "no " << data;
   NEED_DEVICE(device);
-  const bool all = std::getenv("SWEPT_LONG_TESTS") != nullptr;
   const char* wished = std::getenv("SWEPT_PARITY_RESOLUTION");
   const int resolution = wished ? std::atoi(wished) : 64;
   std::vector<std::string> names = {"fandisk_13k", "tooth_crown_4k", "beam_joint_part2_5k"};
-  if (all) {
+  if (longRun()) {
     names.insert(
         names.end(),
         {"beam_joint_part0_7k", "beam_joint_part6_25k", "differential_pinion_15k",

@@ -40,7 +40,7 @@ TEST(GlPlan, BricksCoverEveryLatticePointOnceWithinAllLimits) {
           }
           covered += std::uint64_t{1} * b.size[0] * b.size[1] * b.size[2];
           if (n > 0) {
-            EXPECT_LT(bricks[n - 1].low, b.low);  // distinct, slabs in order
+            EXPECT_LT(bricks[n - 1].low, b.low);  // distinct, in ascending order
           }
         }
         EXPECT_EQ(covered, std::uint64_t{1} * points[0] * points[1] * points[2]);

@@ -21,12 +21,12 @@ struct Scene {
   SamplerInput input() const { return {body, topology, motion, grid, cull, orientable}; }
 };
 
-/// A torus that turns and travels.
+/// Returns a path along which a body turns and moves.
 Trajectory turningPath(int poses, Interpolation interpolation);
 
 struct Difference {
-  std::int64_t edges = 0;      ///< contributing edges of one only, or with other signs
-  std::int64_t fractions = 0;  ///< contributing crossings that differ at all
+  std::int64_t edges = 0;      ///< contributing edges of only one result, or with different signs
+  std::int64_t fractions = 0;  ///< contributing crossings with different fractions
   std::int64_t elements = 0;   ///< contributing crossings won by different elements
   double largestFraction = 0;  ///< cells
   std::int64_t contributing = 0;

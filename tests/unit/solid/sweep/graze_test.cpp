@@ -11,13 +11,13 @@
 namespace swept::step {
 namespace {
 
-// A point of contact found by bisection between two points of a face: x(v), v in [from, to].
+// Returns the point of contact on a curve x(v) of a face, v in [from, to], found by bisection.
 std::optional<Vector3d> bisected(const Carrier& face, const std::function<Vector3d(double)>& x,
                                  double from, double to, const TestMotion& motion, double s) {
   const auto speed = [&](double v) {
     return motion.turned(face.normal(x(v)), s).dot(motion.velocity(x(v), s));
   };
-  // The first change of sign.
+  // Finds the first interval in which the sign changes.
   constexpr int kScan = 16;
   const double step = (to - from) / kScan, first = speed(from);
   int k = 1;
@@ -71,7 +71,7 @@ Vector3d onCylinder(const Carrier& c, double h, double angle) {
   return c.point + h * c.axis + c.radius * (std::cos(angle) * x + std::sin(angle) * y);
 }
 
-// The two angles, half a turn apart, between which the contact of a cylinder must lie.
+// Returns two angles, half a turn apart, between which the contact of a cylinder must lie.
 Range aroundContact(const Carrier& face, const TestMotion& motion, double shift = 0) {
   const Vector3d v = motion.velocity(face.point, 0.5);
   const Vector3d body = Vector3d(motion.turned(Vector3d::UnitX(), 0.5).dot(v),
@@ -85,7 +85,8 @@ Range aroundContact(const Carrier& face, const TestMotion& motion, double shift 
 TEST(Graze, APlaneInAGeneralMotion) {
   const TestMotion motion = generalMotion();
   const Carrier face = carrierOf(CarrierKind::Plane, {0, 0, 15}, {0.1, 0.2, 1});
-  // Curves across the contact lines, which run along the part of the rotation axis in the plane.
+  // The contact lines run along the projection of the rotation axis onto the plane. The curves run
+  // across them.
   const Vector3d turn = motion.from.rotation.conjugate() * Vector3d(1, 2, 3).normalized();
   const Vector3d x = (turn - turn.dot(face.axis) * face.axis).normalized(), y = face.axis.cross(x);
   const auto at = [&](double w, double v) { return Vector3d(face.point + w * x + v * y); };
@@ -123,7 +124,7 @@ TEST(Graze, ACylinderAlongAStraightWayGivesPlanes) {
   const auto made = grazeOf(face, truth.contacts, move.path());
   expectGrazes(made, truth);
   EXPECT_EQ(made.carrier->kind, CarrierKind::Plane);
-  // Along its own axis it only slides along itself.
+  // Moved along its own axis, the face only slides along itself.
   const TestMotion slide = lineMotion({0, 0, 30});
   EXPECT_EQ(grazeOf(face, truth.contacts, slide.path()).why, Degeneracy::AlongItself);
 }
@@ -153,10 +154,10 @@ TEST(Graze, ACylinderThatTurnsAboutAnAxisBesideIt) {
   ASSERT_EQ(made.carrier->kind, CarrierKind::Cylinder);
   EXPECT_TRUE(std::abs(made.carrier->radius - 25) < 1e-7 ||
               std::abs(made.carrier->radius - 15) < 1e-7);
-  // About its own axis it slides along itself.
+  // Turned about its own axis, the cylinder slides along itself.
   const TestMotion own = screwMotion({0, 0, 0}, {0, 0, 1}, 1.0, 0);
   EXPECT_EQ(grazeOf(face, truth.contacts, own.path()).why, Degeneracy::AlongItself);
-  // About an axis across its own: a revolution.
+  // Turned about an axis across its own, it makes a surface of revolution.
   const TestMotion across = screwMotion({20, 3, 0}, {0.3, 1, 0.1}, 0.8, 0);
   const Truth ring = contactsOf(face, at, {1, 9}, aroundContact(face, across), across);
   const auto turned = grazeOf(face, ring.contacts, across.path(), 1e-3);

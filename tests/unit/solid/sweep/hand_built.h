@@ -22,7 +22,7 @@ class HandBuilt {
     model_.vertices.push_back({p, 0});
     return static_cast<std::int32_t>(model_.vertices.size()) - 1;
   }
-  /// The curve must run from one vertex to the other.
+  /// Adds an edge. The curve must run from one vertex to the other.
   std::int32_t edge(std::int32_t from, std::int32_t to, const Curve& curve) {
     largestGap_ = std::max({largestGap_, (curve.at(0) - model_.vertices[from].point).norm(),
                             (curve.at(curve.last) - model_.vertices[to].point).norm()});
@@ -32,8 +32,8 @@ class HandBuilt {
   std::int32_t line(std::int32_t from, std::int32_t to) {
     return edge(from, to, lineThrough(model_.vertices[from].point, model_.vertices[to].point));
   }
-  /// A face with one loop of edges in order. Both sides of the carrier and of the loop follow
-  /// `outward`, a direction out of the solid near the middle of the face.
+  /// Adds a face with one loop of edges in order. Turns the carrier and the loop so that they fit
+  /// to `outward`, a direction out of the solid near the middle of the face.
   void face(Carrier carrier, const std::vector<std::int32_t>& edges,
             const Eigen::Vector3d& outward) {
     std::vector<ModelUse> loop;
@@ -79,7 +79,8 @@ class HandBuilt {
     made.loops.push_back(loop);
     model_.faces.push_back(made);
   }
-  /// mm: how far sampled points of edges lie from their faces, and edges from their vertices.
+  /// Returns how far (mm) sampled points of edges lie from their faces, and edges from their
+  /// vertices.
   double largestGap() const { return largestGap_; }
   bool isClosed() const { return isClosed_; }
 
@@ -90,14 +91,14 @@ class HandBuilt {
     writeStepText(model_, out, "hand built", StepOptions(), run);
     return out.str();
   }
-  /// The solid as the kernel reads it from the text.
+  /// Judges the solid as the kernel reads it from the text.
   test::JudgedSolid judge(bool withBlock) {
     RunContext run;
     KernelSession kernel;
     std::istringstream in(text());
     return test::judgeSolid(readStepText(in, kernel, run), 9, withBlock);
   }
-  /// The solid as the kernel makes it from the model, with parameter curves.
+  /// Judges the solid as the kernel makes it from the model, with parameter curves.
   test::JudgedSolid judgeMade() {
     model_.shellOwner = {0};
     RunContext run;

@@ -34,7 +34,7 @@ struct TestMotion {
     }
     return screw(s) * x;
   }
-  /// Velocity per unit of s, by differences.
+  /// Returns the velocity per unit of s, by finite differences.
   Vector3d velocity(const Vector3d& x, double s) const {
     constexpr double h = 1e-5;
     return (8 * (at(x, s + h) - at(x, s - h)) - (at(x, s + 2 * h) - at(x, s - 2 * h))) / (12 * h);
@@ -53,7 +53,7 @@ struct TestMotion {
   }
 };
 
-/// A general motion: a turn of `angle` about a skew axis while the origin moves.
+/// Returns a general motion: a turn of `angle` about a skew axis while the origin moves.
 inline TestMotion generalMotion(double angle = 0.7) {
   TestMotion motion;
   motion.from = pose({3, -2, 5}, {1, 0, 2}, 0.4);
@@ -70,7 +70,7 @@ inline TestMotion lineMotion(const Vector3d& way) {
   return motion;
 }
 
-/// A screw about an axis, from the unmoved body.
+/// Returns a screw about an axis, from the unmoved body.
 inline TestMotion screwMotion(const Vector3d& point, const Vector3d& axis, double turn,
                               double slide) {
   TestMotion motion;

@@ -150,7 +150,7 @@ void expectSection(const Carrier& a, const Carrier& b, const std::vector<Vector3
   }
 }
 
-// The point on both carriers near p.
+// Returns the point on both carriers near p.
 Vector3d onBoth(const Vector3d& p, const Carrier& a, const Carrier& b) {
   return meetingPoint(p, {&a, &b});
 }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr Range kWhole{0, 1};
 
-// Every point that the curve passes lies on the carrier, and the normal is orthogonal to the
-// surface. Independent of how the surface was made.
+// Tests that every point that the curve passes lies on the carrier, and that the normal there is
+// orthogonal to the surface. Independent of how the surface was made.
 void expectSweptBy(const SweptSurface& swept, const Curve& curve, Range along,
                    const TestMotion& motion, double bound = kOnCarrier) {
   ASSERT_TRUE(swept.carrier) << degeneracyText(swept.why);

@@ -33,7 +33,7 @@ void expectSound(HandBuilt& solid, double volume, int faces) {
   EXPECT_NEAR(made.volume / volume, 1, 1e-7);
 }
 
-// Gaussian quadrature with three points, on each of many intervals.
+// Returns the integral by Gaussian quadrature with three points, on each of many intervals.
 double integral(const std::function<double(double)>& f, double from, double to) {
   constexpr int kPanels = 40;
   const double h = (to - from) / kPanels, off = h / 2 * std::sqrt(0.6);
@@ -45,8 +45,8 @@ double integral(const std::function<double(double)>& f, double from, double to) 
   return sum;
 }
 
-// A box that moves along its diagonal and turns so little that front faces stay front faces:
-// three caps at each end, and six swept edges.
+// Tests the solid of a box that moves along its diagonal and turns so little that front faces stay
+// front faces: three caps at each end, and six swept edges.
 void expectBoxSound(const TestMotion& motion, const Vector3d& size) {
   const StepPath path = motion.path();
   const auto corner = [&](int i) {
@@ -160,12 +160,12 @@ class Rod {
     return {turned(Vector3d::UnitX(), s).dot(v), turned(Vector3d::UnitY(), s).dot(v),
             turned(Vector3d::UnitZ(), s).dot(v)};
   }
-  // The direction across the axis in which the middle of the rod moves.
+  // Returns the direction across the axis in which the middle of the rod moves.
   Vector3d way(double s) const {
     const Vector3d v = bodyVelocity({0, 0, kHeight / 2}, s);
     return Vector3d(v.x(), v.y(), 0).normalized();
   }
-  // The angle of contact on one side (+1, -1) of the way, and the point there in the world.
+  // Returns the angle of contact on one side (+1, -1) of this direction.
   double contactAngle(double h, double s, int side) const {
     const Vector3d v = bodyVelocity({0, 0, h}, s);
     return std::atan2(v.y(), v.x()) + side * M_PI / 2;
@@ -196,7 +196,7 @@ class Rod {
     }
   }
 
-  // Grazing surfaces and their contact curves at both ends.
+  // Adds the grazing surfaces and their contact curves at both ends.
   void makeGrazes() {
     for (int k = 0; k < 2; ++k) {
       std::vector<Contact> contacts;
@@ -218,7 +218,7 @@ class Rod {
     }
   }
 
-  // An arc from side -1 over the front to side +1, or on over the rear.
+  // Adds an arc from side -1 over the front to side +1, or from side +1 over the rear to side -1.
   std::int32_t arc(int top, int s, bool front) {
     const std::int32_t from = at_[top][front ? 0 : 1][s], to = at_[top][front ? 1 : 0][s];
     Curve curve = posed(ring(top), path_.at(s));
@@ -229,8 +229,8 @@ class Rod {
     return solid_.edge(from, to, curve);
   }
 
-  // The discs and halves of the side that remain of the rod at both ends. arcs_[top][s] borders the
-  // surface that the arc of this disc sweeps.
+  // Adds the discs and halves of the side that remain of the rod at both ends. arcs_[top][s]
+  // borders the surface that the arc of this disc sweeps.
   void makeEnds() {
     const Vector3d up = Vector3d::UnitZ();
     arcs_ = {Pair{arc(0, 0, true), arc(0, 1, true)}, Pair{arc(1, 0, false), arc(1, 1, false)}};

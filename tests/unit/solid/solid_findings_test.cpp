@@ -1,0 +1,39 @@
+// What a report of a solid makes known to the user as findings.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/solid_findings.h"
+
+#include <gtest/gtest.h>
+
+namespace swept {
+namespace {
+
+StepReport reportOf(double tolerance, double deviation) {
+  StepReport report;
+  report.tolerance = tolerance;
+  report.deviation = deviation;
+  report.volume = 99;
+  report.meshVolume = 100;
+  return report;
+}
+
+TEST(SolidFindings, ADeviationAboveTheToleranceIsInaccurate) {
+  StepOptions options;
+  options.tolerance = 0.5;
+  const auto found = solidFindings(reportOf(0.5, 0.51), options);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].code, "SolidInaccurate");
+  EXPECT_NE(found[0].text.find("0.51 mm"), std::string::npos) << found[0].text;
+  EXPECT_TRUE(solidFindings(reportOf(0.5, 0.5), options).empty());
+}
+
+TEST(SolidFindings, AToleranceThatTheLimitsChoseIsNamed) {
+  const StepOptions exact;
+  EXPECT_TRUE(solidFindings(reportOf(0, 0), exact).empty());
+  const auto found = solidFindings(reportOf(0.5, 0.4), exact);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].code, "SolidSimplified");
+  EXPECT_NE(found[0].text.find("-1 %"), std::string::npos) << found[0].text;
+}
+
+}  // namespace
+}  // namespace swept
