@@ -90,7 +90,7 @@
     </message>
     <message>
         <source>Placement of the result at the time it was stored. If the current placement differs, the result was moved</source>
-        <extracomment>Placement of the result when it was stored. It shows whether the result was moved since.</extracomment>
+        <extracomment>Placement of the result when it was stored. It shows whether the result was moved afterwards.</extracomment>
         <translation>Platzierung des Ergebnisses zum Zeitpunkt des Speicherns. Weicht die aktuelle Platzierung davon ab, wurde das Ergebnis verschoben</translation>
     </message>
     <message>
@@ -1390,7 +1390,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>The steps of &quot;{0}&quot; are large: near t = {1} s the part may be about {2} away from its true position. Record the motion again with smaller steps.</source>
-        <extracomment>The deviation of a motion over two steps is about four times that over one step.</extracomment>
+        <extracomment>Deviation over one step, as a fraction of the deviation over two: it grows with the square.</extracomment>
         <translation>Die Schritte von „{0}“ sind groß: Bei t = {1} s kann das Teil um etwa {2} von seiner wahren Position abweichen. Zeichnen Sie die Bewegung mit kleineren Schritten neu auf.</translation>
     </message>
     <message>
@@ -1488,7 +1488,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>The list of parts is empty: select the parts, then press Add selected.</source>
-        <extracomment>MostMoves: as in the program, 0: no limit.</extracomment>
+        <extracomment>MostMoves: as in the command-line program; 0: no limit.</extracomment>
         <translation>Die Liste der Teile ist leer: Wählen Sie die Teile aus, und klicken Sie auf „Auswahl hinzufügen“.</translation>
     </message>
     <message>
@@ -1658,7 +1658,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>The environment variable SOURCE_DATE_EPOCH is &quot;{0}&quot;, but must be a whole number of seconds since 1970-01-01: correct or unset it.</source>
-        <extracomment>What is still told of an envelope after it was joined: the fields of its Outcome.</extracomment>
+        <extracomment>The fields of an Outcome that are kept after its envelope was joined.</extracomment>
         <translation>Die Umgebungsvariable SOURCE_DATE_EPOCH ist „{0}“, muss aber eine ganze Zahl von Sekunden seit dem 1.1.1970 sein: Berichtigen oder löschen Sie sie.</translation>
     </message>
     <message>
@@ -1707,7 +1707,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>This is an error in the workbench ({0}: {1}). The report view has the details; please report it.</source>
-        <extracomment>A typed length counts as understood if it agrees with the field&apos;s own value up to rounding.</extracomment>
+        <extracomment>A typed length counts as understood if it agrees with the field&apos;s value up to rounding.</extracomment>
         <translation>Dies ist ein Programmfehler der Arbeitsumgebung ({0}: {1}). Einzelheiten stehen im Ausgabefenster; bitte melden Sie ihn.</translation>
     </message>
     <message>
@@ -1886,7 +1886,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>Studies need the Python package swept_volume, which is missing in {0}: install the workbench again, or build it with &quot;cmake --build build&quot;.</source>
-        <extracomment>time (s) to wait for its process and its reading threads to end.</extracomment>
+        <extracomment>longest time (s) to wait for the end of its process and of the threads that read its output.</extracomment>
         <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder kompilieren Sie sie mit „cmake --build build“.</translation>
     </message>
     <message>
@@ -2205,7 +2205,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>There is no graph yet: run the check first.</source>
-        <extracomment>mouse that points at it.</extracomment>
+        <extracomment>points at a line.</extracomment>
         <translation>Es gibt noch kein Diagramm: Führen Sie zuerst die Prüfung aus.</translation>
     </message>
     <message>
@@ -2704,7 +2704,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Show the clearance while dragging</source>
-        <extracomment>Whether the part clashes at its present place.</extracomment>
+        <extracomment>Whether the part clashes at its present placement.</extracomment>
         <translation>Abstand beim Ziehen zeigen</translation>
     </message>
     <message>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion from driven value: changes a property, cell or constraint over a range and records how
+"""Motion from driving value: changes a property, cell or constraint over a range and records how
 parts move."""
 from ..convert import InputProblem
 from ..texts import QT_TRANSLATE_NOOP, translate
