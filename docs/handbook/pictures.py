@@ -313,7 +313,7 @@ def joint():
 
 
 def slider():
-    """Own motions, a moving reference, a driven value."""
+    """Own motions, a moving reference, a driving value."""
     from sweptvolume.features import motion
 
     doc = new_document("Slider")

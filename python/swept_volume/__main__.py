@@ -17,7 +17,8 @@ from ._study_run import Report, json_text
 from ._values import bad_option, core_error
 
 USAGE, FAILED = 2, 1
-EXAMPLES = """Exit status 0 if all runs are done and clear, 3 if one is not clear, 1 if one failed.
+EXAMPLES = """Exit status 0 if all runs are done and all their rules are met, 3 if a rule is not met,
+1 if a run failed.
 
 Examples:
   swept study doors.toml --jobs 4 --page
@@ -41,18 +42,22 @@ def _parser() -> argparse.ArgumentParser:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    study.add_argument("file", metavar="FILE", help="the study, a TOML file")
-    study.add_argument("-o", "--output", metavar="FOLDER", help="folder for results")
-    study.add_argument("--jobs", type=int, metavar="N", help="runs at once on this machine")
-    study.add_argument("--scheduler", metavar="ADDRESS", help="dask scheduler to compute on")
-    study.add_argument("--send-files", action="store_true", help="files go through the scheduler")
-    study.add_argument("--again", action="store_true", help="compute what is there again")
-    study.add_argument("--page", action="store_true", help="also write study.html, for people")
-    study.add_argument("--rows", action="store_true", help="rows of runs as JSON, as they end")
-    study.add_argument("--no-clobber", action="store_true", help="replace nothing that is there")
-    study.add_argument("--strict", action="store_true", help="what costs accuracy is a failure")
-    study.add_argument("--report", metavar="FILE", help="write the report of the study")
-    study.add_argument("-q", "--quiet", action="store_true", help="no progress, no summary")
+    study.add_argument("file", metavar="FILE", help="study file (TOML)")
+    study.add_argument("-o", "--output", metavar="FOLDER", help="folder for the results")
+    study.add_argument("--jobs", type=int, metavar="N", help="number of runs at the same time")
+    study.add_argument("--scheduler", metavar="ADDRESS", help="address of a Dask scheduler")
+    study.add_argument("--send-files", action="store_true", help="send files through the scheduler")
+    study.add_argument("--again", action="store_true", help="compute all runs again")
+    study.add_argument("--page", action="store_true", help="also write study.html, an HTML page")
+    study.add_argument("--rows", action="store_true", help="write a line of JSON for each run")
+    study.add_argument(
+        "--no-clobber", action="store_true", help="refuse to replace existing results"
+    )
+    study.add_argument("--strict", action="store_true", help="count less accurate runs as failed")
+    study.add_argument("--report", metavar="FILE", help="write a report of the study as JSON")
+    study.add_argument(
+        "-q", "--quiet", action="store_true", help="print no progress and no summary"
+    )
     return parser
 
 
@@ -84,7 +89,10 @@ def _check_outputs(options: argparse.Namespace) -> None:
     study = read_study(options.file, options.output)
     for name in RESERVED:
         if options.no_clobber and (study.output / name).exists():
-            text = f"'{study.output / name}' exists and is not to be replaced; name another folder"
+            text = (
+                f"'{study.output / name}' exists already, and --no-clobber forbids replacing it; "
+                "name another folder"
+            )
             raise core_error(ExportFailed, "Exists", text)
     if options.report:
         inputs = [options.file, *(file for run in study.runs for file in run.files())]

@@ -115,7 +115,9 @@ class Result:
         sampling again. The result must have been computed with a tolerance. A pickled copy cannot be
         recut, because it has no surface before simplification."""
         if self._core is None:
-            raise bad_option("a pickled copy of a result cannot be recut; compute the result again")
+            raise bad_option(
+                "a pickled copy of a result cannot be simplified again with recut(); compute the result again"
+            )
         return Result._of_core(self._core.recut(tolerance, run))
 
     def __reduce__(self) -> Tuple[Any, ...]:

@@ -44,7 +44,7 @@ def check_report(
     if path == "-":
         return
     if no_clobber and os.path.lexists(path):
-        text = f"--report '{path}' exists and is not to be replaced; choose another name"
+        text = f"--report '{path}' exists already, and --no-clobber forbids replacing it; choose another name"
         raise _failed("Exists", text)
     parent = os.path.dirname(target)
     if not os.path.isdir(parent):

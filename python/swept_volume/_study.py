@@ -117,7 +117,7 @@ def _summary(study: Study, rows: Sequence[Row]) -> Report:
     report["message"] = ""
     failure = next((row for row in rows if row["state"] == FAILED), None)
     if counts[NOT_RUN]:
-        text = f"stopped; {counts[NOT_RUN]} of {len(rows)} runs are left: the same command goes on"
+        text = f"stopped; {counts[NOT_RUN]} of {len(rows)} runs are left; repeat the command to continue"
         report.update(status="Cancelled", code="Cancelled", message=text)
     elif failure is not None:
         text = (

@@ -36,7 +36,7 @@ def check_names(runs: Sequence[Run], problems: List[str]) -> None:
             )
         elif run.name.casefold() in RESERVED:
             problems.append(
-                f"run {run.name!r}: a file of the results has that name; choose another"
+                f"run {run.name!r}: the study writes a file with this name; choose another name for the run"
             )
         seen[run.name.casefold()] = run.name
 

@@ -31,7 +31,7 @@ _LOCK = ".study.lock"
 
 
 def _in_use(path: pathlib.Path) -> _core.InvalidInput:
-    text = f"another study is filling '{path}'; wait until it has ended, or name another folder"
+    text = f"another study is writing to '{path}'; wait until it has ended, or name another folder"
     return core_error(_core.InvalidInput, "FolderInUse", text)
 
 

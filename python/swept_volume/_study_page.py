@@ -22,7 +22,10 @@ def page_date() -> str:
     try:
         now = time.gmtime(int(given)) if given else time.gmtime()
     except (ValueError, OverflowError):
-        text = f"SOURCE_DATE_EPOCH is '{given}'; it must be a number of seconds since 1970"
+        text = (
+            f"the environment variable SOURCE_DATE_EPOCH is '{given}', but must be a whole number of "
+            "seconds since 1970-01-01; correct or unset it"
+        )
         raise bad_option(text) from None
     return time.strftime("%Y-%m-%d %H:%M UTC", now)
 

@@ -254,7 +254,7 @@ def _as_they_end(
                 report, folder = _received(task, result) if send_files else result
             else:  # its workers died repeatedly, or the cluster was closed
                 error = future.exception() if future.status == "error" else "it was cancelled"
-                text = f"the cluster gave the run up: {error}"
+                text = f"the cluster gave up this run: {error}"
                 report = failed(task.run, task.key, "InternalError", "WorkerLost", text)
                 folder = None
             yield task.number, report, folder

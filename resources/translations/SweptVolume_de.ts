@@ -5,15 +5,15 @@
     <name>App::Property</name>
     <message>
         <source>Envelope that is checked, with its parts and its motion. The envelope can be coloured by distance</source>
-        <translation>Hülle, die mit ihren Teilen und ihrer Bewegung geprüft wird. Die Hülle kann nach Abstand eingefärbt werden</translation>
+        <translation>Hülle, deren Teile und Bewegung geprüft werden. Die Hülle kann nach dem Abstand eingefärbt werden</translation>
     </message>
     <message>
-        <source>Parts that move together, if no envelope is given</source>
-        <translation>Gemeinsam bewegte Teile, wenn keine Hülle angegeben ist</translation>
+        <source>Parts that move together. Used if no envelope is given</source>
+        <translation>Teile, die sich gemeinsam bewegen. Gilt, wenn keine Hülle angegeben ist</translation>
     </message>
     <message>
-        <source>Motion of the parts, if no envelope is given</source>
-        <translation>Bewegung der Teile, wenn keine Hülle angegeben ist</translation>
+        <source>Motion of the parts. Used if no envelope is given</source>
+        <translation>Bewegung der Teile. Gilt, wenn keine Hülle angegeben ist</translation>
     </message>
     <message>
         <source>Parts that stand still. A group or link stands for all the parts in it</source>
@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>The rule of each entry of RuleParts. Required: its own required distance. Contact: contact is allowed. Ignore: not checked</source>
-        <translation>Die Regel jedes Eintrags von RuleParts. Required: eigener Sollabstand. Contact: Kontakt ist erlaubt. Ignore: nicht geprüft</translation>
+        <translation>Die Regel jedes Eintrags von RuleParts. Required (Sollabstand): eigener Sollabstand. Contact (Kontakt): Kontakt ist erlaubt. Ignore (Ignorieren): nicht geprüft</translation>
     </message>
     <message>
         <source>A length (mm) for each entry of RuleParts. Rule Required: the required distance. Rule Contact: the largest depth to which the parts may overlap</source>
@@ -56,8 +56,8 @@
         <translation>Ergebnis in einer Zeile</translation>
     </message>
     <message>
-        <source>Neighbours checked</source>
-        <translation>Geprüfte Nachbarn</translation>
+        <source>Number of neighbours checked</source>
+        <translation>Anzahl der geprüften Nachbarn</translation>
     </message>
     <message>
         <source>Worst verdict of all rows: clear, below (below required), contact or clash</source>
@@ -81,17 +81,17 @@
         <translation>Eingaben, die gelöscht wurden (JSON)</translation>
     </message>
     <message>
-        <source>Parts that were visible in the last run, recorded if AllVisible was true. If one of them changes, the result is stale</source>
-        <translation>Teile, die im letzten Lauf sichtbar waren, festgehalten, wenn AllVisible True war. Ändert sich eines davon, ist das Ergebnis veraltet</translation>
+        <source>Parts that were visible in the last run (stored only if AllVisible was true). If one of them changes, the result is stale</source>
+        <translation>Teile, die beim letzten Lauf sichtbar waren (nur gespeichert, wenn AllVisible auf True stand). Ändert sich eines davon, ist das Ergebnis veraltet</translation>
     </message>
     <message>
         <source>Record of which face or edge made each triangle (compressed)</source>
         <translation>Aufzeichnung, welche Fläche oder Kante jedes Dreieck erzeugt hat (komprimiert)</translation>
     </message>
     <message>
-        <source>Placement of the result when the result was stored. If the present placement differs, the result was moved</source>
-        <extracomment>Placement of the result when it was stored. It shows whether the result was moved since.</extracomment>
-        <translation>Platzierung des Ergebnisses, als es gespeichert wurde. Weicht die jetzige Platzierung davon ab, wurde das Ergebnis verschoben</translation>
+        <source>Placement of the result at the time it was stored. If the current placement differs, the result was moved</source>
+        <extracomment>Placement of the result when it was stored. It shows whether the result was moved afterwards.</extracomment>
+        <translation>Platzierung des Ergebnisses zum Zeitpunkt des Speicherns. Weicht die aktuelle Platzierung davon ab, wurde das Ergebnis verschoben</translation>
     </message>
     <message>
         <source>Solids and meshes that move together. A group or link stands for all the parts in it</source>
@@ -107,16 +107,16 @@
         <translation>Eine Bewegung für jeden Eintrag von MovingParts, wenn sich die Teile unabhängig bewegen. Leer: Alle Teile folgen Motion</translation>
     </message>
     <message>
-        <source>Moving part relative to which the envelope is computed</source>
-        <translation>Bewegtes Teil, relativ zu dem die Hülle berechnet wird</translation>
+        <source>Reference part: the envelope is computed as seen from this part, which itself moves. Empty: in the coordinates of the document</source>
+        <translation>Bezugsteil: Die Hülle wird so berechnet, wie sie von diesem Teil aus erscheint, das sich selbst bewegt. Leer: in den Koordinaten des Dokuments</translation>
     </message>
     <message>
         <source>Motion of the reference part</source>
         <translation>Bewegung des Bezugsteils</translation>
     </message>
     <message>
-        <source>How far the surface may lie from the true one. Determines cell size and tolerance. 0: Resolution or CellSize, and Tolerance are used</source>
-        <translation>Wie weit die Fläche neben der wahren liegen darf. Bestimmt Zellgröße und Toleranz. 0: Resolution oder CellSize und Tolerance gelten</translation>
+        <source>Largest distance allowed between the computed surface and the true one. It sets the cell size and the tolerance. 0: the cell size comes from CellSize or Resolution, the tolerance from Tolerance</source>
+        <translation>Größter erlaubter Abstand zwischen der berechneten und der wahren Fläche. Er bestimmt Zellgröße und Toleranz. 0: Die Zellgröße kommt aus CellSize oder Resolution, die Toleranz aus Tolerance</translation>
     </message>
     <message>
         <source>Number of cells along the longest side of the swept volume. Used if CellSize is 0</source>
@@ -132,7 +132,7 @@
     </message>
     <message>
         <source>How far simplification may move the surface. 0: no simplification</source>
-        <translation>Wie weit Vereinfachung die Oberfläche verschieben darf; 0: keine Vereinfachung</translation>
+        <translation>Wie weit die Vereinfachung die Oberfläche verschieben darf. 0: keine Vereinfachung</translation>
     </message>
     <message>
         <source>Distance by which the envelope is grown on all sides</source>
@@ -147,16 +147,16 @@
         <translation>True: Eingeschlossene Hohlräume bleiben als innere Schalen. False: Sie werden gefüllt</translation>
     </message>
     <message>
-        <source>Skips a pose if no point of the part has moved farther than this since the last pose used. 0: uses every pose</source>
-        <translation>Überspringt eine Lage, wenn sich kein Punkt des Teils seit der letzten verwendeten Lage weiter als dies bewegt hat. 0: verwendet jede Lage</translation>
+        <source>Poses are skipped as long as no point of the part has moved farther than this length since the last pose used. 0: every pose is used</source>
+        <translation>Lagen werden übersprungen, solange sich seit der letzten verwendeten Lage kein Punkt des Teils weiter als diese Länge bewegt hat. 0: Jede Lage wird verwendet</translation>
     </message>
     <message>
-        <source>Processor that samples the envelope: CPU, graphics processor, or chosen automatically</source>
-        <translation>Prozessor, der die Hülle abtastet: CPU, Grafikprozessor oder automatisch gewählt</translation>
+        <source>Processor that computes the envelope: CPU, GPU (graphics processor), or Auto, which chooses one of them</source>
+        <translation>Prozessor, der die Hülle berechnet: CPU, GPU (Grafikprozessor) oder Auto, das einen davon wählt</translation>
     </message>
     <message>
         <source>Whether to record which face or edge made each triangle. Off: no record. Session: kept until the document is closed. Document: stored in the document, which makes the file larger</source>
-        <translation>Ob aufgezeichnet wird, welche Fläche oder Kante jedes Dreieck erzeugt hat. Off: keine Aufzeichnung. Session: bleibt, bis das Dokument geschlossen wird. Document: wird im Dokument gespeichert, was die Datei größer macht</translation>
+        <translation>Ob aufgezeichnet wird, welche Fläche oder Kante jedes Dreieck erzeugt hat. Off (Aus): keine Aufzeichnung. Session (Sitzung): bleibt, bis das Dokument geschlossen wird. Document (Dokument): wird im Dokument gespeichert, was die Datei größer macht</translation>
     </message>
     <message>
         <source>Volume of the envelope</source>
@@ -164,7 +164,7 @@
     </message>
     <message>
         <source>Surface area of the envelope</source>
-        <translation>Oberfläche der Hülle</translation>
+        <translation>Flächeninhalt der Hülle</translation>
     </message>
     <message>
         <source>Number of triangles of the envelope</source>
@@ -180,11 +180,11 @@
     </message>
     <message>
         <source>Edge length of the grid cells used for this result</source>
-        <translation>Kantenlänge der Gitterzellen, die für dieses Ergebnis verwendet wurden</translation>
+        <translation>Kantenlänge der Gitterzellen bei diesem Ergebnis</translation>
     </message>
     <message>
         <source>No point of the surface lies farther than this from the true one. 0: not known</source>
-        <translation>Kein Punkt der Fläche liegt weiter als dies neben der wahren. 0: nicht bekannt</translation>
+        <translation>Kein Punkt der Fläche ist weiter als dieser Wert von der wahren Fläche entfernt. 0: nicht bekannt</translation>
     </message>
     <message>
         <source>Duration of the run (s)</source>
@@ -204,12 +204,12 @@
         <translation>True: Alle anderen sichtbaren Teile sind stillstehende Nachbarn, und die Liste Neighbours wird nicht verwendet</translation>
     </message>
     <message>
-        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the median size of the parts, or more if a rule needs it</source>
-        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es braucht</translation>
+        <source>Pairs of parts that come closer than this length are listed. 0: a tenth of the median size of the parts, or more if a rule needs it</source>
+        <translation>Paare von Teilen, die sich näher als diese Länge kommen, werden aufgelistet. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es erfordert</translation>
     </message>
     <message>
         <source>Parts or groups of each pair that has its own rule, two entries for each pair: first, second, first, second ...</source>
-        <translation>Teile oder Gruppen jedes Paars, das eine eigene Regel hat, zwei Einträge je Paar: erstes, zweites, erstes, zweites ...</translation>
+        <translation>Teile oder Gruppen der Paare, die eine eigene Regel haben; zwei Einträge je Paar: erstes, zweites, erstes, zweites ...</translation>
     </message>
     <message>
         <source>A length (mm) for each pair of RuleParts. Rule Required: the required distance. Rule Contact: the largest depth to which the parts may overlap</source>
@@ -217,7 +217,7 @@
     </message>
     <message>
         <source>Number of pairs checked, including pairs that stay farther apart than Range</source>
-        <translation>Anzahl der geprüften Paare, auch solcher, die weiter als Range auseinander bleiben</translation>
+        <translation>Anzahl der geprüften Paare, einschließlich der Paare, die weiter als Range voneinander entfernt bleiben</translation>
     </message>
     <message>
         <source>Time of each pose (s), in ascending order</source>
@@ -228,8 +228,8 @@
         <translation>Platzierung jeder Lage. PoseType sagt, ob sie die Platzierung des Teils ersetzt oder eine Verschiebung davon ist</translation>
     </message>
     <message>
-        <source>How the part moves between two poses. Linear: along a straight line, turning at a constant rate. Screw: one screw movement. Spline: along a smooth curve through all poses. None: only the poses themselves count, there is no motion between them</source>
-        <translation>Wie sich das Teil zwischen zwei Lagen bewegt. Linear: auf einer Geraden, mit gleichmäßiger Drehung. Screw: eine Schraubbewegung. Spline: auf einer glatten Kurve durch alle Lagen. None: Nur die Lagen selbst zählen, dazwischen gibt es keine Bewegung</translation>
+        <source>How the part moves between two poses. Linear: along a straight line, turning at a constant rate. Screw: turning about an axis and moving along it, like a screw. Spline: along a smooth curve through all poses. None: only the poses themselves count, there is no motion between them</source>
+        <translation>Wie sich das Teil zwischen zwei Lagen bewegt. Linear: auf einer Geraden, mit gleichmäßiger Drehung. Screw (Schraubung): um eine Achse drehend und an ihr entlang, wie eine Schraube. Spline: auf einer glatten Kurve durch alle Lagen. None (Keine): Nur die Lagen selbst zählen, dazwischen gibt es keine Bewegung</translation>
     </message>
     <message>
         <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. In coordinates of the part if PoseType is Absolute, otherwise of the document</source>
@@ -237,7 +237,7 @@
     </message>
     <message>
         <source>Parts that this motion moves. The motion editor shows the first part</source>
-        <translation>Teile, die diese Bewegung bewegt; der Bewegungseditor zeigt das erste</translation>
+        <translation>Teile, für die diese Bewegung gilt. Der Bewegungseditor zeigt das erste Teil</translation>
     </message>
     <message>
         <source>Other parts that the source moved when this motion was read</source>
@@ -245,7 +245,7 @@
     </message>
     <message>
         <source>Tangent of the spline at each pose. Auto: from the poses before and after. Stop: the part comes to rest. Corner: the direction may change abruptly. Given: the velocity in Velocities. Missing entries count as Auto</source>
-        <translation>Tangente des Splines an jeder Lage. Auto: aus den Lagen davor und danach. Stop: Das Teil kommt zur Ruhe. Corner: Die Richtung darf sich abrupt ändern. Given: die Geschwindigkeit in Velocities. Fehlende Einträge gelten als Auto</translation>
+        <translation>Tangente des Splines an jeder Lage. Auto (Automatisch): aus den Lagen davor und danach. Stop (Anhalten): Das Teil kommt zur Ruhe. Corner (Ecke): Die Richtung darf sich abrupt ändern. Given (Gegebene Geschwindigkeit): die Geschwindigkeit in Velocities. Fehlende Einträge gelten als Auto</translation>
     </message>
     <message>
         <source>Velocity of the spline (mm/s), one entry for each pose. Used only if the tangent at the pose is Given</source>
@@ -284,12 +284,12 @@
         <translation>Was an der Bewegung falsch ist. Leer: Die Bewegung kann verwendet werden</translation>
     </message>
     <message>
-        <source>Notes from reading the poses</source>
-        <translation>Hinweise vom Lesen der Lagen</translation>
+        <source>Remarks from reading the poses</source>
+        <translation>Hinweise beim Lesen der Lagen</translation>
     </message>
     <message>
-        <source>Checksum of the source when it was read. If it changes, the motion is stale</source>
-        <translation>Prüfsumme der Quelle beim Lesen. Ändert sie sich, ist die Bewegung veraltet</translation>
+        <source>Checksum of the source at the time it was read. If the source changes after that, the motion is stale</source>
+        <translation>Prüfsumme der Quelle zum Zeitpunkt des Lesens. Ändert sich die Quelle danach, ist die Bewegung veraltet</translation>
     </message>
     <message>
         <source>Number of poses to read. 0 (only for curves): as many poses as SourceAccuracy requires</source>
@@ -302,7 +302,7 @@
     </message>
     <message>
         <source>Orientation of the part. Fixed: it never turns. Tangent: its x axis follows the tangent. SecondCurve: as Tangent, and its z axis points to the second curve</source>
-        <translation>Ausrichtung des Teils. Fixed: Es dreht sich nie. Tangent: Seine x-Achse folgt der Tangente. SecondCurve: wie Tangent, und seine z-Achse zeigt zur zweiten Kurve</translation>
+        <translation>Ausrichtung des Teils. Fixed (Fest): Es dreht sich nie. Tangent (Tangente): Seine x-Achse folgt der Tangente. SecondCurve (Zweite Kurve): wie Tangent, und seine z-Achse zeigt zur zweiten Kurve</translation>
     </message>
     <message>
         <source>Time from the first to the last pose (s)</source>
@@ -337,8 +337,8 @@
         <translation>Abstand, den jedes Teil von den schon eingebauten Teilen halten muss</translation>
     </message>
     <message>
-        <source>If a part touches another part at its start or end, it may keep touching that part while no point of it is farther than this from that start or end</source>
-        <translation>Berührt ein Teil an seinem Start oder Ende ein anderes Teil, darf es dieses weiter berühren, solange keiner seiner Punkte weiter als dies von diesem Start oder Ende entfernt ist</translation>
+        <source>Release distance. A part may touch another part at the start or end of its motion. It may go on touching it until some point of the part has moved farther than this</source>
+        <translation>Freigabeabstand. Ein Teil darf am Start oder Ende seiner Bewegung ein anderes Teil berühren. Es darf dieses so lange berühren, bis sich einer seiner Punkte weiter als dies bewegt hat</translation>
     </message>
     <message>
         <source>Number of parts that have a path</source>
@@ -353,12 +353,12 @@
         <translation>Zweite der beiden Seiten, die verglichen werden: Teile, Hüllen oder andere reservierte Räume</translation>
     </message>
     <message>
-        <source>Motion of the first side. None: the first side stands still</source>
-        <translation>Bewegung der ersten Seite. Keine: Die erste Seite steht still</translation>
+        <source>Motion of the first side. Empty: the first side stands still</source>
+        <translation>Bewegung der ersten Seite. Leer: Die erste Seite steht still</translation>
     </message>
     <message>
-        <source>Motion of the second side. None: the second side stands still</source>
-        <translation>Bewegung der zweiten Seite. Keine: Die zweite Seite steht still</translation>
+        <source>Motion of the second side. Empty: the second side stands still</source>
+        <translation>Bewegung der zweiten Seite. Leer: Die zweite Seite steht still</translation>
     </message>
     <message>
         <source>Time at which both sides are compared (s)</source>
@@ -423,7 +423,7 @@
     </message>
     <message>
         <source>Envelopes and clearance checks of this document. Each of them is one run</source>
-        <translation>Hüllen und Abstandsprüfungen dieses Dokuments. Jede ist ein Lauf</translation>
+        <translation>Hüllen und Abstandsprüfungen dieses Dokuments. Jede davon ist ein Lauf</translation>
     </message>
     <message>
         <source>Folder for the results. Empty: the folder set in the study file, or the folder &quot;results&quot; beside that file. Without a study file: a folder beside the document</source>
@@ -448,15 +448,15 @@
     </message>
     <message>
         <source>What a pose means.
-Absolute: the pose replaces the present placement of the part. This is the default; captured placements and recorded motions use it.
-Relative: the pose is added to the present placement of the part. The identity leaves the part in place.
-RelativeToFirst: as Relative, but measured from the first pose. The motion starts at the present placement of the part.
+Absolute: the pose replaces the current placement of the part. This is the default; captured placements and recorded motions use it.
+Relative: the pose is added to the current placement of the part. A pose without shift and rotation leaves the part in place.
+RelativeToFirst: as Relative, but measured from the first pose. The motion starts at the current placement of the part.
 Several parts move together as one rigid body; with Absolute, the poses are those of the first part. A motion in a group uses the coordinates of the group and moves with the group.</source>
         <extracomment>Values of the property PoseType: what a pose means for the part.</extracomment>
         <translation>Was eine Lage bedeutet.
-Absolute: Die Lage ersetzt die jetzige Platzierung des Teils. Dies ist die Vorgabe; übernommene Platzierungen und aufgezeichnete Bewegungen verwenden sie.
-Relative: Die Lage kommt zur jetzigen Platzierung des Teils hinzu. Die Identität lässt das Teil an seinem Platz.
-RelativeToFirst: wie Relative, aber von der ersten Lage aus gemessen. Die Bewegung beginnt an der jetzigen Platzierung des Teils.
+Absolute (Absolut): Die Lage ersetzt die aktuelle Platzierung des Teils. Dies ist die Vorgabe; übernommene Platzierungen und aufgezeichnete Bewegungen verwenden sie.
+Relative (Relativ): Die Lage kommt zur aktuellen Platzierung des Teils hinzu. Eine Lage ohne Verschiebung und Drehung lässt das Teil an seinem Platz.
+RelativeToFirst (Relativ zur ersten): wie Relative, aber von der ersten Lage aus gemessen. Die Bewegung beginnt an der aktuellen Platzierung des Teils.
 Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten die Lagen für das erste Teil. Eine Bewegung in einer Gruppe verwendet die Koordinaten der Gruppe und bewegt sich mit ihr.</translation>
     </message>
     <message>
@@ -465,7 +465,7 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
     </message>
     <message>
         <source>What the colours show. Needs a record of what made the envelope (MadeBy)</source>
-        <translation>Was die Farben zeigen. Braucht eine Aufzeichnung darüber, was die Hülle erzeugt hat (MadeBy)</translation>
+        <translation>Was die Farben zeigen. Erfordert eine Aufzeichnung darüber, was die Hülle erzeugt hat (MadeBy)</translation>
     </message>
     <message>
         <source>Length of the axes drawn at each pose (mm). 0: chosen automatically</source>
@@ -496,16 +496,16 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
         <translation>Prüfsumme der Eingaben des gespeicherten Ergebnisses</translation>
     </message>
     <message>
-        <source>Checksum of the inputs of the last run that failed</source>
+        <source>Checksum of the inputs of the last failed run</source>
         <translation>Prüfsumme der Eingaben des letzten fehlgeschlagenen Laufs</translation>
     </message>
     <message>
-        <source>Number to which the driven value (SourceValue) is set at the first pose, in its own unit (such as mm or degrees)</source>
-        <translation>Zahl, auf die der gesteuerte Wert (SourceValue) bei der ersten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
+        <source>Number to which the driving value (SourceValue) is set at the first pose, in its own unit (such as mm or degrees)</source>
+        <translation>Zahl, auf die der steuernde Wert (SourceValue) bei der ersten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
     </message>
     <message>
-        <source>Number to which the driven value (SourceValue) is set at the last pose, in its own unit (such as mm or degrees)</source>
-        <translation>Zahl, auf die der gesteuerte Wert (SourceValue) bei der letzten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
+        <source>Number to which the driving value (SourceValue) is set at the last pose, in its own unit (such as mm or degrees)</source>
+        <translation>Zahl, auf die der steuernde Wert (SourceValue) bei der letzten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
     </message>
 </context>
 <context>
@@ -542,7 +542,7 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Create envelope...</source>
-        <translation>Hülle erzeugen …</translation>
+        <translation>Hülle erzeugen...</translation>
     </message>
     <message>
         <source>Computes the space that the selected parts occupy during a motion. Select solids or meshes (also inside groups and links) and a motion</source>
@@ -558,7 +558,7 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Edit envelope...</source>
-        <translation>Hülle bearbeiten …</translation>
+        <translation>Hülle bearbeiten...</translation>
     </message>
     <message>
         <source>Changes the parts, motion or settings of the selected envelope</source>
@@ -582,15 +582,15 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Export envelope...</source>
-        <translation>Hülle exportieren …</translation>
+        <translation>Hülle exportieren...</translation>
     </message>
     <message>
-        <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and checks the file. If a solid is selected, its tolerance and limits are used</source>
-        <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft die Datei. Ist ein Festkörper gewählt, gelten dessen Toleranz und Grenzen</translation>
+        <source>Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and checks the file. You can also select a solid that was made from an envelope: the panel then begins with the settings of this solid</source>
+        <translation>Schreibt die gewählte Hülle als STEP, BREP, STL, PLY, OBJ, OFF oder 3MF und prüft die Datei. Sie können auch einen Festkörper wählen, der aus einer Hülle erzeugt wurde: Das Panel beginnt dann mit den Einstellungen dieses Festkörpers</translation>
     </message>
     <message>
         <source>Export report...</source>
-        <translation>Bericht exportieren ...</translation>
+        <translation>Bericht exportieren...</translation>
     </message>
     <message>
         <source>Writes the results of the selected check or study as one HTML file or as PDF. The HTML file of a check has a 3D view</source>
@@ -601,8 +601,8 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
         <translation>Bahn finden...</translation>
     </message>
     <message>
-        <source>Finds a path on which the selected part reaches its place and keeps its distance from its neighbours. Select the part first, then its neighbours. A selected motion sets the start and the goal</source>
-        <translation>Findet eine Bahn, auf der das gewählte Teil seinen Platz erreicht und Abstand zu seinen Nachbarn hält. Wählen Sie zuerst das Teil, dann seine Nachbarn. Eine gewählte Bewegung legt Start und Ziel fest</translation>
+        <source>Finds a path on which the selected part reaches its installed position and keeps a distance from its neighbours. Select the part first, then its neighbours. A selected motion sets the start and the goal</source>
+        <translation>Findet eine Bahn, auf der das gewählte Teil seine Einbaulage erreicht und Abstand zu seinen Nachbarn hält. Wählen Sie zuerst das Teil, dann seine Nachbarn. Eine gewählte Bewegung legt Start und Ziel fest</translation>
     </message>
     <message>
         <source>Improve path...</source>
@@ -618,8 +618,8 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
         <translation>Rechenkern installieren</translation>
     </message>
     <message>
-        <source>Installs the compiled package with which the workbench computes</source>
-        <translation>Installiert das kompilierte Paket, mit dem die Arbeitsumgebung rechnet</translation>
+        <source>Installs the core, the compiled package that does the computation</source>
+        <translation>Installiert den Rechenkern, das kompilierte Paket, das die Berechnungen ausführt</translation>
     </message>
     <message>
         <source>What made this?</source>
@@ -638,8 +638,8 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
         <translation>Wandelt die ausgewählte Hülle in einen Festkörper für boolesche Operationen, Messen und STEP um. Ein ausgewählter Festkörper wird neu erzeugt</translation>
     </message>
     <message>
-        <source>Motion from driven value...</source>
-        <translation>Bewegung aus gesteuertem Wert...</translation>
+        <source>Motion from driving value...</source>
+        <translation>Bewegung aus steuerndem Wert...</translation>
     </message>
     <message>
         <source>Changes a value (a spreadsheet cell, a sketch dimension or a variable of an assembly) and records how a part moves with it. Select the object with the value, then the part. If no part is selected, every part that moves gets a motion</source>
@@ -647,7 +647,7 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Motion from file...</source>
-        <translation>Bewegung aus Datei …</translation>
+        <translation>Bewegung aus Datei...</translation>
     </message>
     <message>
         <source>Reads a motion from a CSV file. Each row holds time, position and quaternion (t,tx,ty,tz,qx,qy,qz,qw), or the 16 numbers of a matrix</source>
@@ -663,7 +663,7 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Motion from object...</source>
-        <translation>Bewegung aus Objekt …</translation>
+        <translation>Bewegung aus Objekt...</translation>
     </message>
     <message>
         <source>Makes a motion from the selected wire, sketch, robot trajectory, link array, Draft array, CAM operation or assembly simulation. If you select a second curve, it sets the orientation. The motion stays linked to its source</source>
@@ -671,11 +671,11 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>New motion...</source>
-        <translation>Neue Bewegung …</translation>
+        <translation>Neue Bewegung...</translation>
     </message>
     <message>
         <source>Opens the motion editor: move the selected part step by step and capture its placements</source>
-        <translation>Öffnet den Bewegungseditor: Das ausgewählte Teil Schritt für Schritt bewegen und seine Platzierungen übernehmen</translation>
+        <translation>Öffnet den Bewegungseditor: Bewegen Sie das ausgewählte Teil Schritt für Schritt, und übernehmen Sie seine Platzierungen</translation>
     </message>
     <message>
         <source>Recompute envelope</source>
@@ -683,15 +683,15 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Recomputes the selected envelope from its current parts and motion. Without a selection, recomputes the first stale envelope</source>
-        <translation>Berechnet die gewählte Hülle aus ihren jetzigen Teilen und ihrer jetzigen Bewegung neu. Ohne Auswahl wird die erste veraltete Hülle neu berechnet</translation>
+        <translation>Berechnet die gewählte Hülle aus ihren aktuellen Teilen und ihrer aktuellen Bewegung neu. Ohne Auswahl wird die erste veraltete Hülle neu berechnet</translation>
     </message>
     <message>
         <source>Reload motion</source>
         <translation>Bewegung neu laden</translation>
     </message>
     <message>
-        <source>Reads the file or source of the selected motion again. All motions of the same driven value or simulation are read together</source>
-        <translation>Liest Datei oder Quelle der gewählten Bewegung neu. Alle Bewegungen desselben gesteuerten Werts oder derselben Simulation werden zusammen gelesen</translation>
+        <source>Reads the file or source of the selected motion again. All motions of the same driving value or simulation are read together</source>
+        <translation>Liest Datei oder Quelle der gewählten Bewegung neu. Alle Bewegungen desselben steuernden Werts oder derselben Simulation werden zusammen gelesen</translation>
     </message>
     <message>
         <source>Sequence...</source>
@@ -782,19 +782,19 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>The part is so far from the origin that its coordinates are not exact enough: move the part and its motion closer to the origin.</source>
-        <translation>Das Teil liegt so weit vom Ursprung, dass seine Koordinaten nicht genau genug sind: Rücken Sie Teil und Bewegung näher an den Ursprung.</translation>
+        <translation>Das Teil liegt so weit vom Ursprung, dass seine Koordinaten nicht genau genug sind: Verschieben Sie Teil und Bewegung näher an den Ursprung.</translation>
     </message>
     <message>
         <source>The part or the motion reaches more than 1e9 mm from the origin: check the unit of length.</source>
         <translation>Das Teil oder die Bewegung reicht weiter als 1e9 mm vom Ursprung: Prüfen Sie die Längeneinheit.</translation>
     </message>
     <message>
-        <source>A setting is not allowed: the text in brackets names the setting and says what is allowed.</source>
-        <translation>Eine Einstellung ist nicht erlaubt: Der Text in Klammern nennt die Einstellung und sagt, was erlaubt ist.</translation>
+        <source>A setting is not allowed: correct it. The details in parentheses name the setting and say what is allowed.</source>
+        <translation>Eine Einstellung ist nicht erlaubt: Berichtigen Sie sie. Die Angaben in Klammern nennen die Einstellung und sagen, was erlaubt ist.</translation>
     </message>
     <message>
-        <source>The motion has no poses: give at least one.</source>
-        <translation>Die Bewegung hat keine Lagen: Geben Sie mindestens eine an.</translation>
+        <source>The motion has no poses: add at least one.</source>
+        <translation>Die Bewegung hat keine Lagen: Fügen Sie mindestens eine hinzu.</translation>
     </message>
     <message>
         <source>A pose scales, shears or mirrors the part: use poses that only rotate and translate.</source>
@@ -809,16 +809,16 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Das Teil dreht sich zwischen zwei Lagen um 180 Grad oder fast so weit, daher ist die Drehrichtung nicht eindeutig: Fügen Sie eine Lage dazwischen ein.</translation>
     </message>
     <message>
-        <source>Two parts are below the required distance in their installed positions: reduce the required distance, or set a release distance.</source>
-        <translation>Zwei Teile sind in ihrer Einbaulage näher als der Sollabstand: Verringern Sie den Sollabstand, oder setzen Sie einen Freigabeabstand.</translation>
+        <source>Two parts are closer than the required distance in their installed positions: reduce the required distance, or set a release distance, within which parts may be that close.</source>
+        <translation>Zwei Teile sind in ihren Einbaulagen näher als der Sollabstand: Verringern Sie den Sollabstand, oder geben Sie einen Freigabeabstand an, innerhalb dessen Teile so nah sein dürfen.</translation>
     </message>
     <message>
-        <source>The file cannot be read: the text in brackets says where and why.</source>
-        <translation>Die Datei kann nicht gelesen werden: Der Text in Klammern sagt, wo und warum.</translation>
+        <source>The file cannot be read: the details in parentheses say where and why.</source>
+        <translation>Die Datei kann nicht gelesen werden: Die Angaben in Klammern nennen Stelle und Ursache.</translation>
     </message>
     <message>
-        <source>The file extension is not supported: use one of those listed in brackets.</source>
-        <translation>Die Dateiendung wird nicht unterstützt: Verwenden Sie eine der Endungen in Klammern.</translation>
+        <source>The file extension is not supported: choose another one. The details in parentheses list the supported ones.</source>
+        <translation>Die Dateiendung wird nicht unterstützt: Wählen Sie eine andere. Die Angaben in Klammern nennen die unterstützten Endungen.</translation>
     </message>
     <message>
         <source>The file is larger than the limit for input files: split it, or reduce it.</source>
@@ -846,31 +846,31 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>There is no neighbour to check: choose at least one part as a neighbour.</source>
-        <translation>Es gibt keinen Nachbarn zu prüfen: Wählen Sie mindestens ein Teil als Nachbarn.</translation>
+        <translation>Es gibt keinen Nachbarn, der geprüft werden kann: Wählen Sie mindestens ein Teil als Nachbarn.</translation>
     </message>
     <message>
-        <source>A rule cannot be applied: correct the rule, or remove it.</source>
-        <translation>Eine Regel ist nicht anwendbar: Berichtigen oder entfernen Sie sie.</translation>
+        <source>A rule cannot be applied: correct the rule, or remove it. The details in parentheses name the rule.</source>
+        <translation>Eine Regel ist nicht anwendbar: Berichtigen oder entfernen Sie sie. Die Angaben in Klammern nennen die Regel.</translation>
     </message>
     <message>
-        <source>The report template has an error: the text in brackets names the line. Correct the template.</source>
-        <translation>Die Berichtsvorlage hat einen Fehler: Der Text in Klammern nennt die Zeile. Berichtigen Sie die Vorlage.</translation>
+        <source>The report template has an error: correct the template. The details in parentheses name the line.</source>
+        <translation>Die Berichtsvorlage hat einen Fehler: Berichtigen Sie die Vorlage. Die Angaben in Klammern nennen die Zeile.</translation>
     </message>
     <message>
-        <source>At the goal, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or set a release distance.</source>
-        <translation>Am Ziel ist das Teil zu nah an einem Nachbarn oder überschneidet ihn: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder setzen Sie einen Freigabeabstand.</translation>
+        <source>At the goal, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or set a release distance, within which the part may be that close.</source>
+        <translation>Am Ziel ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder geben Sie einen Freigabeabstand an, innerhalb dessen das Teil so nah sein darf.</translation>
     </message>
     <message>
-        <source>At the start, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or set a release distance.</source>
-        <translation>Am Start ist das Teil zu nah an einem Nachbarn oder überschneidet ihn: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder setzen Sie einen Freigabeabstand.</translation>
+        <source>At the start, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or set a release distance, within which the part may be that close.</source>
+        <translation>Am Start ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder geben Sie einen Freigabeabstand an, innerhalb dessen das Teil so nah sein darf.</translation>
     </message>
     <message>
         <source>At a locked key, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or unlock the key.</source>
-        <translation>An einer gesperrten Stützstelle ist das Teil zu nah an einem Nachbarn oder überschneidet ihn: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder geben Sie die Stützstelle frei.</translation>
+        <translation>An einer gesperrten Stützstelle ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder heben Sie die Sperre der Stützstelle auf.</translation>
     </message>
     <message>
-        <source>Start and goal are the same: choose another start.</source>
-        <translation>Start und Ziel sind gleich: Wählen Sie einen anderen Start.</translation>
+        <source>Start and goal are the same: choose another start or goal.</source>
+        <translation>Start und Ziel sind gleich: Wählen Sie einen anderen Start oder ein anderes Ziel.</translation>
     </message>
     <message>
         <source>No start is given: enter a placement, a distance or a direction.</source>
@@ -878,19 +878,19 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>The file could not be written: check the folder, its permissions and the free disk space.</source>
-        <translation>Die Datei konnte nicht geschrieben werden: Prüfen Sie Ordner, Rechte und freien Platz.</translation>
+        <translation>Die Datei konnte nicht geschrieben werden: Prüfen Sie den Ordner, seine Zugriffsrechte und den freien Speicherplatz.</translation>
     </message>
     <message>
         <source>OpenCASCADE could not build the solid: set a larger Tolerance for the solid, or export a mesh file (STL, PLY).</source>
-        <translation>OpenCASCADE konnte den Festkörper nicht bauen: Setzen Sie eine größere Toleranz für den Festkörper, oder exportieren Sie eine Netzdatei (STL, PLY).</translation>
+        <translation>OpenCASCADE konnte den Festkörper nicht erzeugen: Geben Sie eine größere Toleranz für den Festkörper an, oder exportieren Sie eine Netzdatei (STL, PLY).</translation>
     </message>
     <message>
-        <source>No usable graphics device was found: set Backend to CPU.</source>
-        <translation>Keine brauchbare Grafikkarte gefunden: Stellen Sie das Rechenwerk auf CPU.</translation>
+        <source>No usable GPU (graphics processor) was found: set Backend to CPU.</source>
+        <translation>Es wurde keine verwendbare GPU (Grafikprozessor) gefunden: Setzen Sie „Rechenwerk“ auf „CPU“.</translation>
     </message>
     <message>
-        <source>The graphics device failed during the computation: set Backend to CPU.</source>
-        <translation>Die Grafikkarte versagte während der Berechnung: Stellen Sie das Rechenwerk auf CPU.</translation>
+        <source>The GPU (graphics processor) failed during the computation: set Backend to CPU.</source>
+        <translation>Die GPU (Grafikprozessor) ist während der Berechnung ausgefallen: Setzen Sie „Rechenwerk“ auf „CPU“.</translation>
     </message>
     <message>
         <source>Solids of one part overlap: select each solid on its own, or fuse them first.</source>
@@ -922,23 +922,23 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>Some adjacent triangles face opposite ways: check the mesh if the result looks wrong.</source>
-        <translation>Einige aneinandergrenzende Dreiecke zeigen in entgegengesetzte Richtungen: Prüfen Sie das Netz, falls das Ergebnis falsch aussieht.</translation>
+        <translation>Die Normalen einiger benachbarter Dreiecke zeigen in entgegengesetzte Richtungen: Prüfen Sie das Netz, falls das Ergebnis falsch aussieht.</translation>
     </message>
     <message>
-        <source>The surface of the part has only one side, like a Möbius strip: check the mesh.</source>
-        <translation>Die Oberfläche des Teils hat nur eine Seite, wie ein Möbiusband: Prüfen Sie das Netz.</translation>
+        <source>The surface of the part has only one side, like a Möbius strip: repair the mesh.</source>
+        <translation>Die Oberfläche des Teils hat nur eine Seite, wie ein Möbiusband: Reparieren Sie das Netz.</translation>
     </message>
     <message>
-        <source>More than two triangles meet at some edges of the part: check the mesh.</source>
-        <translation>An manchen Kanten des Teils treffen sich mehr als zwei Dreiecke: Prüfen Sie das Netz.</translation>
+        <source>More than two triangles meet at some edges of the part: repair the mesh if the result looks wrong.</source>
+        <translation>An manchen Kanten des Teils treffen sich mehr als zwei Dreiecke: Reparieren Sie das Netz, falls das Ergebnis falsch aussieht.</translation>
     </message>
     <message>
         <source>The part intersects itself, and some of its regions face inwards: repair the mesh.</source>
-        <translation>Das Teil durchdringt sich selbst, und Bereiche zeigen nach innen: Reparieren Sie das Netz.</translation>
+        <translation>Das Teil durchdringt sich selbst, und einige seiner Bereiche zeigen nach innen: Reparieren Sie das Netz.</translation>
     </message>
     <message>
-        <source>The part has cavities. They change the envelope only if Keep cavities is set.</source>
-        <translation>Das Teil hat Hohlräume. Sie ändern die Hülle nur, wenn „Hohlräume behalten“ gesetzt ist.</translation>
+        <source>The part has cavities. They change the envelope only if Keep cavities is ticked.</source>
+        <translation>Das Teil hat Hohlräume. Sie ändern die Hülle nur, wenn „Hohlräume behalten“ eingeschaltet ist.</translation>
     </message>
     <message>
         <source>Some bodies of the part lie inside other bodies. They count as material.</source>
@@ -957,12 +957,12 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Manche Dreiecke der Hülle durchdringen sich. Wenn Sie einen Festkörper brauchen, ändern Sie die Zellgröße etwas.</translation>
     </message>
     <message>
-        <source>The envelope was not simplified: the text in brackets says why.</source>
-        <translation>Die Hülle wurde nicht vereinfacht: Der Text in Klammern sagt, warum.</translation>
+        <source>The envelope was not simplified: the details in parentheses say why.</source>
+        <translation>Die Hülle wurde nicht vereinfacht: Die Angaben in Klammern nennen die Ursache.</translation>
     </message>
     <message>
-        <source>The envelope was simplified less than the tolerance allows, so it has more triangles than necessary.</source>
-        <translation>Die Hülle wurde weniger vereinfacht, als die Toleranz erlaubt; sie hat mehr Dreiecke als nötig.</translation>
+        <source>The envelope is correct, but its simplification stopped early: it has more triangles than the tolerance requires.</source>
+        <translation>Die Hülle ist richtig, aber ihre Vereinfachung endete vorzeitig: Sie hat mehr Dreiecke, als die Toleranz erfordert.</translation>
     </message>
     <message>
         <source>This surface is a preview. It was not checked for errors such as intersecting triangles.</source>
@@ -978,11 +978,11 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>There is no check in the document: make one with Check clearance or Check mechanism.</source>
-        <translation>Im Dokument ist keine Prüfung: Legen Sie eine an mit Abstand prüfen oder Mechanismus prüfen.</translation>
+        <translation>Im Dokument ist keine Prüfung: Legen Sie eine mit „Abstand prüfen“ oder „Mechanismus prüfen“ an.</translation>
     </message>
     <message>
-        <source>Select one of the {0} checks and studies.</source>
-        <translation>Wählen Sie eine der {0} Prüfungen und Studien.</translation>
+        <source>The document has {0} checks and studies: select one of them.</source>
+        <translation>Das Dokument enthält {0} Prüfungen und Studien: Wählen Sie eine davon aus.</translation>
     </message>
     <message>
         <source>Select the part for which to find a path.</source>
@@ -1010,23 +1010,23 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>Select at least two objects in the order of the motion: their placements become the poses. Use copies or links of the part, or local coordinate systems.</source>
-        <translation>Wählen Sie mindestens zwei Objekte in der Reihenfolge der Bewegung aus: Ihre Platzierungen werden zu den Lagen. Nehmen Sie Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
+        <translation>Wählen Sie mindestens zwei Objekte in der Reihenfolge der Bewegung aus: Ihre Platzierungen werden zu den Lagen. Verwenden Sie Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
     </message>
     <message>
-        <source>Select a wire, sketch, array, CAM operation or robot trajectory; or an assembly simulation and a part.</source>
-        <translation>Wählen Sie einen Linienzug, eine Skizze, Anordnung, CAM-Operation oder Roboterbahn aus; oder eine Baugruppensimulation und ein Teil.</translation>
+        <source>Select a wire, sketch, array, CAM operation or robot trajectory; or an assembly simulation and the part whose motion you want.</source>
+        <translation>Wählen Sie einen Linienzug, eine Skizze, Anordnung, CAM-Operation oder Roboterbahn aus; oder eine Baugruppensimulation und das Teil, dessen Bewegung Sie brauchen.</translation>
     </message>
     <message>
-        <source>Select one wire, sketch, robot trajectory, link array, Draft array or CAM operation; or two curves; or an assembly simulation and the part to follow.</source>
-        <translation>Wählen Sie einen Linienzug, eine Skizze, Roboterbahn, Link-Anordnung, Draft-Anordnung oder CAM-Operation; oder zwei Kurven; oder eine Baugruppen-Simulation und das zu verfolgende Teil.</translation>
+        <source>Select one wire, sketch, robot trajectory, link array, Draft array or CAM operation; or two curves; or an assembly simulation and the part whose motion you want.</source>
+        <translation>Wählen Sie einen Linienzug, eine Skizze, Roboterbahn, Link-Anordnung, Draft-Anordnung oder CAM-Operation; oder zwei Kurven; oder eine Baugruppensimulation und das Teil, dessen Bewegung Sie brauchen.</translation>
     </message>
     <message>
-        <source>No envelope is stale. Select one to compute it again.</source>
-        <translation>Keine Hülle ist veraltet. Wählen Sie eine aus, um sie neu zu berechnen.</translation>
+        <source>No envelope is stale. To compute an envelope again anyway, select it.</source>
+        <translation>Keine Hülle ist veraltet. Um eine Hülle trotzdem neu zu berechnen, wählen Sie sie aus.</translation>
     </message>
     <message>
         <source>No moving part is chosen: select a solid or a mesh, then press Add selected.</source>
-        <translation>Es ist kein bewegtes Teil gewählt: Wählen Sie einen Festkörper oder ein Netz aus, und drücken Sie „Gewählte hinzufügen“.</translation>
+        <translation>Es ist kein bewegtes Teil gewählt: Wählen Sie einen Festkörper oder ein Netz aus, und klicken Sie auf „Auswahl hinzufügen“.</translation>
     </message>
     <message>
         <source>The link &quot;{0}&quot; is empty: its target was deleted, or the document of the target is not open. Open that document, or choose another target.</source>
@@ -1043,11 +1043,11 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     <message>
         <source>The shape could not be turned into triangles: check it with Part &gt; Check geometry.</source>
         <extracomment>Angular deflection of meshed solids (rad). The linear deflection depends on the cell.</extracomment>
-        <translation>Die Form konnte nicht in Dreiecke zerlegt werden: Prüfen Sie sie mit Part &gt; Geometrie überprüfen.</translation>
+        <translation>Die Form konnte nicht in Dreiecke zerlegt werden: Prüfen Sie sie mit „Part &gt; Geometrie überprüfen“.</translation>
     </message>
     <message>
         <source>The shape has {0} faces but no solid: make it a solid with Part &gt; Convert to solid or Part &gt; Shape builder, or choose a closed mesh.</source>
-        <translation>Die Form hat {0} Flächen, aber keinen Festkörper: Machen Sie sie mit Part &gt; In Festkörper umwandeln oder Part &gt; Form-Generator zum Festkörper, oder wählen Sie ein geschlossenes Netz.</translation>
+        <translation>Die Form hat {0} Flächen, aber keinen Festkörper: Wandeln Sie sie mit „Part &gt; In Festkörper umwandeln“ oder „Part &gt; Form-Generator“ in einen Festkörper um, oder wählen Sie ein geschlossenes Netz.</translation>
     </message>
     <message>
         <source>The document has no object &quot;{0}&quot; any more: choose the part again.</source>
@@ -1058,15 +1058,15 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Der Interpreter {0} hat kein pip. Installieren Sie pip (in Debian und Ubuntu das Paket python3-pip), oder wählen Sie in den Einstellungen des Addon-Managers einen anderen Interpreter.</translation>
     </message>
     <message>
-        <source>The package index could not be reached. pip says:
+        <source>The package index could not be reached: check the network connection, or choose a package file. pip says:
 {0}</source>
-        <translation>Der Paketindex ist nicht erreichbar. pip meldet:
+        <translation>Der Paketindex ist nicht erreichbar: Prüfen Sie die Netzwerkverbindung, oder wählen Sie eine Paketdatei. pip meldet:
 {0}</translation>
     </message>
     <message>
-        <source>There is no core of version {0} for Python {1} on this system. pip says:
+        <source>There is no core of version {0} for Python {1} on this system: choose a package file, or build the core. pip says:
 {2}</source>
-        <translation>Für dieses System gibt es keinen Rechenkern der Version {0} für Python {1}. pip meldet:
+        <translation>Für dieses System gibt es keinen Rechenkern der Version {0} für Python {1}: Wählen Sie eine Paketdatei, oder kompilieren Sie den Rechenkern. pip meldet:
 {2}</translation>
     </message>
     <message>
@@ -1074,8 +1074,8 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Die Datei „{0}“ ist nicht der Rechenkern von Swept Volume: Wählen Sie eine Datei, deren Name mit swept_volume beginnt.</translation>
     </message>
     <message>
-        <source>The core in &quot;{0}&quot; has version {1}, but the workbench has version {2}.</source>
-        <translation>Der Rechenkern in „{0}“ hat Version {1}, die Arbeitsumgebung aber Version {2}.</translation>
+        <source>The core in &quot;{0}&quot; has version {1}, but the workbench has version {2}: choose a core of version {2}.</source>
+        <translation>Der Rechenkern in „{0}“ hat Version {1}, die Arbeitsumgebung aber Version {2}: Wählen Sie einen Rechenkern der Version {2}.</translation>
     </message>
     <message>
         <source>No Python interpreter was found to run pip: install Python.</source>
@@ -1083,9 +1083,9 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Es wurde kein Python-Interpreter gefunden, der pip ausführen kann: Installieren Sie Python.</translation>
     </message>
     <message>
-        <source>pip could not install the core:
+        <source>pip could not install the core: choose a package file, or build the core. pip says:
 {0}</source>
-        <translation>pip konnte den Rechenkern nicht installieren:
+        <translation>pip konnte den Rechenkern nicht installieren: Wählen Sie eine Paketdatei, oder kompilieren Sie den Rechenkern. pip meldet:
 {0}</translation>
     </message>
     <message>
@@ -1102,31 +1102,31 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>The core is not published on {0} yet: choose a file, or build the core.</source>
-        <translation>Der Rechenkern ist auf {0} noch nicht veröffentlicht: Wählen Sie eine Datei, oder bauen Sie ihn.</translation>
+        <translation>Der Rechenkern ist auf {0} noch nicht veröffentlicht: Wählen Sie eine Datei, oder kompilieren Sie ihn.</translation>
     </message>
     <message>
         <source>pip ended without an error, but installed no usable core: choose another file, or build the core.</source>
-        <translation>pip endete ohne Fehler, hat aber keinen brauchbaren Rechenkern installiert: Wählen Sie eine andere Datei, oder bauen Sie den Rechenkern.</translation>
+        <translation>pip wurde ohne Fehler beendet, hat aber keinen brauchbaren Rechenkern installiert: Wählen Sie eine andere Datei, oder kompilieren Sie den Rechenkern.</translation>
     </message>
     <message>
         <source>The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.
-Choose Swept Volume &gt; Install the core, or build it in the folder {1}:
+Choose Swept Volume &gt; Install the core, or build the core in the folder {1}:
     cmake --preset release &amp;&amp; cmake --build build
-README.md lists the packages that the build needs. If the core is elsewhere, set the environment variable SWEPT_CORE to its folder.
-Tried:
+.ci/packages.txt lists the packages that the build needs. If the core is elsewhere, set the environment variable SWEPT_CORE to its folder.
+FreeCAD looked for the core in:
   {2}</source>
         <extracomment>longest side for that.</extracomment>
         <translation>Der kompilierte Rechenkern von Swept Volume (_swept, für Python {0}) kann nicht geladen werden.
-Wählen Sie Überstrichener Raum &gt; Rechenkern installieren, oder bauen Sie ihn im Ordner {1}:
+Wählen Sie „Überstrichener Raum &gt; Rechenkern installieren“, oder kompilieren Sie ihn im Ordner {1}:
     cmake --preset release &amp;&amp; cmake --build build
-README.md nennt die Pakete, die dafür nötig sind. Liegt der Rechenkern anderswo, setzen Sie die Umgebungsvariable SWEPT_CORE auf seinen Ordner.
-Versucht:
+.ci/packages.txt nennt die Pakete, die dafür nötig sind. Liegt der Rechenkern anderswo, setzen Sie die Umgebungsvariable SWEPT_CORE auf seinen Ordner.
+FreeCAD hat den Rechenkern hier gesucht:
   {2}</translation>
     </message>
     <message>
         <source>The compiled core of Swept Volume in {0} has version {1}, but the workbench has version {2}. Choose Swept Volume &gt; Install the core, or build the core again in the folder {3}:
     cmake --preset release &amp;&amp; cmake --build build</source>
-        <translation>Der kompilierte Rechenkern von Swept Volume in {0} hat Version {1}, die Arbeitsumgebung aber Version {2}. Wählen Sie Überstrichener Raum &gt; Rechenkern installieren, oder bauen Sie den Rechenkern im Ordner {3} neu:
+        <translation>Der kompilierte Rechenkern von Swept Volume in {0} hat Version {1}, die Arbeitsumgebung aber Version {2}. Wählen Sie Überstrichener Raum &gt; Rechenkern installieren, oder kompilieren Sie den Rechenkern im Ordner {3} neu:
     cmake --preset release &amp;&amp; cmake --build build</translation>
     </message>
     <message>
@@ -1216,7 +1216,7 @@ Versucht:
     </message>
     <message>
         <source>The rules ignore every neighbour, so there is nothing to check: change at least one rule.</source>
-        <translation>Die Regeln übergehen jeden Nachbarn, daher gibt es nichts zu prüfen: Ändern Sie mindestens eine Regel.</translation>
+        <translation>Die Regeln ignorieren jeden Nachbarn, daher gibt es nichts zu prüfen: Ändern Sie mindestens eine Regel.</translation>
     </message>
     <message>
         <source>These parts also moved when this motion was read, but stand still in this check: {0}. If they move at the same time, use Check mechanism.</source>
@@ -1232,7 +1232,7 @@ Versucht:
     </message>
     <message>
         <source>ignored</source>
-        <translation>übergangen</translation>
+        <translation>ignoriert</translation>
     </message>
     <message>
         <source>contact</source>
@@ -1268,7 +1268,7 @@ Versucht:
     </message>
     <message>
         <source>{0} ignored</source>
-        <translation>{0} übergangen</translation>
+        <translation>{0} ignoriert</translation>
     </message>
     <message>
         <source>deepest clash {0} at t = {1} s ({2})</source>
@@ -1294,13 +1294,13 @@ Versucht:
         <translation>Hülle</translation>
     </message>
     <message>
-        <source>Cavities cannot be kept if parts have individual motions: clear Keep cavities, or create one envelope for each motion.</source>
-        <translation>Hohlräume können nicht behalten werden, wenn Teile einzelne Bewegungen haben: Schalten Sie „Hohlräume behalten“ aus, oder erzeugen Sie für jede Bewegung eine eigene Hülle.</translation>
+        <source>Cavities cannot be kept if parts have motions of their own: clear Keep cavities, or create one envelope for each motion.</source>
+        <translation>Hohlräume können nicht behalten werden, wenn Teile eigene Bewegungen haben: Schalten Sie „Hohlräume behalten“ aus, oder erzeugen Sie für jede Bewegung eine eigene Hülle.</translation>
     </message>
     <message>
-        <source>There are {0} moving parts but {1} individual motions: give one motion for each part, or none.</source>
+        <source>The number of moving parts is {0}, but the number of own motions is {1}: give every part a motion of its own, or none.</source>
         <extracomment>Deflection of solids for the closer estimate, as a fraction of the part&apos;s size.</extracomment>
-        <translation>Es gibt {0} bewegte Teile, aber {1} einzelne Bewegungen: Geben Sie für jedes Teil eine Bewegung an, oder keine.</translation>
+        <translation>Die Anzahl der bewegten Teile ist {0}, die der eigenen Bewegungen aber {1}: Geben Sie jedem Teil eine eigene Bewegung oder keinem.</translation>
     </message>
     <message>
         <source>{0}, improved</source>
@@ -1370,9 +1370,9 @@ Versucht:
         <translation>{0} Paare geprüft</translation>
     </message>
     <message>
-        <source>{0} was deleted, and {1} needs it: choose a replacement ({2}), or undo the deletion.</source>
+        <source>{0} was deleted, and {1} needs it: choose a replacement in the property {2}, or undo the deletion.</source>
         <extracomment>Hidden property: [{property, label, name, left}]. left: what remained in the property.</extracomment>
-        <translation>{0} wurde gelöscht, und {1} braucht es: Wählen Sie einen Ersatz ({2}), oder machen Sie das Löschen rückgängig.</translation>
+        <translation>{0} wurde gelöscht, aber {1} braucht es: Wählen Sie in der Eigenschaft {2} einen Ersatz, oder machen Sie das Löschen rückgängig.</translation>
     </message>
     <message>
         <source>no poses yet</source>
@@ -1389,9 +1389,9 @@ Versucht:
         <translation>Bewegung von {0}</translation>
     </message>
     <message>
-        <source>The steps of &quot;{0}&quot; are large: near t = {1} s the part may be about {2} away from its true position. Read the motion with smaller steps.</source>
-        <extracomment>The deviation of a motion over two steps is about four times that over one step.</extracomment>
-        <translation>Die Schritte von „{0}“ sind groß: Bei t = {1} s kann das Teil um etwa {2} von seiner wahren Position abweichen. Lesen Sie die Bewegung mit kleineren Schritten.</translation>
+        <source>The steps of &quot;{0}&quot; are large: near t = {1} s the part may be about {2} away from its true position. Record the motion again with smaller steps.</source>
+        <extracomment>Deviation over one step, as a fraction of the deviation over two: it grows with the square.</extracomment>
+        <translation>Die Schritte von „{0}“ sind groß: Bei t = {1} s kann das Teil um etwa {2} von seiner wahren Position abweichen. Zeichnen Sie die Bewegung mit kleineren Schritten neu auf.</translation>
     </message>
     <message>
         <source>No motion is chosen: choose one, or make one with New motion.</source>
@@ -1410,8 +1410,8 @@ Versucht:
         <translation>„{0}“ ist keine Bewegung: Wählen Sie eine Bewegung.</translation>
     </message>
     <message>
-        <source>Two rules for &quot;{0}&quot; contradict each other: remove one of them.</source>
-        <translation>Zwei Regeln für „{0}“ widersprechen einander: Entfernen Sie eine.</translation>
+        <source>There are two different rules for &quot;{0}&quot;: remove one of them.</source>
+        <translation>Für „{0}“ gibt es zwei verschiedene Regeln: Entfernen Sie eine davon.</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; has the unknown rule &quot;{1}&quot;: use Required, Contact or Ignore.</source>
@@ -1422,8 +1422,8 @@ Versucht:
         <translation>Der Abstand in der Regel von „{0}“ ist {1} mm: Geben Sie 0 oder mehr ein.</translation>
     </message>
     <message>
-        <source>The rules of &quot;{0}&quot; are inconsistent: there are {1} parts, {2} kinds and {3} lengths, but these numbers must be equal. Enter the rules again.</source>
-        <translation>Die Regeln von „{0}“ sind widersprüchlich: Es gibt {1} Teile, {2} Arten und {3} Längen, aber diese Anzahlen müssen gleich sein. Geben Sie die Regeln neu ein.</translation>
+        <source>The rules of &quot;{0}&quot; do not fit together (parts: {1}, kinds of rules: {2}, lengths: {3}); these numbers must be equal. Enter the rules again.</source>
+        <translation>Die Regeln von „{0}“ passen nicht zusammen (Teile: {1}, Regelarten: {2}, Längen: {3}); diese Anzahlen müssen gleich sein. Geben Sie die Regeln neu ein.</translation>
     </message>
     <message>
         <source>There is nothing to compare: choose two or more parts, envelopes or solids.</source>
@@ -1434,12 +1434,12 @@ Versucht:
         <translation>„{0}“ enthält „{1}“: Entfernen Sie eines davon.</translation>
     </message>
     <message>
-        <source>The rules for &quot;{0}&quot; and for &quot;{1}&quot; contradict each other for &quot;{2}&quot;, and neither is more specific: add a rule for this pair.</source>
-        <translation>Die Regeln für „{0}“ und für „{1}“ widersprechen sich für „{2}“, und keine ist spezieller: Fügen Sie eine Regel für dieses Paar hinzu.</translation>
+        <source>The rules for &quot;{0}&quot; and for &quot;{1}&quot; contradict each other for &quot;{2}&quot;, and neither takes precedence: add a rule for this pair.</source>
+        <translation>Die Regeln für „{0}“ und für „{1}“ widersprechen sich für „{2}“, und keine hat Vorrang: Fügen Sie eine Regel für dieses Paar hinzu.</translation>
     </message>
     <message>
-        <source>The rules of &quot;{0}&quot; are inconsistent: there are {1} parts, {2} kinds and {3} lengths, but each rule needs two parts, one kind and one length. Enter the rules again.</source>
-        <translation>Die Regeln von „{0}“ sind widersprüchlich: Es gibt {1} Teile, {2} Arten und {3} Längen, aber jede Regel braucht zwei Teile, eine Art und eine Länge. Geben Sie die Regeln neu ein.</translation>
+        <source>The rules of &quot;{0}&quot; do not fit together (parts: {1}, kinds of rules: {2}, lengths: {3}); each rule needs two parts, one kind and one length. Enter the rules again.</source>
+        <translation>Die Regeln von „{0}“ passen nicht zusammen (Teile: {1}, Regelarten: {2}, Längen: {3}); jede Regel braucht zwei Teile, eine Regelart und eine Länge. Geben Sie die Regeln neu ein.</translation>
     </message>
     <message>
         <source>Path of {0}</source>
@@ -1488,12 +1488,12 @@ Versucht:
     </message>
     <message>
         <source>The list of parts is empty: select the parts, then press Add selected.</source>
-        <extracomment>MostMoves: as in the program, 0: no limit.</extracomment>
-        <translation>Die Liste der Teile ist leer: Wählen Sie die Teile aus, und drücken Sie „Gewählte hinzufügen“.</translation>
+        <extracomment>MostMoves: as in the command-line program; 0: no limit.</extracomment>
+        <translation>Die Liste der Teile ist leer: Wählen Sie die Teile aus, und klicken Sie auf „Auswahl hinzufügen“.</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; has the interpolation None: choose another interpolation, or let a path be found.</source>
-        <translation>„{0}“ hat die Interpolation „Keine“: Wählen Sie eine andere Interpolation, oder lassen Sie eine Bahn finden.</translation>
+        <source>&quot;{0}&quot; has the interpolation None: choose another interpolation, or choose find a path for this part.</source>
+        <translation>„{0}“ hat die Interpolation „Keine“: Wählen Sie eine andere Interpolation, oder wählen Sie für dieses Teil „Bahn finden“.</translation>
     </message>
     <message>
         <source>The two sides share no volume. Their smallest distance is {0}.</source>
@@ -1519,11 +1519,11 @@ Versucht:
     </message>
     <message>
         <source>At one edge, the gap between two faces of the solid is {0}, which is more than the tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and smaller gaps.</source>
-        <translation>An einer Kante ist der Spalt zwischen zwei Flächen des Festkörpers {0}, mehr als die Toleranz oder Abweichung des Festkörpers ({1}). Eine kleinere Toleranz gibt mehr Flächen und kleinere Spalte.</translation>
+        <translation>An einer Kante beträgt der Spalt zwischen zwei Flächen des Festkörpers {0}. Das ist mehr als die Toleranz oder Abweichung des Festkörpers ({1}). Eine kleinere Toleranz ergibt mehr Flächen und kleinere Spalte.</translation>
     </message>
     <message>
         <source>The envelope is conservative, but a solid with a tolerance could cut into the swept volume: set the Tolerance of the solid to 0.</source>
-        <translation>Die Hülle ist konservativ, aber ein Festkörper mit Toleranz könnte in das überstrichene Volumen schneiden: Setzen Sie die Toleranz des Festkörpers auf 0.</translation>
+        <translation>Die Hülle ist konservativ, aber ein Festkörper mit einer Toleranz könnte in das überstrichene Volumen hineinschneiden: Setzen Sie die Toleranz des Festkörpers auf 0.</translation>
     </message>
     <message>
         <source>{0} solid</source>
@@ -1575,7 +1575,7 @@ Versucht:
     </message>
     <message>
         <source>Studies cannot use the setting Components of &quot;{0}&quot;: set it to Consistent.</source>
-        <translation>Studien können die Einstellung Components von „{0}“ nicht verwenden: Setzen Sie sie auf Consistent.</translation>
+        <translation>Studien können die Einstellung „Flächenstücke“ von „{0}“ nicht verwenden: Setzen Sie sie auf „Stimmig“.</translation>
     </message>
     <message>
         <source>The study file no longer contains the run &quot;{0}&quot;: run the study again.</source>
@@ -1611,9 +1611,9 @@ Versucht:
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>Contact, allowed</source>
+        <source>Allowed contact</source>
         <extracomment>The parts of a stored report that are used, with their shapes (base.fits()).</extracomment>
-        <translation>Kontakt, erlaubt</translation>
+        <translation>Erlaubter Kontakt</translation>
     </message>
     <message>
         <source>{0} failed</source>
@@ -1653,13 +1653,13 @@ Versucht:
         <translation>seit dem Speichern geändert</translation>
     </message>
     <message>
-        <source>The result of &quot;{0}&quot; is not up to date: recompute its envelope (if it has one), then run the check again.</source>
-        <translation>Das Ergebnis von „{0}“ ist nicht aktuell: Berechnen Sie seine Hülle neu (falls es eine hat), und führen Sie die Prüfung erneut aus.</translation>
+        <source>The check &quot;{0}&quot; is not up to date. If it uses an envelope, recompute the envelope first; then run the check again.</source>
+        <translation>Die Prüfung „{0}“ ist nicht aktuell. Wenn sie eine Hülle verwendet, berechnen Sie diese zuerst neu; führen Sie dann die Prüfung erneut aus.</translation>
     </message>
     <message>
-        <source>The environment variable SOURCE_DATE_EPOCH is &quot;{0}&quot;, but must be a number of seconds since 1970.</source>
-        <extracomment>What is still told of an envelope after it was joined: the fields of its Outcome.</extracomment>
-        <translation>Die Umgebungsvariable SOURCE_DATE_EPOCH ist „{0}“, muss aber eine Anzahl von Sekunden seit 1970 sein.</translation>
+        <source>The environment variable SOURCE_DATE_EPOCH is &quot;{0}&quot;, but must be a whole number of seconds since 1970-01-01: correct or unset it.</source>
+        <extracomment>The fields of an Outcome that are kept after its envelope was joined.</extracomment>
+        <translation>Die Umgebungsvariable SOURCE_DATE_EPOCH ist „{0}“, muss aber eine ganze Zahl von Sekunden seit dem 1.1.1970 sein: Berichtigen oder löschen Sie sie.</translation>
     </message>
     <message>
         <source>The report template &quot;{0}&quot; cannot be read ({1}): choose another template in the preferences.</source>
@@ -1674,8 +1674,8 @@ Versucht:
         <translation>{0} Lagen</translation>
     </message>
     <message>
-        <source>PDF can be written only with the FreeCAD window open: in scripts, write HTML.</source>
-        <translation>PDF kann nur bei geöffnetem FreeCAD-Fenster geschrieben werden: Schreiben Sie in Skripten HTML.</translation>
+        <source>A PDF file can be written only while the FreeCAD window is open. In scripts, write the report as HTML.</source>
+        <translation>Eine PDF-Datei kann nur bei geöffnetem FreeCAD-Fenster erzeugt werden. Geben Sie den Bericht in Skripten als HTML aus.</translation>
     </message>
     <message>
         <source>document</source>
@@ -1690,12 +1690,12 @@ Versucht:
         <translation>Die Hülle wurde relativ zu einem bewegten Teil berechnet, daher hat ihr Kollisionsvolumen keine feste Position im Dokument: Führen Sie die Prüfung ohne Bezugsteil aus.</translation>
     </message>
     <message>
-        <source>The cell size must be above 0 mm.</source>
-        <translation>Die Zellgröße muss über 0 mm liegen.</translation>
+        <source>The cell size must be above 0 mm: enter a larger value.</source>
+        <translation>Die Zellgröße muss größer als 0 mm sein: Geben Sie einen größeren Wert ein.</translation>
     </message>
     <message>
-        <source>The accuracy must be above 0 mm.</source>
-        <translation>Die Genauigkeit muss größer als 0 mm sein.</translation>
+        <source>The accuracy must be above 0 mm: enter a larger value.</source>
+        <translation>Die Genauigkeit muss größer als 0 mm sein: Geben Sie einen größeren Wert ein.</translation>
     </message>
     <message>
         <source>Motion from file</source>
@@ -1706,17 +1706,17 @@ Versucht:
         <translation>Wählen Sie das bewegte Teil im Baum oder in der 3D-Ansicht aus.</translation>
     </message>
     <message>
-        <source>This is a fault of the workbench ({0}: {1}). The report view has the details; please report it.</source>
-        <extracomment>A typed length counts as understood if it agrees with the field&apos;s own value up to rounding.</extracomment>
-        <translation>Dies ist ein Fehler der Arbeitsumgebung ({0}: {1}). Einzelheiten stehen im Ausgabefenster; bitte melden Sie ihn.</translation>
+        <source>This is an error in the workbench ({0}: {1}). The report view has the details; please report it.</source>
+        <extracomment>A typed length counts as understood if it agrees with the field&apos;s value up to rounding.</extracomment>
+        <translation>Dies ist ein Programmfehler der Arbeitsumgebung ({0}: {1}). Einzelheiten stehen im Ausgabefenster; bitte melden Sie ihn.</translation>
     </message>
     <message>
-        <source>{0}: &quot;{1}&quot; is not a valid value (it would count as {2}): correct it.</source>
-        <translation>{0}: „{1}“ ist kein gültiger Wert (er würde als {2} gelten): Berichtigen Sie ihn.</translation>
+        <source>{0}: &quot;{1}&quot; is not a valid value (it would be read as {2}). Correct it.</source>
+        <translation>{0}: „{1}“ ist kein gültiger Wert (er würde als {2} gelesen). Berichtigen Sie ihn.</translation>
     </message>
     <message>
-        <source>No record can be made for an envelope that has an offset or is conservative: set Offset to 0 and switch Conservative off.</source>
-        <translation>Für eine Hülle, die einen Versatz hat oder konservativ ist, kann nichts aufgezeichnet werden: Setzen Sie den Versatz auf 0, und schalten Sie „Konservativ“ aus.</translation>
+        <source>Nothing can be recorded for an envelope that has an offset or is conservative: set Offset to 0 and switch Conservative off.</source>
+        <translation>Für eine Hülle, die einen Versatz hat oder konservativ ist, kann nichts aufgezeichnet werden: Setzen Sie „Versatz“ auf 0, und schalten Sie „Konservativ“ aus.</translation>
     </message>
     <message>
         <source>Transform cannot be used while the motion editor is open: drag the chosen key, or enter numbers.</source>
@@ -1732,7 +1732,7 @@ Versucht:
     </message>
     <message>
         <source>A placement can be captured only as an absolute pose: set Pose type to Absolute.</source>
-        <translation>Eine Platzierung kann nur als absolute Lage übernommen werden: Setzen Sie „Art der Lage“ auf Absolut.</translation>
+        <translation>Eine Platzierung kann nur als absolute Lage übernommen werden: Setzen Sie „Art der Lage“ auf „Absolut“.</translation>
     </message>
     <message>
         <source>Choose a key in the table first.</source>
@@ -1743,8 +1743,8 @@ Versucht:
         <translation>Bewegungen aller Teile</translation>
     </message>
     <message>
-        <source>The motion &quot;{0}&quot; does not say which part it moves: add the part to the list, then choose the motion for it.</source>
-        <translation>Die Bewegung „{0}“ sagt nicht, welches Teil sie bewegt: Fügen Sie das Teil zur Liste hinzu, und wählen Sie dann die Bewegung dafür.</translation>
+        <source>The motion &quot;{0}&quot; does not say which part it moves: add the part to the table of moving parts, then choose this motion in the row of the part.</source>
+        <translation>Die Bewegung „{0}“ gibt nicht an, welches Teil sie bewegt: Fügen Sie das Teil zur Tabelle der bewegten Teile hinzu, und wählen Sie dann diese Bewegung in der Zeile des Teils.</translation>
     </message>
     <message>
         <source>Export report</source>
@@ -1795,8 +1795,8 @@ Versucht:
         <translation>Bahn gefunden: {0} Stützstellen, Länge {1}, Drehung insgesamt {2} Grad, Abstand mindestens {3}.</translation>
     </message>
     <message>
-        <source>Within the release distance of {0}, the part is allowed to come closer to: {1}.</source>
-        <translation>Innerhalb des Freigabeabstands von {0} darf das Teil näher kommen an: {1}.</translation>
+        <source>Within the release distance of {0}, the part is allowed to come closer than required to: {1}.</source>
+        <translation>Innerhalb des Freigabeabstands von {0} darf das Teil näher als der Sollabstand kommen an: {1}.</translation>
     </message>
     <message>
         <source>No path was found within the time limit.</source>
@@ -1811,8 +1811,8 @@ Versucht:
         <translation>Nur mit einem Abstand nahe 0 gibt es eine Bahn: Verringern Sie den Sollabstand, um sie zu finden.</translation>
     </message>
     <message>
-        <source>Select a vertex, an edge or a face in the 3D view first: its centre becomes the pivot.</source>
-        <translation>Wählen Sie zuerst in der 3D-Ansicht einen Punkt, eine Kante oder eine Fläche: deren Mitte wird der Drehpunkt.</translation>
+        <source>Select a vertex, an edge or a face in the 3D view first. The vertex, or the centre of the edge or face, becomes the pivot.</source>
+        <translation>Wählen Sie zuerst in der 3D-Ansicht einen Punkt, eine Kante oder eine Fläche: Der Punkt oder die Mitte der Kante oder Fläche wird zum Drehpunkt.</translation>
     </message>
     <message>
         <source>Select a face or an edge in the 3D view first, to set the direction.</source>
@@ -1823,8 +1823,8 @@ Versucht:
         <translation>„{0}“: Geben Sie {1} Zahlen ein, durch Leerzeichen getrennt.</translation>
     </message>
     <message>
-        <source>A part of this row no longer exists: run the check again.</source>
-        <translation>Ein Teil dieser Zeile existiert nicht mehr: Führen Sie die Prüfung erneut aus.</translation>
+        <source>One of the parts in this row no longer exists: run the check again.</source>
+        <translation>Eines der Teile in dieser Zeile existiert nicht mehr: Führen Sie die Prüfung erneut aus.</translation>
     </message>
     <message>
         <source>The distance in the rule of &quot;{0}&quot; is {1}: enter 0 or more.</source>
@@ -1832,19 +1832,19 @@ Versucht:
     </message>
     <message>
         <source>There is no envelope in the document: make one with Create envelope.</source>
-        <translation>Im Dokument gibt es keine Hülle: Erzeugen Sie eine mit Hülle erzeugen.</translation>
+        <translation>Im Dokument gibt es keine Hülle: Erzeugen Sie eine mit „Hülle erzeugen“.</translation>
     </message>
     <message>
-        <source>Select one of the {0} envelopes.</source>
-        <translation>Wählen Sie eine der {0} Hüllen aus.</translation>
+        <source>The document has {0} envelopes: select one of them.</source>
+        <translation>Das Dokument enthält {0} Hüllen: Wählen Sie eine davon aus.</translation>
     </message>
     <message>
         <source>There is no motion in the document: make one with New motion.</source>
-        <translation>Im Dokument gibt es keine Bewegung: Legen Sie eine mit Neue Bewegung an.</translation>
+        <translation>Im Dokument gibt es keine Bewegung: Legen Sie eine mit „Neue Bewegung“ an.</translation>
     </message>
     <message>
-        <source>Select one of the {0} motions.</source>
-        <translation>Wählen Sie eine der {0} Bewegungen aus.</translation>
+        <source>The document has {0} motions: select one of them.</source>
+        <translation>Das Dokument enthält {0} Bewegungen: Wählen Sie eine davon aus.</translation>
     </message>
     <message>
         <source>Select an envelope first.</source>
@@ -1886,12 +1886,12 @@ Versucht:
     </message>
     <message>
         <source>Studies need the Python package swept_volume, which is missing in {0}: install the workbench again, or build it with &quot;cmake --build build&quot;.</source>
-        <extracomment>time (s) to wait for its process and its reading threads to end.</extracomment>
-        <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder bauen Sie sie mit „cmake --build build“.</translation>
+        <extracomment>longest time (s) to wait for the end of its process and of the threads that read its output.</extracomment>
+        <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder kompilieren Sie sie mit „cmake --build build“.</translation>
     </message>
     <message>
-        <source>The study program ended with exit status {0} and wrote no result: run the study again, or run &quot;swept study FILE&quot; in a terminal to see its output.</source>
-        <translation>Das Studienprogramm endete mit Status {0} und schrieb kein Ergebnis: Führen Sie die Studie erneut aus, oder führen Sie „swept study DATEI“ in einem Terminal aus, um die Ausgabe zu sehen.</translation>
+        <source>The program that runs the study ended with exit status {0} and wrote no result: run the study again, or run &quot;swept study FILE&quot; in a terminal to see its output.</source>
+        <translation>Das Programm, das die Studie ausführt, hat sich mit dem Rückgabewert {0} beendet und kein Ergebnis geschrieben: Starten Sie die Studie erneut, oder führen Sie „swept study DATEI“ in einem Terminal aus, um die Ausgabe zu sehen.</translation>
     </message>
     <message>
         <source>Studies need the program {0}, but it was not found: install it.</source>
@@ -1932,15 +1932,15 @@ Versucht:
     </message>
     <message>
         <source>Select one link array or Draft array.</source>
-        <translation>Wählen Sie eine Verknüpfungs- oder Draft-Anordnung aus.</translation>
+        <translation>Wählen Sie eine Link-Anordnung oder Draft-Anordnung aus.</translation>
     </message>
     <message>
-        <source>Select an assembly simulation in the tree, then also the part to follow.</source>
-        <translation>Wählen Sie im Baum eine Baugruppensimulation aus, dann zusätzlich das Teil, dem gefolgt wird.</translation>
+        <source>Select an assembly simulation in the tree, then also the part whose motion you want.</source>
+        <translation>Wählen Sie im Baum eine Baugruppensimulation aus, dann zusätzlich das Teil, dessen Bewegung Sie brauchen.</translation>
     </message>
     <message>
         <source>The simulation &quot;{0}&quot; stopped early, at {3} s of {4} s ({1} of {2} frames): its solver found no valid position. Check the joints and formulas, or set an earlier end time.</source>
-        <translation>Die Simulation „{0}“ endete vorzeitig, bei {3} s von {4} s ({1} von {2} Bildern): Ihr Löser fand keine gültige Stellung. Prüfen Sie Gelenke und Formeln, oder setzen Sie eine frühere Endzeit.</translation>
+        <translation>Die Simulation „{0}“ endete vorzeitig, bei {3} s von {4} s ({1} von {2} Bildern): Ihr Gleichungslöser fand keine gültige Stellung. Prüfen Sie Gelenke und Formeln, oder geben Sie eine frühere Endzeit an.</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; cannot be simulated by this version of FreeCAD: simulations need FreeCAD 1.1.</source>
@@ -1960,9 +1960,9 @@ Versucht:
         <translation>Die Bewegungsdatei „{0}“ existiert nicht: Wählen Sie eine andere.</translation>
     </message>
     <message>
-        <source>A curve needs at least two poses: set Count to 2 or more, or to 0 (then Accuracy decides).</source>
+        <source>A curve needs at least two poses: set Count to 2 or more, or to 0 (Accuracy then determines the number).</source>
         <extracomment>Below this fraction of a length, two points count as equal and two directions as parallel.</extracomment>
-        <translation>Eine Kurve braucht mindestens zwei Lagen: Setzen Sie die Anzahl auf mindestens 2, oder auf 0 (dann entscheidet die Genauigkeit).</translation>
+        <translation>Eine Kurve braucht mindestens zwei Lagen: Setzen Sie „Anzahl“ auf mindestens 2, oder auf 0 (die Genauigkeit bestimmt dann die Anzahl).</translation>
     </message>
     <message>
         <source>Select two wires: the curve to follow, then the curve that sets the orientation.</source>
@@ -2002,8 +2002,8 @@ Versucht:
         <translation>Das Dokument konnte mit „{0}“ = {1:g} nicht neu berechnet werden: Wählen Sie einen anderen Anfangs- oder Endwert.</translation>
     </message>
     <message>
-        <source>Select the object with the value to change, then the part to follow.</source>
-        <translation>Wählen Sie das Objekt mit dem Wert aus, der geändert wird, dann das Teil, dem gefolgt wird.</translation>
+        <source>Select the object with the value to change, then the part whose motion you want.</source>
+        <translation>Wählen Sie das Objekt mit dem Wert aus, der geändert wird, dann das Teil, dessen Bewegung Sie brauchen.</translation>
     </message>
     <message>
         <source>The value &quot;{0}&quot; of &quot;{1}&quot; cannot drive the motion, because the expression {2} computes it: choose a value that this expression uses.</source>
@@ -2031,9 +2031,9 @@ Versucht:
         <translation>Zeile {0} des eingefügten Texts hat {1} Spalten: Verwenden Sie entweder die vier Spalten t, x, y, z oder die sieben Spalten t, x, y, z, Gier, Nick, Roll.</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; stands still in all {1} frames: choose a part that is moved, or check the joints and formulas.</source>
+        <source>&quot;{0}&quot; stands still in all {1} frames: choose a part that moves, or check the joints and formulas.</source>
         <extracomment>rotation matrix).</extracomment>
-        <translation>„{0}“ steht in allen {1} Bildern still: Wählen Sie ein Teil, das bewegt wird, oder prüfen Sie Gelenke und Formeln.</translation>
+        <translation>„{0}“ steht in allen {1} Bildern still: Wählen Sie ein Teil, das sich bewegt, oder prüfen Sie Gelenke und Formeln.</translation>
     </message>
     <message>
         <source>The simulation &quot;{0}&quot; gave no frames: open it and check that it runs.</source>
@@ -2052,12 +2052,8 @@ Versucht:
         <translation>Lage {0}: Die Zeit ist {1:g}, muss aber eine endliche Zahl sein. Berichtigen Sie sie.</translation>
     </message>
     <message>
-        <source>Pose {0}: its time {1:g} s is earlier than the time {2:g} s of the pose before. Times must not decrease.</source>
-        <translation>Lage {0}: Ihre Zeit {1:g} s liegt vor der Zeit {2:g} s der vorigen Lage. Zeiten dürfen nicht abnehmen.</translation>
-    </message>
-    <message>
-        <source>The motion has no poses: add at least one.</source>
-        <translation>Die Bewegung hat keine Lagen: Fügen Sie mindestens eine hinzu.</translation>
+        <source>Pose {0}: its time {1:g} s is earlier than the time {2:g} s of the pose before. Correct one of these times; times must not decrease.</source>
+        <translation>Lage {0}: Ihre Zeit {1:g} s liegt vor der Zeit {2:g} s der vorigen Lage. Berichtigen Sie eine dieser Zeiten; Zeiten dürfen nicht abnehmen.</translation>
     </message>
     <message>
         <source>The pose type &quot;{0}&quot; is unknown: use one of these: {1}.</source>
@@ -2081,7 +2077,7 @@ Versucht:
     </message>
     <message>
         <source>The settings of the motion&apos;s source are damaged: create the motion again, or edit its keys with Edit motion, which removes the link to the source and keeps the poses.</source>
-        <translation>Die Einstellungen der Quelle dieser Bewegung sind beschädigt: Legen Sie die Bewegung neu an, oder bearbeiten Sie ihre Stützstellen mit „Bewegung bearbeiten“; dies entfernt die Verknüpfung mit der Quelle und behält die Lagen.</translation>
+        <translation>Die Einstellungen der Quelle dieser Bewegung sind beschädigt: Legen Sie die Bewegung neu an. Oder bearbeiten Sie ihre Stützstellen mit „Bewegung bearbeiten“; dabei wird die Verknüpfung mit der Quelle entfernt, und die Lagen bleiben erhalten.</translation>
     </message>
     <message>
         <source>This motion has no source that could be read again: its poses are stored only in the document. To change them, choose Edit motion.</source>
@@ -2093,9 +2089,9 @@ Versucht:
         <translation>Die Anzahl der Lagen ist {0}: Geben Sie eine Zahl von {1} bis {2} ein.</translation>
     </message>
     <message>
-        <source>The spline from pose {0} to pose {1} gives numbers that are too large: check the times, placements and given velocities of these poses.</source>
+        <source>The spline from pose {0} to pose {1} cannot be computed, because its numbers become too large: check the times, placements and given velocities of these poses.</source>
         <extracomment>each side. Given: the velocity stored with the key; the rotation is as for Auto.</extracomment>
-        <translation>Der Spline von Lage {0} bis Lage {1} ergibt zu große Zahlen: Prüfen Sie Zeiten, Platzierungen und vorgegebene Geschwindigkeiten dieser Lagen.</translation>
+        <translation>Der Spline von Lage {0} bis Lage {1} ist nicht berechenbar, weil zu große Zahlenwerte entstehen: Prüfen Sie Zeiten, Platzierungen und vorgegebene Geschwindigkeiten dieser Lagen.</translation>
     </message>
     <message>
         <source>The document &quot;{0}&quot; has no open 3D view: open one with the menu Window.</source>
@@ -2103,9 +2099,9 @@ Versucht:
         <translation>„{0}“ hat keine offene 3D-Ansicht: Öffnen Sie eine im Menü Fenster.</translation>
     </message>
     <message>
-        <source>Made by the face itself, in its place at one pose</source>
+        <source>Made by the face itself at one of the poses, not by its motion between the poses</source>
         <extracomment>Number of results of one envelope whose records are kept, for Undo.</extracomment>
-        <translation>Erzeugt von der Fläche selbst, an ihrem Platz bei einer Lage</translation>
+        <translation>Von der Fläche selbst in einer der Lagen erzeugt, nicht durch ihre Bewegung dazwischen</translation>
     </message>
     <message>
         <source>Swept by an edge that passed here</source>
@@ -2153,7 +2149,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>CSV...</source>
-        <translation>CSV …</translation>
+        <translation>CSV...</translation>
     </message>
     <message>
         <source>Spreadsheet</source>
@@ -2161,7 +2157,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Report...</source>
-        <translation>Bericht ...</translation>
+        <translation>Bericht...</translation>
     </message>
     <message>
         <source>Time</source>
@@ -2209,8 +2205,8 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>There is no graph yet: run the check first.</source>
-        <extracomment>mouse that points at it.</extracomment>
-        <translation>Es gibt noch keinen Graphen: Führen Sie zuerst die Prüfung aus.</translation>
+        <extracomment>points at a line.</extracomment>
+        <translation>Es gibt noch kein Diagramm: Führen Sie zuerst die Prüfung aus.</translation>
     </message>
     <message>
         <source>distance ({0}) over time (s)</source>
@@ -2242,7 +2238,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Ta&amp;ke selected as neighbours</source>
-        <translation>Ausgewählte als &amp;Nachbarn</translation>
+        <translation>Auswahl als &amp;Nachbarn</translation>
     </message>
     <message>
         <source>Required distance</source>
@@ -2262,7 +2258,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Allows contact with the neighbours that the moving parts touch at the first pose</source>
-        <translation>Erlaubt Kontakt mit den Nachbarn, die die bewegten Teile in der ersten Lage berühren</translation>
+        <translation>Erlaubt Kontakt mit Nachbarn, die in der ersten Lage von bewegten Teilen berührt werden</translation>
     </message>
     <message>
         <source>Allow initial con&amp;tacts</source>
@@ -2310,7 +2306,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>What is fetched</source>
-        <translation>Was geladen wird</translation>
+        <translation>Was heruntergeladen wird</translation>
     </message>
     <message>
         <source>asking pip...</source>
@@ -2326,11 +2322,11 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>From</source>
-        <translation>Woher</translation>
+        <translation>Herkunft</translation>
     </message>
     <message>
         <source>Into</source>
-        <translation>Wohin</translation>
+        <translation>Zielordner</translation>
     </message>
     <message>
         <source>Install</source>
@@ -2338,11 +2334,11 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>From a file...</source>
-        <translation>Aus einer Datei ...</translation>
+        <translation>Aus einer Datei...</translation>
     </message>
     <message>
         <source>Installs a package file (.whl) that you have downloaded or built.</source>
-        <translation>Installiert eine Paketdatei (.whl), die Sie geladen oder gebaut haben.</translation>
+        <translation>Installiert eine Paketdatei (.whl), die Sie heruntergeladen oder kompiliert haben.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -2370,7 +2366,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>The core in {0} cannot be used, but FreeCAD would load it instead of an installed core. Build it again, or delete it.</source>
-        <translation>Der Rechenkern in {0} kann nicht benutzt werden, aber FreeCAD würde ihn statt eines installierten laden. Bauen Sie ihn neu, oder löschen Sie ihn.</translation>
+        <translation>Der Rechenkern in {0} kann nicht benutzt werden, aber FreeCAD würde ihn statt eines installierten laden. Kompilieren Sie ihn neu, oder löschen Sie ihn.</translation>
     </message>
     <message>
         <source>The workbench computes with a compiled Python package, its core. It is not installed for the Python {0} of this FreeCAD.</source>
@@ -2394,8 +2390,8 @@ path&apos;s size.</extracomment>
         <translation>{0} x {1} x {2} Zellen zu {3}</translation>
     </message>
     <message>
-        <source>How far the surface may lie from the true one. Determines cell size and tolerance</source>
-        <translation>Wie weit die Fläche neben der wahren liegen darf. Bestimmt Zellgröße und Toleranz</translation>
+        <source>Largest distance allowed between the computed surface and the true one. It sets the cell size and the tolerance</source>
+        <translation>Größter erlaubter Abstand zwischen der berechneten und der wahren Fläche. Er bestimmt Zellgröße und Toleranz</translation>
     </message>
     <message>
         <source>Coarse and fast on the left, fine and slow on the right</source>
@@ -2403,7 +2399,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>How far simplification may move the surface. 0: no simplification</source>
-        <translation>Wie weit Vereinfachung die Oberfläche verschieben darf; 0: keine Vereinfachung</translation>
+        <translation>Wie weit die Vereinfachung die Oberfläche verschieben darf. 0: keine Vereinfachung</translation>
     </message>
     <message>
         <source>Grows the envelope by this distance on all sides</source>
@@ -2419,7 +2415,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Quality</source>
-        <translation>Güte</translation>
+        <translation>Qualität</translation>
     </message>
     <message>
         <source>Cell size</source>
@@ -2458,8 +2454,8 @@ path&apos;s size.</extracomment>
         <translation>Verfahren</translation>
     </message>
     <message>
-        <source>For recordings with very many poses. Skips a pose if no point of the part has moved farther than this since the last pose used. 0: uses every pose</source>
-        <translation>Für Aufzeichnungen mit sehr vielen Lagen. Überspringt eine Lage, wenn sich kein Punkt des Teils seit der letzten verwendeten Lage weiter als dies bewegt hat. 0: verwendet jede Lage</translation>
+        <source>For recordings with very many poses. Poses are skipped as long as no point of the part has moved farther than this length since the last pose used. 0: every pose is used</source>
+        <translation>Für Aufzeichnungen mit sehr vielen Lagen. Lagen werden übersprungen, solange sich seit der letzten verwendeten Lage kein Punkt des Teils weiter als diese Länge bewegt hat. 0: Jede Lage wird verwendet</translation>
     </message>
     <message>
         <source>Components</source>
@@ -2488,11 +2484,11 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Most poses are nearly equal: a position filter of {0} skips them and makes the run much faster.</source>
-        <translation>Die meisten Lagen sind fast gleich: Ein Positionsfilter von {0} überspringt sie und macht den Lauf viel schneller.</translation>
+        <translation>Die meisten Lagen sind fast gleich: Ein Lagenfilter von {0} überspringt sie und macht den Lauf viel schneller.</translation>
     </message>
     <message>
-        <source>The motion has only one key, so the parts do not move: add another key.</source>
-        <translation>Die Bewegung hat nur eine Stützstelle, die Teile bewegen sich also nicht: Fügen Sie eine weitere hinzu.</translation>
+        <source>The motion has only one pose, so the parts do not move: add another pose.</source>
+        <translation>Die Bewegung hat nur eine Lage, die Teile bewegen sich also nicht: Fügen Sie eine weitere hinzu.</translation>
     </message>
     <message>
         <source>Export table</source>
@@ -2547,8 +2543,8 @@ path&apos;s size.</extracomment>
         <translation>Wählen</translation>
     </message>
     <message>
-        <source>Takes the part that is selected in the tree or in the view</source>
-        <translation>Übernimmt das Teil, das im Baum oder in der Ansicht gewählt ist</translation>
+        <source>Takes the part that is selected in the tree or in the 3D view</source>
+        <translation>Übernimmt das Teil, das im Baum oder in der 3D-Ansicht ausgewählt ist</translation>
     </message>
     <message>
         <source>Part</source>
@@ -2632,15 +2628,15 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Adds the current placement of the part as a key (Ctrl+Return)</source>
-        <translation>Fügt die jetzige Platzierung des Teils als Stützstelle an (Strg+Eingabe)</translation>
+        <translation>Fügt die aktuelle Platzierung des Teils als Stützstelle an (Strg+Eingabe)</translation>
     </message>
     <message>
         <source>&amp;Update</source>
         <translation>Über&amp;nehmen</translation>
     </message>
     <message>
-        <source>Replaces the placement of this key by the current placement of the part</source>
-        <translation>Ersetzt die Platzierung dieser Stützstelle durch die jetzige des Teils</translation>
+        <source>Replaces the placement of this key with the current placement of the part</source>
+        <translation>Ersetzt die Platzierung dieser Stützstelle durch die aktuelle des Teils</translation>
     </message>
     <message>
         <source>&amp;Insert</source>
@@ -2708,12 +2704,12 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Show the clearance while dragging</source>
-        <extracomment>Whether the part clashes at its present place.</extracomment>
+        <extracomment>Whether the part clashes at its present placement.</extracomment>
         <translation>Abstand beim Ziehen zeigen</translation>
     </message>
     <message>
         <source>Stops the dragged key where the part would touch a neighbour. All other visible parts are neighbours</source>
-        <translation>Hält die gezogene Stützstelle dort an, wo das Teil einen Nachbarn berühren würde. Alle anderen sichtbaren Teile sind Nachbarn</translation>
+        <translation>Hält die gezogene Stützstelle dort an, wo das Teil einen Nachbarn berühren würde. Als Nachbarn gelten alle anderen sichtbaren Teile</translation>
     </message>
     <message>
         <source>Clash with {1}</source>
@@ -2754,7 +2750,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>This envelope has no record of what made it. Either nothing was recorded, or the record was lost when the document was closed: press Compute and record.</source>
-        <translation>Diese Hülle hat keine Aufzeichnung darüber, was sie erzeugt hat. Entweder wurde nichts aufgezeichnet, oder die Aufzeichnung ging beim Schließen des Dokuments verloren: Drücken Sie „Berechnen und aufzeichnen“.</translation>
+        <translation>Für diese Hülle ist nicht aufgezeichnet, woraus sie entstanden ist. Entweder wurde nichts aufgezeichnet, oder die Aufzeichnung ging beim Schließen des Dokuments verloren: Klicken Sie auf „Berechnen und aufzeichnen“.</translation>
     </message>
     <message>
         <source>It is not known what made this place: click a point beside it.</source>
@@ -2782,15 +2778,15 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>none: select the part, then press Pick</source>
-        <translation>keines: Wählen Sie das Teil, und drücken Sie „Wählen“</translation>
+        <translation>keines: Wählen Sie das Teil aus, und klicken Sie auf „Wählen“</translation>
     </message>
     <message>
-        <source>Step size of the arrows and arcs in the 3D view. 0: no steps</source>
-        <translation>Schrittweite der Pfeile und Bögen in der 3D-Ansicht. 0: keine Schritte</translation>
+        <source>Increment when you drag an arrow (mm) or an arc (degrees) in the 3D view. 0: no increments</source>
+        <translation>Schrittweite beim Ziehen eines Pfeils (mm) oder eines Bogens (Grad) in der 3D-Ansicht. 0: stufenlos</translation>
     </message>
     <message>
         <source>A motion needs at least two keys: move the part, then press Capture.</source>
-        <translation>Eine Bewegung braucht mindestens zwei Stützstellen: Bewegen Sie das Teil, und drücken Sie „Aufnehmen“.</translation>
+        <translation>Eine Bewegung braucht mindestens zwei Stützstellen: Bewegen Sie das Teil, und klicken Sie auf „Aufnehmen“.</translation>
     </message>
     <message>
         <source>Pivot</source>
@@ -2809,7 +2805,7 @@ path&apos;s size.</extracomment>
         <translation>&amp;Runden</translation>
     </message>
     <message>
-        <source>Rounds the placement of the chosen key to multiples of the step sizes</source>
+        <source>Rounds the placement of the chosen key to multiples of these increments</source>
         <translation>Rundet die Platzierung der gewählten Stützstelle auf Vielfache der Schrittweiten</translation>
     </message>
     <message>
@@ -2833,8 +2829,8 @@ path&apos;s size.</extracomment>
         <translation>A&amp;lle ihre Teile hinzufügen</translation>
     </message>
     <message>
-        <source>Runs the source once and adds every part that moves. Reads the existing motions of these parts again, and creates the missing ones</source>
-        <translation>Führt die Quelle einmal aus und fügt jedes Teil hinzu, das sich bewegt. Liest vorhandene Bewegungen dieser Teile neu und erzeugt die fehlenden</translation>
+        <source>Runs the chosen simulation or driving value once, and adds every part that moves. Existing motions of these parts are recorded again, missing ones are created</source>
+        <translation>Führt die gewählte Simulation aus, oder ändert den gewählten steuernden Wert, und fügt jedes Teil hinzu, das sich bewegt. Vorhandene Bewegungen dieser Teile werden neu aufgezeichnet, fehlende erzeugt</translation>
     </message>
     <message>
         <source>(choose)</source>
@@ -2866,11 +2862,11 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Ta&amp;ke selected</source>
-        <translation>Ausge&amp;wählte nehmen</translation>
+        <translation>Aus&amp;wahl übernehmen</translation>
     </message>
     <message>
-        <source>Adds the shared volume of the two objects to the document. The new object shows when it is stale</source>
-        <translation>Fügt das gemeinsame Volumen der beiden Objekte dem Dokument hinzu. Das neue Objekt zeigt, wenn es veraltet ist</translation>
+        <source>Adds the shared volume of the two objects to the document. A clock marks the new object when it is stale</source>
+        <translation>Fügt das gemeinsame Volumen der beiden Objekte dem Dokument hinzu. Eine Uhr am neuen Objekt zeigt an, wenn es veraltet ist</translation>
     </message>
     <message>
         <source>Pairs checked: {0}, shared volume: {1}</source>
@@ -2890,7 +2886,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Take selected</source>
-        <translation>Auswahl nehmen</translation>
+        <translation>Auswahl übernehmen</translation>
     </message>
     <message>
         <source>Relative to a moving part</source>
@@ -2902,7 +2898,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Takes the part that is selected in the tree</source>
-        <translation>Nimmt das im Baum gewählte Teil</translation>
+        <translation>Übernimmt das im Baum gewählte Teil</translation>
     </message>
     <message>
         <source>as below</source>
@@ -2964,7 +2960,7 @@ path&apos;s size.</extracomment>
     <message>
         <source>Current placement</source>
         <extracomment>distance in mm), Along (out in a direction).</extracomment>
-        <translation>Jetzige Platzierung</translation>
+        <translation>Aktuelle Platzierung</translation>
     </message>
     <message>
         <source>Given placement</source>
@@ -2980,19 +2976,19 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Take</source>
-        <translation>Nehmen</translation>
+        <translation>Aus Auswahl</translation>
     </message>
     <message>
-        <source>Direction x, y, z in which the part leaves its place. The button Take enters the normal of the selected face, or the direction of the selected edge</source>
-        <translation>Richtung x, y, z, in der das Teil seinen Platz verlässt. Die Schaltfläche „Nehmen“ trägt die Normale der gewählten Fläche oder die Richtung der gewählten Kante ein</translation>
+        <source>Direction (x, y, z) in which the part leaves its installed position. The button Take enters the normal of the selected face, or the direction of the selected edge</source>
+        <translation>Richtung (x, y, z), in der das Teil seine Einbaulage verlässt. Die Schaltfläche „Aus Auswahl“ trägt die Normale der gewählten Fläche oder die Richtung der gewählten Kante ein</translation>
     </message>
     <message>
         <source>x, y, z ({0}), yaw, pitch, roll (degrees) of the part in the document. The button Take enters the placement of the selected object, or of the part if nothing is selected</source>
-        <translation>x, y, z ({0}), Gier, Nick, Roll (Grad) des Teils im Dokument. Die Schaltfläche „Nehmen“ trägt die Platzierung des gewählten Objekts ein, oder die des Teils, wenn nichts gewählt ist</translation>
+        <translation>x, y, z ({0}), Gier, Nick, Roll (Grad) des Teils im Dokument. Die Schaltfläche „Aus Auswahl“ trägt die Platzierung des gewählten Objekts ein, oder die des Teils, wenn nichts gewählt ist</translation>
     </message>
     <message>
-        <source>Hides everything in front of the closest place. The section follows the chosen row and the player</source>
-        <translation>Blendet alles vor der engsten Stelle aus. Der Schnitt folgt der gewählten Zeile und dem Abspieler</translation>
+        <source>Hides everything in front of the closest place. The section follows the selected row and the playback</source>
+        <translation>Blendet alles vor der engsten Stelle aus. Der Schnitt folgt der gewählten Zeile und der Wiedergabe</translation>
     </message>
     <message>
         <source>Creates an object from the volume that the two parts of the chosen row share at the time of that row</source>
@@ -3004,7 +3000,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>S&amp;ection through the closest place</source>
-        <translation>&amp;Schnitt durch die nächste Stelle</translation>
+        <translation>&amp;Schnitt durch die engste Stelle</translation>
     </message>
     <message>
         <source>Keep clas&amp;h volume</source>
@@ -3029,19 +3025,19 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Plays the motion, or pauses it. Speed 1 is real time</source>
-        <translation>Spielt die Bewegung ab oder hält sie an. Tempo 1 ist Echtzeit</translation>
+        <translation>Spielt die Bewegung ab oder hält sie an. Geschwindigkeit 1 ist Echtzeit</translation>
     </message>
     <message>
         <source>Goes to the next key</source>
         <translation>Geht zur nächsten Stützstelle</translation>
     </message>
     <message>
-        <source>Speed: seconds of motion for each second of playing</source>
-        <translation>Tempo: Sekunden der Bewegung je Sekunde beim Abspielen</translation>
+        <source>Speed: seconds of the motion in one second of playback</source>
+        <translation>Geschwindigkeit: Sekunden der Bewegung in einer Sekunde der Wiedergabe</translation>
     </message>
     <message>
         <source>Loop</source>
-        <translation>Schleife</translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>Starts again at the end</source>
@@ -3077,7 +3073,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Ignored</source>
-        <translation>Übergangen</translation>
+        <translation>Ignoriert</translation>
     </message>
     <message>
         <source>Double-click a cell, or press F2, to choose another rule</source>
@@ -3088,20 +3084,20 @@ path&apos;s size.</extracomment>
         <translation>Regel</translation>
     </message>
     <message>
-        <source>Required distance for this row (empty: the common required distance below). If contact is allowed: how deep the parts may overlap (empty: no measurable overlap)</source>
-        <translation>Sollabstand für diese Zeile (leer: der gemeinsame Sollabstand unten). Bei erlaubtem Kontakt: wie tief sich die Teile überschneiden dürfen (leer: keine messbare Überschneidung)</translation>
+        <source>Required distance for this row (empty: the value of Required distance below). If contact is allowed: how deep the parts may overlap (empty: no measurable overlap)</source>
+        <translation>Sollabstand für diese Zeile (leer: der Wert von „Sollabstand“ unten). Bei erlaubtem Kontakt: wie tief sich die Teile überschneiden dürfen (leer: keine messbare Überschneidung)</translation>
     </message>
     <message>
-        <source>Required distance for this row (empty: the common required distance below)</source>
-        <translation>Sollabstand für diese Zeile (leer: der gemeinsame Sollabstand unten)</translation>
+        <source>Required distance for this row (empty: the value of Required distance below)</source>
+        <translation>Sollabstand für diese Zeile (leer: der Wert von „Sollabstand“ unten)</translation>
     </message>
     <message>
         <source>Rules</source>
         <translation>Regeln</translation>
     </message>
     <message>
-        <source>If the part is closer to a neighbour than the required distance at its start or goal, it may stay that close while no point of the part is farther than this from its position at that end</source>
-        <translation>Ist das Teil an seinem Start oder Ziel näher an einem Nachbarn als der Sollabstand, darf es so nah bleiben, solange kein Punkt des Teils weiter als dies von seiner Position an diesem Ende entfernt ist</translation>
+        <source>At the start and the goal, the part may be closer to a neighbour than required. It may stay that close until some point of the part has moved farther than this</source>
+        <translation>An Start und Ziel darf das Teil näher an einem Nachbarn sein als der Sollabstand. Es darf so nah bleiben, bis sich einer seiner Punkte weiter als dies bewegt hat</translation>
     </message>
     <message>
         <source>Release distance</source>
@@ -3161,7 +3157,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>A&amp;dd selected</source>
-        <translation>Gewählte hin&amp;zufügen</translation>
+        <translation>Auswahl hin&amp;zufügen</translation>
     </message>
     <message>
         <source>Adds the parts selected in the tree or in the view</source>
@@ -3212,8 +3208,8 @@ path&apos;s size.</extracomment>
         <translation>Tesselliert (AP242)</translation>
     </message>
     <message>
-        <source>Writes the triangles themselves instead of faces. This is exact and fast, and there is no limit on the number of triangles. Only programs that read tessellated STEP can open the file; FreeCAD 0.20 cannot</source>
-        <translation>Schreibt die Dreiecke selbst statt Flächen. Das ist genau und schnell, und die Anzahl der Dreiecke ist nicht begrenzt. Nur Programme, die tesselliertes STEP lesen, können die Datei öffnen; FreeCAD 0.20 nicht</translation>
+        <source>Writes the triangles themselves instead of faces. This is exact and fast, and there is no limit on the number of triangles. Only programs that read tessellated STEP can open the file: FreeCAD 1.1 can, FreeCAD 0.20 cannot</source>
+        <translation>Schreibt die Dreiecke selbst statt Flächen. Das ist genau und schnell, und die Anzahl der Dreiecke ist nicht begrenzt. Nur Programme, die tesselliertes STEP lesen, können die Datei öffnen: FreeCAD 1.1 kann es, FreeCAD 0.20 nicht</translation>
     </message>
     <message>
         <source>Max faces</source>
@@ -3248,8 +3244,8 @@ bis etwa {2}, {3}</translation>
         <translation>Bewegung aus Objekt</translation>
     </message>
     <message>
-        <source>Motion from driven value</source>
-        <translation>Bewegung aus gesteuertem Wert</translation>
+        <source>Motion from driving value</source>
+        <translation>Bewegung aus steuerndem Wert</translation>
     </message>
     <message>
         <source>No part is selected: every part that moves gets a motion.</source>
@@ -3272,8 +3268,8 @@ bis etwa {2}, {3}</translation>
         <translation>Zweite Kurve</translation>
     </message>
     <message>
-        <source>Fixed: the part never turns. Tangent: the x axis of the part follows the tangent. Second curve: the z axis points to the second curve; select both curves, the one to follow first</source>
-        <translation>Fest: Das Teil dreht sich nie. Tangente: Die x-Achse des Teils folgt der Tangente. Zweite Kurve: Die z-Achse zeigt zur zweiten Kurve; beide Kurven auswählen, die Leitkurve zuerst</translation>
+        <source>Fixed: the part never turns. Tangent: the x axis of the part follows the tangent. Second curve: as Tangent, and the z axis points to the second curve; select two curves, first the one that the part follows</source>
+        <translation>Fest: Das Teil dreht sich nie. Tangente: Die x-Achse des Teils folgt der Tangente. Zweite Kurve: wie Tangente, und die z-Achse zeigt zur zweiten Kurve; wählen Sie zwei Kurven aus, die Leitkurve zuerst</translation>
     </message>
     <message>
         <source>Orientation</source>
@@ -3313,7 +3309,7 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>Press OK again to use the motion as it is.</source>
-        <translation>Noch einmal OK übernimmt die Bewegung, wie sie ist.</translation>
+        <translation>Klicken Sie noch einmal auf „OK“, um die Bewegung zu übernehmen, wie sie ist.</translation>
     </message>
     <message>
         <source>End</source>
@@ -3321,7 +3317,7 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>The poses of &quot;{0}&quot; are linked to {1}. To edit a key, you must remove the link. The motion then keeps its current poses. Remove the link?</source>
-        <translation>Die Lagen von „{0}“ sind mit {1} verknüpft. Um eine Stützstelle zu bearbeiten, muss die Verknüpfung entfernt werden; die Bewegung behält dann ihre jetzigen Lagen. Verknüpfung entfernen?</translation>
+        <translation>Die Lagen von „{0}“ sind mit {1} verknüpft. Um eine Stützstelle zu bearbeiten, müssen Sie die Verknüpfung entfernen. Die Bewegung behält dann ihre aktuellen Lagen. Verknüpfung entfernen?</translation>
     </message>
     <message>
         <source>Results</source>
@@ -3333,11 +3329,11 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>default folder</source>
-        <translation>Vorgabe</translation>
+        <translation>Standardordner</translation>
     </message>
     <message>
-        <source>one for each core</source>
-        <translation>einer je Kern</translation>
+        <source>one for each processor core</source>
+        <translation>einer je Prozessorkern</translation>
     </message>
     <message>
         <source>Runs at once</source>
@@ -3386,7 +3382,7 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>Automatic</source>
-        <translation>Selbsttätig</translation>
+        <translation>Automatisch</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -3398,7 +3394,7 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>Automatic: from the keys before and after. Stop: the part comes to rest. Corner: the direction may change abruptly. Given velocity: as entered below</source>
-        <translation>Selbsttätig: aus den Stützstellen davor und danach. Anhalten: Das Teil kommt zur Ruhe. Ecke: Die Richtung darf sich abrupt ändern. Gegebene Geschwindigkeit: wie unten eingegeben</translation>
+        <translation>Automatisch: aus den Stützstellen davor und danach. Anhalten: Das Teil kommt zur Ruhe. Ecke: Die Richtung darf sich abrupt ändern. Gegebene Geschwindigkeit: wie unten eingegeben</translation>
     </message>
     <message>
         <source>Velocity along {0} (mm/s)</source>
@@ -3503,15 +3499,15 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>straight moves</source>
-        <translation>gerade Züge</translation>
+        <translation>gerade Bewegungen</translation>
     </message>
     <message>
         <source>moves without turns</source>
-        <translation>Züge ohne Drehung</translation>
+        <translation>Bewegungen ohne Drehung</translation>
     </message>
     <message>
         <source>moves with turns</source>
-        <translation>Züge mit Drehung</translation>
+        <translation>Bewegungen mit Drehung</translation>
     </message>
     <message>
         <source>polish</source>
@@ -3551,12 +3547,12 @@ bis etwa {2}, {3}</translation>
         <translation>Der Raum, den bewegte Teile brauchen: Bewegungen, Hüllen, Festkörper, STEP</translation>
     </message>
     <message>
-        <source>A mesh has gaps (open edges), so it has no clear inside and outside: close the gaps.</source>
-        <translation>Ein Netz hat Lücken (offene Kanten) und damit kein klares Innen und Außen: Lücken schließen.</translation>
+        <source>A mesh has gaps (open edges), so it has no definite inside and outside: close the gaps.</source>
+        <translation>Ein Netz hat Lücken (offene Kanten) und damit kein eindeutiges Innen und Außen: Schließen Sie die Lücken.</translation>
     </message>
     <message>
         <source>Two parts overlap in their installed positions: move one of them, or set the rule of the pair to Ignored.</source>
-        <translation>Zwei Teile überschneiden sich in ihren eingebauten Lagen: eines davon verschieben oder die Regel des Paares auf Übergangen setzen.</translation>
+        <translation>Zwei Teile überschneiden sich in ihren Einbaulagen: Verschieben Sie eines davon, oder setzen Sie die Regel des Paars auf „Ignoriert“.</translation>
     </message>
     <message>
         <source>The part has gaps (open edges). Its envelope is closed all the same.</source>
@@ -3567,8 +3563,8 @@ bis etwa {2}, {3}</translation>
         <translation>Einige Lagen haben denselben Zeitpunkt.</translation>
     </message>
     <message>
-        <source>Cavities inside the envelope were filled. To keep them, set Keep cavities, and close the gaps of the part if it is open.</source>
-        <translation>Hohlräume in der Hülle wurden gefüllt. Um sie zu behalten, Hohlräume behalten einschalten und bei einem offenen Teil die Lücken schließen.</translation>
+        <source>Cavities inside the envelope were filled. To keep them, tick Keep cavities, and close the gaps of the part if it is open.</source>
+        <translation>Hohlräume in der Hülle wurden gefüllt. Um sie zu behalten, schalten Sie „Hohlräume behalten“ ein, und schließen Sie bei einem offenen Teil die Lücken.</translation>
     </message>
     <message>
         <source>The solid deviates from the envelope by {0}; its Tolerance is {1}.</source>
@@ -3576,27 +3572,27 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>To stay within Max faces, the solid was simplified: it deviates from the envelope by up to {0}. Allow more faces, or set a Tolerance.</source>
-        <translation>Um innerhalb von „Max. Flächen“ zu bleiben, wurde der Festkörper vereinfacht: Er weicht um bis zu {0} von der Hülle ab. Mehr Flächen zulassen oder eine Toleranz setzen.</translation>
+        <translation>Um innerhalb von „Max. Flächen“ zu bleiben, wurde der Festkörper vereinfacht: Er weicht um bis zu {0} von der Hülle ab. Lassen Sie mehr Flächen zu, oder geben Sie eine Toleranz an.</translation>
     </message>
     <message>
-        <source>The part has gaps that its motion does not close. There, its walls became thin sheets of the envelope: close the gaps if the space between the walls belongs to the part.</source>
-        <translation>Das Teil hat Lücken, die seine Bewegung nicht schließt. Dort wurden seine Wände zu dünnen Schalen der Hülle: Lücken schließen, wenn der Raum zwischen den Wänden zum Teil gehört.</translation>
+        <source>The part has gaps that stay open during the motion. There, the envelope consists only of thin sheets along the walls of the part: close the gaps if the space between the walls is material of the part.</source>
+        <translation>Das Teil hat Lücken, die auch bei der Bewegung offen bleiben. Dort besteht die Hülle nur aus dünnen Schalen entlang der Wände: Schließen Sie die Lücken, wenn der Raum zwischen den Wänden Material des Teils ist.</translation>
     </message>
     <message>
         <source>For research. Only Consistent guarantees that the envelope is closed</source>
         <translation>Für die Forschung. Nur „Stimmig“ garantiert, dass die Hülle geschlossen ist</translation>
     </message>
     <message>
-        <source>The motion &quot;{0}&quot; does not set start and goal: only a motion with the pose type Absolute and at least two poses does. Enter start and goal below.</source>
-        <translation>Die Bewegung „{0}“ legt Start und Ziel nicht fest: Das tut nur eine Bewegung mit der Art der Lage Absolut und mindestens zwei Lagen. Start und Ziel unten eingeben.</translation>
+        <source>The motion &quot;{0}&quot; does not set start and goal: this needs the pose type Absolute and at least two poses. Enter start and goal below.</source>
+        <translation>Die Bewegung „{0}“ legt Start und Ziel nicht fest: Dazu muss „Art der Lage“ auf „Absolut“ stehen, und sie braucht mindestens zwei Lagen. Geben Sie Start und Ziel unten ein.</translation>
     </message>
     <message>
-        <source>Lists the pairs of parts that come closer than this. 0: a tenth of the median size of the parts, or more if a rule needs it</source>
-        <translation>Listet die Paare von Teilen auf, die sich näher als dies kommen. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es braucht</translation>
+        <source>Pairs of parts that come closer than this length are listed. 0: a tenth of the median size of the parts, or more if a rule needs it</source>
+        <translation>Paare von Teilen, die sich näher als diese Länge kommen, werden aufgelistet. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es erfordert</translation>
     </message>
     <message>
-        <source>0: reserved spaces may lie close together, but must not touch</source>
-        <translation>0: Reservierte Räume dürfen dicht beieinander liegen, sich aber nicht berühren</translation>
+        <source>Distance that the objects must keep from each other. 0: they may lie close together, but must not touch</source>
+        <translation>Abstand, den die Objekte voneinander halten müssen. 0: Sie dürfen dicht beieinanderliegen, sich aber nicht berühren</translation>
     </message>
     <message>
         <source>Findings: {0}</source>
@@ -3611,12 +3607,12 @@ bis etwa {2}, {3}</translation>
         <translation>Die Datei erhält einen neuen Festkörper, der aus dem Netz von „{0}“ entsteht. Der gespeicherte Festkörper wird nicht verwendet.</translation>
     </message>
     <message>
-        <source>The cell is too large for the part: the part is smaller, or thinner everywhere, than one cell. Choose a finer accuracy, a smaller cell or a higher resolution.</source>
-        <translation>Die Zelle ist zu groß für das Teil: Das Teil ist kleiner als eine Zelle oder überall dünner. Wählen Sie eine feinere Genauigkeit, eine kleinere Zelle oder eine höhere Auflösung.</translation>
+        <source>The cell is too large for the part: the part is smaller than one cell, or everywhere thinner than one cell. Choose a smaller value of Accuracy, a smaller cell or a higher resolution.</source>
+        <translation>Die Zelle ist zu groß für das Teil: Das Teil ist kleiner als eine Zelle oder an jeder Stelle dünner als eine Zelle. Wählen Sie eine höhere Genauigkeit (kleinerer Wert), eine kleinere Zelle oder eine höhere Auflösung.</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is not up to date: the file gets its last result. To export the present state, recompute it first.</source>
-        <translation>„{0}“ ist nicht aktuell: Die Datei erhält das letzte Ergebnis. Um den jetzigen Stand zu exportieren, zuerst neu berechnen.</translation>
+        <source>&quot;{0}&quot; is not up to date: the file gets its last result. To export the current state, recompute it first.</source>
+        <translation>„{0}“ ist nicht aktuell: Die Datei erhält das letzte Ergebnis. Um den aktuellen Stand zu exportieren, führen Sie zuerst eine Neuberechnung aus.</translation>
     </message>
     <message>
         <source>Cell size: {0}, deviation by simplification: {1}</source>
@@ -3686,16 +3682,16 @@ bis etwa {2}, {3}</translation>
         <translation>Toleranz</translation>
     </message>
     <message>
-        <source>How far simplification may move the surface of a new envelope; 0: no simplification</source>
-        <translation>Wie weit Vereinfachung die Oberfläche einer neuen Hülle verschieben darf; 0: keine Vereinfachung</translation>
+        <source>How far simplification may move the surface of a new envelope. 0: no simplification</source>
+        <translation>Wie weit die Vereinfachung die Oberfläche einer neuen Hülle verschieben darf. 0: keine Vereinfachung</translation>
     </message>
     <message>
         <source>Backend</source>
         <translation>Rechenwerk</translation>
     </message>
     <message>
-        <source>Processor that samples new envelopes</source>
-        <translation>Prozessor, der neue Hüllen abtastet</translation>
+        <source>Processor that computes new envelopes</source>
+        <translation>Prozessor, der neue Hüllen berechnet</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -3718,12 +3714,12 @@ bis etwa {2}, {3}</translation>
         <translation>Threads</translation>
     </message>
     <message>
-        <source>Leave one core free to keep FreeCAD responsive while a large envelope is computed</source>
-        <translation>Ein Kern weniger als vorhanden hält FreeCAD bedienbar, während eine große Hülle berechnet wird</translation>
+        <source>Number of threads of a run. With one thread fewer than processor cores, FreeCAD stays responsive while a large envelope is computed</source>
+        <translation>Anzahl der Threads eines Laufs. Mit einem Thread weniger als Prozessorkernen bleibt FreeCAD bedienbar, während eine große Hülle berechnet wird</translation>
     </message>
     <message>
-        <source>all cores</source>
-        <translation>alle Kerne</translation>
+        <source>all processor cores</source>
+        <translation>alle Prozessorkerne</translation>
     </message>
     <message>
         <source>Memory limit</source>

@@ -57,7 +57,7 @@ class BadInput(BadCase):
     def test_bad_input_06_open_mesh(self):
         part = self.mesh_object(self.box_facets()[2:])
         still = motion.motion_from_poses(self.doc, [0], [shift()])
-        self.refused(self.envelope([part], still), "open", "close the holes")
+        self.refused(self.envelope([part], still), "open", "close the gaps")
 
     def test_bad_input_11_duplicate_faces(self):
         facets = self.box_facets()

@@ -49,7 +49,7 @@ class Pages(Slide):
         rows = cells(text, "verdicts")[1:]
         self.assertEqual(
             [row[:2] for row in rows],
-            [["Wänd <b>&", "below required"], ["Table", "contact, allowed"]],
+            [["Wänd <b>&", "below required"], ["Table", "allowed contact"]],
         )
         self.assertEqual(os.listdir(self.folder), ["ü report.html"])
 
@@ -102,7 +102,7 @@ class Pages(Slide):
         for name, text in (
             ("a.txt", "not supported"),
             (os.path.join("no", "a.html"), "does not exist"),
-            ("a.pdf", "only with the FreeCAD window"),
+            ("a.pdf", "only while the FreeCAD window"),
         ):
             with self.assertRaisesRegex(InputProblem, text):
                 page.write(self.obj, os.path.join(self.folder, name))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motions that are recorded frame by frame, from driven values and simulations."""
+"""Motions that are recorded frame by frame, from driving values and simulations."""
 import math
 
 import FreeCAD as App

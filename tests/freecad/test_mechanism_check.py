@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mechanisms: the motions of all parts from one run of a driven value, and the results of the check
+"""Mechanisms: the motions of all parts from one run of a driving value, and the results of the check
 compared with formulas.
 """
 import csv
@@ -338,7 +338,7 @@ class BadInput(SliderCrank):
         self.refused("Only one part is given", (self.crank, crank))
         self.refused('"Rod" has no motion', (self.crank, crank), (self.rod, self.wall))
         self.refused(
-            "rules of .* are inconsistent",
+            "rules of .* do not fit together",
             (self.crank, crank),
             (self.slider, slider),
             RuleParts=[(self.crank, "")],
@@ -346,7 +346,7 @@ class BadInput(SliderCrank):
             RuleLengths=[0.0],
         )
         self.refused(
-            'Two rules for "Crank - Rod" contradict each other',
+            'There are two different rules for "Crank - Rod"',
             (self.crank, crank),
             (self.rod, rod),
             RuleParts=[(self.crank, ""), (self.rod, ""), (self.rod, ""), (self.crank, "")],
@@ -406,7 +406,7 @@ class BadInput(SliderCrank):
         pair_rules.write(obj, crossing)
         self.doc.recompute()
         with self.assertRaisesRegex(
-            InputProblem, "contradict each other for .*neither is more specific"
+            InputProblem, "contradict each other for .*neither takes precedence"
         ):
             mechanism.compute(obj)
         self.assertEqual(obj.Status, FAILED)

@@ -63,7 +63,7 @@ class Moving(Case):
     def test_every_part_needs_its_motion(self):
         along, up = self.lines((30, 0, 0), (0, 20, 0))
         obj = self.envelope([self.box("A"), self.box("B")], along, Motions=[up])
-        words = "There are 2 moving parts but 1 individual motions"
+        words = "The number of moving parts is 2, but the number of own motions is 1"
         with self.assertRaisesRegex(InputProblem, words):
             envelope.compute(obj)
 

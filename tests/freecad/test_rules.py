@@ -190,7 +190,7 @@ class Rules(Neighbours):
         obj = self.usual()
         for name, value, text in (
             ("RuleLengths", [0.0, -3.0, 0.0], 'the rule of "Wall" is -3 mm'),
-            ("RuleLengths", [0.0], "3 parts, 3 kinds and 1 lengths"),
+            ("RuleLengths", [0.0], "parts: 3, kinds of rules: 3, lengths: 1"),
             ("RuleKinds", [CONTACT, "Near", IGNORE], '"Wall" has the unknown rule "Near"'),
         ):
             before = list(getattr(obj, name))
@@ -203,7 +203,7 @@ class Rules(Neighbours):
         obj.RuleParts = [(self.wall, ""), (self.wall, ""), (self.far, "")]
         with self.assertRaises(InputProblem) as refused:
             clearance.compute(obj)
-        self.assertIn('Two rules for "Wall" contradict each other', str(refused.exception))
+        self.assertIn('There are two different rules for "Wall"', str(refused.exception))
         every = {part: Rule(IGNORE) for part in (self.wall, self.table, self.far)}
         with self.assertRaises(InputProblem) as refused:
             clearance.compute(self.made(every))

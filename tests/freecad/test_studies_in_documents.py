@@ -213,10 +213,10 @@ class Studies(Slide):
         os.makedirs(os.path.join(self.folder, "results"))
         with open(os.path.join(self.folder, "results", ".study.lock"), "w") as file:
             fcntl.flock(file, fcntl.LOCK_EX)
-            with self.assertRaisesRegex(InputProblem, "another study is filling"):
+            with self.assertRaisesRegex(InputProblem, "another study is writing to"):
                 study.compute(obj)
         self.assertEqual(obj.Status, FAILED)
-        self.assertIn("another study is filling", obj.Message)
+        self.assertIn("another study is writing to", obj.Message)
         study.compute(obj)
         self.assertEqual(obj.Status, UP_TO_DATE)
 

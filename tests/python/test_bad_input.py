@@ -133,7 +133,7 @@ def test_bad_input_05_soup(both, box):
 
 
 def test_bad_input_06_open_mesh(both, box):
-    refused(both(box[0], box[1][2:], STILL), "OpenMesh", "%", "close the holes")
+    refused(both(box[0], box[1][2:], STILL), "OpenMesh", "%", "close the gaps")
     sheet = [[0, 0, 0], [30, 0, 0], [30, 20, 0], [0, 20, 0]]
     report = both(sheet, [[0, 1, 2], [0, 2, 3]], slide(3, 2, 20), resolution=32)
     accepted(report, "OpenEdges")

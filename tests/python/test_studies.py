@@ -267,8 +267,8 @@ CHECK = '[[run]]\npart = "box.ply"\nmotion = "by30.csv"\nneighbours = ["post.ply
         (RUN.replace('["envelope"]', '["drawing"]'), "it must be a list of envelope, solid"),
         ('[[run]]\nmotion = "by30.csv"', "run 1: part and compute missing"),
         ('[study]\noutput = "."\n' + RUN, "lies in the folder for results"),
-        (RUN + 'name = "Study.csv"', "run 'Study.csv': a file of the results has that name"),
-        (RUN + 'name = "study.html"', "a file of the results has that name"),
+        (RUN + 'name = "Study.csv"', "run 'Study.csv': the study writes a file with this name"),
+        (RUN + 'name = "study.html"', "the study writes a file with this name"),
         (CHECK + 'rules = { post = "touch" }', "rules: rule 'touch' is not understood; write"),
         (
             CHECK + "rules = { post = -1 }",

@@ -153,7 +153,7 @@ def test_a_folder_takes_one_study_at_a_time(program, run, study):  # noqa: F811
         wait_for(lambda: list((study / "results").glob(".partial-*")))
         second = run()
         assert second.returncode == 1, second.stderr
-        assert "InvalidInput/FolderInUse: another study is filling" in second.stderr
+        assert "InvalidInput/FolderInUse: another study is writing to" in second.stderr
         assert list((study / "results").glob(".partial-*")), "what the first one fills stays"
     finally:
         first.kill()  # as a crash: nothing is tidied up
@@ -175,7 +175,7 @@ def test_threads_of_one_process_are_refused_as_well(light):  # noqa: F811
     first.start()
     assert entered.wait(60)
     try:
-        with pytest.raises(sv.InvalidInput, match="another study is filling") as error:
+        with pytest.raises(sv.InvalidInput, match="another study is writing to") as error:
             sv.run_study(light / "study.toml")
         assert error.value.code == "FolderInUse"
     finally:

@@ -128,15 +128,26 @@ def _reason(python, output):
         )
         return text.format(python)
     if "connection broken" in output or "Could not fetch URL" in output:
-        text = translate("SweptVolume", "The package index could not be reached. pip says:\n{0}")
+        text = translate(
+            "SweptVolume",
+            "The package index could not be reached: check the network connection, or choose a "
+            "package file. pip says:\n"
+            "{0}",
+        )
         return text.format("\n".join(lines[-3:]))
     if "No matching distribution" in output or "not a supported wheel" in output:
         text = translate(
             "SweptVolume",
-            "There is no core of version {0} for Python {1} on this system. pip says:\n{2}",
+            "There is no core of version {0} for Python {1} on this system: choose a package "
+            "file, or build the core. pip says:\n"
+            "{2}",
         )
         return text.format(__version__, version, last)
-    return translate("SweptVolume", "pip could not install the core:\n{0}").format(last)
+    return translate(
+        "SweptVolume",
+        "pip could not install the core: choose a package file, or build the core. pip says:\n"
+        "{0}",
+    ).format(last)
 
 
 def version_in(path):
@@ -164,7 +175,9 @@ def version_in(path):
 def _check_version(version, place):
     if version != __version__:
         text = translate(
-            "SweptVolume", 'The core in "{0}" has version {1}, but the workbench has version {2}.'
+            "SweptVolume",
+            'The core in "{0}" has version {1}, but the workbench has version {2}: choose a '
+            "core of version {2}.",
         )
         raise Failed(text.format(place, version, __version__))
 

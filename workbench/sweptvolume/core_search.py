@@ -70,13 +70,12 @@ def missing_text(tried):
     python = "{}.{}".format(*sys.version_info[:2])
     return translate(
         "SweptVolume",
-        "The compiled core of Swept Volume (_swept, for Python {0}) cannot be "
-        "loaded.\n"
-        "Choose Swept Volume > Install the core, or build it in the folder {1}:\n"
+        "The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.\n"
+        "Choose Swept Volume > Install the core, or build the core in the folder {1}:\n"
         "    cmake --preset release && cmake --build build\n"
-        "README.md lists the packages that the build needs. If the core is "
-        "elsewhere, set the environment variable SWEPT_CORE to its folder.\n"
-        "Tried:\n"
+        ".ci/packages.txt lists the packages that the build needs. If the core is elsewhere, set "
+        "the environment variable SWEPT_CORE to its folder.\n"
+        "FreeCAD looked for the core in:\n"
         "  {2}",
     ).format(python, ROOT, "\n  ".join(tried))
 

@@ -20,7 +20,7 @@ _TEXTS = {
     ),
     "OpenMesh": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "A mesh has gaps (open edges), so it has no clear inside and outside: close the gaps.",
+        "A mesh has gaps (open edges), so it has no definite inside and outside: close the gaps.",
     ),
     "PrecisionTooCoarse": QT_TRANSLATE_NOOP(
         "SweptVolume",
@@ -34,16 +34,17 @@ _TEXTS = {
     ),
     "CellTooLarge": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The cell is too large for the part: the part is smaller, or thinner everywhere, than "
-        "one cell. Choose a finer accuracy, a smaller cell or a higher resolution.",
+        "The cell is too large for the part: the part is smaller than one cell, or everywhere "
+        "thinner than one cell. Choose a smaller value of Accuracy, a smaller cell or a higher "
+        "resolution.",
     ),
     "BadOption": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "A setting is not allowed: the text in brackets names the setting and says "
-        "what is allowed.",
+        "A setting is not allowed: correct it. The details in parentheses name the setting and "
+        "say what is allowed.",
     ),
     "EmptyTrajectory": QT_TRANSLATE_NOOP(
-        "SweptVolume", "The motion has no poses: give at least one."
+        "SweptVolume", "The motion has no poses: add at least one."
     ),
     "NotRigid": QT_TRANSLATE_NOOP(
         "SweptVolume",
@@ -66,15 +67,16 @@ _TEXTS = {
     ),
     "PartsTooNear": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "Two parts are below the required distance in their installed positions: "
-        "reduce the required distance, or set a release distance.",
+        "Two parts are closer than the required distance in their installed positions: reduce "
+        "the required distance, or set a release distance, within which parts may be that close.",
     ),
     "BadFile": QT_TRANSLATE_NOOP(
-        "SweptVolume", "The file cannot be read: the text in brackets says where and why."
+        "SweptVolume", "The file cannot be read: the details in parentheses say where and why."
     ),
     "BadFormat": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The file extension is not supported: use one of those listed in brackets.",
+        "The file extension is not supported: choose another one. The details in parentheses "
+        "list the supported ones.",
     ),
     "FileTooLarge": QT_TRANSLATE_NOOP(
         "SweptVolume", "The file is larger than the limit for input files: split it, or reduce it."
@@ -100,22 +102,26 @@ _TEXTS = {
         "SweptVolume", "There is no neighbour to check: choose at least one part as a neighbour."
     ),
     "BadRule": QT_TRANSLATE_NOOP(
-        "SweptVolume", "A rule cannot be applied: correct the rule, or remove it."
+        "SweptVolume",
+        "A rule cannot be applied: correct the rule, or remove it. The details in "
+        "parentheses name the rule.",
     ),
     "BadTemplate": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The report template has an error: the text in brackets names the line. "
-        "Correct the template.",
+        "The report template has an error: correct the template. The details in parentheses name "
+        "the line.",
     ),
     "GoalBlocked": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "At the goal, the part is too close to a neighbour, or overlaps it: move the "
-        "neighbour, reduce the required distance, or set a release distance.",
+        "At the goal, the part is too close to a neighbour, or overlaps it: move the neighbour, "
+        "reduce the required distance, or set a release distance, within which the part may be "
+        "that close.",
     ),
     "StartBlocked": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "At the start, the part is too close to a neighbour, or overlaps it: move "
-        "the neighbour, reduce the required distance, or set a release distance.",
+        "At the start, the part is too close to a neighbour, or overlaps it: move the neighbour, "
+        "reduce the required distance, or set a release distance, within which the part may be "
+        "that close.",
     ),
     "ViaBlocked": QT_TRANSLATE_NOOP(
         "SweptVolume",
@@ -123,7 +129,7 @@ _TEXTS = {
         "the neighbour, reduce the required distance, or unlock the key.",
     ),
     "SamePose": QT_TRANSLATE_NOOP(
-        "SweptVolume", "Start and goal are the same: choose another start."
+        "SweptVolume", "Start and goal are the same: choose another start or goal."
     ),
     "NoStart": QT_TRANSLATE_NOOP(
         "SweptVolume", "No start is given: enter a placement, a distance or a direction."
@@ -139,10 +145,11 @@ _TEXTS = {
         "solid, or export a mesh file (STL, PLY).",
     ),
     "DeviceUnavailable": QT_TRANSLATE_NOOP(
-        "SweptVolume", "No usable graphics device was found: set Backend to CPU."
+        "SweptVolume", "No usable GPU (graphics processor) was found: set Backend to CPU."
     ),
     "DeviceLost": QT_TRANSLATE_NOOP(
-        "SweptVolume", "The graphics device failed during the computation: set Backend to CPU."
+        "SweptVolume",
+        "The GPU (graphics processor) failed during the computation: set Backend to CPU.",
     ),
     "OverlappingShells": QT_TRANSLATE_NOOP(
         "SweptVolume",
@@ -159,8 +166,9 @@ _TEXTS = {
     ),
     "OpenSheets": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The part has gaps that its motion does not close. There, its walls became thin sheets "
-        "of the envelope: close the gaps if the space between the walls belongs to the part.",
+        "The part has gaps that stay open during the motion. There, the envelope consists only "
+        "of thin sheets along the walls of the part: close the gaps if the space between the "
+        "walls is material of the part.",
     ),
     "DegenerateTriangles": QT_TRANSLATE_NOOP(
         "SweptVolume", "Triangles with zero area were removed."
@@ -186,10 +194,12 @@ _TEXTS = {
     ),
     "NotOrientable": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The surface of the part has only one side, like a Möbius strip: check the mesh.",
+        "The surface of the part has only one side, like a Möbius strip: repair the mesh.",
     ),
     "NonManifoldEdges": QT_TRANSLATE_NOOP(
-        "SweptVolume", "More than two triangles meet at some edges of the part: check the mesh."
+        "SweptVolume",
+        "More than two triangles meet at some edges of the part: repair the mesh if the "
+        "result looks wrong.",
     ),
     "InsideOut": QT_TRANSLATE_NOOP(
         "SweptVolume",
@@ -197,7 +207,7 @@ _TEXTS = {
     ),
     "Cavities": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The part has cavities. They change the envelope only if Keep cavities is set.",
+        "The part has cavities. They change the envelope only if Keep cavities is ticked.",
     ),
     "NestedShells": QT_TRANSLATE_NOOP(
         "SweptVolume", "Some bodies of the part lie inside other bodies. They count as material."
@@ -211,8 +221,8 @@ _TEXTS = {
     ),
     "CavitiesFilled": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "Cavities inside the envelope were filled. To keep them, set Keep cavities, and close the "
-        "gaps of the part if it is open.",
+        "Cavities inside the envelope were filled. To keep them, tick Keep cavities, and close "
+        "the gaps of the part if it is open.",
     ),
     "SelfIntersections": QT_TRANSLATE_NOOP(
         "SweptVolume",
@@ -220,12 +230,12 @@ _TEXTS = {
         "cell size slightly.",
     ),
     "NotSimplified": QT_TRANSLATE_NOOP(
-        "SweptVolume", "The envelope was not simplified: the text in brackets says why."
+        "SweptVolume", "The envelope was not simplified: the details in parentheses say why."
     ),
     "SimplifiedLess": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The envelope was simplified less than the tolerance allows, so it has more "
-        "triangles than necessary.",
+        "The envelope is correct, but its simplification stopped early: it has more triangles "
+        "than the tolerance requires.",
     ),
     "NotChecked": QT_TRANSLATE_NOOP(
         "SweptVolume",

@@ -30,7 +30,7 @@ def outdated_note(source):
         return ""
     text = translate(
         "SweptVolume",
-        '"{0}" is not up to date: the file gets its last result. To export the present state, '
+        '"{0}" is not up to date: the file gets its last result. To export the current state, '
         "recompute it first.",
     )
     return text.format(source.Label)

@@ -39,8 +39,8 @@ def date():
     except (ValueError, OverflowError):
         text = translate(
             "SweptVolume",
-            'The environment variable SOURCE_DATE_EPOCH is "{0}", but must be a number '
-            "of seconds since 1970.",
+            'The environment variable SOURCE_DATE_EPOCH is "{0}", but must be a whole number of '
+            "seconds since 1970-01-01: correct or unset it.",
         )
         raise InputProblem(text.format(given)) from None
     return time.strftime("%Y-%m-%d %H:%M UTC", now)
@@ -155,8 +155,8 @@ def request(obj, is_changed=False, pdf=False):
     if obj.Proxy.report_of(obj) is None or obj.Status != clearance.UP_TO_DATE:
         text = translate(
             "SweptVolume",
-            'The result of "{0}" is not up to date: recompute its envelope (if it '
-            "has one), then run the check again.",
+            'The check "{0}" is not up to date. If it uses an envelope, recompute the envelope '
+            "first; then run the check again.",
         )
         raise InputProblem("\n".join(filter(None, (text.format(obj.Label), obj.Message))))
     kind = _OfMechanism if mechanism.is_mechanism(obj) else _OfClearance
@@ -230,7 +230,8 @@ def write(obj, path, control=None):
         raise InputProblem(
             translate(
                 "SweptVolume",
-                "PDF can be written only with the FreeCAD window open: in scripts, write " "HTML.",
+                "A PDF file can be written only while the FreeCAD window is open. In scripts, "
+                "write the report as HTML.",
             )
         )
     page = text(request(obj), control or core.Control())

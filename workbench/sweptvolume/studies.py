@@ -194,7 +194,7 @@ def run(path, output, jobs, told, cancelled):
                 return json.load(file)
     text = translate(
         "SweptVolume",
-        "The study program ended with exit status {0} and wrote no result: run the "
+        "The program that runs the study ended with exit status {0} and wrote no result: run the "
         'study again, or run "swept study FILE" in a terminal to see its output.',
     )
     raise InputProblem(errors or text.format(process.returncode))

@@ -28,7 +28,8 @@ void checkClearanceOptions(const ClearanceOptions& o,
   if (parts.empty())
     throw Error(Status::InvalidInput, "NoNeighbours", "no neighbour is given; choose at least one");
   for (const ClearanceNeighbour& part : parts) {
-    requireLength("neighbour '" + part.name + "': chord error", part.chordError, true);
+    requireLength("neighbour '" + part.name + "': mesh deflection (chord error)", part.chordError,
+                  true);
     checkRule(part.rule, "the rule of neighbour '" + part.name + "'");
   }
 }
@@ -83,11 +84,10 @@ void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
   }
   if (worst == nullptr) return;
   finding.text = counted(finding.count, "allowed contact") +
-                 ": no point deeper than allowed was found, but a deeper point is not excluded; "
-                 "for '" +
-                 worst->name + "', " + numberText(allowedDepth(*worst, options), 3) +
-                 " mm are allowed, and it is only proven that no point is deeper than " +
-                 numberText(worst->penetration.depthBound, 3) + " mm";
+                 " may be deeper than the depth that was found: for '" + worst->name + "', " +
+                 numberText(allowedDepth(*worst, options), 3) +
+                 " mm are allowed, and no deeper point was found, but a depth of up to " +
+                 numberText(worst->penetration.depthBound, 3) + " mm is possible";
   report.warnings.push_back(finding);
 }
 
@@ -104,7 +104,7 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   CheckedTrajectory checked = checkTrajectory(trajectory, RepeatedPoses::Keep);
   report.warnings = std::move(checked.findings);
   bool mended = false;
-  const Part moving = closedPart(seenFromPivot(body, pivot), "the moving body", run, mended);
+  const Part moving = closedPart(seenFromPivot(body, pivot), "the moving part", run, mended);
   report.bodyTriangles = std::ssize(body.triangles);
   for (const ClearanceNeighbour* part : neighbours)
     report.neighbourTriangles += std::ssize(part->mesh.triangles);

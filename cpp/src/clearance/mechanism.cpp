@@ -32,7 +32,7 @@ void checkMechanismOptions(const std::vector<MechanismPart>& parts, const Mechan
   checkSettings({o.required, o.tolerance, 0, o.intervalTolerance, o.curveSamples, o.penetration});
   requireLength("range", o.range, true);
   for (const MechanismPart& part : parts)
-    requireLength("part '" + part.name + "': chord error", part.chordError, true);
+    requireLength("part '" + part.name + "': mesh deflection (chord error)", part.chordError, true);
 }
 
 /// Returns the distance up to which pairs are measured. It is large enough for all verdicts.

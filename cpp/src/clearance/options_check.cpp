@@ -18,12 +18,13 @@ void requireLength(const std::string& name, double value, bool mayBeZero) {
 
 void checkSettings(const ClearanceOptions& o) {
   requireLength("required distance", o.required, true);
-  requireLength("tolerance", o.tolerance, false);
-  requireLength("chord error of the body", o.bodyChordError, true);
+  requireLength("accuracy (tolerance)", o.tolerance, false);
+  requireLength("mesh deflection (chord error) of the moving part", o.bodyChordError, true);
   requireLength("interval tolerance", o.intervalTolerance, true);
   if (o.curveSamples < 0 || o.curveSamples > 1000000)
     throw Error(Status::InvalidInput, "BadOption",
-                "curve samples: " + std::to_string(o.curveSamples) + "; allowed: 0 to 1000000");
+                "number of points of the graph is " + std::to_string(o.curveSamples) +
+                    "; allowed: 0 to 1000000");
 }
 
 }  // namespace swept::clearance

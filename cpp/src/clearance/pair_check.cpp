@@ -169,7 +169,7 @@ std::vector<Finding> openFindings(const std::vector<std::string>& names,
     findings.push_back({"OpenBody",
                         1,
                         {},
-                        "the moving body is an open or badly oriented surface: a neighbour that "
+                        "the moving part is an open or badly oriented surface: a neighbour that "
                         "lies completely inside it is not noticed; repair the mesh"});
   return findings;
 }

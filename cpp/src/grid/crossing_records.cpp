@@ -167,7 +167,7 @@ MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, 
         Status::ResourceLimit, "ResourceLimit",
         "the sweep has " + std::to_string(elementCount) +
             " surface elements, but the limit is 4294967295; use fewer poses (for example with "
-            "a position filter), a larger chord tolerance or a coarser body");
+            "a position filter), a larger chord tolerance or a coarser part");
   }
   out.elements.resize(elementCount);
   parallelFor(chunks.size(), [&](std::size_t c) {

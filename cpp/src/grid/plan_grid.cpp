@@ -121,7 +121,7 @@ GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bod
   plan.cell = plannedCell(box, options);
   if (plan.cell > bodyBox.sizes().maxCoeff()) {
     throw Error(Status::InvalidInput, "CellTooLarge",
-                "the cell of " + numberText(plan.cell, 4) + " mm is larger than the whole body (" +
+                "the cell of " + numberText(plan.cell, 4) + " mm is larger than the whole part (" +
                     numberText(bodyBox.sizes().maxCoeff(), 4) + " mm); use at most " +
                     cellOrAccuracy(bodyBox.sizes().maxCoeff() / 4));
   }
@@ -130,11 +130,11 @@ GridPlan planGrid(const Eigen::AlignedBox3d& box, const Eigen::AlignedBox3d& bod
   const double precision = farthest * 0x1p-52;
   if (precision > plan.cell / 8) {
     throw Error(Status::InvalidInput, "PrecisionTooCoarse",
-                "the body lies up to " + numberText(farthest, 4) +
+                "the part lies up to " + numberText(farthest, 4) +
                     " mm from the origin, where coordinates can only be stored in steps of " +
                     numberText(precision, 4) + " mm. This is too coarse for a cell of " +
                     numberText(plan.cell, 4) +
-                    " mm. Move the body closer to the origin, or use a cell above " +
+                    " mm. Move the part closer to the origin, or use a cell above " +
                     numberText(8 * precision, 4) + " mm");
   }
   for (int axis = 0; axis < 3; ++axis) {

@@ -51,14 +51,14 @@ void takeFaces(CheckedBody& result, bool wanted) {
 void refuseUnusable(const TriMesh& body) {
   if (body.vertices.empty() || body.triangles.empty()) {
     throw Error(Status::InvalidInput, "EmptyMesh",
-                "the body has " + std::to_string(body.vertices.size()) + " vertices and " +
+                "the part has " + std::to_string(body.vertices.size()) + " vertices and " +
                     std::to_string(body.triangles.size()) +
                     " triangles; choose an object that has a surface");
   }
   const auto count = static_cast<std::int64_t>(body.vertices.size());
   if (count > 2147483647) {
     throw Error(Status::ResourceLimit, "TooManyVertices",
-                "the body has " + std::to_string(count) +
+                "the part has " + std::to_string(count) +
                     " vertices, but the limit is 2147483647; use a coarser mesh");
   }
   if (const auto bad = findBadIndex(body)) {
@@ -77,9 +77,9 @@ void refuseBadVertices(const TriMesh& body) {
   }
   if (found.largest > kLargestLength) {
     throw Error(Status::InvalidInput, "OutOfRange",
-                "the body reaches " + numberText(found.largest) +
+                "the part reaches " + numberText(found.largest) +
                     " mm from the origin, but the limit is 1e9 mm; check the unit of length, or "
-                    "move the body closer to the origin");
+                    "move the part closer to the origin");
   }
 }
 
@@ -147,7 +147,7 @@ void reportOrientation(CheckedBody& result, const OrientationResult& oriented) {
       std::to_string(oriented.inverted) + " of " + counted(oriented.shells, "shell") +
           " faced inwards and " + (oriented.inverted == 1 ? "was" : "were") + " reversed");
   add(result, "Cavities", oriented.cavities,
-      counted(oriented.cavities, "shell is a cavity", "shells are cavities") + " inside the body");
+      counted(oriented.cavities, "shell is a cavity", "shells are cavities") + " inside the part");
   add(result, "NestedShells", oriented.nested,
       counted(oriented.nested,
               "shell lies completely inside another shell and faces outwards; it counts",

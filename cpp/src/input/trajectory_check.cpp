@@ -51,7 +51,7 @@ double checkNorm(const Pose& pose, std::size_t index) {
   if (deviation > kRigidLimit) {
     throw Error(Status::InvalidInput, "NotRigid",
                 poseName(index) + ": the rotation quaternion has length " + numberText(norm) +
-                    " instead of 1 (allowed error: 1e-4), so the pose scales the body by " +
+                    " instead of 1 (allowed error: 1e-4), so the pose scales the part by " +
                     numberText(norm * norm) + "; export the poses without scale" + kCounted);
   }
   return deviation;
@@ -64,7 +64,7 @@ void checkTurn(const Pose& before, const Pose& after, std::size_t index) {
   if (degrees > 180 - kAmbiguousDegrees) {
     throw Error(Status::InvalidInput, "AmbiguousTurn",
                 "between " + poseName(index - 1) + " and " + poseName(index) +
-                    " the body turns by " + numberText(degrees) +
+                    " the part turns by " + numberText(degrees) +
                     " degrees (limit: " + numberText(180 - kAmbiguousDegrees) +
                     "), so the direction of the turn is ambiguous; insert a pose between them, or "
                     "choose interpolation none" +
@@ -102,7 +102,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
   if (trajectory.poses.empty()) {
     throw Error(Status::InvalidInput, "EmptyTrajectory",
                 "the motion has no poses; give at least one (with a single pose, the envelope is "
-                "the body itself)");
+                "the part itself)");
   }
   CheckedTrajectory result;
   result.trajectory.interpolation = trajectory.interpolation;
@@ -177,7 +177,7 @@ void checkOptions(const Options& options) {
   }
   if (!(options.weldTolerance >= 0 && options.weldTolerance <= 0.01)) {
     badOption("weldTolerance", options.weldTolerance,
-              "0 to 0.01 (as a fraction of the diagonal of the body's bounding box)");
+              "0 to 0.01 (as a fraction of the diagonal of the part's bounding box)");
   }
 }
 

@@ -52,7 +52,7 @@ Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double ch
                       std::to_string(i + 1) + " would need more than " +
                       std::to_string(kMaxPlacements) +
                       " sampled placements to follow its rotation; use a larger cell, or a pivot "
-                      "closer to the body");
+                      "closer to the part");
     }
     const int pieces = std::max(1, static_cast<int>(std::ceil(wanted)));
     motion.chordError =

@@ -98,8 +98,8 @@ class Builder {
       count += of(side).mesh->vertices.size() + nodes_[int(side)].size();
     if (count > kMaxElements)
       throw Error(Status::ResourceLimit, "ResourceLimit",
-                  "the shared volume of " + names_[0] + " and " + names_[1] + " would have " +
-                      std::to_string(count) + " points, but the limit is " +
+                  "the mesh of the volume shared by " + names_[0] + " and " + names_[1] +
+                      " would have " + std::to_string(count) + " vertices, but the limit is " +
                       std::to_string(kMaxElements) + "; use coarser meshes");
     for (const Side side : {Side::Shrunk, Side::Fixed}) {
       firstVertex_[int(side)] = static_cast<std::int32_t>(out_.vertices.size());

@@ -92,7 +92,7 @@ ClosedMesh closedMesh(const TriMesh& mesh, const std::string& name) {
   if (faults > 0)
     throw Error(Status::InvalidInput, "OpenMesh",
                 name + " is not closed (" + counted(faults, "edge does", "edges do") +
-                    " not lie between two triangles that face the same way); close its holes, or "
+                    " not lie between two triangles that face the same way); close its gaps, or "
                     "give the whole solid");
   return closed;
 }

@@ -28,7 +28,7 @@ void checkInput(const std::vector<OverlapPart>& parts, const ClearanceOptions& o
                     "; give at least two to be compared");
   std::set<std::string> names;
   for (const OverlapPart& part : parts) {
-    requireLength("part '" + part.name + "': chord error", part.chordError, true);
+    requireLength("part '" + part.name + "': mesh deflection (chord error)", part.chordError, true);
     if (!names.insert(part.name).second)
       throw Error(Status::InvalidInput, "PartTwice",
                   "two parts have the name '" + part.name + "'; give each a name of its own");

@@ -80,10 +80,12 @@ std::string reportPage(const std::string& report, const PageOptions& options, Ru
   try {
     return page::pageOf(report, options, run);
   } catch (const Json::exception& error) {
-    throw Error(Status::InvalidInput, "BadReport",
-                std::string("no page can be made of this report: it is damaged, or no report of "
-                            "this version (") +
-                    error.what() + "); create the report again");
+    throw Error(
+        Status::InvalidInput, "BadReport",
+        std::string(
+            "this report cannot be turned into an HTML page: it is damaged, or not a report of "
+            "this version (") +
+            error.what() + "); create the report again");
   }
 }
 

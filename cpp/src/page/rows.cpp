@@ -123,7 +123,8 @@ std::size_t Told::failing() const {
 }
 
 void badReport(const std::string& text) {
-  throw Error(Status::InvalidInput, "BadReport", "no page can be made of this report: " + text);
+  throw Error(Status::InvalidInput, "BadReport",
+              "this report cannot be turned into an HTML page: " + text);
 }
 
 double lengthOf(const Json& row, const char* key) {

@@ -74,7 +74,7 @@ class PathFinder {
       const State start = scene_.inside(checkedPose(*task_.start, "start"));
       if (ends_.size() == 1 && scene_.distance(start, goal) < 1e-6 * scene_.radius())
         throw Error(Status::InvalidInput, "SamePose",
-                    "start and goal are the same placement; choose another start");
+                    "start and goal are the same placement; choose another start or goal");
       ends_.push_back(examineEnd(scene_, demand_, start, "start", run_));
     } else {
       Extraction extraction = *task_.extraction;

@@ -43,9 +43,12 @@ class GivenMotion {
     const std::size_t first = touches(start) ? cutAtStart() : 0;
     const std::size_t last = touches(goal) ? cutAtGoal() : keys_.size() - 1;
     if (first >= last)
-      throw Error(Status::InvalidInput, "BadOption",
-                  "the motion stays within the release distance of " + numberText(o_.release, 4) +
-                      " mm from its start and goal; choose a smaller release distance");
+      throw Error(
+          Status::InvalidInput, "BadOption",
+          "the motion never gets farther from its start and goal than the release distance of " +
+              numberText(o_.release, 4) +
+              " mm, within which contact is allowed, so nothing would be checked; choose a "
+              "smaller release distance");
     report_.certificate = checked(part(first, last), demand_.apart);
     checkZone(start, part(0, first));
     checkZone(goal, part(last, keys_.size() - 1));

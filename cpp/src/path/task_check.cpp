@@ -25,12 +25,12 @@ void requireLength(const char* name, double value, bool mayBeZero) {
 
 void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour>& neighbours,
                       const PathOptions& o) {
-  requireLength("clearance", o.clearance, true);
-  requireLength("tolerance", o.tolerance, false);
-  requireLength("chord error of the part", o.bodyChordError, true);
-  requireLength("release", o.release, true);
+  requireLength("required distance (clearance)", o.clearance, true);
+  requireLength("accuracy (tolerance)", o.tolerance, false);
+  requireLength("mesh deflection (chord error) of the part", o.bodyChordError, true);
+  requireLength("release distance", o.release, true);
   if (!(o.budgetSeconds > 0) || !std::isfinite(o.budgetSeconds))
-    badOption("budget is " + numberText(o.budgetSeconds, kTellingDigits) +
+    badOption("time limit (budget) is " + numberText(o.budgetSeconds, kTellingDigits) +
               " s; allowed: more than 0");
   if (o.mostSteps < 0)
     badOption("the limit of moves is " + std::to_string(o.mostSteps) +
@@ -43,7 +43,7 @@ void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour
   if (neighbours.empty())
     throw Error(Status::InvalidInput, "NoNeighbours", "no neighbour is given; choose at least one");
   for (const ClearanceNeighbour& n : neighbours) {
-    requireLength("chord error of a neighbour", n.chordError, true);
+    requireLength("mesh deflection (chord error) of a neighbour", n.chordError, true);
     if (n.rule.contact)
       throw Error(
           Status::InvalidInput, "BadRule",

@@ -22,8 +22,8 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
   };
   if (!prepared.body.closed) {
     note("CavitiesFilled", 1,
-         "the body is open, so cavities cannot be distinguished from the outside and were filled; "
-         "close the holes of the body to keep them");
+         "the part is open, so cavities cannot be distinguished from the outside and were filled; "
+         "close the gaps of the part to keep them");
     return findOutside(marks, prepared.grid, run);
   }
   std::vector<std::uint32_t> component;
@@ -49,9 +49,9 @@ double meanThickness(const CheckedBody& body, RunContext& run) {
 [[noreturn]] void refuseCell(const char* what, const Prepared& prepared, RunContext& run) {
   const double cell = prepared.grid.cell, thickness = meanThickness(prepared.body, run);
   std::string text =
-      textOf(3, what, ", because the body is thinner than one cell (", cell, " mm) everywhere");
+      textOf(3, what, ", because the part is thinner than one cell (", cell, " mm) everywhere");
   if (thickness > 0)
-    text += textOf(3, "; the mean thickness of the body is about ", thickness, " mm");
+    text += textOf(3, "; the mean thickness of the part is about ", thickness, " mm");
   const double better = thickness > 0 ? std::min(thickness, cell / 2) : cell / 2;
   text += "; use a smaller cell: try " + cellOrAccuracy(better);
   throw Error(Status::InvalidInput, "CellTooLarge", text);
@@ -60,7 +60,7 @@ double meanThickness(const CheckedBody& body, RunContext& run) {
 }  // namespace
 
 void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared, RunContext& run) {
-  if (hermite.crossings.empty()) refuseCell("no grid line meets the body", prepared, run);
+  if (hermite.crossings.empty()) refuseCell("no grid line meets the part", prepared, run);
 }
 
 void requireSurface(const TriMesh& mesh, const Prepared& prepared, RunContext& run) {
@@ -75,17 +75,17 @@ void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Repor
   const double share =
       2.0 * static_cast<double>(hermite.sheetEdges) / static_cast<double>(crossings);
   const bool still = !prepared.motion.continuous;
-  const std::string text = textOf(3, "the body is open, and ", 100 * share,
+  const std::string text = textOf(3, "the part is open, and ", 100 * share,
                                   " % of its surface is thin sheet that encloses no volume");
   if (still && share > 0.01) {
     throw Error(Status::InvalidInput, "OpenMesh",
-                text + "; close the holes of the body, or choose a motion that closes them");
+                text + "; close the gaps of the part, or choose a motion that closes them");
   }
   report.warnings.push_back({"OpenSheets",
                              hermite.sheetEdges,
                              {},
                              text + ", which gets a thickness of 0.002 times the cell size; close "
-                                    "the holes of the body if the envelope should be solid there"});
+                                    "the gaps of the part if the envelope should be solid there"});
 }
 
 }  // namespace swept

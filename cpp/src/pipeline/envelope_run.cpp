@@ -143,7 +143,7 @@ void EnvelopeRun::describePlan() {
              numberText(report_.chordError / report_.cellSize, 2) + " cells) instead of " +
              numberText(asked, 3) +
              " mm, because more placements between the poses would need too much memory; raise the "
-             "memory limit, use a body with fewer triangles, or set a larger chord tolerance"});
+             "memory limit, use a part with fewer triangles, or set a larger chord tolerance"});
   }
 }
 
@@ -216,10 +216,10 @@ void EnvelopeRun::grow(const BodyTopology& topology) {
   if (fromMesh && options_.conservative) {
     throw Error(Status::ResourceLimit, "TooManyCopies",
                 "a conservative envelope of a motion with interpolation none must look at every "
-                "triangle of the body at every pose: there are " +
+                "triangle of the part at every pose: there are " +
                     std::to_string(offset::copiesOf(input)) + " such pairs, but the limit is " +
                     std::to_string(kMaxCopies) +
-                    "; use fewer poses, a body with fewer triangles, or another interpolation");
+                    "; use fewer poses, a part with fewer triangles, or another interpolation");
   }
   if (fromMesh) envelope(topology);
   const GrownSweep sweep(

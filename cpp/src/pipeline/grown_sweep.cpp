@@ -47,7 +47,7 @@ Finding GrownSweep::conservativeFinding(const offset::Containment& proof, double
   if (offset > 0) text += textOf(4, " grown by ", offset, " mm");
   text +=
       textOf(4, ": every point of the envelope is at least ", proof.nearest * cell,
-             " mm away from the computed motion of the body, and the true motion deviates from the "
+             " mm away from the computed motion of the part, and the true motion deviates from the "
              "computed motion by at most ",
              cover_.chord * cell, " mm; no point of the envelope lies more than ", bound,
              " mm outside the volume that it must contain");

@@ -32,7 +32,7 @@ void fail(Result& result, Status status, const char* code, const char* message,
 /// Advice for a failure with an unexpected exception.
 constexpr const char* kReport =
     ". This is a fault of the program, which another cell size may avoid; please report it with "
-    "the body, the motion and the options";
+    "the part, the motion and the options";
 
 }  // namespace
 

@@ -107,7 +107,7 @@ void prepareTrajectory(Prepared& p, const Trajectory& trajectory, const Options&
        filtered.dropped,
        {},
        textOf(4, filtered.dropped, " of ", p.givenPoses,
-              " poses were left out; at each of them, no point of the body is farther than ",
+              " poses were left out; at each of them, no point of the part is farther than ",
               filtered.distance, " mm from its place at the last pose used")});
   p.trajectory.trajectory = std::move(filtered.trajectory);
   for (std::int32_t& pose : filtered.kept) pose = p.trajectory.given[pose];
@@ -214,10 +214,10 @@ void requireMemory(const Estimate& e, const RunContext& run) {
   const double ratio = std::sqrt(static_cast<double>(e.memoryBytes) / static_cast<double>(limit));
   throw Error(
       Status::ResourceLimit, "ResourceLimit",
-      textOf(4, "the run would need about ", e.memoryBytes / 1'000'000, " MB for a grid of ",
-             e.grid[0], " x ", e.grid[1], " x ", e.grid[2], " cells, but the limit is ",
-             limit / 1'000'000, " MB; the smallest cell that fits is about ",
-             cellOrAccuracy(e.cellSize * ratio)));
+      textOf(4, "the run would need about ", e.memoryBytes / 1'000'000,
+             " MB of memory for a grid of ", e.grid[0], " x ", e.grid[1], " x ", e.grid[2],
+             " cells, but the limit is ", limit / 1'000'000,
+             " MB; the smallest cell that fits is about ", cellOrAccuracy(e.cellSize * ratio)));
 }
 
 namespace {

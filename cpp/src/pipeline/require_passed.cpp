@@ -29,7 +29,7 @@ void requirePassed(const MeshCheck& check, const char* what, double cell) {
   text += textOf(
       3, ". This is a fault of the program; another cell size usually avoids it: try ", 0.9 * cell,
       " mm instead of ", cell,
-      ", or repair the body where it intersects itself. Please report the fault with the body, "
+      ", or repair the part where it intersects itself. Please report the fault with the part, "
       "the motion and the options");
   throw Error(Status::InternalError, "CheckFailed", text);
 }

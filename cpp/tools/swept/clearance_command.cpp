@@ -80,7 +80,8 @@ void addOptions(CLI::App& app, ClearanceJob& job) {
   addCommonOptions(app, job.common);
   app.footer(
       "Exit status 0 if every neighbour meets its rule, 3 if one is below the required distance, "
-      "in contact or in clash.\n\nExamples:\n  swept clearance gripper.stl housing.step "
+      "or in a contact or clash that no rule allows.\n\nExamples:\n  swept clearance gripper.stl "
+      "housing.step "
       "bracket.stl --motion path.csv --required 2\n  swept clearance gripper.stl bolt_1.stl "
       "bolt_2.stl cover.step --motion path.csv --required 2 --rule 'bolt*=contact' --rule "
       "cover=5\n  swept clearance gripper.stl housing.step --motion path.csv --csv - --quiet\n  "

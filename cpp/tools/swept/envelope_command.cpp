@@ -57,7 +57,7 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
   cell->excludes("--resolution");
   addNumber(
       app, "--tolerance", "MM", options.tolerance,
-      "simplify the surface, moving it by at most this distance (default 0: no simplification)");
+      "simplify the surface; it moves by at most this distance (default 0: no simplification)");
   addNumber(app, "--offset", "MM", options.offset,
             "grow the envelope by this distance on all sides (default 0)");
   app.add_flag("--conservative", options.conservative,
@@ -74,8 +74,8 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
       "largest deviation of the computed motion from the true one: a fraction of the cell size, "
       "not a length; above 0 to 1 (default 0.02)");
   addNumber(app, "--position-filter", "MM", options.positionFilter,
-            "skip a pose if no point of the part has moved farther than this since the last pose "
-            "used (default 0: use all poses)");
+            "skip poses as long as no point of the part has moved farther than this since the last "
+            "pose used (default 0: use all poses)");
   for (const char* other : {"--resolution", "--cell", "--tolerance", "--chord"}) {
     accuracy->excludes(app.get_option(other));
   }
@@ -85,7 +85,7 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
   addConverted(
       app, "--backend", "auto|cpu|gpu",
       [&options](const std::string& t) { options.backend = parseBackend(t); },
-      "processor that samples the envelope (default auto); the result does not depend on it");
+      "processor that computes the envelope (default auto); the result does not depend on it");
   addInteger(app, "--memory-limit", job.memoryLimitMegabytes, 1, std::int64_t{1} << 40,
              "largest amount of memory in MiB; a run that needs more is refused (default: 3/4 of "
              "the free memory)");
@@ -358,7 +358,7 @@ int runEnvelope(const EnvelopeJob& job) {
 Run addEnvelopeCommand(CLI::App& program) {
   const auto job = std::make_shared<EnvelopeJob>();
   CLI::App* app = program.add_subcommand(
-      "envelope", "Computes the envelope of a body that moves along the poses of a file.");
+      "envelope", "Computes the envelope of a part that moves along the poses of a file.");
   addOptions(*app, *job);
   return [job, app] {
     checkOptions(*app, *job);

@@ -26,9 +26,9 @@ namespace {
 using Commands = std::vector<std::pair<std::string, Run>>;
 
 constexpr const char* kExitStatuses =
-    "Exit status: 0 success, 1 failure, 2 wrong usage, 3 not clear (clearance,\nmechanism, "
-    "overlap, study) or no path (path, sequence), 130 or 143 cancelled (128 plus the number of the "
-    "signal). Lengths are in mm.";
+    "Exit status: 0 success, 1 failure, 2 wrong usage, 3 a rule is not met\n(clearance, mechanism, "
+    "overlap, study) or a path is missing (path, sequence), 130 or 143 cancelled (128 plus the "
+    "number of the signal). Lengths are in mm.";
 
 Commands addCommands(CLI::App& program) {
   Commands commands;
@@ -99,7 +99,7 @@ void keepLines(Formatter& formatter) {
 }
 
 int dispatch(std::vector<std::string> words) {
-  CLI::App program("envelopes of moving bodies", "swept");
+  CLI::App program("envelopes of moving parts", "swept");
   program.set_version_flag("-V,--version", "swept " SWEPT_VERSION);
   program.footer(kExitStatuses);
   program.get_formatter()->column_width(32);

@@ -70,8 +70,8 @@ void addOptions(CLI::App& app, MechanismJob& job) {
   addPageOptions(app, job.page);
   addCommonOptions(app, job.common);
   app.footer(
-      "Exit status 0 if all pairs meet their rules, 3 if a pair is below required, in contact or "
-      "in clash.\n\n"
+      "Exit status 0 if all pairs meet their rules, 3 if a pair is below the required distance, or "
+      "in a contact or clash that no rule allows.\n\n"
       "Examples:\n"
       "  swept mechanism --moving boom.stl boom.csv --moving arm.stl arm.csv frame.step "
       "--ignore boom arm --required 5\n"

@@ -122,7 +122,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& options) {
   addText(app, "--report", "FILE", options.report,
           "write a report as JSON, also if the run fails, or - for standard output");
   addInteger(app, "--threads", options.threads, 0, kMaxThreads,
-             "number of threads (default 0: one for each core)");
+             "number of threads (default 0: one for each processor core)");
   app.add_flag("--strict", options.strict,
                "treat a finding that reduces the accuracy as a failure");
   app.add_flag("--no-clobber", options.noClobber,

@@ -45,8 +45,8 @@ void addOptions(CLI::App& app, OverlapJob& job) {
           "write the results as a CSV table, or - for standard output");
   addCommonOptions(app, job.common);
   app.footer(
-      "Exit status 0 if all pairs are apart, 3 if a pair is below required, in contact or in "
-      "clash.\n\n"
+      "Exit status 0 if all pairs are apart, 3 if a pair is below the required distance, in "
+      "contact or in clash.\n\n"
       "Examples:\n"
       "  swept overlap envelope_left.ply envelope_right.ply --shared shared.ply\n"
       "  swept overlap reserved.step frame.step --required 5 --csv -");

@@ -62,9 +62,10 @@ std::string dateText() {
     errno = 0;
     const long long value = std::strtoll(given, &end, 10);
     if (*end != '\0' || errno != 0)
-      throw Error(Status::InvalidInput, "BadOption",
-                  std::string("SOURCE_DATE_EPOCH is '") + given +
-                      "', but must be a number of seconds since 1970");
+      throw Error(
+          Status::InvalidInput, "BadOption",
+          std::string("the environment variable SOURCE_DATE_EPOCH is '") + given +
+              "', but must be a whole number of seconds since 1970-01-01; correct or unset it");
     now = static_cast<std::time_t>(value);
   }
   const std::tm* parts = std::gmtime(&now);

@@ -116,8 +116,8 @@ Run addPathCommand(CLI::App& program) {
   const auto job = std::make_shared<PathJob>();
   CLI::App& app = *program.add_subcommand(
       "path",
-      "Finds an installation path: a motion with few keys on which a part reaches its place and "
-      "keeps its distance from parts that stand still, also between the keys.");
+      "Finds an installation path: a motion with few keys on which a part reaches its installed "
+      "position and keeps its distance from parts that stand still, also between the keys.");
   addOptions(app, *job);
   return [job] {
     checkNeighbourOptions(job->neighbours, "");  // the part's own file may be a neighbour, too

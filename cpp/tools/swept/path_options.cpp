@@ -50,9 +50,9 @@ void addSearchOptions(CLI::App& app, PathOptions& o, std::int64_t& seed) {
   addNumber(app, "--tolerance,--accuracy", "MM", o.tolerance,
             "largest error of a smallest distance (default 0.01)");
   addNumber(app, "--release", "MM", o.release,
-            "if the part is closer to a neighbour than the required distance at its start or goal, "
-            "it may stay that close, or touch, while no point of the part is farther than this "
-            "from its position at that end (default 0)");
+            "near the start and the goal: if the part is closer to a neighbour there than "
+            "required, it may stay that close, or touch, until some point of the part has moved "
+            "farther than this (default 0)");
   app.add_flag_callback(
       "--translation-only", [&o] { o.translationOnly = true; },
       "search only for paths on which the part never turns");

@@ -68,8 +68,8 @@ void addDetailOptions(CLI::App& app, Options& options, std::int64_t& curve, cons
       "--no-penetration", [&options] { options.penetration = false; },
       "do not measure the depth of a clash");
   addInteger(app, "--stamp", stamp, 0, 1000000,
-             "for tests, slow: compare with distances measured at each pose and at N times between "
-             "two poses");
+             "for tests, slow: compare with distances measured at each pose, and at N more moments "
+             "between each pose and the next");
 }
 
 }  // namespace swept::cli

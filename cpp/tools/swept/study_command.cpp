@@ -88,7 +88,7 @@ Run addStudyCommand(CLI::App& program) {
         "folder for the results (default: the folder set in the study file, or \"results\" beside "
         "it)");
   value("--jobs", "N",
-        "number of runs at the same time on this machine (default: one for each core)");
+        "number of runs at the same time on this machine (default: one for each processor core)");
   value("--scheduler", "ADDRESS",
         "address of a Dask scheduler, such as tcp://host:8786; its workers compute the runs");
   flag("--send-files",
@@ -104,8 +104,9 @@ Run addStudyCommand(CLI::App& program) {
   value("--report", "FILE", "write a report of the study as JSON, or - for standard output");
   flag("-q,--quiet", "print no progress and no summary");
   app.footer(
-      "Exit status 0 if all runs are done and clear, 3 if a run is not clear, 1 if a run "
-      "failed.\n\nExamples:\n  swept study doors.toml --jobs 4 --page\n  swept study doors.toml "
+      "Exit status 0 if all runs are done and all their rules are met, 3 if a rule is not met, 1 "
+      "if a run failed.\n\nExamples:\n  swept study doors.toml --jobs 4 --page\n  swept study "
+      "doors.toml "
       "--scheduler tcp://cluster:8786 --send-files");
   return [job] { return runStudy(*job); };
 }

@@ -89,7 +89,7 @@ def scenario():
     Gui.Selection.clearSelection()
     yield 0.3
     assert not Gui.isCommandActive("SweptVolume_Solid")
-    assert "Select one of the 2 envelopes" in tip("Solid"), tip("Solid")
+    assert "The document has 2 envelopes" in tip("Solid"), tip("Solid")
     doc.removeObject(hulls[1].Name)
     yield 0.3
     assert Gui.isCommandActive("SweptVolume_Solid")

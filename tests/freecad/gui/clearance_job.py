@@ -196,7 +196,7 @@ def scenario():
     table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
     shown = {table.item(r, 0).text(): table.item(r, 1).text() for r in range(table.rowCount())}
     assert sorted(shown) == ["Bench", "Far", "Stop", "Wall"], shown
-    assert shown["Bench"] == "Contact, allowed" and shown["Far"] == "Below required", shown
+    assert shown["Bench"] == "Allowed contact" and shown["Far"] == "Below required", shown
     summary = find(QtWidgets.QLabel, "SweptVolumeClearanceSummary").text()
     assert "1 in allowed contact, 1 ignored" in summary, summary
     shot("16_clearance_ruled")

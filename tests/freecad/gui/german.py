@@ -121,9 +121,11 @@ def scenario():
     Gui.runCommand("SweptVolume_Recompute")
     yield lambda: not runner.running()
     yield 0.3
-    text = "Die Zelle ist zu groß für das Teil: Das Teil ist kleiner als eine Zelle oder überall "
-    text += "dünner. Wählen Sie eine feinere Genauigkeit, eine kleinere Zelle oder eine höhere "
-    text += "Auflösung. (the cell"
+    text = "Die Zelle ist zu groß für das Teil: Das Teil ist kleiner als eine Zelle oder an jeder "
+    text += (
+        "Stelle dünner als eine Zelle. Wählen Sie eine höhere Genauigkeit (kleinerer Wert), eine "
+    )
+    text += "kleinere Zelle oder eine höhere Auflösung. (the cell"
     assert hull.Message.startswith(text), hull.Message
     assert any(text in line for line in texts_of_panel())
     shot("70_german_refusal")

@@ -110,7 +110,7 @@ def from_wire(keyboard, doc):
 
 
 def from_value(keyboard, doc):
-    """Makes a motion with Motion from driven value: two objects selected in order, and a range."""
+    """Makes a motion with Motion from driving value: two objects selected in order, and a range."""
     yield from chosen_in_tree(keyboard, "Drive", "Block")
     assert [o.Label for o in Gui.Selection.getSelection()] == ["Drive", "Block"]
     yield from keyboard.press(*entry("MotionDriven"))

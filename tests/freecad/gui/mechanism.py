@@ -36,7 +36,7 @@ def rows_of(table):
 
 
 def motions_of_all_parts(doc, sheet):
-    """Only the object with the driven value is selected: every part that moves gets a motion, in one
+    """Only the object with the driving value is selected: every part that moves gets a motion, in one
     undo step."""
     undo = doc.UndoCount
     select(sheet)
@@ -106,7 +106,7 @@ def scenario():
     assert list(obj.RuleKinds) == ["Contact", "Contact"], obj.RuleKinds
     table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
     rows = rows_of(table)
-    assert table.item(rows["Crank - Rod"], 1).text() == "Contact, allowed"
+    assert table.item(rows["Crank - Rod"], 1).text() == "Allowed contact"
     wall_row = rows["Slider - Wall"]
     assert abs(float(table.item(wall_row, 2).text()) - 5) < 0.01, table.item(wall_row, 2).text()
     shot("81_mechanism")

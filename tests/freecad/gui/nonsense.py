@@ -121,7 +121,7 @@ def counted_as_rows(doc, box):
     yield 0.5
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     rows = [str(table.model().headerData(r, QtCore.Qt.Vertical)) for r in range(3)]
-    words = "between pose {} and pose {} the body turns by 180".format(*rows[1:])
+    words = "between pose {} and pose {} the part turns by 180".format(*rows[1:])
     assert words in said and words in hull.Message, (words, said, hull.Message)
     panel.reject()
     yield no_panel

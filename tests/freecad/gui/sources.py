@@ -113,7 +113,7 @@ def scenario():
     assert (along - V(0, 0, 1)).Length < 1e-9, along
     assert made(doc).PoseType == "RelativeToFirst"  # it follows the wire from where the part is
 
-    # A driven value: the cell of a spreadsheet moves the box.
+    # A driving value: the cell of a spreadsheet moves the box.
     sheet = doc.addObject("Spreadsheet::Sheet", "Values")
     sheet.set("A1", "5")
     sheet.setAlias("A1", "lift")

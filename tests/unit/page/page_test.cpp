@@ -114,7 +114,7 @@ TEST(Page, ReportsThatAreNoneAreNamed) {
   const auto code = [&](const std::string& report, const std::string& part) {
     return codeOf([&] { reportPage(report, {}, run); }, part);
   };
-  EXPECT_EQ(code("", "no page can be made"), "BadReport");
+  EXPECT_EQ(code("", "this report cannot be turned into"), "BadReport");
   EXPECT_EQ(code("[]", "it is not a report of version 1"), "BadReport");
   EXPECT_EQ(
       code(R"({"report_version": 1, "command": "check"})", "'clearance', 'mechanism' and 'study'"),
@@ -157,7 +157,7 @@ TEST(Page, StudiesHaveATableAndAPartForEachRun) {
       code(R"({"run": "a", "state": "done", "page": "data:x"})", "must be a path relative to"),
       "BadReport");
   EXPECT_EQ(code(R"({"run": "a", "state": "done", "clearance": {"neighbours": 3}})",
-                 "no page can be made"),
+                 "this report cannot be turned into"),
             "BadReport");
 }
 

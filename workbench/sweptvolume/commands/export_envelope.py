@@ -9,8 +9,9 @@ class Command(BaseCommand):
     TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Export envelope...")
     TIP = QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and "
-        "checks the file. If a solid is selected, its tolerance and limits are used",
+        "Writes the selected envelope as STEP, BREP, STL, PLY, OBJ, OFF or 3MF and checks the "
+        "file. You can also select a solid that was made from an envelope: the panel then begins "
+        "with the settings of this solid",
     )
 
     def missing(self, document):

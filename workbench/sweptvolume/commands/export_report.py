@@ -29,9 +29,9 @@ class Command(BaseCommand):
         if found is not None:
             return ""
         if count:
-            return translate("SweptVolume", "Select one of the {0} checks and studies.").format(
-                count
-            )
+            return translate(
+                "SweptVolume", "The document has {0} checks and studies: select one of them."
+            ).format(count)
         return translate(
             "SweptVolume",
             "There is no check in the document: make one with Check clearance or Check mechanism.",

@@ -9,9 +9,9 @@ class Command(BaseCommand):
     TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Find path...")
     TIP = QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "Finds a path on which the selected part reaches its place and keeps its "
-        "distance from its neighbours. Select the part first, then its neighbours. A "
-        "selected motion sets the start and the goal",
+        "Finds a path on which the selected part reaches its installed position and keeps a "
+        "distance from its neighbours. Select the part first, then its neighbours. A selected "
+        "motion sets the start and the goal",
     )
 
     def missing(self, document):

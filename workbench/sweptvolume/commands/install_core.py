@@ -8,7 +8,7 @@ class Command(BaseCommand):
     NAME = "SweptVolume_InstallCore"
     TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Install the core")
     TIP = QT_TRANSLATE_NOOP(
-        "SweptVolume", "Installs the compiled package with which the workbench computes"
+        "SweptVolume", "Installs the core, the compiled package that does the computation"
     )
     NEEDS_DOCUMENT = False
 

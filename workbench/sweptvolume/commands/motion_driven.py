@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Motion from driven value: changes a property, cell or constraint over a range and records how
+"""Motion from driving value: changes a property, cell or constraint over a range and records how
 parts move."""
 from ..convert import InputProblem
 from ..texts import QT_TRANSLATE_NOOP, translate
@@ -8,7 +8,7 @@ from .base import BaseCommand
 
 class Command(BaseCommand):
     NAME = "SweptVolume_MotionDriven"
-    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Motion from driven value...")
+    TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Motion from driving value...")
     TIP = QT_TRANSLATE_NOOP(
         "SweptVolume",
         "Changes a value (a spreadsheet cell, a sketch dimension or a variable of an assembly) "

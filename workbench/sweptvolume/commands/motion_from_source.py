@@ -24,8 +24,8 @@ class Command(BaseCommand):
             return ""
         return translate(
             "SweptVolume",
-            "Select a wire, sketch, array, CAM operation or robot trajectory; or an "
-            "assembly simulation and a part.",
+            "Select a wire, sketch, array, CAM operation or robot trajectory; or an assembly "
+            "simulation and the part whose motion you want.",
         )
 
     def run(self, document):
@@ -38,8 +38,9 @@ class Command(BaseCommand):
             raise InputProblem(
                 translate(
                     "SweptVolume",
-                    "Select one wire, sketch, robot trajectory, link array, Draft array or CAM operation; "
-                    "or two curves; or an assembly simulation and the part to follow.",
+                    "Select one wire, sketch, robot trajectory, link array, Draft array or CAM "
+                    "operation; or two curves; or an assembly simulation and the part whose "
+                    "motion you want.",
                 )
             )
         source_panel.show(document, kind, objects)

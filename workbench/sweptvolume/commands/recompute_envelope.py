@@ -32,7 +32,9 @@ class Command(BaseCommand):
             return ""
         if not objects_of_kind(document, Envelope.KIND):
             return selection.wanting_envelope(document)
-        return translate("SweptVolume", "No envelope is stale. Select one to compute it again.")
+        return translate(
+            "SweptVolume", "No envelope is stale. To compute an envelope again anyway, select it."
+        )
 
     def run(self, document):
         from ..panels import envelope_panel

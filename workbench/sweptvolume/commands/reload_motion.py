@@ -11,8 +11,8 @@ class Command(BaseCommand):
     TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Reload motion")
     TIP = QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "Reads the file or source of the selected motion again. All motions of the "
-        "same driven value or simulation are read together",
+        "Reads the file or source of the selected motion again. All motions of the same driving "
+        "value or simulation are read together",
     )
 
     def missing(self, document):

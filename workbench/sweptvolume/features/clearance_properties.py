@@ -19,13 +19,15 @@ INPUT = [
     (
         "App::PropertyLinkSubListGlobal",
         "MovingParts",
-        QT_TRANSLATE_NOOP("App::Property", "Parts that move together, if no envelope is given"),
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Parts that move together. Used if no envelope is given"
+        ),
         None,
     ),
     (
         "App::PropertyLinkGlobal",
         "Motion",
-        QT_TRANSLATE_NOOP("App::Property", "Motion of the parts, if no envelope is given"),
+        QT_TRANSLATE_NOOP("App::Property", "Motion of the parts. Used if no envelope is given"),
         None,
     ),
     (
@@ -122,7 +124,7 @@ RESULT = [
     (
         "App::PropertyInteger",
         "Checked",
-        QT_TRANSLATE_NOOP("App::Property", "Neighbours checked"),
+        QT_TRANSLATE_NOOP("App::Property", "Number of neighbours checked"),
         READ_ONLY,
     ),
     (
@@ -163,7 +165,7 @@ RESULT = [
     (
         "App::PropertyString",
         "TriedHash",
-        QT_TRANSLATE_NOOP("App::Property", "Checksum of the inputs of the last run that failed"),
+        QT_TRANSLATE_NOOP("App::Property", "Checksum of the inputs of the last failed run"),
         HIDDEN,
     ),
     (
@@ -177,8 +179,8 @@ RESULT = [
         "Seen",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Parts that were visible in the last run, recorded if AllVisible was true. If one of "
-            "them changes, the result is stale",
+            "Parts that were visible in the last run (stored only if AllVisible was true). If "
+            "one of them changes, the result is stale",
         ),
         HIDDEN,
     ),

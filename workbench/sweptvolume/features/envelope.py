@@ -75,7 +75,7 @@ class Envelope(Result):
                 (
                     "TriedHash",
                     QT_TRANSLATE_NOOP(
-                        "App::Property", "Checksum of the inputs of the last run that failed"
+                        "App::Property", "Checksum of the inputs of the last failed run"
                     ),
                 ),
                 (

@@ -93,8 +93,8 @@ class Plan:
             raise InputProblem(
                 translate(
                     "SweptVolume",
-                    "There are {0} moving parts but {1} individual motions: give one "
-                    "motion for each part, or none.",
+                    "The number of moving parts is {0}, but the number of own motions is {1}: "
+                    "give every part a motion of its own, or none.",
                 ).format(len(self.pairs), len(self.motions))
             )
         reference = (self.reference, self.reference_motion)
@@ -104,7 +104,7 @@ class Plan:
             raise InputProblem(
                 translate(
                     "SweptVolume",
-                    "Cavities cannot be kept if parts have individual motions: clear Keep "
+                    "Cavities cannot be kept if parts have motions of their own: clear Keep "
                     "cavities, or create one envelope for each motion.",
                 )
             )

@@ -51,7 +51,9 @@ INPUT = [
         "Reference",
         "Input",
         QT_TRANSLATE_NOOP(
-            "App::Property", "Moving part relative to which the envelope is computed"
+            "App::Property",
+            "Reference part: the envelope is computed as seen from this part, which itself "
+            "moves. Empty: in the coordinates of the document",
         ),
         None,
         0,
@@ -72,8 +74,9 @@ ACCURACY = [
         "Accuracy",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "How far the surface may lie from the true one. Determines cell size and tolerance. 0: "
-            "Resolution or CellSize, and Tolerance are used",
+            "Largest distance allowed between the computed surface and the true one. It sets the "
+            "cell size and the tolerance. 0: the cell size comes from CellSize or Resolution, "
+            "the tolerance from Tolerance",
         ),
         None,
         0,
@@ -155,8 +158,8 @@ ACCURACY = [
         "Method",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Skips a pose if no point of the part has moved farther than this since "
-            "the last pose used. 0: uses every pose",
+            "Poses are skipped as long as no point of the part has moved farther than this "
+            "length since the last pose used. 0: every pose is used",
         ),
         None,
         0,
@@ -179,8 +182,8 @@ ACCURACY = [
         "Method",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Processor that samples the envelope: CPU, graphics processor, or chosen "
-            "automatically",
+            "Processor that computes the envelope: CPU, GPU (graphics processor), or Auto, which "
+            "chooses one of them",
         ),
         list(BACKENDS),
         0,
@@ -206,7 +209,7 @@ PLACED = (
     "Result",
     QT_TRANSLATE_NOOP(
         "App::Property",
-        "Placement of the result when the result was stored. If the present placement differs, "
+        "Placement of the result at the time it was stored. If the current placement differs, "
         "the result was moved",
     ),
     None,

@@ -30,7 +30,10 @@ CAP, EDGE, GRAZE = range(3)
 #: Number of results of one envelope whose records are kept, for Undo.
 MOST_KEPT = 3
 KINDS = (
-    QT_TRANSLATE_NOOP("SweptVolume", "Made by the face itself, in its place at one pose"),
+    QT_TRANSLATE_NOOP(
+        "SweptVolume",
+        "Made by the face itself at one of the poses, not by its motion between the poses",
+    ),
     QT_TRANSLATE_NOOP("SweptVolume", "Swept by an edge that passed here"),
     QT_TRANSLATE_NOOP("SweptVolume", "Swept by a face that passed here"),
 )

@@ -42,7 +42,7 @@ INPUT = [
         "Range",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Lists the pairs of parts that come closer than this. 0: a tenth of the "
+            "Pairs of parts that come closer than this length are listed. 0: a tenth of the "
             "median size of the parts, or more if a rule needs it",
         ),
         0.0,

@@ -68,7 +68,8 @@ def text(holder):
         return ""
     return translate(
         "SweptVolume",
-        "{0} was deleted, and {1} needs it: choose a replacement ({2}), or undo the deletion.",
+        "{0} was deleted, and {1} needs it: choose a replacement in the property {2}, or undo "
+        "the deletion.",
     ).format(
         ", ".join('"{}"'.format(entry["label"]) for entry in found),
         '"{}"'.format(holder.Label),

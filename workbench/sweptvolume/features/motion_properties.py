@@ -38,8 +38,9 @@ PROPERTIES = [
         QT_TRANSLATE_NOOP(
             "App::Property",
             "How the part moves between two poses. Linear: along a straight line, turning at a "
-            "constant rate. Screw: one screw movement. Spline: along a smooth curve through all "
-            "poses. None: only the poses themselves count, there is no motion between them",
+            "constant rate. Screw: turning about an axis and moving along it, like a screw. "
+            "Spline: along a smooth curve through all poses. None: only the poses themselves "
+            "count, there is no motion between them",
         ),
         list(INTERPOLATIONS),
         0,
@@ -180,7 +181,7 @@ PROPERTIES = [
         "App::PropertyString",
         "Message",
         "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Notes from reading the poses"),
+        QT_TRANSLATE_NOOP("App::Property", "Remarks from reading the poses"),
         None,
         READ_ONLY,
     ),
@@ -190,7 +191,8 @@ PROPERTIES = [
         "Source",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Checksum of the source when it was read. If it changes, the motion is stale",
+            "Checksum of the source at the time it was read. If the source changes after that, "
+            "the motion is stale",
         ),
         None,
         HIDDEN,
@@ -274,8 +276,8 @@ _SETTINGS = {
         "SourceStart",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Number to which the driven value (SourceValue) is set at the first pose, in its own "
-            "unit (such as mm or degrees)",
+            "Number to which the driving value (SourceValue) is set at the first pose, in its "
+            "own unit (such as mm or degrees)",
         ),
         None,
     ),
@@ -284,7 +286,7 @@ _SETTINGS = {
         "SourceEnd",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Number to which the driven value (SourceValue) is set at the last pose, in its own "
+            "Number to which the driving value (SourceValue) is set at the last pose, in its own "
             "unit (such as mm or degrees)",
         ),
         None,

@@ -124,8 +124,8 @@ class Way:
         most, where = float(reach.max()), poses.times[1 + int(reach.argmax())]
         text = translate(
             "SweptVolume",
-            'The steps of "{0}" are large: near t = {1} s the part may be about {2} '
-            "away from its true position. Read the motion with smaller steps.",
+            'The steps of "{0}" are large: near t = {1} s the part may be about {2} away from '
+            "its true position. Record the motion again with smaller steps.",
         ).format(self.label, number(where), quantity(most))
         return most, text
 

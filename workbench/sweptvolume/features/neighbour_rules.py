@@ -71,9 +71,8 @@ def read(obj):
         raise InputProblem(
             translate(
                 "SweptVolume",
-                'The rules of "{0}" are inconsistent: there are {1} parts, {2} kinds '
-                "and {3} lengths, but these numbers must be equal. Enter the rules "
-                "again.",
+                'The rules of "{0}" do not fit together (parts: {1}, kinds of rules: {2}, '
+                "lengths: {3}); these numbers must be equal. Enter the rules again.",
             ).format(obj.Label, len(pairs), len(obj.RuleKinds), len(obj.RuleLengths))
         )
     return checked(obj, zip(pairs, (convert.label_of(*pair) for pair in pairs)))
@@ -90,7 +89,7 @@ def checked(obj, parts):
             rule.length = None
         if part in rules and rules[part] != rule:
             text = translate(
-                "SweptVolume", 'Two rules for "{0}" contradict each other: remove one of them.'
+                "SweptVolume", 'There are two different rules for "{0}": remove one of them.'
             )
             raise InputProblem(text.format(label))
         rules[part] = rule

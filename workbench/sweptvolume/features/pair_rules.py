@@ -28,9 +28,9 @@ def read(obj):
         raise InputProblem(
             translate(
                 "SweptVolume",
-                'The rules of "{0}" are inconsistent: there are {1} parts, {2} kinds '
-                "and {3} lengths, but each rule needs two parts, one kind and one "
-                "length. Enter the rules again.",
+                'The rules of "{0}" do not fit together (parts: {1}, kinds of rules: {2}, '
+                "lengths: {3}); each rule needs two parts, one kind and one length. Enter the "
+                "rules again.",
             ).format(obj.Label, len(parts), len(obj.RuleKinds), len(obj.RuleLengths))
         )
     pairs = [key(*two) for two in zip(parts[::2], parts[1::2])]
@@ -79,8 +79,8 @@ def _narrower(one, other):
 def _contradiction(parts, first, second):
     text = translate(
         "SweptVolume",
-        'The rules for "{0}" and for "{1}" contradict each other for "{2}", and '
-        "neither is more specific: add a rule for this pair.",
+        'The rules for "{0}" and for "{1}" contradict each other for "{2}", and neither takes '
+        "precedence: add a rule for this pair.",
     )
     return InputProblem(text.format(label_of(first), label_of(second), label_of(parts)))
 

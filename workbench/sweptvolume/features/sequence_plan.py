@@ -119,8 +119,8 @@ class Plan(mechanism_plan.Plan):
             if motion.Interpolation == "None":
                 text = translate(
                     "SweptVolume",
-                    '"{0}" has the interpolation None: choose another interpolation, or let a path be '
-                    "found.",
+                    '"{0}" has the interpolation None: choose another interpolation, or choose '
+                    "find a path for this part.",
                 )
                 raise InputProblem(text.format(motion.Label))
         return groups

@@ -36,8 +36,8 @@ INPUT = [
         "ReleaseDistance",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "If a part touches another part at its start or end, it may keep touching that part "
-            "while no point of it is farther than this from that start or end",
+            "Release distance. A part may touch another part at the start or end of its motion. "
+            "It may go on touching it until some point of the part has moved farther than this",
         ),
         path_plan.DEFAULTS["ReleaseDistance"],
     ),

@@ -34,7 +34,7 @@ INPUT = [
         "Motion",
         "Input",
         QT_TRANSLATE_NOOP(
-            "App::Property", "Motion of the first side. None: the first side stands still"
+            "App::Property", "Motion of the first side. Empty: the first side stands still"
         ),
         None,
         0,
@@ -44,7 +44,7 @@ INPUT = [
         "NeighbourMotion",
         "Input",
         QT_TRANSLATE_NOOP(
-            "App::Property", "Motion of the second side. None: the second side stands still"
+            "App::Property", "Motion of the second side. Empty: the second side stands still"
         ),
         None,
         0,
@@ -110,9 +110,7 @@ RESULT = [
         ),
         (
             "TriedHash",
-            QT_TRANSLATE_NOOP(
-                "App::Property", "Checksum of the inputs of the last run that failed"
-            ),
+            QT_TRANSLATE_NOOP("App::Property", "Checksum of the inputs of the last failed run"),
         ),
         (missing.PROPERTY, QT_TRANSLATE_NOOP("App::Property", "Inputs that were deleted (JSON)")),
     )

@@ -118,7 +118,7 @@ PROPERTIES = [
         "App::PropertyString",
         "TriedHash",
         "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Checksum of the inputs of the last run that failed"),
+        QT_TRANSLATE_NOOP("App::Property", "Checksum of the inputs of the last failed run"),
         None,
         HIDDEN,
     ),

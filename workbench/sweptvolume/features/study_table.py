@@ -27,7 +27,7 @@ def verdict_text(row):
     """Returns the worst verdict of a run, or "" if it computed no clearance."""
     verdict = row.get("verdict", "")
     if verdict == "contact" and row["state"] == "done":
-        return translate("SweptVolume", "Contact, allowed")
+        return translate("SweptVolume", "Allowed contact")
     return translate("SweptVolume", VERDICTS[verdict]) if verdict in VERDICTS else ""
 
 

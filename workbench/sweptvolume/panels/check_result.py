@@ -197,7 +197,7 @@ class ResultPanel(StayingPanel):
             verdict = translate("SweptVolume", clearance.VERDICTS[row["verdict"]])
             met = clearance_table.meets_rule(row)
             if met and row["verdict"] == "contact":
-                verdict = translate("SweptVolume", "Contact, allowed")
+                verdict = translate("SweptVolume", "Allowed contact")
             rank = clearance_table.WORST_FIRST.index(clearance_table.judged(row))
             rule = clearance_table.rule_text(row, self.report)
             cells = (

@@ -111,7 +111,8 @@ class EnvelopePanel(StartPanel):
             self.accuracy,
             translate(
                 "SweptVolume",
-                "How far the surface may lie from the true one. Determines cell size and tolerance",
+                "Largest distance allowed between the computed surface and the true one. It sets "
+                "the cell size and the tolerance",
             ),
         )
         self.resolution = QtWidgets.QSpinBox()
@@ -195,9 +196,9 @@ class EnvelopePanel(StartPanel):
             self.filter,
             translate(
                 "SweptVolume",
-                "For recordings with very many poses. Skips a pose if no point of "
-                "the part has moved farther than this since the last pose used. 0: "
-                "uses every pose",
+                "For recordings with very many poses. Poses are skipped as long as no point of "
+                "the part has moved farther than this length since the last pose used. 0: every "
+                "pose is used",
             ),
         )
         rows.addRow(translate("SweptVolume", "Components"), self.components)
@@ -271,9 +272,13 @@ class EnvelopePanel(StartPanel):
     def plan(self):
         by = self.by.currentData()
         if by == "CellSize" and not self._given(by, self.cell) > 0:
-            raise InputProblem(translate("SweptVolume", "The cell size must be above 0 mm."))
+            raise InputProblem(
+                translate("SweptVolume", "The cell size must be above 0 mm: enter a larger value.")
+            )
         if by == "Accuracy" and not self._given(by, self.accuracy) > 0:
-            raise InputProblem(translate("SweptVolume", "The accuracy must be above 0 mm."))
+            raise InputProblem(
+                translate("SweptVolume", "The accuracy must be above 0 mm: enter a larger value.")
+            )
         parts = self.parts
         return Plan(
             parts.pairs, parts.motion(), self.values(), parts.own_motions(), *parts.seen_from()
@@ -383,7 +388,8 @@ class EnvelopePanel(StartPanel):
         if motion is None or len(motion.Placements) != 1:
             return ""
         return "\n" + translate(
-            "SweptVolume", "The motion has only one key, so the parts do not move: add another key."
+            "SweptVolume",
+            "The motion has only one pose, so the parts do not move: add another pose.",
         )
 
     # --- run

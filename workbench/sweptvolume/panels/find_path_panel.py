@@ -44,7 +44,9 @@ class FindPathPanel(SearchPanel):
         pick.setObjectName("SweptVolumePickPart")
         widgets.hint(
             pick,
-            translate("SweptVolume", "Takes the part that is selected in the tree or in the view"),
+            translate(
+                "SweptVolume", "Takes the part that is selected in the tree or in the 3D view"
+            ),
         )
         line = QtWidgets.QHBoxLayout()
         line.addWidget(self.part, 1)
@@ -113,8 +115,8 @@ class FindPathPanel(SearchPanel):
             return
         text = translate(
             "SweptVolume",
-            'The motion "{0}" does not set start and goal: only a motion with the pose type '
-            "Absolute and at least two poses does. Enter start and goal below.",
+            'The motion "{0}" does not set start and goal: this needs the pose type Absolute and '
+            "at least two poses. Enter start and goal below.",
         )
         widgets.show_message(self.message, text.format(path.Label))
 

@@ -30,7 +30,7 @@ def tell(label, problem):
     App.Console.PrintError(text)
     said = translate(
         "SweptVolume",
-        "This is a fault of the workbench ({0}: {1}). The report view has the details; please "
+        "This is an error in the workbench ({0}: {1}). The report view has the details; please "
         "report it.",
     )
     widgets.show_message(label, said.format(type(problem).__name__, problem))
@@ -63,7 +63,7 @@ def check_fields(form):
             raise InputProblem(
                 translate(
                     "SweptVolume",
-                    '{0}: "{1}" is not a valid value (it would count as {2}): correct it.',
+                    '{0}: "{1}" is not a valid value (it would be read as {2}). Correct it.',
                 ).format(name_of(field, form), edit.text(), _counts_as(field))
             )
 

@@ -47,7 +47,7 @@ def actions():
             translate("SweptVolume", "&Update"),
             translate(
                 "SweptVolume",
-                "Replaces the placement of this key by the current placement of the part",
+                "Replaces the placement of this key with the current placement of the part",
             ),
         ),
         (
@@ -226,7 +226,7 @@ def add_to(layout, part, source=""):
     button = QtWidgets.QPushButton(translate("SweptVolume", "&Pick"))
     button.setObjectName("SweptVolumeChoosePart")
     button.setToolTip(
-        translate("SweptVolume", "Takes the part that is selected in the tree or in the view")
+        translate("SweptVolume", "Takes the part that is selected in the tree or in the 3D view")
     )
     line = QtWidgets.QHBoxLayout()
     line.addWidget(_name(part), 1)

@@ -149,8 +149,8 @@ class MadePanel(StayingPanel):
             raise InputProblem(
                 translate(
                     "SweptVolume",
-                    "No record can be made for an envelope that has an offset or is conservative: "
-                    "set Offset to 0 and switch Conservative off.",
+                    "Nothing can be recorded for an envelope that has an offset or is "
+                    "conservative: set Offset to 0 and switch Conservative off.",
                 )
             )
         plan = Plan.of(self.obj)

@@ -95,7 +95,7 @@ class MechanismPanel(CheckRun, ResultPanel):
             self.fields[name] = field
         tip = translate(
             "SweptVolume",
-            "Lists the pairs of parts that come closer than this. 0: a tenth of the "
+            "Pairs of parts that come closer than this length are listed. 0: a tenth of the "
             "median size of the parts, or more if a rule needs it",
         )
         widgets.hint(self.fields["Range"], tip)

@@ -104,14 +104,16 @@ class MotionPanel(KeysInView):
         self.snap = widgets.length(1.0, 0.0, 1.0)
         self.snap_angle = widgets.angle(5.0, 0.0, 5.0)
         tip = translate(
-            "SweptVolume", "Step size of the arrows and arcs in the 3D view. 0: no steps"
+            "SweptVolume",
+            "Increment when you drag an arrow (mm) or an arc (degrees) in the 3D view. 0: no "
+            "increments",
         )
         round_button = QtWidgets.QPushButton(translate("SweptVolume", "R&ound"))
         round_button.setObjectName("SweptVolumeRound")
         round_button.setToolTip(
             translate(
                 "SweptVolume",
-                "Rounds the placement of the chosen key to multiples of the step sizes",
+                "Rounds the placement of the chosen key to multiples of these increments",
             )
         )
         round_button.clicked.connect(lambda *ignored: self.act("Round"))

@@ -66,8 +66,9 @@ class MovingBox(MotionTable):
             translate("SweptVolume", "Add a&ll its parts"),
             translate(
                 "SweptVolume",
-                "Runs the source once and adds every part that moves. Reads the "
-                "existing motions of these parts again, and creates the missing ones",
+                "Runs the chosen simulation or driving value once, and adds every part that "
+                "moves. Existing motions of these parts are recorded again, missing ones are "
+                "created",
             ),
             self.take_all,
         )
@@ -95,8 +96,8 @@ class MovingBox(MotionTable):
             if not pairs:
                 text = translate(
                     "SweptVolume",
-                    'The motion "{0}" does not say which part it moves: add the part to '
-                    "the list, then choose the motion for it.",
+                    'The motion "{0}" does not say which part it moves: add the part to the '
+                    "table of moving parts, then choose this motion in the row of the part.",
                 )
                 raise InputProblem(text.format(path.Label))
             for pair in pairs:

@@ -54,7 +54,8 @@ class OverlapPanel(StayingPanel):
             widgets.length(DEFAULTS["RequiredDistance"], 0.0, 0.5),
             translate(
                 "SweptVolume",
-                "0: reserved spaces may lie close together, but must not touch",
+                "Distance that the objects must keep from each other. 0: they may lie close "
+                "together, but must not touch",
             ),
         )
         self.required.setObjectName("SweptVolumeSpacesRequired")
@@ -91,8 +92,8 @@ class OverlapPanel(StayingPanel):
             QtWidgets.QPushButton(translate("SweptVolume", "Keep s&hared volume")),
             translate(
                 "SweptVolume",
-                "Adds the shared volume of the two objects to the document. The new object shows "
-                "when it is stale",
+                "Adds the shared volume of the two objects to the document. A clock marks the "
+                "new object when it is stale",
             ),
         )
         self.keep.setObjectName("SweptVolumeKeepShared")

@@ -36,7 +36,8 @@ def _found(report):
     if report["contacts"]:
         text = translate(
             "SweptVolume",
-            "Within the release distance of {0}, the part is allowed to come closer " "to: {1}.",
+            "Within the release distance of {0}, the part is allowed to come closer than "
+            "required to: {1}.",
         ).format(quantities.quantity(report["release"]), _names(report["contacts"]))
         lines.append(text)
     return lines

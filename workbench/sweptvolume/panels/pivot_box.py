@@ -119,8 +119,8 @@ def selected_point():
     raise InputProblem(
         translate(
             "SweptVolume",
-            "Select a vertex, an edge or a face in the 3D view first: its centre "
-            "becomes the pivot.",
+            "Select a vertex, an edge or a face in the 3D view first. The vertex, or the centre "
+            "of the edge or face, becomes the pivot.",
         )
     )
 

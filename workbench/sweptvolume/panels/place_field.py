@@ -82,9 +82,9 @@ class PlaceField(QtWidgets.QWidget):
         else:
             tip = translate(
                 "SweptVolume",
-                "Direction x, y, z in which the part leaves its place. The button "
-                "Take enters the normal of the selected face, or the direction of "
-                "the selected edge",
+                "Direction (x, y, z) in which the part leaves its installed position. The button "
+                "Take enters the normal of the selected face, or the direction of the selected "
+                "edge",
             )
         for field in (self.numbers, self.take):
             field.setToolTip(tip)

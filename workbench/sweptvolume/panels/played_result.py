@@ -64,8 +64,8 @@ class PlayedPanel(check_result.ResultPanel):
             QtWidgets.QCheckBox(translate("SweptVolume", "S&ection through the closest place")),
             translate(
                 "SweptVolume",
-                "Hides everything in front of the closest place. The section follows "
-                "the chosen row and the player",
+                "Hides everything in front of the closest place. The section follows the "
+                "selected row and the playback",
             ),
         )
         self.section.setObjectName("SweptVolumeSection")
@@ -237,5 +237,7 @@ class PlayedPanel(check_result.ResultPanel):
 def gone():
     """Returns the InputProblem for a part in the report that does not exist any more."""
     return InputProblem(
-        translate("SweptVolume", "A part of this row no longer exists: run the check again.")
+        translate(
+            "SweptVolume", "One of the parts in this row no longer exists: run the check again."
+        )
     )

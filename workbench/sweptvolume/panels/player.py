@@ -43,7 +43,7 @@ class Player(QtWidgets.QGroupBox):
         self.speed.setObjectName("SweptVolumeSpeed")
         self.speed.setMinimumContentsLength(4)
         self.speed.setToolTip(
-            translate("SweptVolume", "Speed: seconds of motion for each second of playing")
+            translate("SweptVolume", "Speed: seconds of the motion in one second of playback")
         )
         self.loop = QtWidgets.QCheckBox(translate("SweptVolume", "Loop"))
         self.loop.setObjectName("SweptVolumeLoop")

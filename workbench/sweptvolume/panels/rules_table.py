@@ -75,14 +75,14 @@ class RulesTable(QtWidgets.QTableWidget):
         self.horizontalHeaderItem(LENGTH).setToolTip(
             translate(
                 "SweptVolume",
-                "Required distance for this row (empty: the common required distance below). If "
-                "contact is allowed: how deep the parts may overlap (empty: no measurable "
+                "Required distance for this row (empty: the value of Required distance below). "
+                "If contact is allowed: how deep the parts may overlap (empty: no measurable "
                 "overlap)",
             )
             if CONTACT in kinds
             else translate(
                 "SweptVolume",
-                "Required distance for this row (empty: the common required distance below)",
+                "Required distance for this row (empty: the value of Required distance below)",
             )
         )
         self.horizontalHeaderItem(KIND).setToolTip(

@@ -48,9 +48,8 @@ class SearchPanel(StayingPanel):
             widgets.length(now["ReleaseDistance"], 0.0, 5.0),
             translate(
                 "SweptVolume",
-                "If the part is closer to a neighbour than the required distance at its start or "
-                "goal, it may stay that close while no point of the part is farther than this "
-                "from its position at that end",
+                "At the start and the goal, the part may be closer to a neighbour than required. "
+                "It may stay that close until some point of the part has moved farther than this",
             ),
         )
         self.release.setObjectName("SweptVolumeRelease")

@@ -203,7 +203,7 @@ def wanting_envelope(document):
         translate(
             "SweptVolume", "There is no envelope in the document: make one with Create envelope."
         ),
-        translate("SweptVolume", "Select one of the {0} envelopes."),
+        translate("SweptVolume", "The document has {0} envelopes: select one of them."),
     )
 
 
@@ -213,7 +213,7 @@ def wanting_motion(document):
         document,
         Motion.KIND,
         translate("SweptVolume", "There is no motion in the document: make one with New motion."),
-        translate("SweptVolume", "Select one of the {0} motions."),
+        translate("SweptVolume", "The document has {0} motions: select one of them."),
     )
 
 

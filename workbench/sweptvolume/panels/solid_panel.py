@@ -89,7 +89,7 @@ class SolidPanel(StartPanel):
                 "SweptVolume",
                 "Writes the triangles themselves instead of faces. This is exact and fast, and "
                 "there is no limit on the number of triangles. Only programs that read "
-                "tessellated STEP can open the file; FreeCAD 0.20 cannot",
+                "tessellated STEP can open the file: FreeCAD 1.1 can, FreeCAD 0.20 cannot",
             ),
         )
         step = self.path.lower().endswith((".step", ".stp"))

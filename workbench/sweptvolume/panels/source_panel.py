@@ -26,7 +26,7 @@ class SourcePanel:
         self.title = translate("SweptVolume", "Motion from object")
         icon_name = "SweptVolume_MotionFromSource"
         if kind == "Driven":
-            self.title = translate("SweptVolume", "Motion from driven value")
+            self.title = translate("SweptVolume", "Motion from driving value")
             icon_name = "SweptVolume_MotionDriven"
         self.form, layout = widgets.window(self.title, icon_name)
         rows = widgets.group(", ".join(o.Label for o in objects), layout)
@@ -81,9 +81,9 @@ class SourcePanel:
             orientation,
             translate(
                 "SweptVolume",
-                "Fixed: the part never turns. Tangent: the x axis of the part follows the tangent. "
-                "Second curve: the z axis points to the second curve; select both curves, the one to "
-                "follow first",
+                "Fixed: the part never turns. Tangent: the x axis of the part follows the "
+                "tangent. Second curve: as Tangent, and the z axis points to the second curve; "
+                "select two curves, first the one that the part follows",
             ),
         )
         rows.addRow(translate("SweptVolume", "Orientation"), orientation)

@@ -75,7 +75,7 @@ class StudyPanel(StayingPanel):
         self.jobs = QtWidgets.QSpinBox()
         self.jobs.setObjectName("SweptVolumeStudyJobs")
         self.jobs.setRange(0, 256)
-        self.jobs.setSpecialValueText(translate("SweptVolume", "one for each core"))
+        self.jobs.setSpecialValueText(translate("SweptVolume", "one for each processor core"))
         self.jobs.setValue(plan.jobs)
         rows.addRow(translate("SweptVolume", "Runs at once"), self.jobs)
         self.start_button = QtWidgets.QPushButton()

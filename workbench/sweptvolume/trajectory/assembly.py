@@ -47,7 +47,8 @@ def pair(objects):
         raise InputProblem(
             translate(
                 "SweptVolume",
-                "Select an assembly simulation in the tree, then also the part to follow.",
+                "Select an assembly simulation in the tree, then also the part whose motion you "
+                "want.",
             )
         )
     return objects

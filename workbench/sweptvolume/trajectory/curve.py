@@ -55,8 +55,8 @@ def poses(objects, count, orientation, duration):
         raise InputProblem(
             translate(
                 "SweptVolume",
-                "A curve needs at least two poses: set Count to 2 or more, or to 0 (then Accuracy "
-                "decides).",
+                "A curve needs at least two poses: set Count to 2 or more, or to 0 (Accuracy "
+                "then determines the number).",
             )
         )
     track = _Track(edges)

@@ -181,7 +181,7 @@ def pair(objects):
         raise InputProblem(
             translate(
                 "SweptVolume",
-                "Select the object with the value to change, then the part to follow.",
+                "Select the object with the value to change, then the part whose motion you want.",
             )
         )
     return objects

@@ -62,7 +62,7 @@ class Recording:
         if change(np.array([matrix_of(p) for p in self.placements[k]])) <= STILL:
             text = translate(
                 "SweptVolume",
-                '"{0}" stands still in all {1} frames: choose a part that is moved, or check the '
+                '"{0}" stands still in all {1} frames: choose a part that moves, or check the '
                 "joints and formulas.",
             )
             notes.append(text.format(label_of(*self.places[k]), count(len(self.times))))

@@ -17,15 +17,14 @@ FRAMES = ["Absolute", "Relative", "RelativeToFirst"]
 FRAME_HELP = QT_TRANSLATE_NOOP(
     "App::Property",
     "What a pose means.\n"
-    "Absolute: the pose replaces the present placement of the part. This is the "
-    "default; captured placements and recorded motions use it.\n"
-    "Relative: the pose is added to the present placement of the part. The identity "
-    "leaves the part in place.\n"
-    "RelativeToFirst: as Relative, but measured from the first pose. The motion "
-    "starts at the present placement of the part.\n"
-    "Several parts move together as one rigid body; with Absolute, the poses are "
-    "those of the first part. A motion in a group uses the coordinates of the group "
-    "and moves with the group.",
+    "Absolute: the pose replaces the current placement of the part. This is the default; "
+    "captured placements and recorded motions use it.\n"
+    "Relative: the pose is added to the current placement of the part. A pose without shift and "
+    "rotation leaves the part in place.\n"
+    "RelativeToFirst: as Relative, but measured from the first pose. The motion starts at the "
+    "current placement of the part.\n"
+    "Several parts move together as one rigid body; with Absolute, the poses are those of the "
+    "first part. A motion in a group uses the coordinates of the group and moves with the group.",
 )
 
 
@@ -63,8 +62,8 @@ class Poses:
         for i in np.flatnonzero(times[1:] < times[:-1])[:1]:
             text = translate(
                 "SweptVolume",
-                "Pose {0}: its time {1:g} s is earlier than the time {2:g} s of the "
-                "pose before. Times must not decrease.",
+                "Pose {0}: its time {1:g} s is earlier than the time {2:g} s of the pose before. "
+                "Correct one of these times; times must not decrease.",
             )
             raise InputProblem(text.format(i + 2, times[i + 1], times[i]))
 

@@ -16,10 +16,10 @@ std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
                                std::uint64_t{1} << 30});
   if (most < 3) {
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
-                "no GPU can be used: its limits are too small (storage block " +
-                    std::to_string(limits.storageBytes) + " bytes, budget " +
-                    std::to_string(budgetBytes) + " bytes; at least 12 are needed)" +
-                    kDeviceAdvice);
+                "no GPU can be used, because it offers too little memory (largest storage block: " +
+                    std::to_string(limits.storageBytes) +
+                    " bytes, memory for the grid: " + std::to_string(budgetBytes) +
+                    " bytes; each must have at least 12 bytes)" + kDeviceAdvice);
   }
   const std::int32_t nx = grid.points[0], ny = grid.points[1], nz = grid.points[2];
   const auto atMost = [](std::int32_t points, std::uint64_t fitting) {

@@ -200,8 +200,9 @@ void reportGarbage(const std::string& device, const std::string& what) {
 }
 
 void GlContext::lost(const std::string& what) const {
-  throw Error(Status::DeviceLost, "DeviceLost",
-              "the GPU was lost (" + what + ") on " + device_ + kDeviceAdvice);
+  throw Error(
+      Status::DeviceLost, "DeviceLost",
+      "the GPU stopped responding or was reset (" + what + ") on " + device_ + kDeviceAdvice);
 }
 
 double GlContext::finish(double timeoutSeconds) const {

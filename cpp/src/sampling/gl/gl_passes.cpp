@@ -79,7 +79,8 @@ void GlPasses::requireLimits() const {
     if (has >= minCount) return;
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
                 "no GPU can be used: " + context_.device() + " offers " + std::to_string(has) +
-                    " " + what + ", but at least " + std::to_string(minCount) + kDeviceAdvice);
+                    " " + what + ", but at least " + std::to_string(minCount) + " are needed" +
+                    kDeviceAdvice);
   };
   need("storage blocks in a compute shader", limits.storageBlocks, kBuffers);
   const auto body = static_cast<std::int64_t>(std::max(

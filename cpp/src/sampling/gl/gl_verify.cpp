@@ -236,7 +236,7 @@ void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const Sig
         if (!reader.outside(k)) continue;
         reportGarbage(device, "the outside reaches the lattice point (" +
                                   std::to_string(line.first) + ", " + std::to_string(line.second) +
-                                  ", " + std::to_string(k) + ") inside the body");
+                                  ", " + std::to_string(k) + ") inside the part");
       }
     }
   }
