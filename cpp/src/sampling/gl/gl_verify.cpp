@@ -35,8 +35,8 @@ std::string edgeName(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
 }
 
 /// A test case: an octahedron that turns and moves. Its sweep consists of faces and side patches.
-/// Some vertices and edges lie exactly on lattice lines. The memory budget of the test cuts its grid
-/// into two bricks (brick_plan.h).
+/// Some vertices and edges lie exactly on lattice lines. The memory budget of the test cuts its
+/// grid into two bricks (brick_plan.h).
 struct KnownField {
   TriMesh body;
   Motion motion;

@@ -71,9 +71,9 @@ Eigen::RowVectorXd valueOf(const Knots& knots, const Eigen::MatrixXd& poles, dou
 using ExactRow = std::function<Eigen::RowVectorXd(double)>;
 
 /// Returns knots with which the interpolating spline is within `bound` of the exact values. Every
-/// three columns of a row are the coordinates of one point. Cuts only spans that are too inaccurate,
-/// so knots are dense only where necessary. Returns nothing if `mostSpans` spans do not suffice or a
-/// value is not finite.
+/// three columns of a row are the coordinates of one point. Cuts only spans that are too
+/// inaccurate, so knots are dense only where necessary. Returns nothing if `mostSpans` spans do not
+/// suffice or a value is not finite.
 std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, double bound,
                               std::size_t mostSpans);
 
