@@ -46,9 +46,8 @@ Partition partitionOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole,
   return partition;
 }
 
-// Turns patches into open ground (triangles without a patch). Vertices on their borders may have
-// moved along the surfaces, so the new triangles must stay near the original vertices of these
-// patches.
+// Turns patches into open ground. Vertices on their borders may have moved along the surfaces, so
+// the new triangles must stay near the original vertices of these patches.
 void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh& dense,
                    const Partition& first, Decimated& now) {
   now.attached.resize(now.mesh.triangles.size());

@@ -1,5 +1,4 @@
-// Simplification: deviation, topology, creases, and recut(), which simplifies the stored original
-// surface to another tolerance.
+// Simplification: deviation, topology, creases, and recut() to another tolerance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "simplify/simplify.h"
 
