@@ -1,4 +1,4 @@
-// Plane outlines of straight lines and arcs, and the solids above them.
+// Plane outlines of straight lines and arcs, and the prisms extruded from them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,9 +1,9 @@
 // Encloses small groups of triangles in thin cylinders ("plates"). On a curved or slanted surface,
 // a box aligned with the axes of the mesh is as thick as it is wide. A cylinder whose axis is the
 // surface normal is flat there.
-// In:      the leaves of a bounding volume hierarchy.
-// Out:     for a pair of nodes, a lower bound of their distance and the direction in which this
-//        bound holds.
+// In:      a bounding volume hierarchy of triangles.
+// Out:     for a pair of nodes, a lower bound of their distance, and a direction along which they
+//        are at least this far apart.
 // Units:   mm.
 // Cost:    about 20 bytes per triangle and one pass over the triangles for each of the lowest
 //          levels. The gap of two plates costs about as much as the gap of two boxes.

@@ -128,10 +128,12 @@ bool beginsArc(const Points& ring, std::size_t at) {
          std::abs(q.normal.dot(direction)) > kMaxLevelOffset;
 }
 
-/// Looks for a known side: a side between two arcs of the ring that has a crossing. Cuts the ring
-/// into two arcs in all ways, and tries the crossings at the ends of the arcs. The planes of each
-/// arc must meet the plane of such a crossing in an edge or corner within the cell. Returns the
-/// best crossing, and its arcs in `arcs`. Returns nothing if there is no such crossing.
+/// Looks for a known side: a third side between two arcs of the ring, whose plane is known from a
+/// crossing of the ring. Tries all pairs of cuts at which an arc may begin (beginsArc()), and for
+/// each pair the crossings at the ends of both arcs. The planes of each arc, together with the
+/// plane of the crossing, must form an edge or corner within the cell. Returns the crossing with
+/// the smallest error of these planes, and its arcs in `arcs`. Returns nothing if all errors are
+/// too large.
 std::optional<Point> bestKnownSide(const Points& ring, std::array<Points, 2>& arcs) {
   std::optional<Point> found;
   double least = kMaxPlaneMiss * kMaxPlaneMiss * static_cast<double>(ring.size());

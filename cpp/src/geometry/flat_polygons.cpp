@@ -49,8 +49,8 @@ bool blocks(const Point& a, const Point& b, const Point& c, const Point& d) {
          ((a1 >= 0) != (b1 > 0) || (a1 > 0) != (b1 >= 0));
 }
 
-/// Joins a hole to its polygon along the shortest line that crosses neither the hole nor the
-/// polygon.
+/// Joins a hole to its polygon along the shortest of some lines that crosses neither the hole nor
+/// the polygon.
 void joinHole(Polygon& polygon, const Polygon& hole) {
   struct Bridge {
     double length;

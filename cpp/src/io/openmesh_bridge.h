@@ -19,8 +19,9 @@ namespace swept {
 /// Collects the vertices and faces that a reader finds. Ignores normals, colours and texture.
 class ListImporter final : public OpenMesh::IO::BaseImporter {
  public:
-  /// A file of this size with more elements than these counts must be damaged. The importer then
-  /// throws Error(InvalidInput, "BadFile"), which names `path`.
+  /// A file of `bytes` bytes with more than `maxVertices` vertices or `maxCorners` face corners
+  /// must be damaged. The importer then throws Error(InvalidInput, "BadFile") with `path` in the
+  /// message.
   ListImporter(std::string path, std::uint64_t bytes, std::uint64_t maxVertices,
                std::uint64_t maxCorners)
       : path_(std::move(path)), bytes_(bytes), maxVertices_(maxVertices), maxCorners_(maxCorners) {}

@@ -1,5 +1,5 @@
-// Splits a text file into words and knows the line and column of each word.
-// In:   the whole text. Out: words, lines; nothing is copied.
+// Splits the text of a file into words, and keeps track of their lines and columns for messages.
+// In:   the whole text. Out: words as views of the text, which must outlive them; line numbers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

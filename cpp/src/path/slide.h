@@ -39,7 +39,7 @@ void dropFar(const Scene& scene, const State& state, const Rule& rule, double re
              Touches& touches);
 
 /// Returns the move nearest to `wanted` that keeps, to first order, the required distance of each
-/// listed pair. If there is room, pairs also keep a small margin.
+/// listed pair. If the contacts allow it, pairs also keep a small margin.
 Twist allowedMove(const Scene& scene, const State& state, const Rule& rule, const Touches& touches,
                   const Twist& wanted);
 

@@ -57,8 +57,9 @@ SamplingTrial::SamplingTrial(const SamplerInput& whole, RunContext& run)
 
 double SamplingTrial::bytesOf(const SamplingCost& sampling, double surface, double threads) const {
   const SamplerInput whole = input(whole_.motion);
-  // Work items drop some crossings while they still sample (thinning), but only if they have
-  // many. A union of many placements has thousands of items, so perhaps none of them has enough.
+  // A work item drops some crossings during sampling (thinning), but only if it has many placements
+  // and crossings. A union of many placements has thousands of items, so each may have too few
+  // crossings.
   const double items = static_cast<double>(workItems(whole).size());
   const bool thins =
       sampling.crossings > items * kMinThinRecords && placementsOfItem(whole) >= kMinThinPlacements;

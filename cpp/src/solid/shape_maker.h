@@ -1,5 +1,6 @@
-// Makes the model of a mesh: recognises surfaces, simplifies the rest, and builds the model.
-// Repeats this without the surfaces that the judge (model/judge.h) refuses.
+// Turns a mesh into a model of a solid (model/model.h): recognises surfaces, simplifies the other
+// triangles, and builds faces and edges. The judge (model/judge.h) asks the geometry kernel whether
+// the faces are valid. If it refuses some, repeats this without their surfaces.
 // In:      `dense`, the mesh to work on; `whole`, the mesh from which the deviation is measured;
 //        the options with the tolerance; fits(count), which returns whether that many faces are
 //        allowed.

@@ -204,8 +204,8 @@ using SolidResult = std::optional<StepReport>;
 using SolidResult = std::optional<int>;
 #endif
 
-// Returns whether the solid can get the surfaces of the body's faces and those that its edges
-// sweep.
+// Returns whether the output is a solid whose surfaces may be derived from the body: from its
+// faces, and from the surfaces that its edges and faces sweep (SolidOrigin).
 bool wantsBodyFaces(const EnvelopeJob& job, const Body& body) {
 #ifdef HAVE_SWEPT_SOLID
   const Options& options = job.options;

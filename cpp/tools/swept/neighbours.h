@@ -1,4 +1,4 @@
-// Options and reading of neighbours, the parts that stand still.
+// Command-line options for the neighbours (the parts that stand still), and reading of their files.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -36,8 +36,8 @@ TriMesh shaft(double height) {
   return mesh;
 }
 
-/// Blocks on top of each other in a shaft: each has to wait for those below it. They are given
-/// from the top.
+/// Blocks on top of each other in a shaft. In the assembly, each block has to wait for those below
+/// it. The list starts with the top block.
 Problem stack(int count) {
   Problem p;
   p.still.push_back({"shaft", shaft(12 * count + 5), 0});

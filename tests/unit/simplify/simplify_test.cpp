@@ -1,4 +1,4 @@
-// Simplification: deviation, topology, creases, and recut() of the kept surface.
+// Simplification: deviation, topology, creases, and recut() to another tolerance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "simplify/simplify.h"
 

@@ -124,7 +124,8 @@ TEST_F(Recognition, SweptBoxIsItsPolyhedron) {
   trajectory.poses[1].timeSeconds = 1;
   trajectory.poses[1].translation = travel;
   Options options;
-  // A crease may be off by a quarter of a cell (0.14 mm here), which the tolerance has to cover.
+  // A crease may be off by a quarter of a cell. The cells are 0.14 mm here, so this is 0.035 mm,
+  // which the tolerance of 0.05 mm covers.
   options.resolution = 256;
   RunContext run;
   const Result result = compute(body, trajectory, options, run);

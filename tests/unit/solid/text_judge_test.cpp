@@ -1,5 +1,5 @@
-// A solid that a reader outside the library has checked is the same as one that the kernel has
-// checked.
+// The library writes the same solid, whether the linked kernel checks its shape or another program
+// that reads its text. At most the vertices differ (Case::sameBytes).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/text_judge.h"
 

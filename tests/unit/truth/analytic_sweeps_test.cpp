@@ -1,7 +1,7 @@
 // Sweeps whose exact surface is known as a formula, at several cell sizes and orientations.
 // Limits: distance from the exact surface at most 1 cell everywhere and at most 0.25 cell at
-// creases, volume error at most 0.05 x area x cell. The mesh check must find no fault. The limits
-// depend on cell and area, never on the size of the whole shape.
+// creases, volume error at most 0.05 x area x cell. No limit is a fraction of the diameter or of
+// the volume of the shape. The mesh check must find no fault.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -126,8 +126,8 @@ std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& r
   const std::size_t placements = input.motion.placements.size();
   const std::size_t perCopy = input.motion.mergeError > 0 ? kMergedPerCopy : kPlacementsPerCopy;
   const std::size_t count = std::min(kMost, placements / perCopy);
-  // The cache keeps crossings for the next run, so they must not depend on other parts of this
-  // motion.
+  // With a cache, nothing may be hidden. The next run may reuse the crossings of one part of the
+  // motion, although the parts that would have hidden some crossings have changed.
   const bool mayHide = input.cull && input.orientable && input.fillsHollows && !input.cache;
   if (count < kFewest || !mayHide) {
     return std::nullopt;

@@ -1,5 +1,5 @@
 // Finds points that certainly lie inside a sweep, by sampling a few whole copies of the body. Most
-// of the sweep of a recorded motion lies deep inside and then need not be sampled.
+// of the sweep of a recorded motion lies deep inside (inside_map.h) and then need not be sampled.
 //
 // In: sampler input with a closed body. Out: the lattice points that the copies enclose.
 // Units: cells. Cost: sampling the copies, a small part of sampling the motion.

@@ -3,13 +3,14 @@
 // and how much is open. Units: mm. Cost: one support query and one exact test per surface point.
 // Source: own method; docs/pipeline.md, "Dense motions".
 //
-// The choice can err only in one way: it may call a covered point outside. A point that it calls
-// inside is inside, because each sampled crossing belongs to the sweep. The search tests each
-// lattice point next to the surface against all placements. A support query gives the placement
-// that moves the surface farthest there. An exact test shows whether the body at this placement
-// covers the point. From a covered point that the choice called outside, the search follows
-// unmarked edges to the surface of the covering copy. An unmarked edge that this surface crosses is
-// a hole. The missing pair is the triangle at the crossing, with the placement of the copy.
+// The chosen pairs can be wrong in one way only: a point that the body covers at some placement may
+// be outside by these pairs. A point that is inside by these pairs is inside, because each sampled
+// crossing belongs to the sweep. The search tests each lattice point next to the surface against
+// all placements. A support query gives the placement that moves the surface farthest there. An
+// exact test shows whether the body at this placement covers the point. From a covered point, the
+// search follows unmarked edges to the surface of the body at this placement. An unmarked edge that
+// this surface crosses is a hole. The missing pair is the triangle at the crossing, with this
+// placement.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -29,7 +30,7 @@ namespace swept::dense {
 
 struct LeakSearch {
   std::int64_t tested = 0;  ///< number of surface points (outside ends of edges) that were tested
-  /// Number of these points that a placement covers although the choice called them outside.
+  /// Number of these points that some placement covers. By the chosen pairs, they are outside.
   std::int64_t covered = 0;
   double deepest = 0;    ///< mm: largest advance of a missed placement beyond such a point
   bool complete = true;  ///< false: the search stopped at a limit

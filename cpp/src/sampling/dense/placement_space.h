@@ -7,13 +7,13 @@
 // Promise: of equal values the lower index wins, so results are the same for any number of threads.
 // Source: docs/pipeline.md, "Dense motions".
 //
-// Relative to a mean placement, a body point with mean position c + q moves by dt + w x q, to first
 // Let a body point have the position c + q at a mean placement (c: centre of the body). At another
 // placement, it has moved by dt + w x q, to first order in the turn w. So its advance along a unit
 // normal n is n.dt + (q x n).w, which is linear in the point (dt, w). Therefore a support query
 // finds the placement that moves a piece of surface farthest. It uses branch and bound over a tree
 // of boxes. remainder() is the error of the linear form in any direction, to second order: radius *
 // |w|^2 / 2.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,5 @@
-// Does one sampling run on the GPU, from opening the device to verified marks and winners.
+// Does one sampling run on the GPU, from opening the device to verified marks and winners
+// (EdgeWinner, gl_passes.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -37,8 +37,10 @@ struct Target {
   std::uint32_t row = 0, k = 0;
 };
 
-/// Result of pass 2 for a target. Element numbers are relative to the first element of the epoch
-/// (successive chunks with few enough elements for 32-bit numbers).
+/// Result of pass 2 for a target: its "winners", the elements with the first and the last crossing
+/// of the edge. Fractions say where these crossings lie on the edge. Element numbers are relative
+/// to the first element of the epoch (successive chunks with few enough elements for 32-bit
+/// numbers).
 struct EdgeWinner {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t lowFraction = kNone, highFraction = 0;  ///< in units of 1 / (2^23 - 1)

@@ -19,7 +19,8 @@ namespace {
 constexpr int kReopenings = 1;
 constexpr float kFractionUnits = (1 << CrossingRecord::kFractionBits) - 1;
 
-/// Appends the marked edges of one brick to its layers, after the columns of earlier bricks.
+/// Appends the marked edges of one brick to the grid layers that it covers, after the edges of
+/// earlier bricks. `columns` receives the j of each edge.
 void collect(const Brick& brick, const std::vector<std::uint32_t>& marks,
              std::vector<LayerEdges>& layers, std::vector<std::vector<std::uint32_t>>& columns) {
   const auto words = static_cast<std::size_t>(brick.words());

@@ -34,8 +34,9 @@ std::string edgeName(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
   return textOf(6, "lattice edge (", i, ", ", j, ", ", k, ") along ") + "xyz"[axis];
 }
 
-/// A test case: an octahedron that turns and moves. Its sweep has faces and side patches, vertices
-/// and edges exactly on lattice lines, and two bricks.
+/// A test case: an octahedron that turns and moves. Its sweep consists of faces and side patches.
+/// Some vertices and edges lie exactly on lattice lines. The memory budget of the test cuts its
+/// grid into two bricks (brick_plan.h).
 struct KnownField {
   TriMesh body;
   Motion motion;

@@ -28,7 +28,7 @@ void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const Sig
                  const std::string& device);
 
 /// Chooses about `samples` contributing edges in at most 16 random layers. Checks that their
-/// winners cross them at the given fractions.
+/// winners (EdgeWinner) cross them at the given fractions.
 void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const SignRuns& signs,
                    const std::string& device, int samples);
 

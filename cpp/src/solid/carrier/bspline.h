@@ -70,9 +70,10 @@ Eigen::RowVectorXd valueOf(const Knots& knots, const Eigen::MatrixXd& poles, dou
 /// Several exact curves at once. The values at one parameter form one row.
 using ExactRow = std::function<Eigen::RowVectorXd(double)>;
 
-/// Returns knots with which the interpolating spline is within `bound` of the exact values. Each
-/// three columns of a row are a point. Cuts only spans that are too inaccurate, so knots are dense
-/// only where necessary. Returns nothing if `mostSpans` do not suffice or a value is not finite.
+/// Returns knots with which the interpolating spline is within `bound` of the exact values. Every
+/// three columns of a row are the coordinates of one point. Cuts only spans that are too
+/// inaccurate, so knots are dense only where necessary. Returns nothing if `mostSpans` spans do not
+/// suffice or a value is not finite.
 std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, double bound,
                               std::size_t mostSpans);
 

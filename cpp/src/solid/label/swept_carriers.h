@@ -23,7 +23,7 @@ namespace swept::step {
 
 class SweptCarriers {
  public:
-  /// `room`: mm, how far the surface that an edge sweeps is extended at its borders.
+  /// `room` (mm): a surface that an edge sweeps is extended by this length at its borders.
   SweptCarriers(const BodyShape& body, const Trajectory& trajectory, double room);
 
   /// Makes the carriers that may explain this source. Returns their numbers; none if no carrier of

@@ -1,4 +1,5 @@
-// Reduces the triangles where no surface was recognised (open ground).
+// Reduces the triangles that belong to no patch, because no surface was recognised there. They are
+// called open ground.
 // In:      HalfEdgeMesh, Partition, tolerance. Triangles of patches keep their patch. In open
 //        ground (patchOf < 0) edges are collapsed (simplify/collapse.h); patches are labels there.
 //        Before that, the borders of patches are moved onto the surfaces of the patches.

@@ -1,7 +1,7 @@
-// Interface to a geometry kernel for making a solid: it decides whether the kernel accepts the
-// faces of a model, and whether it reads a file back as it was written. The kernel changes nothing:
-// the text of the file is made from the model alone. So the solid is the same with every kernel
-// that gives the same answers.
+// The judge: an interface to a geometry kernel for making a solid. It decides whether the kernel
+// accepts the faces of a model, and whether it reads a file back as it was written. The kernel
+// changes nothing: the text of the file is made from the model alone. So the solid is the same with
+// every kernel that gives the same answers.
 // In:      a Model. Out: indices into Model::faces and Model::edges.
 // Units:   mm.
 // Throws Error(ExportFailed, "KernelFailure" | "RereadFailed"), Error(Cancelled).
@@ -29,8 +29,9 @@ class Judge {
   /// Takes a model, to which the next four functions refer. Returns the faces that the kernel
   /// cannot make.
   virtual std::vector<std::int32_t> take(const Model& model, RunContext& run) = 0;
-  /// Returns edges of curved faces that are farther from a face than a reader of the file would
-  /// assume. Each entry has the curve parameter at which the distance is largest.
+  /// Returns "unheld" edges: edges of curved faces that are farther from one of their faces than a
+  /// reader of the file would assume. Each entry has the curve parameter at which the distance is
+  /// largest.
   virtual std::vector<EdgeCut> findUnheldEdges(const Model& model) = 0;
   /// Returns faces that are not valid. `from` and `to`: progress of the export (0 to 1).
   virtual std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) = 0;

@@ -1,6 +1,7 @@
 // Finds patches that are not worth their border.
 // In:      a rough simplification of a mesh with patches.
-// Out:     patches that save fewer facets than their border on open ground adds.
+// Out:     patches that save fewer facets than their border on open ground (the triangles without a
+//          patch) adds.
 // Units:   mm.
 // Cost:    O(triangles).
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -152,8 +152,10 @@ bool isSane(const Carrier& s, const PointSpread& spread) {
   }
 }
 
-// Returns the surface after a small change of its parameters. delta: shifts along e1, e2 and the
-// axis; two tilts; two sizes.
+// Returns the surface after a small change of its parameters. delta, all in mm: shifts along e1, e2
+// and the axis; tilts of the axis towards e1 and e2; change of the radius; change of the minor
+// radius (torus) or of the half angle (cone). Tilts and half angle are given by the displacement at
+// the distance `size`.
 Carrier moved(const Carrier& from, const Vector3d& e1, const Vector3d& e2, const double delta[7],
               double size) {
   Carrier s = from;

@@ -22,8 +22,8 @@ bool seekProfiles(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double
                   Partition& partition, RunContext& run);
 
 /// Ensures that no face needs a seam. Rotates the reference direction of each surface, so that its
-/// seam lies outside the face. If there is no room, cuts the patch into halves and stores the
-/// cutting planes in Partition::cuts. Cost: O(triangles).
+/// seam lies outside the face. If the face leaves no gap for the seam, cuts the patch into halves
+/// and stores the cutting planes in Partition::cuts. Cost: O(triangles).
 void cutRoundPatches(const HalfEdgeMesh& mesh, Partition& partition);
 
 }  // namespace swept::step

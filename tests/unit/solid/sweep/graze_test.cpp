@@ -1,6 +1,6 @@
-// Surfaces along which smooth faces of a moving body touch the envelope. They are compared with
-// formulas, and with the condition that defines them, with velocities from an independent
-// motion.
+// Surfaces swept by the curves along which smooth faces of a moving body touch the envelope. They
+// are compared with formulas. At their points, the normal of the face must also be perpendicular to
+// the velocity. The velocities come from a separate implementation of the motion (motions.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
