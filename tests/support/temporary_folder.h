@@ -17,12 +17,21 @@ class TemporaryFolder {
   TemporaryFolder() {
     static int counter = 0;
     const bool memory = std::filesystem::exists("/dev/shm");  // faster for thousands of small files
-    path_ = (memory ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path()) /
-            ("swept-test-" + std::to_string(os::processId()) + "-" + std::to_string(counter++));
-    std::filesystem::create_directories(path_);
+    const std::filesystem::path parent =
+        memory ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path();
+    do {  // a process that was killed leaves its folders, and its number may come again
+      path_ = parent /
+              ("swept-test-" + std::to_string(os::processId()) + "-" + std::to_string(counter++));
+    } while (!std::filesystem::create_directory(path_));
   }
   ~TemporaryFolder() {
     std::error_code ignored;
+    // Windows does not remove files that are write-protected.
+    for (const auto& entry : std::filesystem::directory_iterator(path_, ignored)) {
+      if (entry.is_symlink(ignored)) continue;
+      std::filesystem::permissions(entry, std::filesystem::perms::owner_write,
+                                   std::filesystem::perm_options::add, ignored);
+    }
     std::filesystem::remove_all(path_, ignored);
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
