@@ -136,7 +136,7 @@
     </message>
     <message>
         <source>Distance by which the envelope is grown on all sides</source>
-        <translation>Abstand, um den die Hülle auf allen Seiten wächst</translation>
+        <translation>Maß, um das die Hülle nach allen Seiten vergrößert wird</translation>
     </message>
     <message>
         <source>True: the envelope provably contains the swept volume</source>
@@ -156,7 +156,7 @@
     </message>
     <message>
         <source>Whether to record which face or edge made each triangle. Off: no record. Session: kept until the document is closed. Document: stored in the document, which makes the file larger</source>
-        <translation>Ob aufgezeichnet wird, welche Fläche oder Kante jedes Dreieck erzeugt hat. Off (Aus): keine Aufzeichnung. Session (Sitzung): bleibt, bis das Dokument geschlossen wird. Document (Dokument): wird im Dokument gespeichert, was die Datei größer macht</translation>
+        <translation>Ob aufgezeichnet wird, von welcher Fläche oder Kante jedes Dreieck stammt. Off (Aus): keine Aufzeichnung. Session (Sitzung): bleibt, bis das Dokument geschlossen wird. Document (Dokument): wird im Dokument gespeichert, was die Datei größer macht</translation>
     </message>
     <message>
         <source>Volume of the envelope</source>
@@ -431,7 +431,7 @@
     </message>
     <message>
         <source>Number of runs at the same time. 0: one for each processor core</source>
-        <translation>Anzahl der Läufe zur selben Zeit. 0: einer je Prozessorkern</translation>
+        <translation>Anzahl gleichzeitiger Läufe. 0: einer je Prozessorkern</translation>
     </message>
     <message>
         <source>Number of runs that have ended</source>
@@ -700,7 +700,7 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Finds installation paths for the selected parts, one after the other. Each part keeps its distance from the parts already in place. You give the order, or the search finds one. If a sequence is selected, it is opened</source>
-        <translation>Findet Einbaubahnen für die gewählten Teile, eines nach dem anderen. Jedes Teil hält Abstand zu den Teilen, die schon eingebaut sind. Sie geben die Reihenfolge vor, oder die Suche findet eine. Ist eine Einbaufolge gewählt, wird sie geöffnet</translation>
+        <translation>Findet Einbaubahnen für die gewählten Teile, eines nach dem anderen. Jedes Teil hält Abstand zu den Teilen, die schon eingebaut sind. Die Reihenfolge können Sie vorgeben oder von der Suche bestimmen lassen. Ist eine Einbaufolge gewählt, wird sie geöffnet</translation>
     </message>
     <message>
         <source>Study...</source>
@@ -918,7 +918,7 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>The triangles of the part, or of one of its bodies, faced inwards. They were reversed.</source>
-        <translation>Die Dreiecke des Teils oder eines seiner Körper zeigten nach innen. Sie wurden umgedreht.</translation>
+        <translation>Die Normalen der Dreiecke zeigten nach innen (beim ganzen Teil oder bei einem seiner Körper). Die Dreiecke wurden umgedreht.</translation>
     </message>
     <message>
         <source>Some adjacent triangles face opposite ways: check the mesh if the result looks wrong.</source>
@@ -938,7 +938,7 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>The part has cavities. They change the envelope only if Keep cavities is ticked.</source>
-        <translation>Das Teil hat Hohlräume. Sie ändern die Hülle nur, wenn „Hohlräume behalten“ eingeschaltet ist.</translation>
+        <translation>Das Teil hat Hohlräume. Diese wirken sich nur dann auf die Hülle aus, wenn „Hohlräume behalten“ eingeschaltet ist.</translation>
     </message>
     <message>
         <source>Some bodies of the part lie inside other bodies. They count as material.</source>
@@ -1244,7 +1244,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>smallest distance {0} (guaranteed: {1}) at t = {2} s ({3})</source>
-        <translation>kleinster Abstand {0} (garantiert: {1}) bei t = {2} s ({3})</translation>
+        <translation>kleinster Abstand {0} (garantiert mindestens {1}) bei t = {2} s ({3})</translation>
     </message>
     <message>
         <source>contact, {0} deep</source>
@@ -2065,7 +2065,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>Poses {0} and {1} have the same time ({2:g} s): give them different times, because the motion is a spline or has a reference part.</source>
-        <translation>Lagen {0} und {1} haben dieselbe Zeit ({2:g} s): Geben Sie ihnen verschiedene Zeiten, denn die Bewegung ist ein Spline oder hat ein Bezugsteil.</translation>
+        <translation>Die Lagen {0} und {1} haben dieselbe Zeit ({2:g} s). Bei einem Spline oder mit einem Bezugsteil braucht jede Lage ihre eigene Zeit: Ändern Sie eine der beiden.</translation>
     </message>
     <message>
         <source>Select one Robot trajectory.</source>
@@ -2258,7 +2258,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Allows contact with the neighbours that the moving parts touch at the first pose</source>
-        <translation>Erlaubt Kontakt mit Nachbarn, die in der ersten Lage von bewegten Teilen berührt werden</translation>
+        <translation>Erlaubt den Kontakt mit Nachbarn, die ein bewegtes Teil schon in der ersten Lage berührt</translation>
     </message>
     <message>
         <source>Allow initial con&amp;tacts</source>
@@ -2894,7 +2894,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Computes the space that the moving parts occupy as seen from this part</source>
-        <translation>Berechnet den Raum, den die bewegten Teile von diesem Teil aus gesehen einnehmen</translation>
+        <translation>Berechnet den Raum, den die bewegten Teile relativ zu diesem Teil einnehmen</translation>
     </message>
     <message>
         <source>Takes the part that is selected in the tree</source>
@@ -3013,7 +3013,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Time of the motion. A green ghost shows the part at this time</source>
-        <translation>Zeit der Bewegung. Ein grüner Schatten zeigt das Teil zu dieser Zeit</translation>
+        <translation>Zeitpunkt innerhalb der Bewegung. Ein grüner Schatten zeigt das Teil zu diesem Zeitpunkt</translation>
     </message>
     <message>
         <source>Goes to the previous key</source>
