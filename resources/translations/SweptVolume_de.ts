@@ -537,7 +537,7 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
         <translation>Reservierte Räume prüfen</translation>
     </message>
     <message>
-        <source>Measures the distances between envelopes, solids of envelopes, and parts that do not move. If two of them overlap, also measures the volume they share. Select two or more objects, or a shared volume to recompute it</source>
+        <source>Measures the distances between envelopes, solids of envelopes, and parts that do not move. If two of them overlap, also measures the volume they share. Select two or more objects. To recompute an existing shared volume, select it</source>
         <translation>Misst die Abstände zwischen Hüllen, Festkörpern von Hüllen und Teilen, die sich nicht bewegen. Überschneiden sich zwei davon, wird auch ihr gemeinsames Volumen gemessen. Wählen Sie zwei oder mehr Objekte aus, oder ein gemeinsames Volumen, um es neu zu berechnen</translation>
     </message>
     <message>
@@ -2987,7 +2987,7 @@ path&apos;s size.</extracomment>
         <translation>x, y, z ({0}), Gier, Nick, Roll (Grad) des Teils im Dokument. Die Schaltfläche „Aus Auswahl“ trägt die Platzierung des gewählten Objekts ein, oder die des Teils, wenn nichts gewählt ist</translation>
     </message>
     <message>
-        <source>Hides everything in front of the closest place. The section follows the selected row and the playback</source>
+        <source>Cuts the view at the place where the distance is smallest, and hides everything in front of it. The cut follows the selected row and the playback</source>
         <translation>Blendet alles vor der engsten Stelle aus. Der Schnitt folgt der gewählten Zeile und der Wiedergabe</translation>
     </message>
     <message>

@@ -11,7 +11,7 @@ class Command(BaseCommand):
         "SweptVolume",
         "Measures the distances between envelopes, solids of envelopes, and parts that do not "
         "move. If two of them overlap, also measures the volume they share. Select two or more "
-        "objects, or a shared volume to recompute it",
+        "objects. To recompute an existing shared volume, select it",
     )
 
     def run(self, document):

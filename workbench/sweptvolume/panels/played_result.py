@@ -64,8 +64,8 @@ class PlayedPanel(check_result.ResultPanel):
             QtWidgets.QCheckBox(translate("SweptVolume", "S&ection through the closest place")),
             translate(
                 "SweptVolume",
-                "Hides everything in front of the closest place. The section follows the "
-                "selected row and the playback",
+                "Cuts the view at the place where the distance is smallest, and hides everything "
+                "in front of it. The cut follows the selected row and the playback",
             ),
         )
         self.section.setObjectName("SweptVolumeSection")
