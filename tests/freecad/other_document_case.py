@@ -95,7 +95,6 @@ class OtherDocumentTable(Table):
         both = self.doc, elsewhere()
         before = [document.UndoCount for document in both]
         shown = [(o, o.Visibility) for document in both for o in document.Objects]
-        content = self.shown()
         for document in both:
             document.openTransaction(name)
         self.CHANGES[name](self.doc)
@@ -111,7 +110,7 @@ class OtherDocumentTable(Table):
         for obj, visible in shown:
             obj.Visibility = visible
         self.recomputed()
-        self.look_again(name, content)
+        self.look(name + ", undone")
         if "expression" not in name:
             self.assertEqual(self.behind(), {})
 

@@ -60,10 +60,7 @@ def put_into(group, obj, place=shift(0, 3)):
 class Table(Case):
     """Checks the state after each change and after its undo: a result may be up to date only if a fresh
     computation, in a copy of the document, gives the same. Subclasses provide the document, and rows()
-    their tests.
-
-    After an undo, the contents before the change replace a fresh computation. With SWEPT_LONG_TESTS,
-    everything is computed again there as well."""
+    their tests."""
 
     NEEDS_CORE = True
     #: name -> what a user does to the document.
@@ -155,21 +152,8 @@ class Table(Case):
             os.remove(path)
             shutil.rmtree(path + "1", ignore_errors=True)
 
-    def shown(self):
-        """Returns {name: content} of all results if all are up to date, else None."""
-        if any(obj.Status != UP_TO_DATE for obj in self.results()):
-            return None
-        return {obj.Name: self.content(obj) for obj in self.results()}
-
-    def look_again(self, name, before):
-        """Like look(), after the change was undone. before: what shown() returned before the change."""
-        exact = "expression" not in name and not os.environ.get("SWEPT_LONG_TESTS")
-        self.look(name + ", undone", before if exact else None)
-
-    def look(self, name, fresh=None):
-        """fresh: what fresh() would return, if it is known."""
-        if fresh is None:
-            fresh = self.fresh()
+    def look(self, name):
+        fresh = self.fresh()
         for obj in self.results():
             with self.subTest(change=name, result=obj.Name, status=obj.Status):
                 anew = fresh[obj.Name]
@@ -182,7 +166,7 @@ class Table(Case):
 
     def changed(self, name):
         """Makes a change, and undoes it."""
-        shown, before = {obj.Name: obj.Visibility for obj in self.doc.Objects}, self.shown()
+        shown = {obj.Name: obj.Visibility for obj in self.doc.Objects}
         self.doc.openTransaction(name)
         self.CHANGES[name](self.doc)
         self.doc.commitTransaction()
@@ -194,7 +178,7 @@ class Table(Case):
         for obj in self.doc.Objects:
             obj.Visibility = shown[obj.Name]
         self.doc.recompute()
-        self.look_again(name, before)
+        self.look(name + ", undone")
         if "expression" not in name:
             self.assertEqual(
                 {o.Name: o.Status for o in self.results() if o.Status != UP_TO_DATE}, {}
