@@ -60,7 +60,7 @@ def scenario():
     Gui.runCommand("SweptVolume_Envelope")
     yield 0.6
     text = envelope_panel.opened[-1].estimate_label.text()
-    assert "cmake" in text and "README" in text, text
+    assert "cmake" in text and ".ci/packages.txt" in text, text
     click(panel_button(Ok))
     yield 0.3
     shot("41_no_core_envelope")

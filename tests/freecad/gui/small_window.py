@@ -123,7 +123,7 @@ def unusual_input(doc):
     still = motion.motion_from_poses(doc, [0], [App.Placement()])
     doc.recompute()
     panel = envelope_panel.show(doc, [(doc.Slide, "")], still)
-    yield lambda: "one key" in panel.estimate_label.text()
+    yield lambda: "one pose" in panel.estimate_label.text()
     panel.reject()
     yield no_panel
     doc.removeObject(still.Name)
