@@ -2,32 +2,13 @@
 #include "support/random_case.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <numeric>
 
+#include "support/random_numbers.h"
 #include "support/shapes.h"
 
 namespace swept::test {
 namespace {
-
-// The distributions of the standard library differ between systems. These two give the numbers that
-// GNU's gives: two draws for a fraction, and the upper half of a product for an integer.
-double uniform(std::mt19937& random, double low, double high) {
-  constexpr double kDraws = 4294967296.0;  // of the generator: 2^32
-  const auto first = static_cast<double>(random());
-  const auto second = static_cast<double>(random());
-  return (first + second * kDraws) / (kDraws * kDraws) * (high - low) + low;
-}
-
-// Returns an integer from 0 to count - 1.
-int uniformBelow(std::uint32_t count, std::mt19937& random) {
-  const std::uint32_t uneven = -count % count;  // draws that would prefer some results
-  std::uint64_t product = 0;
-  do {
-    product = static_cast<std::uint64_t>(random()) * count;
-  } while (static_cast<std::uint32_t>(product) < uneven);
-  return static_cast<int>(product >> 32);
-}
 
 Eigen::Vector3d inCube(std::mt19937& random, double half) {
   return {uniform(random, -half, half), uniform(random, -half, half), uniform(random, -half, half)};

@@ -3,9 +3,31 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <random>
 
 namespace swept::test {
+
+// The distributions of the standard library differ between systems. The next two give the numbers
+// of GNU's: two draws for a fraction, and the upper half of a product for an integer.
+
+/// Returns a number from low (inclusive) to high.
+inline double uniform(std::mt19937& random, double low, double high) {
+  constexpr double kDraws = 4294967296.0;  // of the generator: 2^32
+  const auto first = static_cast<double>(random());
+  const auto second = static_cast<double>(random());
+  return (first + second * kDraws) / (kDraws * kDraws) * (high - low) + low;
+}
+
+/// Returns an integer from 0 to count - 1.
+inline int uniformBelow(std::uint32_t count, std::mt19937& random) {
+  const std::uint32_t uneven = -count % count;  // draws below it would prefer some results
+  std::uint64_t product = 0;
+  do {
+    product = static_cast<std::uint64_t>(random()) * count;
+  } while (static_cast<std::uint32_t>(product) < uneven);
+  return static_cast<int>(product >> 32);
+}
 
 class Random {
  public:

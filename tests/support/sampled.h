@@ -1,6 +1,6 @@
 // How many cases of a long series a test takes: all, or a part of them under sanitizers. Under a
 // sanitizer a run is ten times slower, and the code that runs matters more than the number of
-// cases.
+// cases. Some series are so long that only the variable SWEPT_LONG_TESTS runs them completely.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -29,7 +29,7 @@ constexpr int sampled(int all, int oneIn) {
   return kUnderSanitizer ? std::max(1, all / oneIn) : all;
 }
 
-/// Returns whether long series are to run completely (the environment variable SWEPT_LONG_TESTS).
+/// Returns whether the environment variable SWEPT_LONG_TESTS is set.
 inline bool longRun() { return std::getenv("SWEPT_LONG_TESTS") != nullptr; }
 
 }  // namespace swept::test

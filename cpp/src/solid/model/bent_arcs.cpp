@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kSpans = 22;
-/// mm. A reader gives an edge at least 1e-7; what it computes differs a little from this.
-constexpr double kHeld = 0.8e-7;
+constexpr std::size_t kSpans = 22;  // of the spline of a reader
+/// mm. A reader gives every edge a tolerance of at least 1e-7. The margin allows for rounding.
+constexpr double kMaxError = 0.8e-7;
 
 using Values = std::array<double, kSpans + 1>;
 
@@ -95,7 +95,7 @@ std::vector<EdgeCut> findBentArcs(const Model& model) {
     for (const auto& loop : face.loops) {
       for (const ModelUse& use : loop) {
         const Curve& curve = model.edges[use.edge].curve;
-        if (curve.kind == CurveKind::Circle && splineError(curve, face.surface) > kHeld)
+        if (curve.kind == CurveKind::Circle && splineError(curve, face.surface) > kMaxError)
           isBent[use.edge] = 1;
       }
     }
@@ -111,8 +111,8 @@ std::vector<EdgeCut> findBentArcs(const Model& model) {
 }  // namespace
 
 void cutBentArcs(Model& model) {
-  constexpr int kMostCuts = 6;
-  for (int round = 0; round < kMostCuts; ++round) {
+  constexpr int kMaxRounds = 6;
+  for (int round = 0; round < kMaxRounds; ++round) {
     const std::vector<EdgeCut> bent = findBentArcs(model);
     if (bent.empty()) return;
     splitEdges(bent, model);

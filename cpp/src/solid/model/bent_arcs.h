@@ -3,7 +3,7 @@
 // leaves the edge between them. Circles of latitude and meridians are straight there, so they are
 // never cut.
 // In:      a Model.
-// Out:     the same model, with arcs of circles halved until they are held (split_edges.h).
+// Out:     the same model, with arcs of circles halved until the spline follows them.
 // Units:   mm.
 // Cost:    O(edges of spheres).
 // Source:  complete cubic splines (de Boor 1978, chapter IV), with the slopes at both ends from
@@ -15,7 +15,8 @@
 
 namespace swept::step {
 
-/// On spheres of more than a few kilometres, some arcs may stay bent.
+/// Halves arcs of circles on spheres until the spline of a reader is less than 1e-7 mm off them.
+/// On spheres of more than a few kilometres, it may stay farther off.
 void cutBentArcs(Model& model);
 
 }  // namespace swept::step
