@@ -122,7 +122,7 @@ void requireAbsent(const std::string& role, const std::string& path) {
   if (!fs::exists(fs::symlink_status(pathFromUtf8(path), code))) return;
   refuse("Exists",
          role + " '" + path +
-             "' exists, and replacing existing files is not allowed here; choose another name");
+             "' exists, and this run must not replace existing files; choose another name");
 }
 
 void checkTarget(const std::string& path) { const SafeFile probe(path); }

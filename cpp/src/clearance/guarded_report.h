@@ -8,6 +8,7 @@
 #include <new>
 #include <string>
 
+#include "base/fault_text.h"
 #include "base/threads.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
@@ -37,9 +38,7 @@ void fillGuarded(Report& report, RunContext& run, const std::string& what,
          "there is not enough memory for the " + what +
              "; use parts with fewer triangles, or fewer parts at a time");
   } catch (const std::exception& e) {
-    fail(Status::InternalError, "InternalError",
-         std::string(e.what()) + ". This is a fault of the program; please report it with " +
-             inputs);
+    fail(Status::InternalError, "InternalError", e.what() + faultText(inputs));
   }
 }
 

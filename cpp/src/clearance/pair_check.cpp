@@ -159,8 +159,8 @@ std::vector<Finding> openFindings(const std::vector<std::string>& names,
   }
   if (open.count > 0) {
     if (static_cast<std::size_t>(open.count) > open.first.size()) list += ", ...";
-    open.text = counted(open.count, one + " is", many + " are") + " open or badly oriented (" +
-                list +
+    open.text = counted(open.count, one + " is open or has", many + " are open or have") +
+                " wrongly oriented triangles (" + list +
                 "): a part that lies completely inside such a surface is not noticed, and the "
                 "depth of an overlap is measured only on the other part; repair the mesh";
     findings.push_back(open);
@@ -169,8 +169,8 @@ std::vector<Finding> openFindings(const std::vector<std::string>& names,
     findings.push_back({"OpenBody",
                         1,
                         {},
-                        "the moving part is an open or badly oriented surface: a neighbour that "
-                        "lies completely inside it is not noticed; repair the mesh"});
+                        "the moving part is open or has wrongly oriented triangles: a neighbour "
+                        "that lies completely inside the part is not noticed; repair the mesh"});
   return findings;
 }
 

@@ -155,11 +155,11 @@ void reportOrientation(CheckedBody& result, const OrientationResult& oriented) {
           " as material");
   add(result, "NotOrientable", oriented.inconsistent,
       counted(oriented.inconsistent, "shell") +
-          " cannot be oriented consistently (like a Möbius strip), so every face is "
-          "sampled, which takes longer; repair the mesh");
+          " cannot be oriented consistently (like a Möbius strip), so no face can be left "
+          "out, and the run takes longer; repair the mesh");
   add(result, "InsideOut", oriented.insideOut ? 1 : 0,
-      "the surface intersects itself, and some regions are inside out, so every face is sampled, "
-      "which takes longer; repair the mesh");
+      "the surface intersects itself, and some regions are inside out, so no face can be "
+      "left out, and the run takes longer; repair the mesh");
 }
 
 }  // namespace
@@ -183,9 +183,10 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
   const std::string before = std::to_string(body.vertices.size());
   if (result.mesh.triangles.empty()) {
     throw Error(Status::InvalidInput, "NoVolume",
-                "none of the " + std::to_string(body.triangles.size()) +
-                    " triangles encloses a volume (" + std::to_string(cleaned.degenerate) +
-                    " without area, " + std::to_string(cleaned.opposite) +
+                "the part encloses no volume (number of triangles: " +
+                    std::to_string(body.triangles.size()) + ", of these " +
+                    std::to_string(cleaned.degenerate) + " without area and " +
+                    std::to_string(cleaned.opposite) +
                     " in coincident opposite pairs); choose a solid or a closed mesh");
   }
   run.checkpoint(Phase::Input);

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "base/fault_text.h"
 #include "base/limits.h"
 #include "base/number_text.h"
 #include "base/parallel.h"
@@ -30,20 +31,21 @@ struct Link {
 
 [[noreturn]] void failBroken(const std::string& what) {
   throw Error(Status::InternalError, "InternalError",
-              "the computed surface of the shared volume is not closed (" + what +
-                  "). This is a fault of the program; please report it with the parts");
+              "the computed surface of the shared volume is not closed (" + what + ")" +
+                  faultText("the parts"));
 }
 
-/// Throws if more than a small part of the solid `name` overlaps itself. A smaller overlap only
-/// counts its own small volume more than once.
-void requireOnce(const Windings& windings, const std::string& name) {
+/// Throws if more than a small part of the solid `name` overlaps itself: `windings` are those of
+/// the solid `other`. A smaller overlap only counts its own small volume more than once.
+void requireOnce(const Windings& windings, const std::string& name, const std::string& other) {
   constexpr double kMost = 0.01;
   if (windings.more <= kMost * (windings.once + windings.more)) return;
   throw Error(Status::InvalidInput, "OverlappingShells",
-              name + " overlaps itself (" +
+              name + " overlaps itself where it overlaps " + other + " (" +
                   numberText(100 * windings.more / (windings.once + windings.more), 3) +
-                  " % of the other part's edges inside it lie in more than one of its solids), so "
-                  "the shared volume is ambiguous; give each solid separately, or fuse them first");
+                  " % of the length of the edges concerned), so their shared volume is ambiguous; "
+                  "give each solid of " +
+                  name + " separately, or fuse them first");
 }
 
 class Builder {
@@ -64,7 +66,7 @@ class Builder {
       nodes_[int(side)] = findNodes(lattice_, side, mesh, there, tree, run_);
       windings_[int(side)] =
           findWindings(lattice_, side, mesh, there, tree, nodes_[int(side)], run_);
-      requireOnce(windings_[int(side)], names_[int(other(side))]);
+      requireOnce(windings_[int(side)], names_[int(other(side))], names_[int(side)]);
     }
     numberPoints();
     findSegments();

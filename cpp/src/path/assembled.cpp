@@ -194,7 +194,7 @@ void Assembled::refuseWorst(const std::vector<NearPair>& pairs, const PathOption
   refuse("PartsTooNear", text + ", but " +
                              numberText(rules_.of(worst.parts).required.value_or(0), 6) +
                              " mm are required; reduce the required distance, or set a release "
-                             "distance, within which the parts may touch");
+                             "distance, which allows contact near the installed positions");
 }
 
 }  // namespace swept::path

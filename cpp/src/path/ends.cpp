@@ -34,7 +34,7 @@ constexpr std::size_t kMostExits = 6;
                   numberText(std::max(0.0, row.distance - row.chordError), 6) +
                   " mm from neighbour " + who + ", but " + numberText(required, 6) +
                   " mm are required; reduce the required distance, or set a release distance, "
-                  "within which the part may touch it");
+                  "which allows contact near the start and the goal");
 }
 
 // Returns the keys of a move: one straight piece, or a screw in pieces of at most 30 degrees each.

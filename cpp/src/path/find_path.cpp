@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/fault_text.h"
 #include "base/number_text.h"
 #include "clearance/pair_check.h"
 #include "path/found_path.h"
@@ -226,8 +227,8 @@ class PathFinder {
     report_.certificate = check(part(motion, begin, end), demand_.apart);
     if (!good || !allClear(report_.certificate))
       throw Error(Status::InternalError, "NotCertified",
-                  "a path was found, but the final check did not confirm that it is clear. This is "
-                  "a fault of the program; please report it with the parts");
+                  "a path was found, but the final check did not confirm that it is clear" +
+                      faultText("the parts"));
     report_.verdict = PathVerdict::Found;
     report_.path = motion;
     for (std::size_t i = 0; i < keys.size(); ++i) {

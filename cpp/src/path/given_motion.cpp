@@ -45,10 +45,10 @@ class GivenMotion {
     if (first >= last)
       throw Error(
           Status::InvalidInput, "BadOption",
-          "the motion never gets farther from its start and goal than the release distance of " +
+          "during the whole motion, the part stays within the release distance of " +
               numberText(o_.release, 4) +
-              " mm, within which contact is allowed, so nothing would be checked; choose a "
-              "smaller release distance");
+              " mm from its start or its goal. Contact is allowed there, so nothing would be "
+              "checked; choose a smaller release distance");
     report_.certificate = checked(part(first, last), demand_.apart);
     checkZone(start, part(0, first));
     checkZone(goal, part(last, keys_.size() - 1));
@@ -143,9 +143,9 @@ class GivenMotion {
       const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
       const std::string how = deep ? numberText(row.penetration.depth, 4) + " mm deep into '"
                                    : numberText(row.guaranteed, 4) + " mm from '";
-      fail(row.name, scene_.at(row.pose),
-           "the motion comes " + how + row.name + "' at t = " + numberText(row.timeSeconds, 4) +
-               " s");
+      fail(
+          row.name, scene_.at(row.pose),
+          "the part comes " + how + row.name + "' at t = " + numberText(row.timeSeconds, 4) + " s");
     }
     leadOutside(scene_, rows);
     return rows;

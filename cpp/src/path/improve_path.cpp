@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/fault_text.h"
 #include "clearance/pair_check.h"
 #include "motion/pivot.h"
 #include "path/found_path.h"
@@ -269,9 +270,11 @@ class Improver {
         const std::vector<NeighbourClearance> rows = rowsOf(piece, demand);
         for (const NeighbourClearance& row : rows)
           if (row.verdict != ClearanceVerdict::Clear)
-            throw Error(Status::InternalError, "NotCertified",
-                        "a section was found free, but the final check did not confirm that it is "
-                        "clear. This is a fault of the program; please report it with the parts");
+            throw Error(
+                Status::InternalError, "NotCertified",
+                "the search found a section of the path to be free, but the final check did "
+                "not confirm that it is clear" +
+                    faultText("the parts and the motion"));
         if (nearest.empty()) nearest = rows;
         for (std::size_t i = 0; i < rows.size(); ++i)
           if (rows[i].guaranteed < nearest[i].guaranteed) nearest[i] = rows[i];

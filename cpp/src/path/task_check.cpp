@@ -49,7 +49,8 @@ void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour
           Status::InvalidInput, "BadRule",
           "the rule of neighbour '" + n.name +
               "' allows contact, but a search must keep its distance from all neighbours; set a "
-              "release distance, within which the part may touch it, or ignore this neighbour");
+              "release distance, which allows contact near the start and the goal, or ignore this "
+              "neighbour");
   }
   if (!task.start && !task.extraction)
     throw Error(Status::InvalidInput, "NoStart",

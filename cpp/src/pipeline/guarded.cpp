@@ -4,13 +4,15 @@
 #include <exception>
 #include <new>
 
+#include "base/fault_text.h"
+
 namespace swept {
 namespace {
 
-/// Empties the result and writes the failure to its report. `remedy` is advice for the user,
-/// appended to the message.
+/// Empties the result and writes the failure to its report. `isFault`: the program itself has a
+/// fault, and the message asks the user to report it.
 void fail(Result& result, Status status, const char* code, const char* message,
-          const char* remedy = "") {
+          bool isFault = false) {
   result.mesh = TriMesh{};
   result.contactTime = {};
   result.featureEdges = {};
@@ -20,7 +22,9 @@ void fail(Result& result, Status status, const char* code, const char* message,
   try {
     result.report.code = code;
     result.report.message = message;
-    result.report.message += remedy;
+    if (isFault)
+      result.report.message += faultText("the part, the motion and the options") +
+                               ". Another cell size may avoid the fault";
   } catch (const std::bad_alloc&) {
     // Both texts are short enough to need no allocation.
     result.report.status = Status::OutOfMemory;
@@ -29,24 +33,19 @@ void fail(Result& result, Status status, const char* code, const char* message,
   }
 }
 
-/// Advice for a failure with an unexpected exception.
-constexpr const char* kReport =
-    ". This is a fault of the program, which another cell size may avoid; please report it with "
-    "the part, the motion and the options";
-
 }  // namespace
 
 void failAsThrown(Result& result) {
   try {
     throw;
   } catch (const Error& error) {
-    const bool unforeseen = error.code() == "InternalError";
-    fail(result, error.status(), error.code().c_str(), error.what(), unforeseen ? kReport : "");
+    const bool isFault = error.code() == "InternalError";
+    fail(result, error.status(), error.code().c_str(), error.what(), isFault);
   } catch (const std::bad_alloc&) {
     fail(result, Status::OutOfMemory, "OutOfMemory",
          "memory ran out, although the estimate was within the limit; use a larger cell");
   } catch (const std::exception& error) {
-    fail(result, Status::InternalError, "InternalError", error.what(), kReport);
+    fail(result, Status::InternalError, "InternalError", error.what(), true);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "base/fault_text.h"
 #include "base/number_text.h"
 
 namespace swept {
@@ -26,11 +27,9 @@ void requirePassed(const MeshCheck& check, const char* what, double cell) {
   if (check.finite && check.closed && !check.oriented && check.misorientedEdges == 0) {
     text += textOf(3, before, "some of the ", check.shells, " shells are inside out");
   }
-  text += textOf(
-      3, ". This is a fault of the program; another cell size usually avoids it: try ", 0.9 * cell,
-      " mm instead of ", cell,
-      ", or repair the part where it intersects itself. Please report the fault with the part, "
-      "the motion and the options");
+  text += textOf(3, faultText("the part, the motion and the options"),
+                 ". Another cell size usually avoids the fault: try ", 0.9 * cell,
+                 " mm instead of ", cell, ", or repair the part where it intersects itself");
   throw Error(Status::InternalError, "CheckFailed", text);
 }
 

@@ -38,11 +38,11 @@ void requireName(const char* name, const std::string& text) {
 void requireOrigin(const SolidOrigin& origin, const HalfEdgeMesh& mesh) {
   if (origin.shape == nullptr || origin.sources.rows == nullptr)
     badOption(
-        "the origin of the solid is incomplete; compute the envelope with sources, from a body "
-        "that was read from a STEP or BREP file");
+        "the sources (the faces that made the envelope) are incomplete; compute the envelope with "
+        "sources, from a body that was read from a STEP or BREP file");
   if (origin.sources.of.size() != mesh.triangles.size()) {
-    badOption("the origin of the solid has " + std::to_string(origin.sources.of.size()) +
-              " sources, but the mesh has " + std::to_string(mesh.triangles.size()) +
+    badOption("there are sources for " + std::to_string(origin.sources.of.size()) +
+              " triangles, but the mesh has " + std::to_string(mesh.triangles.size()) +
               " triangles; give the sources of this mesh");
   }
 }

@@ -25,9 +25,11 @@ namespace {
 using namespace step;
 
 [[noreturn]] void refuse(const char* code, const std::string& why, const std::string& what) {
-  throw Error(Status::ExportFailed, code,
-              "the solid was not saved, because its file " + why + ": " + what +
-                  ". An existing file is unchanged. Change the tolerance, or export a mesh file");
+  throw Error(
+      Status::ExportFailed, code,
+      "the solid was not saved, because its file " + why + ": " + what +
+          ". If a file with this name existed, it is unchanged. Change the tolerance, or export "
+          "a mesh file");
 }
 
 // Reads the file back with the judge. Throws an error with advice if the file cannot be read, or if
@@ -43,7 +45,8 @@ SolidCheck readBack(Judge& judge, const Model& model, const SafeFile& file, cons
     refuse("RereadFailed", "cannot be read back", error.what());
   }
   const std::string what = rereadComplaint(check, mesh, options);
-  if (!what.empty()) refuse("RereadDiffers", "differs when it is read back", what);
+  if (!what.empty())
+    refuse("RereadDiffers", "contained a different solid when it was read back", what);
   return check;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/fault_text.h"
 #include "base/system.h"
 #include "commands.h"
 #include "files.h"
@@ -147,10 +148,8 @@ int main(int argc, char** argv) {
     cli::printError(Status::OutOfMemory, "OutOfMemory",
                     "memory ran out; use a larger cell, or smaller files");
   } catch (const std::exception& error) {
-    cli::printError(
-        Status::InternalError, "Unexpected",
-        std::string(error.what()) +
-            ". This is a fault of the program; please report it with the files and the command");
+    cli::printError(Status::InternalError, "Unexpected",
+                    error.what() + faultText("the files and the command"));
   }
   return cli::kExitFailed;
 }

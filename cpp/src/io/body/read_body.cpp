@@ -91,13 +91,14 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, cons
                                        : toleranceFromSize(read, options.resolution);
   if (!(body.chordError > 0)) {
     throw Error(Status::InvalidInput, "BadOption",
-                "the tolerance for the triangles of '" + path + "' is " +
+                "the tolerance with which '" + path + "' is turned into triangles is " +
                     numberText(body.chordError, kTellingDigits) + " mm, but must be above 0");
   }
   if (!(options.angle > 0)) {
     throw Error(Status::InvalidInput, "BadOption",
-                "the angle between the triangles of '" + path + "' is " +
-                    numberText(options.angle, kTellingDigits) + " rad, but must be above 0");
+                "the largest angle between adjacent triangles, with which '" + path +
+                    "' is turned into triangles, is " + numberText(options.angle, kTellingDigits) +
+                    " rad, but must be above 0");
   }
   const std::vector<ImportedSolid> solids = read(body.chordError, options.angle, &body.shape);
   const bool facesAreKnown =

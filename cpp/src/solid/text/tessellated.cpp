@@ -114,9 +114,11 @@ class Reader {
   };
 
   [[noreturn]] static void fail(const std::string& what) {
-    throw Error(Status::ExportFailed, "RereadFailed",
-                "the tessellated solid was not saved, because its file cannot be read back: " +
-                    what + ". An existing file is unchanged. Export a mesh file instead");
+    throw Error(
+        Status::ExportFailed, "RereadFailed",
+        "the tessellated solid was not saved, because its file cannot be read back: " + what +
+            ". If a file with this name existed, it is unchanged. Export a mesh file "
+            "instead");
   }
 
   // Moves to just after `#n=` of the next entity. Returns false at the end of the file.
@@ -248,9 +250,11 @@ void compare(const HalfEdgeMesh& read, const HalfEdgeMesh& written) {
     what = "a different volume";
   }
   if (what.empty()) return;
-  throw Error(Status::ExportFailed, "RereadDiffers",
-              "the solid was not saved, because its file differs when it is read back: it has " +
-                  what + ". An existing file is unchanged. Export a mesh file instead");
+  throw Error(
+      Status::ExportFailed, "RereadDiffers",
+      "the solid was not saved, because its file contained a different solid when it was "
+      "read back: " +
+          what + ". If a file with this name existed, it is unchanged. Export a mesh file instead");
 }
 
 void checkOptions(const HalfEdgeMesh& mesh, const StepOptions& options) {
