@@ -86,7 +86,7 @@
     </message>
     <message>
         <source>Record of which face or edge made each triangle (compressed)</source>
-        <translation>Aufzeichnung, welche Fläche oder Kante jedes Dreieck erzeugt hat (komprimiert)</translation>
+        <translation>Aufzeichnung, von welcher Fläche oder Kante jedes Dreieck stammt (komprimiert)</translation>
     </message>
     <message>
         <source>Placement of the result at the time it was stored. If the current placement differs, the result was moved</source>
@@ -183,8 +183,8 @@
         <translation>Kantenlänge der Gitterzellen bei diesem Ergebnis</translation>
     </message>
     <message>
-        <source>No point of the surface lies farther than this from the true one. 0: not known</source>
-        <translation>Kein Punkt der Fläche ist weiter als dieser Wert von der wahren Fläche entfernt. 0: nicht bekannt</translation>
+        <source>No point of the surface lies farther than this length from the true surface. 0: not known</source>
+        <translation>Kein Punkt der Fläche ist weiter als diese Länge von der wahren Fläche entfernt. 0: nicht bekannt</translation>
     </message>
     <message>
         <source>Duration of the run (s)</source>
@@ -233,15 +233,15 @@
     </message>
     <message>
         <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. In coordinates of the part if PoseType is Absolute, otherwise of the document</source>
-        <translation>Punkt des Teils, der zwischen zwei Lagen der Geraden (Linear) oder der Kurve (Spline) folgt und um den sich das Teil dreht. In Koordinaten des Teils, wenn PoseType Absolute ist, sonst des Dokuments</translation>
+        <translation>Punkt des Teils, der sich zwischen zwei Lagen auf der Geraden (Linear) oder der Kurve (Spline) bewegt und um den sich das Teil dreht. In Koordinaten des Teils, wenn PoseType Absolute ist, sonst des Dokuments</translation>
     </message>
     <message>
         <source>Parts that this motion moves. The motion editor shows the first part</source>
         <translation>Teile, für die diese Bewegung gilt. Der Bewegungseditor zeigt das erste Teil</translation>
     </message>
     <message>
-        <source>Other parts that the source moved when this motion was read</source>
-        <translation>Andere Teile, die die Quelle beim Lesen dieser Bewegung bewegte</translation>
+        <source>Other parts that moved too when this motion was recorded from an assembly simulation or a driving value</source>
+        <translation>Andere Teile, die sich ebenfalls bewegten, als diese Bewegung aus einer Baugruppensimulation oder einem steuernden Wert aufgezeichnet wurde</translation>
     </message>
     <message>
         <source>Tangent of the spline at each pose. Auto: from the poses before and after. Stop: the part comes to rest. Corner: the direction may change abruptly. Given: the velocity in Velocities. Missing entries count as Auto</source>
@@ -337,8 +337,8 @@
         <translation>Abstand, den jedes Teil von den schon eingebauten Teilen halten muss</translation>
     </message>
     <message>
-        <source>Release distance. A part may touch another part at the start or end of its motion. It may go on touching it until some point of the part has moved farther than this</source>
-        <translation>Freigabeabstand. Ein Teil darf am Start oder Ende seiner Bewegung ein anderes Teil berühren. Es darf dieses so lange berühren, bis sich einer seiner Punkte weiter als dies bewegt hat</translation>
+        <source>Release distance. At the start or end of its motion, a part may touch another part. This contact may last until some point of the moving part has moved farther than this length</source>
+        <translation>Freigabeabstand. Am Start oder Ende seiner Bewegung darf ein Teil ein anderes berühren. Dieser Kontakt darf andauern, bis sich ein Punkt des bewegten Teils weiter als diese Länge bewegt hat</translation>
     </message>
     <message>
         <source>Number of parts that have a path</source>
@@ -390,8 +390,8 @@
         <translation>Ob benachbarte koplanare Dreiecke zu einer ebenen Fläche vereinigt werden</translation>
     </message>
     <message>
-        <source>Largest number of faces. If Tolerance is 0, the smallest tolerance that meets this limit is chosen</source>
-        <translation>Größte Anzahl der Flächen. Ist Tolerance 0, wird die kleinste Toleranz gewählt, die diese Grenze einhält</translation>
+        <source>Largest number of faces. If Tolerance is 0 and the exact solid would have more faces, the solid is simplified with the smallest tolerance that is enough</source>
+        <translation>Größte Anzahl der Flächen. Ist Tolerance 0 und hätte der genaue Festkörper mehr Flächen, wird er mit der kleinsten Toleranz vereinfacht, die ausreicht</translation>
     </message>
     <message>
         <source>How far the solid may deviate from the mesh. Within this tolerance, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a tolerance</source>
@@ -464,8 +464,8 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
         <translation>Größte Anzahl der zu zeichnenden Dreiecke. Ein größeres Netz wird auf dem Bildschirm auf diese Anzahl verringert. 0: zeichnet alle Dreiecke</translation>
     </message>
     <message>
-        <source>What the colours show. Needs a record of what made the envelope (MadeBy)</source>
-        <translation>Was die Farben zeigen. Erfordert eine Aufzeichnung darüber, was die Hülle erzeugt hat (MadeBy)</translation>
+        <source>What the colours show. They need a record of the faces that made the envelope: set MadeBy to Session or Document, and compute the envelope again</source>
+        <translation>Was die Farben zeigen. Dafür muss aufgezeichnet sein, welche Flächen die Hülle erzeugt haben: Setzen Sie MadeBy auf Session (Sitzung) oder Document (Dokument), und berechnen Sie die Hülle neu</translation>
     </message>
     <message>
         <source>Length of the axes drawn at each pose (mm). 0: chosen automatically</source>
@@ -553,8 +553,8 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
         <translation>Beispiel öffnen</translation>
     </message>
     <message>
-        <source>Opens an example, in which a starter motor is installed past the parts around it</source>
-        <translation>Öffnet ein Beispiel, in dem ein Anlasser an den Teilen um ihn herum vorbei eingebaut wird</translation>
+        <source>Opens an example: a starter motor is moved past the parts around it into its installed position</source>
+        <translation>Öffnet ein Beispiel: Ein Anlasser wird an den Teilen um ihn herum vorbei in seine Einbaulage bewegt</translation>
     </message>
     <message>
         <source>Edit envelope...</source>
@@ -805,12 +805,12 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Eine Lage kann nicht verwendet werden: Alle ihre Zahlen müssen endlich sein, und die Zeiten dürfen nicht abnehmen.</translation>
     </message>
     <message>
-        <source>The part turns by 180 degrees, or nearly so, between two poses, so the direction of the turn is ambiguous: add a pose between them.</source>
-        <translation>Das Teil dreht sich zwischen zwei Lagen um 180 Grad oder fast so weit, daher ist die Drehrichtung nicht eindeutig: Fügen Sie eine Lage dazwischen ein.</translation>
+        <source>The part turns by 180 degrees, or nearly so, between two poses, so the direction of the turn is ambiguous: add a pose between them. The details in parentheses name the poses.</source>
+        <translation>Das Teil dreht sich zwischen zwei Lagen um 180 Grad oder fast so weit, daher ist die Drehrichtung nicht eindeutig: Fügen Sie eine Lage dazwischen ein. Die Angaben in Klammern nennen die Lagen.</translation>
     </message>
     <message>
-        <source>Two parts are closer than the required distance in their installed positions: reduce the required distance, or set a release distance, within which parts may be that close.</source>
-        <translation>Zwei Teile sind in ihren Einbaulagen näher als der Sollabstand: Verringern Sie den Sollabstand, oder geben Sie einen Freigabeabstand an, innerhalb dessen Teile so nah sein dürfen.</translation>
+        <source>Two parts are closer than the required distance in their installed positions: reduce the required distance, or set a release distance, which allows contact near the installed positions. The details in parentheses name the parts.</source>
+        <translation>Zwei Teile sind in ihren Einbaulagen näher beieinander als der Sollabstand: Verringern Sie den Sollabstand, oder geben Sie einen Freigabeabstand an, der Kontakt in der Nähe der Einbaulagen erlaubt. Die Angaben in Klammern nennen die Teile.</translation>
     </message>
     <message>
         <source>The file cannot be read: the details in parentheses say where and why.</source>
@@ -857,16 +857,16 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Die Berichtsvorlage hat einen Fehler: Berichtigen Sie die Vorlage. Die Angaben in Klammern nennen die Zeile.</translation>
     </message>
     <message>
-        <source>At the goal, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or set a release distance, within which the part may be that close.</source>
-        <translation>Am Ziel ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder geben Sie einen Freigabeabstand an, innerhalb dessen das Teil so nah sein darf.</translation>
+        <source>At the goal, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or set a release distance, which allows contact near the goal. The details in parentheses name the neighbour.</source>
+        <translation>Am Ziel ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder geben Sie einen Freigabeabstand an, der Kontakt in der Nähe des Ziels erlaubt. Die Angaben in Klammern nennen den Nachbarn.</translation>
     </message>
     <message>
-        <source>At the start, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or set a release distance, within which the part may be that close.</source>
-        <translation>Am Start ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder geben Sie einen Freigabeabstand an, innerhalb dessen das Teil so nah sein darf.</translation>
+        <source>At the start, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or set a release distance, which allows contact near the start. The details in parentheses name the neighbour.</source>
+        <translation>Am Start ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder geben Sie einen Freigabeabstand an, der Kontakt in der Nähe des Starts erlaubt. Die Angaben in Klammern nennen den Nachbarn.</translation>
     </message>
     <message>
-        <source>At a locked key, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or unlock the key.</source>
-        <translation>An einer gesperrten Stützstelle ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder heben Sie die Sperre der Stützstelle auf.</translation>
+        <source>At a locked key, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or unlock the key. The details in parentheses name the neighbour.</source>
+        <translation>An einer gesperrten Stützstelle ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder heben Sie die Sperre der Stützstelle auf. Die Angaben in Klammern nennen den Nachbarn.</translation>
     </message>
     <message>
         <source>Start and goal are the same: choose another start or goal.</source>
@@ -893,12 +893,12 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Die GPU (Grafikprozessor) ist während der Berechnung ausgefallen: Setzen Sie „Rechenwerk“ auf „CPU“.</translation>
     </message>
     <message>
-        <source>Solids of one part overlap: select each solid on its own, or fuse them first.</source>
-        <translation>Festkörper eines Teils überschneiden sich: Wählen Sie jeden einzeln, oder vereinigen Sie sie vorher.</translation>
+        <source>The solids of a part overlap one another: select each solid on its own, or fuse them first. The details in parentheses name the part.</source>
+        <translation>Die Festkörper eines Teils überschneiden sich: Wählen Sie jeden einzeln, oder vereinigen Sie sie vorher. Die Angaben in Klammern nennen das Teil.</translation>
     </message>
     <message>
-        <source>The shared volume of two parts could not be computed: repair their meshes, or move one part slightly.</source>
-        <translation>Das gemeinsame Volumen zweier Teile konnte nicht berechnet werden: Reparieren Sie ihre Netze, oder verschieben Sie ein Teil etwas.</translation>
+        <source>The shared volume of two parts could not be computed: repair their meshes, or move one part slightly. The details in parentheses name the parts and the cause.</source>
+        <translation>Das gemeinsame Volumen zweier Teile konnte nicht berechnet werden: Reparieren Sie ihre Netze, oder verschieben Sie ein Teil etwas. Die Angaben in Klammern nennen die Teile und die Ursache.</translation>
     </message>
     <message>
         <source>Triangles with zero area were removed.</source>
@@ -989,8 +989,8 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Wählen Sie das Teil aus, für das eine Bahn gesucht werden soll.</translation>
     </message>
     <message>
-        <source>Select the part that moves together with the motion.</source>
-        <translation>Wählen Sie das Teil, das sich bewegt, zusammen mit der Bewegung.</translation>
+        <source>The motion &quot;{0}&quot; does not say which part it moves: select the part together with the motion.</source>
+        <translation>Die Bewegung „{0}“ gibt nicht an, welches Teil sie bewegt: Wählen Sie das Teil zusammen mit der Bewegung aus.</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; has fewer than two keys, so there is no path to improve: add a key.</source>
@@ -1030,7 +1030,7 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>The link &quot;{0}&quot; is empty: its target was deleted, or the document of the target is not open. Open that document, or choose another target.</source>
-        <translation>Die Verknüpfung „{0}“ ist leer: Ihr Ziel wurde gelöscht, oder dessen Dokument ist nicht geöffnet. Öffnen Sie dieses Dokument, oder wählen Sie ein anderes Ziel.</translation>
+        <translation>Die Verknüpfung „{0}“ ist leer: Das verknüpfte Objekt wurde gelöscht, oder sein Dokument ist nicht geöffnet. Öffnen Sie dieses Dokument, oder verknüpfen Sie ein anderes Objekt.</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; contains neither a solid nor a mesh: choose another object.</source>
@@ -1058,15 +1058,15 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Der Interpreter {0} hat kein pip. Installieren Sie pip (in Debian und Ubuntu das Paket python3-pip), oder wählen Sie in den Einstellungen des Addon-Managers einen anderen Interpreter.</translation>
     </message>
     <message>
-        <source>The package index could not be reached: check the network connection, or choose a package file. pip says:
+        <source>The package index could not be reached: check the network connection, or choose a package file (.whl) with From a file. pip says:
 {0}</source>
-        <translation>Der Paketindex ist nicht erreichbar: Prüfen Sie die Netzwerkverbindung, oder wählen Sie eine Paketdatei. pip meldet:
+        <translation>Der Paketindex ist nicht erreichbar: Prüfen Sie die Netzwerkverbindung, oder wählen Sie mit „Aus einer Datei“ eine Paketdatei (.whl). pip meldet:
 {0}</translation>
     </message>
     <message>
-        <source>There is no core of version {0} for Python {1} on this system: choose a package file, or build the core. pip says:
+        <source>There is no core of version {0} for Python {1} on this system: choose a package file (.whl) with From a file, or build the core as in docs/handbook/installation.md. pip says:
 {2}</source>
-        <translation>Für dieses System gibt es keinen Rechenkern der Version {0} für Python {1}: Wählen Sie eine Paketdatei, oder kompilieren Sie den Rechenkern. pip meldet:
+        <translation>Für dieses System gibt es keinen Rechenkern der Version {0} für Python {1}: Wählen Sie mit „Aus einer Datei“ eine Paketdatei (.whl), oder kompilieren Sie den Rechenkern wie in docs/handbook/installation.md. pip meldet:
 {2}</translation>
     </message>
     <message>
@@ -1083,9 +1083,9 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Es wurde kein Python-Interpreter gefunden, der pip ausführen kann: Installieren Sie Python.</translation>
     </message>
     <message>
-        <source>pip could not install the core: choose a package file, or build the core. pip says:
+        <source>pip could not install the core: choose a package file (.whl) with From a file, or build the core as in docs/handbook/installation.md. pip says:
 {0}</source>
-        <translation>pip konnte den Rechenkern nicht installieren: Wählen Sie eine Paketdatei, oder kompilieren Sie den Rechenkern. pip meldet:
+        <translation>pip konnte den Rechenkern nicht installieren: Wählen Sie mit „Aus einer Datei“ eine Paketdatei (.whl), oder kompilieren Sie den Rechenkern wie in docs/handbook/installation.md. pip meldet:
 {0}</translation>
     </message>
     <message>
@@ -1101,12 +1101,12 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Der Rechenkern wurde nicht installiert: {0}</translation>
     </message>
     <message>
-        <source>The core is not published on {0} yet: choose a file, or build the core.</source>
-        <translation>Der Rechenkern ist auf {0} noch nicht veröffentlicht: Wählen Sie eine Datei, oder kompilieren Sie ihn.</translation>
+        <source>The core is not published on {0} yet: choose a package file (.whl) with From a file, or build the core as in docs/handbook/installation.md.</source>
+        <translation>Der Rechenkern ist auf {0} noch nicht veröffentlicht: Wählen Sie mit „Aus einer Datei“ eine Paketdatei (.whl), oder kompilieren Sie den Rechenkern wie in docs/handbook/installation.md.</translation>
     </message>
     <message>
-        <source>pip ended without an error, but installed no usable core: choose another file, or build the core.</source>
-        <translation>pip wurde ohne Fehler beendet, hat aber keinen brauchbaren Rechenkern installiert: Wählen Sie eine andere Datei, oder kompilieren Sie den Rechenkern.</translation>
+        <source>pip ended without an error, but installed no usable core: choose another package file (.whl) with From a file, or build the core as in docs/handbook/installation.md.</source>
+        <translation>pip wurde ohne Fehler beendet, hat aber keinen brauchbaren Rechenkern installiert: Wählen Sie mit „Aus einer Datei“ eine andere Paketdatei (.whl), oder kompilieren Sie den Rechenkern wie in docs/handbook/installation.md.</translation>
     </message>
     <message>
         <source>The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.
@@ -1320,8 +1320,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>„{0}“ bewegt kein sichtbares Teil: Blenden Sie die Teile ein, oder wählen Sie eine andere Quelle.</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is left out, because it is visible only through a link: add its parts to the assembly itself.</source>
-        <translation>„{0}“ wird ausgelassen, weil es nur durch eine Verknüpfung sichtbar ist: Fügen Sie seine Teile der Baugruppe selbst hinzu.</translation>
+        <source>&quot;{0}&quot; is left out, because it is visible only through a link: add its parts directly to the assembly, not as a link.</source>
+        <translation>„{0}“ wird ausgelassen, weil es nur durch eine Verknüpfung sichtbar ist: Fügen Sie seine Teile direkt in die Baugruppe ein, nicht als Verknüpfung.</translation>
     </message>
     <message>
         <source>Mechanism</source>
@@ -1706,17 +1706,17 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Wählen Sie das bewegte Teil im Baum oder in der 3D-Ansicht aus.</translation>
     </message>
     <message>
-        <source>This is an error in the workbench ({0}: {1}). The report view has the details; please report it.</source>
+        <source>This is an error in the workbench ({0}: {1}). Please report it with the details from the report view. See &quot;Report a fault&quot; in docs/handbook/troubleshooting.md.</source>
         <extracomment>A typed length counts as understood if it agrees with the field&apos;s value up to rounding.</extracomment>
-        <translation>Dies ist ein Programmfehler der Arbeitsumgebung ({0}: {1}). Einzelheiten stehen im Ausgabefenster; bitte melden Sie ihn.</translation>
+        <translation>Dies ist ein Programmfehler der Arbeitsumgebung ({0}: {1}). Bitte melden Sie ihn mit den Einzelheiten aus dem Ausgabefenster. Siehe „Report a fault“ in docs/handbook/troubleshooting.md.</translation>
     </message>
     <message>
         <source>{0}: &quot;{1}&quot; is not a valid value (it would be read as {2}). Correct it.</source>
         <translation>{0}: „{1}“ ist kein gültiger Wert (er würde als {2} gelesen). Berichtigen Sie ihn.</translation>
     </message>
     <message>
-        <source>Nothing can be recorded for an envelope that has an offset or is conservative: set Offset to 0 and switch Conservative off.</source>
-        <translation>Für eine Hülle, die einen Versatz hat oder konservativ ist, kann nichts aufgezeichnet werden: Setzen Sie „Versatz“ auf 0, und schalten Sie „Konservativ“ aus.</translation>
+        <source>If an envelope has an offset or is conservative, the faces that made it cannot be recorded: set Offset to 0 and switch Conservative off.</source>
+        <translation>Für eine Hülle mit Versatz oder eine konservative Hülle kann nicht aufgezeichnet werden, welche Flächen sie erzeugt haben: Setzen Sie „Versatz“ auf 0, und schalten Sie „Konservativ“ aus.</translation>
     </message>
     <message>
         <source>Transform cannot be used while the motion editor is open: drag the chosen key, or enter numbers.</source>
@@ -1981,12 +1981,12 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>„{0}“ hat {1} getrennte Stücke: Verbinden Sie sie zu einer Kurve, oder wählen Sie ein Stück.</translation>
     </message>
     <message>
-        <source>An accuracy of {0} needs more than {1} poses on this curve: choose a larger accuracy value.</source>
-        <translation>Eine Genauigkeit von {0} braucht auf dieser Kurve mehr als {1} Lagen: Wählen Sie einen größeren Wert.</translation>
+        <source>An accuracy of {0} needs more than {1} poses on this curve: enter a larger value, which is less accurate.</source>
+        <translation>Eine Genauigkeit von {0} braucht auf dieser Kurve mehr als {1} Lagen: Geben Sie einen größeren, also ungenaueren Wert ein.</translation>
     </message>
     <message>
-        <source>The second curve &quot;{0}&quot; lies on the tangent of the curve &quot;{1}&quot; at its start, so it does not define the z axis: move the second curve sideways.</source>
-        <translation>Die zweite Kurve „{0}“ liegt am Anfang auf der Tangente der Kurve „{1}“, daher bestimmt sie die z-Achse nicht: Verschieben Sie die zweite Kurve seitlich.</translation>
+        <source>At the start of the curve &quot;{1}&quot;, its tangent passes through the second curve &quot;{0}&quot;. So the second curve does not define the z axis there: move it away from this tangent.</source>
+        <translation>Am Anfang der Kurve „{1}“ verläuft deren Tangente durch die zweite Kurve „{0}“. Daher bestimmt die zweite Kurve dort die z-Achse nicht: Verschieben Sie sie von dieser Tangente weg.</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; has no value &quot;{1}&quot; that can be changed: choose one of {2}.</source>
@@ -2089,7 +2089,7 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Die Anzahl der Lagen ist {0}: Geben Sie eine Zahl von {1} bis {2} ein.</translation>
     </message>
     <message>
-        <source>The spline from pose {0} to pose {1} cannot be computed, because its numbers become too large: check the times, placements and given velocities of these poses.</source>
+        <source>The spline from pose {0} to pose {1} cannot be computed, because the numbers in the computation become too large: check the times, placements and given velocities of these poses.</source>
         <extracomment>each side. Given: the velocity stored with the key; the rotation is as for Auto.</extracomment>
         <translation>Der Spline von Lage {0} bis Lage {1} ist nicht berechenbar, weil zu große Zahlenwerte entstehen: Prüfen Sie Zeiten, Platzierungen und vorgegebene Geschwindigkeiten dieser Lagen.</translation>
     </message>
@@ -2140,8 +2140,8 @@ path&apos;s size.</extracomment>
         <translation>Urteil</translation>
     </message>
     <message>
-        <source>These distances are measured between the meshes. In the line above, the possible deviation of the meshes from the parts is subtracted</source>
-        <translation>Diese Abstände sind zwischen den Netzen gemessen. In der Zeile darüber ist die mögliche Abweichung der Netze von den Teilen abgezogen</translation>
+        <source>These distances are measured between the meshes. From the distance in the line above, the possible deviation of the meshes from the parts has already been subtracted</source>
+        <translation>Diese Abstände sind zwischen den Netzen gemessen. Vom Abstand in der Zeile darüber ist schon abgezogen, wie weit die Netze von den Teilen abweichen können</translation>
     </message>
     <message>
         <source>Colour the &amp;parts by their verdicts</source>
@@ -2176,8 +2176,8 @@ path&apos;s size.</extracomment>
         <translation>Vori&amp;ge Stelle</translation>
     </message>
     <message>
-        <source>Goes to the previous place, which is worse than this one</source>
-        <translation>Geht zur vorigen Stelle, die schlechter ist als diese</translation>
+        <source>Goes back to the previous place, where the clash is deeper or the distance is smaller</source>
+        <translation>Geht zurück zur vorigen Stelle, an der die Kollision tiefer oder der Abstand kleiner ist</translation>
     </message>
     <message>
         <source>&amp;Next worst place</source>
@@ -2785,8 +2785,8 @@ path&apos;s size.</extracomment>
         <translation>Schrittweite beim Ziehen eines Pfeils (mm) oder eines Bogens (Grad) in der 3D-Ansicht. 0: stufenlos</translation>
     </message>
     <message>
-        <source>A motion needs at least two keys: move the part, then press Capture.</source>
-        <translation>Eine Bewegung braucht mindestens zwei Stützstellen: Bewegen Sie das Teil, und klicken Sie auf „Aufnehmen“.</translation>
+        <source>A motion needs at least two keys (captured placements): move the part, then press Capture.</source>
+        <translation>Eine Bewegung braucht mindestens zwei Stützstellen (aufgenommene Platzierungen): Bewegen Sie das Teil, und klicken Sie auf „Aufnehmen“.</translation>
     </message>
     <message>
         <source>Pivot</source>
@@ -2865,8 +2865,8 @@ path&apos;s size.</extracomment>
         <translation>Aus&amp;wahl übernehmen</translation>
     </message>
     <message>
-        <source>Adds the shared volume of the two objects to the document. A clock marks the new object when it is stale</source>
-        <translation>Fügt das gemeinsame Volumen der beiden Objekte dem Dokument hinzu. Eine Uhr am neuen Objekt zeigt an, wenn es veraltet ist</translation>
+        <source>Adds the shared volume of the two objects to the document. When the new object is stale, its icon in the tree has a clock</source>
+        <translation>Fügt das gemeinsame Volumen der beiden Objekte dem Dokument hinzu. Ist das neue Objekt veraltet, trägt sein Symbol im Baum eine Uhr</translation>
     </message>
     <message>
         <source>Pairs checked: {0}, shared volume: {1}</source>
@@ -3040,7 +3040,7 @@ path&apos;s size.</extracomment>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Starts again at the end</source>
+        <source>Starts again from the beginning when the end is reached</source>
         <translation>Beginnt am Ende von vorn</translation>
     </message>
     <message>
@@ -3096,8 +3096,8 @@ path&apos;s size.</extracomment>
         <translation>Regeln</translation>
     </message>
     <message>
-        <source>At the start and the goal, the part may be closer to a neighbour than required. It may stay that close until some point of the part has moved farther than this</source>
-        <translation>An Start und Ziel darf das Teil näher an einem Nachbarn sein als der Sollabstand. Es darf so nah bleiben, bis sich einer seiner Punkte weiter als dies bewegt hat</translation>
+        <source>At the start and the goal, the part may be closer to a neighbour than required. It may stay that close until some point of the part has moved farther than this length</source>
+        <translation>An Start und Ziel darf das Teil näher an einem Nachbarn sein als der Sollabstand. Es darf so nah bleiben, bis sich einer seiner Punkte weiter als diese Länge bewegt hat</translation>
     </message>
     <message>
         <source>Release distance</source>
@@ -3128,8 +3128,8 @@ path&apos;s size.</extracomment>
         <translation>&amp;Reihenfolge finden</translation>
     </message>
     <message>
-        <source>Searches for an order in which the parts can be removed, and reverses it</source>
-        <translation>Sucht eine Reihenfolge, in der die Teile ausgebaut werden können, und kehrt sie um</translation>
+        <source>Finds an order in which the parts can be installed: searches for an order in which they can be removed, and reverses it</source>
+        <translation>Findet eine Reihenfolge für den Einbau: sucht, in welcher Reihenfolge die Teile ausgebaut werden können, und kehrt sie um</translation>
     </message>
     <message>
         <source>A part counts as removed when it is this far from its installed position</source>
@@ -3196,8 +3196,8 @@ path&apos;s size.</extracomment>
         <translation>Wie weit der Festkörper vom Netz abweichen darf. 0: genau, sofern „Max. Flächen“ keine Toleranz erfordert</translation>
     </message>
     <message>
-        <source>If the tolerance is 0, the smallest tolerance that meets this limit is chosen</source>
-        <translation>Ist die Toleranz 0, wird die kleinste Toleranz gewählt, die diese Grenze einhält</translation>
+        <source>Largest number of faces of the solid. If the tolerance is 0 and the exact solid would have more faces, the solid is simplified with the smallest tolerance that is enough</source>
+        <translation>Größte Anzahl der Flächen des Festkörpers. Ist die Toleranz 0 und hätte der genaue Festkörper mehr Flächen, wird er mit der kleinsten Toleranz vereinfacht, die ausreicht</translation>
     </message>
     <message>
         <source>no limit</source>
@@ -3551,8 +3551,8 @@ bis etwa {2}, {3}</translation>
         <translation>Ein Netz hat Lücken (offene Kanten) und damit kein eindeutiges Innen und Außen: Schließen Sie die Lücken.</translation>
     </message>
     <message>
-        <source>Two parts overlap in their installed positions: move one of them, or set the rule of the pair to Ignored.</source>
-        <translation>Zwei Teile überschneiden sich in ihren Einbaulagen: Verschieben Sie eines davon, oder setzen Sie die Regel des Paars auf „Ignoriert“.</translation>
+        <source>Two parts overlap in their installed positions: move one of them, or set the rule of the pair to Ignored. The details in parentheses name the parts.</source>
+        <translation>Zwei Teile überschneiden sich in ihren Einbaulagen: Verschieben Sie eines davon, oder setzen Sie die Regel des Paars auf „Ignoriert“. Die Angaben in Klammern nennen die Teile.</translation>
     </message>
     <message>
         <source>The part has gaps (open edges). Its envelope is closed all the same.</source>
@@ -3567,16 +3567,16 @@ bis etwa {2}, {3}</translation>
         <translation>Hohlräume in der Hülle wurden gefüllt. Um sie zu behalten, schalten Sie „Hohlräume behalten“ ein, und schließen Sie bei einem offenen Teil die Lücken.</translation>
     </message>
     <message>
-        <source>The solid deviates from the envelope by {0}; its Tolerance is {1}.</source>
-        <translation>Der Festkörper weicht um {0} von der Hülle ab; seine Toleranz ist {1}.</translation>
+        <source>The solid deviates from the envelope by {0}, which is more than its Tolerance of {1}. A smaller Tolerance usually reduces the deviation.</source>
+        <translation>Der Festkörper weicht um {0} von der Hülle ab. Das ist mehr als seine Toleranz von {1}. Eine kleinere Toleranz verringert die Abweichung meist.</translation>
     </message>
     <message>
         <source>To stay within Max faces, the solid was simplified: it deviates from the envelope by up to {0}. Allow more faces, or set a Tolerance.</source>
         <translation>Um innerhalb von „Max. Flächen“ zu bleiben, wurde der Festkörper vereinfacht: Er weicht um bis zu {0} von der Hülle ab. Lassen Sie mehr Flächen zu, oder geben Sie eine Toleranz an.</translation>
     </message>
     <message>
-        <source>The part has gaps that stay open during the motion. There, the envelope consists only of thin sheets along the walls of the part: close the gaps if the space between the walls is material of the part.</source>
-        <translation>Das Teil hat Lücken, die auch bei der Bewegung offen bleiben. Dort besteht die Hülle nur aus dünnen Schalen entlang der Wände: Schließen Sie die Lücken, wenn der Raum zwischen den Wänden Material des Teils ist.</translation>
+        <source>The part has gaps (open edges) that its motion does not close. There, the part does not count as solid, and the envelope is only a thin sheet along each wall of the part: close the gaps if the part is solid there.</source>
+        <translation>Das Teil hat Lücken (offene Kanten), die seine Bewegung nicht schließt. Dort gilt das Teil nicht als massiv, und die Hülle ist nur eine dünne Schicht entlang jeder Wand des Teils: Schließen Sie die Lücken, wenn das Teil dort massiv ist.</translation>
     </message>
     <message>
         <source>For research. Only Consistent guarantees that the envelope is closed</source>
@@ -3611,8 +3611,8 @@ bis etwa {2}, {3}</translation>
         <translation>Die Zelle ist zu groß für das Teil: Das Teil ist kleiner als eine Zelle oder an jeder Stelle dünner als eine Zelle. Wählen Sie eine höhere Genauigkeit (kleinerer Wert), eine kleinere Zelle oder eine höhere Auflösung.</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; is not up to date: the file gets its last result. To export the current state, recompute it first.</source>
-        <translation>„{0}“ ist nicht aktuell: Die Datei erhält das letzte Ergebnis. Um den aktuellen Stand zu exportieren, führen Sie zuerst eine Neuberechnung aus.</translation>
+        <source>&quot;{0}&quot; is not up to date, so the file will contain the result of its last run. To export the current state, recompute &quot;{0}&quot; first.</source>
+        <translation>„{0}“ ist nicht aktuell, daher wird die Datei das Ergebnis des letzten Laufs enthalten. Um den aktuellen Stand zu exportieren, berechnen Sie „{0}“ zuerst neu.</translation>
     </message>
     <message>
         <source>Cell size: {0}, deviation by simplification: {1}</source>

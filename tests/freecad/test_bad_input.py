@@ -132,7 +132,9 @@ class BadInput(BadCase):
         self.doc.recompute()
         self.assertEqual(obj.Status, envelope.STALE)
         for source in (obj, body):
-            note = '"{}" is not up to date: the file gets its last result'.format(source.Label)
+            note = '"{}" is not up to date, so the file will contain the result of its last run'.format(
+                source.Label
+            )
             self.assertIn(note, export.outdated_note(source))
         envelope.fail(obj, "no memory", "")
         self.assertEqual(obj.Status, envelope.FAILED)

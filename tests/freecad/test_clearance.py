@@ -161,12 +161,17 @@ class Clearance(Neighbours):
         bowl.Label, bowl.Placement = "Open bowl", shift(y=-60)
         obj = self.made()
         clearance.compute(obj)
-        self.assertIn("1 neighbour is open or has wrongly oriented triangles (Open bowl)", obj.Message)
+        self.assertIn(
+            "1 neighbour is open or has wrongly oriented triangles (Open bowl)", obj.Message
+        )
         bowl.Label = "Bowl of tin"
         net = self.doc.addObject("Mesh::Feature", "Net")
         net.Mesh, net.Placement = bowl.Mesh, shift(y=60)
         clearance.compute(obj)
-        self.assertIn("2 neighbours are open or have wrongly oriented triangles (Bowl of tin, Net)", obj.Message)
+        self.assertIn(
+            "2 neighbours are open or have wrongly oriented triangles (Bowl of tin, Net)",
+            obj.Message,
+        )
 
     def test_no_neighbour_is_named(self):
         self.wall.Visibility = self.far.Visibility = False

@@ -110,7 +110,7 @@ class Wires(Case):
         for accuracy, words in (
             (0.0, "greater than 0"),
             (-1.0, "greater than 0"),
-            (1e-7, "a larger accuracy value"),
+            (1e-7, "enter a larger value"),
         ):
             with self.assertRaisesRegex(InputProblem, words):
                 motion.motion_from_source(self.doc, "Curve", [ring], accuracy=accuracy)

@@ -131,7 +131,7 @@ def _reason(python, output):
         text = translate(
             "SweptVolume",
             "The package index could not be reached: check the network connection, or choose a "
-            "package file. pip says:\n"
+            "package file (.whl) with From a file. pip says:\n"
             "{0}",
         )
         return text.format("\n".join(lines[-3:]))
@@ -139,13 +139,15 @@ def _reason(python, output):
         text = translate(
             "SweptVolume",
             "There is no core of version {0} for Python {1} on this system: choose a package "
-            "file, or build the core. pip says:\n"
+            "file (.whl) with From a file, or build the core as in "
+            "docs/handbook/installation.md. pip says:\n"
             "{2}",
         )
         return text.format(__version__, version, last)
     return translate(
         "SweptVolume",
-        "pip could not install the core: choose a package file, or build the core. pip says:\n"
+        "pip could not install the core: choose a package file (.whl) with From a file, or build "
+        "the core as in docs/handbook/installation.md. pip says:\n"
         "{0}",
     ).format(last)
 
@@ -239,7 +241,8 @@ class Installation(threading.Thread):
         elif any(is_unpublished_on(source) for source in sources()):
             text = translate(
                 "SweptVolume",
-                "The core is not published on {0} yet: choose a file, or build the core.",
+                "The core is not published on {0} yet: choose a package file (.whl) with From a "
+                "file, or build the core as in docs/handbook/installation.md.",
             )
             raise Failed(text.format(DEFAULT_INDEX))
         staged = tempfile.mkdtemp(prefix=".swept-new-", dir=folder)
@@ -286,7 +289,8 @@ class Installation(threading.Thread):
                 translate(
                     "SweptVolume",
                     "pip ended without an error, but installed no usable core: choose another "
-                    "file, or build the core.",
+                    "package file (.whl) with From a file, or build the core as in "
+                    "docs/handbook/installation.md.",
                 )
             )
         name = os.path.basename(infos[0])

@@ -57,18 +57,19 @@ _TEXTS = {
     ),
     "AmbiguousTurn": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The part turns by 180 degrees, or nearly so, between two poses, so the direction of "
-        "the turn is ambiguous: add a pose between them.",
+        "The part turns by 180 degrees, or nearly so, between two poses, so the direction of the "
+        "turn is ambiguous: add a pose between them. The details in parentheses name the poses.",
     ),
     "PartsIntersect": QT_TRANSLATE_NOOP(
         "SweptVolume",
         "Two parts overlap in their installed positions: move one of them, or set the rule of "
-        "the pair to Ignored.",
+        "the pair to Ignored. The details in parentheses name the parts.",
     ),
     "PartsTooNear": QT_TRANSLATE_NOOP(
         "SweptVolume",
         "Two parts are closer than the required distance in their installed positions: reduce "
-        "the required distance, or set a release distance, within which parts may be that close.",
+        "the required distance, or set a release distance, which allows contact near the "
+        "installed positions. The details in parentheses name the parts.",
     ),
     "BadFile": QT_TRANSLATE_NOOP(
         "SweptVolume", "The file cannot be read: the details in parentheses say where and why."
@@ -114,19 +115,20 @@ _TEXTS = {
     "GoalBlocked": QT_TRANSLATE_NOOP(
         "SweptVolume",
         "At the goal, the part is too close to a neighbour, or overlaps it: move the neighbour, "
-        "reduce the required distance, or set a release distance, within which the part may be "
-        "that close.",
+        "reduce the required distance, or set a release distance, which allows contact near the "
+        "goal. The details in parentheses name the neighbour.",
     ),
     "StartBlocked": QT_TRANSLATE_NOOP(
         "SweptVolume",
         "At the start, the part is too close to a neighbour, or overlaps it: move the neighbour, "
-        "reduce the required distance, or set a release distance, within which the part may be "
-        "that close.",
+        "reduce the required distance, or set a release distance, which allows contact near the "
+        "start. The details in parentheses name the neighbour.",
     ),
     "ViaBlocked": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "At a locked key, the part is too close to a neighbour, or overlaps it: move "
-        "the neighbour, reduce the required distance, or unlock the key.",
+        "At a locked key, the part is too close to a neighbour, or overlaps it: move the "
+        "neighbour, reduce the required distance, or unlock the key. The details in parentheses "
+        "name the neighbour.",
     ),
     "SamePose": QT_TRANSLATE_NOOP(
         "SweptVolume", "Start and goal are the same: choose another start or goal."
@@ -153,22 +155,23 @@ _TEXTS = {
     ),
     "OverlappingShells": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "Solids of one part overlap: select each solid on its own, or fuse them first.",
+        "The solids of a part overlap one another: select each solid on its own, or fuse them "
+        "first. The details in parentheses name the part.",
     ),
     # findings
     "NoSharedVolume": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The shared volume of two parts could not be computed: repair their meshes, "
-        "or move one part slightly.",
+        "The shared volume of two parts could not be computed: repair their meshes, or move one "
+        "part slightly. The details in parentheses name the parts and the cause.",
     ),
     "OpenEdges": QT_TRANSLATE_NOOP(
         "SweptVolume", "The part has gaps (open edges). Its envelope is closed all the same."
     ),
     "OpenSheets": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The part has gaps that stay open during the motion. There, the envelope consists only "
-        "of thin sheets along the walls of the part: close the gaps if the space between the "
-        "walls is material of the part.",
+        "The part has gaps (open edges) that its motion does not close. There, the part does not "
+        "count as solid, and the envelope is only a thin sheet along each wall of the part: "
+        "close the gaps if the part is solid there.",
     ),
     "DegenerateTriangles": QT_TRANSLATE_NOOP(
         "SweptVolume", "Triangles with zero area were removed."

@@ -30,8 +30,8 @@ def outdated_note(source):
         return ""
     text = translate(
         "SweptVolume",
-        '"{0}" is not up to date: the file gets its last result. To export the current state, '
-        "recompute it first.",
+        '"{0}" is not up to date, so the file will contain the result of its last run. To export '
+        'the current state, recompute "{0}" first.',
     )
     return text.format(source.Label)
 

@@ -9,7 +9,8 @@ class Command(BaseCommand):
     TEXT = QT_TRANSLATE_NOOP("SweptVolume", "Open the demo")
     TIP = QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "Opens an example, in which a starter motor is installed past the parts around it",
+        "Opens an example: a starter motor is moved past the parts around it into its installed "
+        "position",
     )
     NEEDS_DOCUMENT = False
 

@@ -33,6 +33,10 @@ class Command(BaseCommand):
         part = selection.moved_part(obj)
         if part is None:
             raise InputProblem(
-                translate("SweptVolume", "Select the part that moves together with the motion.")
+                translate(
+                    "SweptVolume",
+                    'The motion "{0}" does not say which part it moves: select the part '
+                    "together with the motion.",
+                ).format(obj.Label)
             )
         improve_panel.show(document, motion=obj, pairs=[part])

@@ -255,7 +255,8 @@ RESULT = [
         "AccuracyBound",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "No point of the surface lies farther than this from the true one. 0: not known",
+            "No point of the surface lies farther than this length from the true surface. 0: not "
+            "known",
         ),
     ),
     (

@@ -37,8 +37,8 @@ def take(document, settings, run):
     notes = [
         translate(
             "SweptVolume",
-            '"{0}" is left out, because it is visible only through a link: add its '
-            "parts to the assembly itself.",
+            '"{0}" is left out, because it is visible only through a link: add its parts '
+            "directly to the assembly, not as a link.",
         ).format(convert.label_of(*place))
         for place, obj in zip(moved, objects)
         if convert.root_path(obj) != place

@@ -76,7 +76,9 @@ PROPERTIES = [
         "MovedToo",
         "Motion",
         QT_TRANSLATE_NOOP(
-            "App::Property", "Other parts that the source moved when this motion was read"
+            "App::Property",
+            "Other parts that moved too when this motion was recorded from an assembly "
+            "simulation or a driving value",
         ),
         None,
         READ_ONLY,

@@ -36,8 +36,9 @@ INPUT = [
         "ReleaseDistance",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Release distance. A part may touch another part at the start or end of its motion. "
-            "It may go on touching it until some point of the part has moved farther than this",
+            "Release distance. At the start or end of its motion, a part may touch another part. "
+            "This contact may last until some point of the moving part has moved farther than "
+            "this length",
         ),
         path_plan.DEFAULTS["ReleaseDistance"],
     ),

@@ -164,7 +164,9 @@ def notes_of(obj):
     if off > max(wanted, LEAST_GAP):
         if wanted > 0:
             text = translate(
-                "SweptVolume", "The solid deviates from the envelope by {0}; its Tolerance is {1}."
+                "SweptVolume",
+                "The solid deviates from the envelope by {0}, which is more than its "
+                "Tolerance of {1}. A smaller Tolerance usually reduces the deviation.",
             )
         else:
             text = translate(

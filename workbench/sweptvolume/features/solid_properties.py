@@ -34,8 +34,8 @@ PROPERTIES = [
         "Solid",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Largest number of faces. If Tolerance is 0, the smallest tolerance that meets this "
-            "limit is chosen",
+            "Largest number of faces. If Tolerance is 0 and the exact solid would have more "
+            "faces, the solid is simplified with the smallest tolerance that is enough",
         ),
         MAX_FACES,
         0,

@@ -72,8 +72,9 @@ class ResultPanel(StayingPanel):
         self.table.horizontalHeaderItem(2).setToolTip(
             translate(
                 "SweptVolume",
-                "These distances are measured between the meshes. In the line above, "
-                "the possible deviation of the meshes from the parts is subtracted",
+                "These distances are measured between the meshes. From the distance in the line "
+                "above, the possible deviation of the meshes from the parts has already been "
+                "subtracted",
             )
         )
         font = self.table.font()
@@ -126,7 +127,9 @@ class ResultPanel(StayingPanel):
                 (
                     translate("SweptVolume", "Pre&vious place"),
                     translate(
-                        "SweptVolume", "Goes to the previous place, which is worse than this one"
+                        "SweptVolume",
+                        "Goes back to the previous place, where the clash is deeper or "
+                        "the distance is smaller",
                     ),
                 ),
                 (

@@ -30,8 +30,8 @@ def tell(label, problem):
     App.Console.PrintError(text)
     said = translate(
         "SweptVolume",
-        "This is an error in the workbench ({0}: {1}). The report view has the details; please "
-        "report it.",
+        "This is an error in the workbench ({0}: {1}). Please report it with the details from "
+        'the report view. See "Report a fault" in docs/handbook/troubleshooting.md.',
     )
     widgets.show_message(label, said.format(type(problem).__name__, problem))
 

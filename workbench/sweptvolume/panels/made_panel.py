@@ -149,8 +149,8 @@ class MadePanel(StayingPanel):
             raise InputProblem(
                 translate(
                     "SweptVolume",
-                    "Nothing can be recorded for an envelope that has an offset or is "
-                    "conservative: set Offset to 0 and switch Conservative off.",
+                    "If an envelope has an offset or is conservative, the faces that made it "
+                    "cannot be recorded: set Offset to 0 and switch Conservative off.",
                 )
             )
         plan = Plan.of(self.obj)

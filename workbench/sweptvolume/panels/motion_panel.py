@@ -60,7 +60,8 @@ class MotionPanel(KeysInView):
         self.few.setText(
             translate(
                 "SweptVolume",
-                "A motion needs at least two keys: move the part, then press Capture.",
+                "A motion needs at least two keys (captured placements): move the part, then "
+                "press Capture.",
             )
         )
         layout.addWidget(self.few)

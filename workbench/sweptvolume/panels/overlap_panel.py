@@ -92,8 +92,8 @@ class OverlapPanel(StayingPanel):
             QtWidgets.QPushButton(translate("SweptVolume", "Keep s&hared volume")),
             translate(
                 "SweptVolume",
-                "Adds the shared volume of the two objects to the document. A clock marks the "
-                "new object when it is stale",
+                "Adds the shared volume of the two objects to the document. When the new object "
+                "is stale, its icon in the tree has a clock",
             ),
         )
         self.keep.setObjectName("SweptVolumeKeepShared")

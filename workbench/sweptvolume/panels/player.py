@@ -47,7 +47,9 @@ class Player(QtWidgets.QGroupBox):
         )
         self.loop = QtWidgets.QCheckBox(translate("SweptVolume", "Loop"))
         self.loop.setObjectName("SweptVolumeLoop")
-        self.loop.setToolTip(translate("SweptVolume", "Starts again at the end"))
+        self.loop.setToolTip(
+            translate("SweptVolume", "Starts again from the beginning when the end is reached")
+        )
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(*widgets.MARGINS)
         column.setSpacing(4)

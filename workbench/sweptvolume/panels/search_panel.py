@@ -49,7 +49,8 @@ class SearchPanel(StayingPanel):
             translate(
                 "SweptVolume",
                 "At the start and the goal, the part may be closer to a neighbour than required. "
-                "It may stay that close until some point of the part has moved farther than this",
+                "It may stay that close until some point of the part has moved farther than this "
+                "length",
             ),
         )
         self.release.setObjectName("SweptVolumeRelease")

@@ -53,7 +53,8 @@ class SequencePanel(SearchPanel):
             self.finds,
             translate(
                 "SweptVolume",
-                "Searches for an order in which the parts can be removed, and reverses it",
+                "Finds an order in which the parts can be installed: searches for an order in "
+                "which they can be removed, and reverses it",
             ),
         )
         self.layout.insertWidget(self.layout.indexOf(self.begins) + 1, self.finds)

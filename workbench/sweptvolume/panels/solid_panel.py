@@ -73,7 +73,9 @@ class SolidPanel(StartPanel):
             self.faces,
             translate(
                 "SweptVolume",
-                "If the tolerance is 0, the smallest tolerance that meets this limit is chosen",
+                "Largest number of faces of the solid. If the tolerance is 0 and the exact solid "
+                "would have more faces, the solid is simplified with the smallest tolerance that "
+                "is enough",
             ),
         )
         self.megabytes = QtWidgets.QDoubleSpinBox()

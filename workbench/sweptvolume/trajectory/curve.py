@@ -161,8 +161,8 @@ def _adaptive(track, accuracy, turning):
             raise InputProblem(
                 translate(
                     "SweptVolume",
-                    "An accuracy of {0} needs more than {1} poses on this curve: choose a "
-                    "larger accuracy value.",
+                    "An accuracy of {0} needs more than {1} poses on this curve: enter a larger "
+                    "value, which is less accurate.",
                 ).format(quantity(accuracy), count(MAX_POSES))
             )
         samples.append(sample)
@@ -261,9 +261,9 @@ def _turns_by_second(samples, others, objects):
             raise InputProblem(
                 translate(
                     "SweptVolume",
-                    'The second curve "{0}" lies on the tangent of the curve "{1}" at its '
-                    "start, so it does not define the z axis: move the second curve "
-                    "sideways.",
+                    'At the start of the curve "{1}", its tangent passes through the second '
+                    'curve "{0}". So the second curve does not define the z axis there: move it '
+                    "away from this tangent.",
                 ).format(objects[1].Label, objects[0].Label)
             )
         turns.append(turn)

@@ -83,9 +83,9 @@ class Spline:
             raise InputProblem(
                 translate(
                     "SweptVolume",
-                    "The spline from pose {0} to pose {1} cannot be computed, because its "
-                    "numbers become too large: check the times, placements and given velocities "
-                    "of these poses.",
+                    "The spline from pose {0} to pose {1} cannot be computed, because the "
+                    "numbers in the computation become too large: check the times, placements "
+                    "and given velocities of these poses.",
                 ).format(k + 1, k + 2)
             )
         first, last = rotation_of(w0 * third), rotation_of(w1 * third)

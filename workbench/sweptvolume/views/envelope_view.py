@@ -87,7 +87,8 @@ class EnvelopeView(View):
         if "ColourBy" not in view.PropertiesList:
             text = QT_TRANSLATE_NOOP(
                 "App::Property",
-                "What the colours show. Needs a record of what made the envelope (MadeBy)",
+                "What the colours show. They need a record of the faces that made the envelope: "
+                "set MadeBy to Session or Document, and compute the envelope again",
             )
             view.addProperty("App::PropertyEnumeration", "ColourBy", "Display", text)
             view.ColourBy = made_colours.CHOICES
