@@ -1,12 +1,13 @@
-// Turns a Hermite grid into a closed triangle mesh: one vertex per component, one polygon per
-// crossing.
+// Turns a Hermite grid into a closed triangle mesh. Each component of a cell (crossings that belong
+// to one piece of surface, components.h) becomes a vertex, and each crossing a polygon.
 //
 // In: Hermite grid. Out: mesh in mm, and a contact time for each vertex. Cost: O(crossings).
-// Promise (consistent components): closed, edge- and vertex-manifold, oriented outward. The
-// polygons of the dual surface are closed by construction. Two things could still make the
-// triangles non-manifold, and each is resolved where it occurs. If two segments of one face join
-// the same two components, the second segment gets a vertex on the face. If the two quads of one
-// lattice edge have the same diagonal, both become fans about their crossings.
+// Promise (with ComponentMethod::Consistent): closed, edge- and vertex-manifold, oriented outward.
+// The polygons of the dual surface form a closed surface by construction. Two things could still
+// make the triangles non-manifold, and each is resolved where it occurs. If two components of
+// adjacent cells are joined twice through the face between the cells, the second join gets a vertex
+// on the face. A lattice edge may have two crossings, each with a quad. If both quads have the same
+// diagonal, both become fans about their crossings.
 // Source: dual contouring (Ju et al. 2002); several vertices per cell (Nielson 2004; Schaefer, Ju
 // and Warren 2007, "Manifold dual contouring"); polygons through points on edges and faces where no
 // diagonal is valid (Ju and Udeshi 2006).

@@ -27,8 +27,8 @@ int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double 
   return aboveB ? 1 : -1;
 }
 
-/// Limits: mean number of columns per triangle, and total number of entries, which have 32-bit
-/// indices.
+/// Limits of the mean number of columns per triangle, and of the total number of pairs of a
+/// triangle and a column, whose indices have 32 bits. If one is exceeded, the columns become wider.
 constexpr double kMostColumns = 256, kMostPairs = 4e9;
 constexpr std::size_t kBlock = 1 << 13;
 constexpr double kRoom = 1e-12;  ///< margin as a fraction of the largest coordinate

@@ -38,7 +38,7 @@ std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& c
 }
 
 /// Returns the bounding box of the body in many similar placements. Returns an empty box if they
-/// differ so much that more than 1/16 of the vertices can be the farthest.
+/// differ so much that, along one of the axes, foremost() leaves more than 1/16 of the vertices.
 Eigen::AlignedBox3d boxOfSimilarPlacements(const TriMesh& body, const Eigen::Vector3d& centre,
                                            const Motion& motion) {
   Eigen::AlignedBox3d box;

@@ -24,8 +24,9 @@ namespace swept {
 
 namespace detail {
 
-/// Breaks the tie for a line exactly on an edge with the direction (du, dv): returns whether the
-/// shifted line lies on the inner side of the edge.
+/// Breaks the tie for a line that lies exactly on an edge with the direction (du, dv) of a
+/// counterclockwise triangle. Returns whether the line lies on the inner side of the edge once it
+/// is shifted a little along u, and far less along v (see the top of this file).
 inline bool tieIsInside(std::int64_t du, std::int64_t dv) { return dv < 0 || (dv == 0 && du > 0); }
 
 /// Decides exactly whether a crossing lies above the shifted lattice point k of its line. Used for

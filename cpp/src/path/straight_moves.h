@@ -14,8 +14,9 @@
 
 namespace swept::path {
 
-/// Returns the keys. `far` (mm): a move of this length leaves all neighbours behind. Gives up once
-/// isLate() is true.
+/// Returns the keys of a path, from one of the starts to one of the goals. Returns no keys if no
+/// path was found, or once isLate() is true. `far` (mm): a move of this length leaves all
+/// neighbours behind.
 std::vector<State> straightMoves(const Scene& scene, const Rule& rule, const MoveAllowed& allowed,
                                  const std::vector<State>& starts, const std::vector<State>& goals,
                                  double far, Memory& memory, const std::function<bool()>& isLate,

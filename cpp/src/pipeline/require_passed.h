@@ -10,7 +10,7 @@
 namespace swept {
 
 /// Throws unless the mesh has passed the check. `what` names the mesh in the message, such as "the
-/// envelope".
+/// envelope". `cell`: cell size (mm), for the advice.
 void requirePassed(const MeshCheck& check, const char* what, double cell);
 
 }  // namespace swept

@@ -17,7 +17,8 @@ namespace {
 /// Bounds of the number of placements of the rough motion. Between them, RoughRoom::faces
 /// determines the number.
 constexpr std::size_t kFewest = 6, kMost = 192;
-/// A motion of at most this many placements is used whole if its faces are within RoughRoom::faces.
+/// A motion of at most this many placements is not thinned if the number of faces of the body times
+/// the number of placements is at most RoughRoom::faces.
 constexpr std::size_t kMostWhole = 384;
 /// The grid is at most this many times coarser and has at least this many cells along its longest
 /// side.

@@ -100,7 +100,7 @@ def slot(doc):
     assert rows["Case"]["verdict"] == "clear" and rows["Case"]["guaranteed"] >= 0.489, rows
     assert (found.Placements[0].Base - V(80, -22, -3)).Length < 1e-9
     assert (found.Placements[-1].Base - part.Placement.Base).Length < 1e-9
-    # A required distance for the case alone, and another seed: the path appears beside the first one.
+    # A required distance only for the neighbour Case, and another seed: the new path is listed too.
     table.item(0, 1).setText("1 mm")
     find(QtWidgets.QSpinBox, "SweptVolumeSeed").setValue(2)
     click(find(QtWidgets.QPushButton, "SweptVolumeFind"))

@@ -180,8 +180,9 @@ TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
   }
 }
 
-// Memory during sampling: an item of the run drops crossings only if it alone has many, and a
-// union of many placements has more items than an interpolated motion.
+// The estimate of the memory during sampling. A work item removes crossings that cannot matter only
+// once it has kMinThinRecords of them. So all crossings count if there are fewer per item, and only
+// few if there are more. Interpolation::None has more work items than an interpolated motion.
 TEST(TrialSteps, CrossingsAreHeldWhereNoItemHasMany) {
   const TriMesh body = makeBox({0, 0, 0}, {10, 10, 10});
   Trajectory path = bow(20000, 60, 0, 0.3);  // noise, so that no steps are merged

@@ -132,8 +132,8 @@ class Rebuilder {
     }
   }
 
-  /// Removes the polygons of all crossings of the cells, and the strips at the vertices of the
-  /// cells.
+  /// Removes the polygons of all crossings of the rebuilt cells. Also removes the triangles at the
+  /// vertices of these cells that close the ends of thin walls.
   void removeTriangles() {
     std::vector<std::uint8_t> ofCrossing(grid_.crossings.size()), ofVertex(mesh_.vertices.size());
     for (const std::uint32_t crossing : crossings_) ofCrossing[crossing] = 1;

@@ -50,7 +50,9 @@ class PlacementSpace {
   const Point6& point(std::uint32_t placement) const { return points_[placement]; }
   /// Returns the placement of largest advance. `guess` only makes the search faster.
   Best support(const Point6& gradient, std::uint32_t guess) const;
-  /// Finds up to `maxCount` placements with an advance above `minAdvance`, best branches first.
+  /// Collects placements with an advance above `minAdvance` in `out`, unsorted. Stops after
+  /// `maxCount`: the branches of the tree with the highest bounds are searched first, but the
+  /// placements found need not be the best ones.
   void above(const Point6& gradient, float minAdvance, std::size_t maxCount,
              std::vector<Best>& out) const;
 

@@ -13,9 +13,11 @@
 
 namespace swept::step {
 
-/// A face is loose if an edge lies farther from its surface than allowed. Between two recognised
-/// faces, `tolerance` (mm) is allowed: surfaces that touch were fitted separately, so no edge lies
-/// on both. Otherwise only 1e-7 mm are allowed. Facets are never loose.
+/// Returns the indices of the loose faces. A face is loose if one of its edges lies farther from
+/// the surface of the face than allowed. If both faces of the edge are recognised (ModelFace::patch
+/// is below `known`), `tolerance` (mm) is allowed: their surfaces were fitted separately, so no
+/// edge lies exactly on both. Otherwise only 1e-7 mm are allowed. Flat faces of unrecognised parts
+/// of the mesh (facets) are never loose.
 std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known, double tolerance);
 
 }  // namespace swept::step

@@ -15,8 +15,9 @@ std::string ref(Id id) {
   return text;
 }
 
-// Returns the code point at `at` and advances `at`. A byte that is not valid UTF-8 counts as a code
-// point.
+// Returns the code point of UTF-8 at `at` and advances `at`. A byte counts as a code point by
+// itself if it cannot begin one, or if the text ends before the bytes that it announces. The bytes
+// that follow it are not checked.
 char32_t codePoint(const std::string& text, std::size_t& at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
