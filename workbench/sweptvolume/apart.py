@@ -226,7 +226,7 @@ def _face_points(face):
 
 
 def _local(shape):
-    """Returns the shape without its placement. Both share one topology."""
+    """Returns a copy of the shape without its placement. Copy and original share their topology."""
     import Part
 
     local = Part.Shape(shape)

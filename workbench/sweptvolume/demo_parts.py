@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parts of the demo, modelled here: a starter motor and its neighbours on the way. Units: mm.
+"""The parts of the demo, modelled here: a starter motor and the parts past which it moves. Units: mm.
 
 World frame: x along the crankshaft towards the gearbox, y away from the engine, z up. The origin is
 the centre of the starter's mounting face in its final position.

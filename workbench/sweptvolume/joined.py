@@ -24,7 +24,8 @@ def join(outcomes, options, control):
     request = core.Request(core.Triangles(vertices, triangles), *still, "none", options)
     joined = core.compute(request, control)
     earlier = [_Joined(o.report, o.sources, o.parts) for o in outcomes]
-    if joined.result is not None:  # recut() must complete its outcome in the same way
+    if joined.result is not None:
+        # core.recut() calls this function, so that its outcome gets the earlier runs, too.
         joined.result = joined.result[:2] + (lambda outcome: _completed(outcome, earlier),)
     return _completed(joined, earlier)
 

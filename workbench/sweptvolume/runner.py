@@ -23,8 +23,8 @@ from .texts import translate
 POLL = 100
 #: Time (ms) after which an applied result is freed, so that the window draws it first.
 FORGET = 400
-#: Time (ms) in which a cancelled run may end by itself. Together with one check, the answer takes
-#: at most 0.3 s.
+#: Time (ms) in which a cancelled run may end by itself. So Stop takes effect within 0.3 s, including
+#: the interval between two checks.
 GRACE = 150
 #: Time (s) in which all threads must end when FreeCAD closes. With FreeCAD's own work this stays
 #: below 2 s.

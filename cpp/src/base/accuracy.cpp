@@ -15,8 +15,9 @@ namespace {
 /// surface. No point of these cells is farther from this edge's crossing than the diagonal of a
 /// cell.
 constexpr double kDiagonal = std::numbers::sqrt3;
-/// Sizes as fractions of the accuracy; kChordCells: of a cell. The diagonal of a cell takes 0.87 of
-/// the accuracy, the tolerance 0.1, the chords 0.02, and the thinning of the body half of that.
+/// Cell and tolerance as fractions of the accuracy, and the chord tolerance as a fraction of the
+/// cell. The diagonal of a cell takes 0.87 of the accuracy, the tolerance 0.1, the chords 0.02, and
+/// the thinning of the body 0.01.
 constexpr double kCell = 0.5, kTolerance = 0.1, kChordCells = 0.04;
 static_assert(kDiagonal * kCell + kTolerance + 1.5 * kChordCells * kCell < 1);
 

@@ -1,6 +1,7 @@
 // Checks a mechanism. The parts are prepared in parallel. Boxes over time discard the pairs of
-// parts that stay far apart. Each remaining pair is searched like one moving body: the part
-// relative to which the other one moves less counts as standing still.
+// parts that stay far apart. Each remaining pair is searched like a moving body and a part that
+// stands still. As the part that stands still, the search takes the one in whose coordinates the
+// other one moves less.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/mechanism.h"
 

@@ -83,7 +83,7 @@ class PlateGap {
   /// Returns half the extent of the plate along a direction. `cosine`: cosine of the angle between
   /// this direction and the axis.
   static double extent(const Plate& plate, double cosine) {
-    constexpr double kRounding = 1e-15;  // keeps the root from being too small after rounding
+    constexpr double kRounding = 1e-15;  // so that rounding never makes the square root too small
     return std::abs(cosine) * plate.half +
            std::sqrt(std::max(0.0, 1 - cosine * cosine) + kRounding) * plate.radius;
   }

@@ -16,19 +16,20 @@ constexpr std::size_t kMaxKeys = 300;
 constexpr int kPlaces = 6;       // number of positions at which a free move is sampled
 constexpr int kManyPlaces = 24;  // the same for a blocked move
 constexpr int kRounds = 12;      // after this many rounds, a raise has failed
-constexpr int kSweeps = 60;      // of the dual ascent
-constexpr double kTrust = 0.1;   // radii; a key moves no farther in one round
+constexpr int kSweeps = 60;      // passes of the dual ascent
+constexpr double kTrust = 0.1;   // radii of the part; a key moves no farther in one round
 // Pairs are opened to this multiple of the wanted distance. Tried on test cases of OMPL.app: with
 // 1.02, blocked moves open too slowly; with 1.25 and more, wide detours use up the permitted
 // length.
 constexpr double kMargin = 1.1;
 constexpr double kFirst = 2e-3;      // radii; the first raise
 constexpr double kLeast = 2e-6;      // radii; smaller raises are not worth the time
-constexpr double kMostRaise = 0.25;  // radii
+constexpr double kMostRaise = 0.25;  // radii; largest raise of all steps together
 constexpr double kRaise = 2;         // factor from one raise to the next
-constexpr double kEnough = 1.4;      // bisection ends at this ratio of failure to success
-constexpr double kLonger = 1.25;     // the path may grow by this factor
-constexpr int kTrials = 100;         // shortcuts of the widened path
+// The search ends when the next raise to try is at most this many times the last one that worked.
+constexpr double kEnough = 1.4;
+constexpr double kLonger = 1.25;  // the path may become longer by this factor
+constexpr int kTrials = 100;      // shortcuts of the widened path
 
 /// The distance of a pair of triangles, as a linear function of the twists of the two keys beside
 /// it: row . (before * twist of the key + after * twist of the next key) >= least.

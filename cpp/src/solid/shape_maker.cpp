@@ -290,7 +290,7 @@ class ShapeMaker {
     const std::vector<std::int32_t> failed = takeHeld(model, unheld);
     if (!failed.empty()) return failed;
     // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
-    // without facets is left as it is, because it would become hundreds of facets.
+    // without facets keeps its curved faces, because they would become hundreds of facets.
     if (!unheld.empty() && hasFacets(model)) {
       for (const EdgeCut& cut : unheld) trouble_.push_back(model.edges[cut.edge].curve.at(cut.at));
       isLoose_ = true;

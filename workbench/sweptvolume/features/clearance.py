@@ -115,7 +115,7 @@ def work(request, control):
         distances = np.full(len(request.points), FAR)
         for _, vertices, triangles, _, rule in neighbours:
             if rule is not None and rule.startswith("contact"):
-                continue  # its near-zero distances would hide other approaches
+                continue  # the colours would show only this contact, not the distance of other parts
             found = core.distance_to_mesh(request.points, vertices, triangles, control)
             distances = np.minimum(distances, found)
     return Outcome(report, distances, request.notes)

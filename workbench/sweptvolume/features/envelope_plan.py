@@ -197,7 +197,7 @@ class Plan:
         groups, options = self.groups(), self.options()
         cell = self.cell(groups)
         if any(np.ptp(g.corners(), axis=0).max() > MOST_CELLS * cell for g in groups):
-            # For such a cell, estimate() raises the core's error before any solid is meshed.
+            # The cell is too small: estimate() raises the core's error before any solid is meshed.
             self.estimate()
         if len(groups) > 1:
             options.update(cell=cell, tolerance=0.0)

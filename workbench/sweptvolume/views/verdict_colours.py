@@ -11,7 +11,7 @@ from ..convert import paths_to
 
 def painted_object(root, sub):
     """Returns the object that determines the look of the part at the end of a path: the part
-    itself, or the first link on the way, which draws its own copy. Returns None if the path
+    itself, or the first link on this path, which draws its own copy. Returns None if the path
     leads to no object."""
     found = None
     for path in paths_to(sub):

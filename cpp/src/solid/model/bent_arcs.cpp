@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kSpans = 22;  // of the spline of a reader
+constexpr std::size_t kSpans = 22;  // number of spans of a reader's spline
 /// mm. A reader gives every edge a tolerance of at least 1e-7. The margin allows for rounding.
 constexpr double kMaxError = 0.8e-7;
 

@@ -16,10 +16,10 @@ using Eigen::Vector3d;
 
 constexpr int kMaxSpans = 64;
 constexpr int kHalvings = 6;
-/// More spans must reduce the sum of squares to this share of its previous value.
+/// More spans must reduce the sum of squares to this fraction of its previous value.
 constexpr double kMaxRemaining = 0.6;
 constexpr double kSmoothing = 1e-7;
-constexpr double kEndFraction = 0.08;  // of the length: straight pieces at the ends
+constexpr double kEndFraction = 0.08;  // fraction of the length: straight pieces at the ends
 constexpr double kTurnPerSpan = 0.6;
 constexpr int kAxisRounds = 4;
 

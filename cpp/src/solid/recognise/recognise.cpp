@@ -81,10 +81,10 @@ class Recogniser {
   std::vector<SurfaceSeeker> seekers_;
 };
 
-/// Least scatter of the vertices, as a share of the triangles' height. Below it, the vertices lie
-/// exactly on the surface.
+/// Least scatter of the vertices, as a fraction of the triangles' height. Below it, the vertices
+/// lie exactly on the surface.
 constexpr double kMinScatter = 0.03;
-constexpr double kMaxMoved = 0.2;  // of the tolerance: largest shift of a surface
+constexpr double kMaxMoved = 0.2;  // fraction of the tolerance: largest shift of a surface
 constexpr std::size_t kMaxSamples = 5000;
 /// Vertices farther away than this multiple of the median distance belong to a neighbour.
 constexpr double kMaxMedians = 5;

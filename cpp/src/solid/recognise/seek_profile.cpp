@@ -20,12 +20,13 @@ constexpr std::size_t kFewSamples = 200, kMaxSamples = 1000;
 constexpr double kMaxSpread = 0.03;  // sine: scatter of the normals about a direction or an axis
 constexpr double kMaxLean = 0.08;    // sine: a single normal may deviate by this much
 constexpr double kSurfaceCosine = 0.90;  // a triangle may deviate by 26 degrees from its surface
-constexpr double kExactFraction = 0.1;  // of the tolerance: largest median distance of the vertices
-constexpr double kRoughFraction = 0.2;  // of the tolerance: the same for a quick first test
-/// Spans are halved until their points are within this share of the tolerance.
+constexpr double kExactFraction =
+    0.1;  // fraction of the tolerance: largest median distance of the vertices
+constexpr double kRoughFraction = 0.2;  // the same for a quick first test
+/// Spans are halved until their points are within this fraction of the tolerance.
 constexpr double kFitFraction = 0.02;
-/// Only patches whose median distance exceeds this share of the tolerance may give triangles to a
-/// profile.
+/// Only patches whose median distance exceeds this fraction of the tolerance may give triangles to
+/// a profile.
 constexpr double kMinLoose = 0.02;
 constexpr double kMinGain = 3;   // factor by which the profile must fit better than the patch
 constexpr double kMinSaved = 8;  // facets that a patch must save

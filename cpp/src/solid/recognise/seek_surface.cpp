@@ -12,8 +12,8 @@ constexpr int kSeedTriangles = 60;       // triangles of the first guess
 constexpr int kMaxSeedTriangles = 4000;  // triangles of the largest guess
 /// Cosine: a triangle may deviate by this angle (26 degrees) from its surface.
 constexpr double kSurfaceCosine = 0.90;
-constexpr double kMinFraction = 0.1;  // of the tolerance: least value to which it is reduced
-/// Largest median distance of the vertices, as a share of the tolerance.
+constexpr double kMinFraction = 0.1;  // smallest fraction to which the tolerance is reduced
+/// Largest median distance of the vertices, as a fraction of the tolerance.
 constexpr double kExactFraction = 0.1;
 constexpr int kRimRings = 3;
 constexpr std::size_t kFewSamples = 80;  // for a first guess: few, since most guesses fail

@@ -14,13 +14,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Share of the whole area. A smaller patch must save kMinSaved facets.
+/// Fraction of the area of the mesh. A smaller patch must save kMinSaved facets.
 constexpr double kMinArea = 1.0 / 400;
 constexpr double kMinSaved = 8;
-constexpr double kMinCosine = 0.5;     // of the largest angle of a triangle to the surface it joins
+constexpr double kMinCosine =
+    0.5;  // cosine of the largest angle between a triangle and the surface it joins
 constexpr double kBorderPerFacet = 3;  // edges of a smooth border that cost one facet outside
-constexpr std::size_t kMaxSpeck = 6;   // most triangles of a speck
-constexpr double kMaxSpeckArea = 30;   // in squared tolerances
+constexpr std::size_t kMaxSpeck = 6;   // largest number of triangles of a speck
+constexpr double kMaxSpeckArea = 30;   // largest area of a speck, in squared tolerances
 constexpr double kMaxSpeckReach = 6;  // in tolerances: distance from the surface that a speck joins
 constexpr int kStepsBeyond = 6;       // triangles beyond a border that are examined
 constexpr double kMinSteep = 0.12;    // sine of about 7 degrees

@@ -13,11 +13,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kReach = 1.0 / 80;     // of the box: how far a step looks
-constexpr double kMaxReach = 1.0 / 6;   // of the box: how far it looks at most if points are sparse
+constexpr double kReach = 1.0 / 80;     // fraction of the box: radius in which a step uses points
+constexpr double kMaxReach = 1.0 / 6;   // the same, where points are sparse
 constexpr double kMinSameCosine = 0.7;  // cosine: normals at a larger angle are ignored
 constexpr int kMaxSteps = 1500;
-/// Share of the box's size; points nearer to each other than this count as one.
+/// Fraction of the box's size; points nearer to each other than this count as one.
 constexpr double kMinSpacing = 1.0 / 800;
 constexpr int kCells = 80;
 

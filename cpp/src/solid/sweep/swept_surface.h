@@ -22,7 +22,6 @@
 //   bound is as small as the tolerance of the kernel. With 1e-6 mm the files are a third smaller,
 //   but then the kernel's test of a shape for Boolean operations (BOPAlgo_ArgumentAnalyzer) finds
 //   curves off their surfaces.
-//   Carriers extend beyond the requested range by kMargin on each side (motion and curves are
 //   Carriers extend beyond the requested range by kMargin on each side, where motion and curves are
 //   continued analytically. So borders of faces never touch the borders of the surface.
 //   No faulty surface is returned. If the surface degenerates within the requested range, there is
