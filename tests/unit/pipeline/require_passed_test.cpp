@@ -37,7 +37,7 @@ TEST(RequirePassed, NamesEveryFaultAndWhatToDo) {
   EXPECT_NE(text.find("4 open edges, 1 non-manifold vertices."), std::string::npos) << text;
   EXPECT_EQ(text.find("misoriented"), std::string::npos) << text;
   EXPECT_NE(text.find("try 1.8 mm instead of 2,"), std::string::npos) << text;
-  EXPECT_NE(text.find("report the fault"), std::string::npos) << text;
+  EXPECT_NE(text.find("please report it"), std::string::npos) << text;
 }
 
 TEST(RequirePassed, NamesShellsWithTheWrongSideOut) {

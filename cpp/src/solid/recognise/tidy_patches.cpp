@@ -17,8 +17,8 @@ using Eigen::Vector3d;
 /// Fraction of the area of the mesh. A smaller patch must save kMinSaved facets.
 constexpr double kMinArea = 1.0 / 400;
 constexpr double kMinSaved = 8;
-constexpr double kMinCosine =
-    0.5;  // cosine of the largest angle between a triangle and the surface it joins
+/// Cosine of the largest angle between a triangle and the surface that it joins.
+constexpr double kMinCosine = 0.5;
 constexpr double kBorderPerFacet = 3;  // edges of a smooth border that cost one facet outside
 constexpr std::size_t kMaxSpeck = 6;   // largest number of triangles of a speck
 constexpr double kMaxSpeckArea = 30;   // largest area of a speck, in squared tolerances
