@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>Reference part: the envelope is computed as seen from this part, which itself moves. Empty: in the coordinates of the document</source>
-        <translation>Bezugsteil: Die Hülle wird so berechnet, wie sie von diesem Teil aus erscheint, das sich selbst bewegt. Leer: in den Koordinaten des Dokuments</translation>
+        <translation>Bezugsteil: Die Hülle wird relativ zu diesem Teil berechnet, das sich ebenfalls bewegt. Leer: in den Koordinaten des Dokuments</translation>
     </message>
     <message>
         <source>Motion of the reference part</source>
@@ -257,7 +257,7 @@
     </message>
     <message>
         <source>File from which the poses were read. Reload motion reads it again</source>
-        <translation>Datei, aus der die Lagen gelesen wurden. „Bewegung neu laden“ liest sie erneut</translation>
+        <translation>Datei, aus der die Lagen eingelesen wurden. „Bewegung neu laden“ liest sie erneut ein</translation>
     </message>
     <message>
         <source>Unit of the lengths in the file</source>
@@ -578,7 +578,7 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Changes the settings with which the source of the selected motion is read (such as accuracy, duration or unit), and reads the source again</source>
-        <translation>Ändert die Einstellungen, mit denen die Quelle der gewählten Bewegung gelesen wird (etwa Genauigkeit, Dauer oder Einheit), und liest die Quelle neu</translation>
+        <translation>Ändert die Einstellungen, mit denen die Quelle der gewählten Bewegung eingelesen wird (etwa Genauigkeit, Dauer oder Einheit), und liest die Quelle neu ein</translation>
     </message>
     <message>
         <source>Export envelope...</source>
@@ -691,7 +691,7 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Reads the file or source of the selected motion again. All motions of the same driving value or simulation are read together</source>
-        <translation>Liest Datei oder Quelle der gewählten Bewegung neu. Alle Bewegungen desselben steuernden Werts oder derselben Simulation werden zusammen gelesen</translation>
+        <translation>Liest die Datei oder Quelle der gewählten Bewegung neu ein. Alle Bewegungen desselben steuernden Werts oder derselben Simulation werden zusammen eingelesen</translation>
     </message>
     <message>
         <source>Sequence...</source>
@@ -978,7 +978,7 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>There is no check in the document: make one with Check clearance or Check mechanism.</source>
-        <translation>Im Dokument ist keine Prüfung: Legen Sie eine mit „Abstand prüfen“ oder „Mechanismus prüfen“ an.</translation>
+        <translation>Im Dokument gibt es keine Prüfung: Legen Sie eine mit „Abstand prüfen“ oder „Mechanismus prüfen“ an.</translation>
     </message>
     <message>
         <source>The document has {0} checks and studies: select one of them.</source>
@@ -1216,7 +1216,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>The rules ignore every neighbour, so there is nothing to check: change at least one rule.</source>
-        <translation>Die Regeln ignorieren jeden Nachbarn, daher gibt es nichts zu prüfen: Ändern Sie mindestens eine Regel.</translation>
+        <translation>Nach den Regeln werden alle Nachbarn ignoriert, daher gibt es nichts zu prüfen: Ändern Sie mindestens eine Regel.</translation>
     </message>
     <message>
         <source>These parts also moved when this motion was read, but stand still in this check: {0}. If they move at the same time, use Check mechanism.</source>
@@ -1510,7 +1510,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>&quot;{0}&quot; is on both sides: choose another object for one of them.</source>
-        <translation>„{0}“ steht auf beiden Seiten: Wählen Sie für eine davon ein anderes Objekt.</translation>
+        <translation>„{0}“ ist auf beiden Seiten gewählt: Wählen Sie für eine davon ein anderes Objekt.</translation>
     </message>
     <message>
         <source>The envelope has no mesh yet: compute it first.</source>
@@ -2045,7 +2045,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>&quot;{0}&quot; has no placement, so it cannot be a pose: choose another object.</source>
-        <translation>„{0}“ hat keine Platzierung und kann daher keine Lage sein: Wählen Sie ein anderes Objekt.</translation>
+        <translation>„{0}“ hat keine Platzierung und kann daher nicht als Lage dienen: Wählen Sie ein anderes Objekt.</translation>
     </message>
     <message>
         <source>Pose {0}: the time is {1:g}, but must be a finite number. Correct it.</source>
