@@ -165,7 +165,7 @@ std::string toJson(const ClearanceReport& report);
 std::vector<double> distanceToMesh(const std::vector<Eigen::Vector3d>& points, const TriMesh& mesh,
                                    RunContext& run);
 
-/// Measures distances the slow way, for comparison: with one FCL query at each pose and at
+/// Measures distances by a slow method, for comparison: with one FCL query at each pose and at
 /// `between` times within each motion step. Smaller distances between these times are missed.
 /// Throws Error(Cancelled).
 struct StampedClearance {

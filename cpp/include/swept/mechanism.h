@@ -102,8 +102,8 @@ MechanismReport checkMechanism(const std::vector<MechanismPart>& parts,
 /// Returns the report as JSON text (UTF-8). docs/clearance.md describes the keys.
 std::string toJson(const MechanismReport& report);
 
-/// Measures distances the slow way, for comparison: with one FCL query at both ends of `time`, at
-/// each pose of the two parts in between, and at `between` evenly spaced times in every gap.
+/// Measures distances by a slow method, for comparison: with one FCL query at both ends of `time`,
+/// at each pose of the two parts in between, and at `between` evenly spaced times in every gap.
 /// Smaller distances between these times are missed. Throws Error.
 StampedClearance stampedPair(const MechanismPart& first, const MechanismPart& second,
                              const TimeInterval& time, int between, RunContext& run);

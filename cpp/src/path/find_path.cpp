@@ -61,7 +61,8 @@ class PathFinder {
   double seconds() const { return timer_.seconds(); }
 
  private:
-  // Examines the ends of the legs: the start (or several placements outside), the via poses, the
+  // The path consists of legs: from the start to the first via pose, and so on to the goal.
+  // Examines the ends of all legs: the start (or several placements outside), the via poses, the
   // goal.
   void prepare() {
     const State goal = scene_.inside(checkedPose(task_.goal, "goal"));

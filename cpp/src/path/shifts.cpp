@@ -202,7 +202,7 @@ bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, co
     const double width = fraction * scene.radius();
     std::set<Cell> seen{{0, 0, 0}};
     // Flood fill over the cells that are not proven blocked, from the goal. The farthest cell comes
-    // first, which finds a way out early.
+    // first, so that a path out is found early.
     std::priority_queue<std::pair<int, Cell>> queue;
     queue.push({0, {0, 0, 0}});
     bool out = false;

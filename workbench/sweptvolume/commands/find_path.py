@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find path: searches for a path on which a part reaches its place between others."""
+"""Find path: searches for a path on which a part reaches its installed position between other parts."""
 from ..texts import QT_TRANSLATE_NOOP, translate
 from .base import BaseCommand
 

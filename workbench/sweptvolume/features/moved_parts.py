@@ -32,7 +32,7 @@ class Run(Recording):
         super().__init__(sources.run(settings, settings.objects[1:]), places)
 
     def poses_at(self, place):
-        """Returns the poses at one of the places."""
+        """Returns the poses of the part at `place`, as moved() gives it."""
         return self.poses(self.places.index(place))
 
     def moved(self):

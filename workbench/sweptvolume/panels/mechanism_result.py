@@ -58,7 +58,7 @@ class ResultPanel(played_result.PlayedPanel):
 
     @guard.told
     def _look(self):
-        """Moves the camera to the place of the row."""
+        """Moves the camera to the shortest line of the chosen row."""
         if self.chosen_row() >= 0 and self.wanted is not None and self.ghosts is not None:
             marked = self.marked(self.wanted)
             points = np.vstack([self.points[k] for k in marked])

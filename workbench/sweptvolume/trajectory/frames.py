@@ -57,7 +57,7 @@ class Recording:
         self.frames.close()
 
     def poses(self, k):
-        """Returns the poses of one place, in world coordinates."""
+        """Returns the poses of the part places[k], in world coordinates."""
         notes = [self.note] if self.note else []
         if change(np.array([matrix_of(p) for p in self.placements[k]])) <= STILL:
             text = translate(
