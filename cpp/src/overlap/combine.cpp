@@ -41,10 +41,11 @@ void requireOnce(const Windings& windings, const std::string& name, const std::s
   constexpr double kMost = 0.01;
   if (windings.more <= kMost * (windings.once + windings.more)) return;
   throw Error(Status::InvalidInput, "OverlappingShells",
-              name + " overlaps itself where it overlaps " + other + " (" +
+              name + " overlaps itself (" +
                   numberText(100 * windings.more / (windings.once + windings.more), 3) +
-                  " % of the length of the edges concerned), so their shared volume is ambiguous; "
-                  "give each solid of " +
+                  " % of the edges of " + other + " inside " + name +
+                  " lie in such an overlap), so their shared volume is ambiguous; give each solid "
+                  "of " +
                   name + " separately, or fuse them first");
 }
 
