@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Share of the whole area. A smaller patch must save kMinSaved facets.
+/// Share of the whole area. A smaller patch must save kMinSavedToStay facets.
 constexpr double kMinArea = 1.0 / 400;
-constexpr double kMinSaved = 8;
+constexpr double kMinSavedToStay = 8;
 constexpr double kMinCosine = 0.5;     // of the largest angle of a triangle to the surface it joins
 constexpr double kBorderPerFacet = 3;  // edges of a smooth border that cost one facet outside
 constexpr std::size_t kMaxSpeck = 6;   // most triangles of a speck
@@ -213,7 +213,7 @@ class Tidier {
     std::vector<double> saved;
     for (Patch& patch : partition_.patches) {
       saved.push_back(facetsSaved(mesh_, patch, tolerance_));
-      if (areaOf(mesh_, patch.triangles) < kMinArea * mesh_.area && saved.back() < kMinSaved)
+      if (areaOf(mesh_, patch.triangles) < kMinArea * mesh_.area && saved.back() < kMinSavedToStay)
         release(patch);
     }
     std::vector<std::int32_t> smooth(partition_.patches.size());
