@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMaxCheckpoints = 150;  ///< some tenths of a second
 
-ClearanceOptions options(ByteSource& bytes) {
+ClearanceOptions clearanceOptions(ByteSource& bytes) {
   ClearanceOptions options;
   if (bytes.chance(128)) options.required = std::abs(bytes.number());
   if (bytes.chance(64)) options.tolerance = std::abs(bytes.number()) / 16;
@@ -115,7 +115,7 @@ void requireCorners(const NeighbourClearance& row, const TriMesh& body, const Tr
 
 void clearance(const std::uint8_t* data, std::size_t size) {
   ByteSource bytes(data, size);
-  const ClearanceOptions chosen = options(bytes);
+  const ClearanceOptions chosen = clearanceOptions(bytes);
   const Trajectory way = motion(bytes);
   RunContext run;
   limit(run);

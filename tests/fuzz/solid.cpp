@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kMaxFaces = 400;  // the kernel takes milliseconds a face here
 
-StepOptions options(ByteSource& bytes) {
+StepOptions stepOptions(ByteSource& bytes) {
   StepOptions options;
   options.maxFaces = bytes.chance(16) ? bytes.byte() - 3 : kMaxFaces;
   options.mergeCoplanar = bytes.chance(230);
@@ -66,7 +66,7 @@ void requireSolid(const StepReport& report, const StepOptions& options,
 
 void solid(const std::uint8_t* data, std::size_t size) {
   ByteSource bytes(data, size);
-  StepOptions chosen = options(bytes);
+  StepOptions chosen = stepOptions(bytes);
   const bool brep = bytes.chance(64);
   RunContext run, exporting;
   limit(run);

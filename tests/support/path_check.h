@@ -31,6 +31,14 @@ inline PathOptions optionsOf(const PathCase& c) {
   return options;
 }
 
+/// Returns options with enough time for sanitizers too: a search that ends at its time limit tests
+/// nothing.
+inline PathOptions patient(const PathCase& c) {
+  PathOptions options = optionsOf(c);
+  options.budgetSeconds = 1000;
+  return options;
+}
+
 /// Returns an empty text if the report is right, otherwise what is wrong.
 inline std::string wrongWith(const PathCase& c, const PathReport& report) {
   if (report.status != Status::Ok) {

@@ -8,7 +8,6 @@ namespace swept::test {
 namespace {
 
 using V2 = Eigen::Vector2d;
-constexpr double kPi = 3.14159265358979323846;
 
 V2 onCircle(const V2& centre, double radius, double angle) {
   return centre + radius * V2(std::cos(angle), std::sin(angle));
@@ -25,8 +24,8 @@ double distanceToPiece(const ProfilePiece& piece, const V2& p) {
   const V2 d = p - piece.centre;
   double turn = std::atan2(d.y(), d.x()) - piece.startAngle;
   if (piece.sweepAngle < 0) turn = -turn;
-  turn = std::fmod(turn, 2 * kPi);
-  if (turn < 0) turn += 2 * kPi;
+  turn = std::fmod(turn, 2 * M_PI);
+  if (turn < 0) turn += 2 * M_PI;
   if (turn <= std::abs(piece.sweepAngle)) return std::abs(d.norm() - piece.radius);
   return std::min((p - piece.from).norm(), (p - piece.to).norm());
 }
@@ -37,10 +36,10 @@ double turnSeenFrom(const ProfilePiece& piece, const V2& p) {
   const V2 a = piece.from - p, b = piece.to - p;
   double turn = (a - b).norm() > 1e-12 ? std::atan2(cross(a, b), a.dot(b)) : 0;
   if (piece.arc && (p - piece.centre).norm() < piece.radius) {
-    const bool whole = std::abs(piece.sweepAngle) > 2 * kPi - 1e-9;
+    const bool whole = std::abs(piece.sweepAngle) > 2 * M_PI - 1e-9;
     const double side = cross(piece.to - piece.from, p - piece.from);
-    if (piece.sweepAngle > 0 && (whole || side < 0)) turn += 2 * kPi;
-    if (piece.sweepAngle < 0 && (whole || side > 0)) turn -= 2 * kPi;
+    if (piece.sweepAngle > 0 && (whole || side < 0)) turn += 2 * M_PI;
+    if (piece.sweepAngle < 0 && (whole || side > 0)) turn -= 2 * M_PI;
   }
   return turn;
 }
@@ -93,7 +92,7 @@ double Profile::signedDistance(const V2& p) const {
     distance = std::min(distance, distanceToPiece(piece, p));
     turn += turnSeenFrom(piece, p);
   }
-  return turn > kPi ? -distance : distance;
+  return turn > M_PI ? -distance : distance;
 }
 
 std::vector<V2> Profile::points(double spacing) const {
@@ -117,7 +116,7 @@ std::vector<V2> Profile::corners() const {
   for (const auto& piece : pieces_) {
     for (const auto& other : pieces_) {
       if ((piece.to - other.from).norm() > 1e-9) continue;
-      if (direction(piece, true).dot(direction(other, false)) < std::cos(10 * kPi / 180)) {
+      if (direction(piece, true).dot(direction(other, false)) < std::cos(10 * M_PI / 180)) {
         result.push_back(piece.to);
       }
     }

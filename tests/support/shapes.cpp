@@ -5,10 +5,6 @@
 #include <map>
 
 namespace swept::test {
-namespace {
-constexpr double kPi = 3.14159265358979323846;
-}
-
 TriMesh makeBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
   TriMesh mesh;
   for (int i = 0; i < 8; ++i) {
@@ -55,7 +51,7 @@ TriMesh makeBall(const Eigen::Vector3d& centre, double radius, int levels) {
 TriMesh makeCylinder(double radius, double z0, double z1, int sides) {
   TriMesh mesh;
   for (int i = 0; i < sides; ++i) {
-    const double angle = 2 * kPi * i / sides;
+    const double angle = 2 * M_PI * i / sides;
     for (const double z : {z0, z1}) {
       mesh.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
     }
@@ -100,7 +96,7 @@ TriMesh makeTorus(double ringRadius, double tubeRadius, int around, int across) 
   TriMesh mesh;
   for (int i = 0; i < around; ++i) {
     for (int j = 0; j < across; ++j) {
-      const double u = 2 * kPi * i / around, v = 2 * kPi * j / across;
+      const double u = 2 * M_PI * i / around, v = 2 * M_PI * j / across;
       const double r = ringRadius + tubeRadius * std::cos(v);
       mesh.vertices.emplace_back(r * std::cos(u), r * std::sin(u), tubeRadius * std::sin(v));
     }
@@ -168,7 +164,7 @@ Eigen::Isometry3d placement(const Eigen::Vector3d& axis, double degrees,
                             const Eigen::Vector3d& translation) {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   if (degrees != 0) {
-    result.linear() = Eigen::AngleAxisd(degrees * kPi / 180, axis.normalized()).toRotationMatrix();
+    result.linear() = Eigen::AngleAxisd(degrees * M_PI / 180, axis.normalized()).toRotationMatrix();
   }
   result.translation() = translation;
   return result;

@@ -13,7 +13,6 @@ namespace swept::test {
 namespace {
 
 using V3 = Eigen::Vector3d;
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kBallLevels = 5;  // sagitta below 2e-4 of the radius
 
 Trajectory keys(const std::vector<Eigen::Isometry3d>& placements,
@@ -35,7 +34,7 @@ std::vector<V3> directions(int count) {
   std::vector<V3> result;
   for (int i = 0; i < count; ++i) {
     const double z = 1 - (2 * i + 1.0) / count;
-    const double angle = kPi * (3 - std::sqrt(5.0)) * i;
+    const double angle = M_PI * (3 - std::sqrt(5.0)) * i;
     const double r = std::sqrt(1 - z * z);
     result.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
   }
@@ -53,8 +52,8 @@ Truth ballAlongLine() {
     const double t = std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
     return std::abs((p - a - t * way).norm() - r);
   };
-  truth.volume = 4.0 / 3 * kPi * r * r * r + kPi * r * r * way.norm();
-  truth.area = 4 * kPi * r * r + 2 * kPi * r * way.norm();
+  truth.volume = 4.0 / 3 * M_PI * r * r * r + M_PI * r * r * way.norm();
+  truth.area = 4 * M_PI * r * r + 2 * M_PI * r * way.norm();
   for (const V3& d : directions(2000)) {
     truth.surface.push_back(d.dot(way) < 0 ? V3(a + r * d) : V3(a + way + r * d));
     const V3 side = (d - d.dot(way) / way.squaredNorm() * way).normalized();
@@ -107,7 +106,7 @@ Truth boxAlongLine() {
 Truth boxTurningAboutEdge() {
   Truth truth;
   truth.name = "box_turning_about_edge";
-  const double a = 6, b = 2.5, h = 3, turn = 100 * kPi / 180;
+  const double a = 6, b = 2.5, h = 3, turn = 100 * M_PI / 180;
   truth.body = makeBox({0, 0, 0}, {a, b, h});
   truth.motion = keys({placement({0, 0, 1}, 0, {0, 0, 0}), placement({0, 0, 1}, 100, {0, 0, 0})});
   const double radius = std::hypot(a, b), tip = std::atan2(b, a);
@@ -129,7 +128,7 @@ Truth cylinderAlongAxis() {
   truth.body = makeCylinder(2.5, 0, 3, 720);
   truth.motion = alongLine({0, 0, 4});
   Profile profile;
-  profile.arc({0, 0}, 2.5, 0, 2 * kPi);
+  profile.arc({0, 0}, 2.5, 0, 2 * M_PI);
   profile.extrude(0, 7, 0.12, truth);
   return truth;
 }
@@ -145,11 +144,11 @@ Truth ballOnCircle() {
   truth.distance = [=](const V3& p) {
     return std::abs(std::hypot(std::hypot(p.x(), p.y()) - ring, p.z()) - r);
   };
-  truth.volume = 2 * kPi * kPi * ring * r * r;
-  truth.area = 4 * kPi * kPi * ring * r;
+  truth.volume = 2 * M_PI * M_PI * ring * r * r;
+  truth.area = 4 * M_PI * M_PI * ring * r;
   for (int i = 0; i < 100; ++i) {
     for (int j = 0; j < 40; ++j) {
-      const double u = 2 * kPi * i / 100, v = 2 * kPi * j / 40, q = ring + r * std::cos(v);
+      const double u = 2 * M_PI * i / 100, v = 2 * M_PI * j / 40, q = ring + r * std::cos(v);
       truth.surface.emplace_back(q * std::cos(u), q * std::sin(u), r * std::sin(v));
     }
   }
@@ -198,7 +197,7 @@ Truth helixOfBall() {
   }
   truth.motion = keys(placements, Interpolation::Screw);
   auto at = [=](double t) {
-    const double angle = 2 * kPi * turns * t;
+    const double angle = 2 * M_PI * turns * t;
     return V3(ring * std::cos(angle), ring * std::sin(angle), rise * t);
   };
   truth.distance = [=](const V3& p) {
@@ -218,15 +217,15 @@ Truth helixOfBall() {
     }
     return std::abs((at((low + high) / 2) - p).norm() - r);
   };
-  const double length = std::hypot(2 * kPi * turns * ring, rise);
-  truth.volume = kPi * r * r * length + 4.0 / 3 * kPi * r * r * r;
-  truth.area = 2 * kPi * r * length + 4 * kPi * r * r;
+  const double length = std::hypot(2 * M_PI * turns * ring, rise);
+  truth.volume = M_PI * r * r * length + 4.0 / 3 * M_PI * r * r * r;
+  truth.area = 2 * M_PI * r * length + 4 * M_PI * r * r;
   for (int i = 0; i <= 120; ++i) {
     const double t = i / 120.0;
     const V3 way = (at(std::min(1.0, t + 1e-6)) - at(std::max(0.0, t - 1e-6))).normalized();
     const V3 u = way.cross(V3::UnitZ()).normalized(), v = way.cross(u);
     for (int j = 0; j < 24; ++j) {
-      const double angle = 2 * kPi * j / 24;
+      const double angle = 2 * M_PI * j / 24;
       truth.surface.push_back(at(t) + r * (std::cos(angle) * u + std::sin(angle) * v));
     }
   }
@@ -281,7 +280,7 @@ std::vector<Truth> thinPlates(double thickness) {
   box.extrude(0, 2 + thickness, 0.12, plates[1]);
 
   plates[2].name = "plate_turned_in_its_plane";
-  const double turn = 50 * kPi / 180, radius = std::hypot(6.0, 4.0), tip = std::atan2(4.0, 6.0);
+  const double turn = 50 * M_PI / 180, radius = std::hypot(6.0, 4.0), tip = std::atan2(4.0, 6.0);
   plates[2].motion =
       keys({placement({0, 0, 1}, 0, {0, 0, 0}), placement({0, 0, 1}, 50, {0, 0, 0})});
   const Eigen::Vector2d top(-4 * std::sin(turn), 4 * std::cos(turn));

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Nodes per round; fixed, so that results do not depend on threads.
-constexpr std::size_t kRound = 16;
+constexpr std::size_t kNodesPerRound = 16;
 
 struct QueuedNode {
   double key = 0;           // mm, lower bound of the distance in this node
@@ -132,7 +132,7 @@ class MinimumSearch {
 
   void round() {
     batch_.clear();
-    while (!queue_.empty() && batch_.size() < kRound) {
+    while (!queue_.empty() && batch_.size() < kNodesPerRound) {
       batch_.push_back(queue_.top());
       queue_.pop();
     }

@@ -76,7 +76,7 @@ class NodeGap {
   PlateGap plates_;
 };
 
-struct Item {
+struct NodePair {
   BoxTree::Node body;
   BoxTree::Node neighbour;
   double gap = 0;
@@ -98,20 +98,20 @@ class Stack {
   }
   bool empty() const { return size_ == 0; }
   int size() const { return size_; }
-  Item& operator[](int i) { return items_[i]; }
-  void push(const Item& item) { items_[size_++] = item; }
-  Item pop() { return items_[--size_]; }
+  NodePair& operator[](int i) { return items_[i]; }
+  void push(const NodePair& item) { items_[size_++] = item; }
+  NodePair pop() { return items_[--size_]; }
 
  private:
   static constexpr int kMost = 128;
-  std::array<Item, kMost> items_;
+  std::array<NodePair, kMost> items_;
   int size_ = 0;
 };
 
 // Replaces the node with the larger box by its children and calls visit(body node, its box,
 // neighbour node, its box) for each.
 template <class Visit>
-void openLarger(const Part& body, const Part& neighbour, const Item& item, const Visit& visit) {
+void openLarger(const Part& body, const Part& neighbour, const NodePair& item, const Visit& visit) {
   const Box a = body.box(item.body), b = neighbour.box(item.neighbour);
   const bool opensBody = !item.body.isItem() &&
                          (item.neighbour.isItem() || a.half.squaredNorm() >= b.half.squaredNorm());
@@ -203,7 +203,7 @@ PairDistance PairSearch::distanceAt(const Matrix3d& R, const Vector3d& t, double
   const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
   push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
   while (!stack.empty() && best.distance > 0) {
-    const Item item = stack.pop();
+    const NodePair item = stack.pop();
     if (item.gap >= best.distance) continue;
     if (item.isPair()) {
       tryPair(item.pair());
@@ -233,7 +233,7 @@ LeafPair PairSearch::anyNearerThan(const Matrix3d& R, const Vector3d& t, double 
   const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
   push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
   while (!stack.empty()) {
-    const Item item = stack.pop();
+    const NodePair item = stack.pop();
     if (item.isPair()) {
       if (nearer(item.pair())) return item.pair();
       continue;
@@ -296,7 +296,7 @@ Certificate PairSearch::certify(const MotionBound& motion, double apart, std::in
   push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
   while (!stack.empty()) {
     if (--effort < 0) return result;
-    const Item item = stack.pop();
+    const NodePair item = stack.pop();
     if (item.isPair()) {
       if (!pairHolds(item.pair())) return result;
       continue;
@@ -329,7 +329,7 @@ std::vector<LeafPair> PairSearch::pairsWithin(const Matrix3d& R, const Vector3d&
   const BoxTree::Node bodyRoot = body_.tree().root(), root = neighbour_.tree().root();
   push(bodyRoot, body_.box(bodyRoot), root, neighbour_.box(root));
   while (!stack.empty() && found.size() < limit) {
-    const Item item = stack.pop();
+    const NodePair item = stack.pop();
     if (item.isPair()) {
       if (!(leafDistance(R, t, item.pair()).squared > apart * apart)) found.push_back(item.pair());
       continue;

@@ -21,9 +21,9 @@ constexpr double kNoBound = std::numeric_limits<double>::infinity();
 constexpr double kPromise = 0.3;
 // Largest number of connected pieces of a part from which the search starts.
 constexpr std::size_t kMostPieces = 1000;
-constexpr std::size_t kRound = 64;  // pieces per round; fixed, see motion_search.cpp
+constexpr std::size_t kPiecesPerRound = 64;  // pieces per round; fixed, see motion_search.cpp
 
-struct Item {
+struct PieceSearch {
   double bound = 0;    // mm, no point of the piece can lie deeper in this part of the motion
   double promise = 0;  // mm, depth that some point is likely to reach
   std::int64_t number = 0;
@@ -38,7 +38,7 @@ struct Item {
 // is much deeper.
 struct Before {
   bool byBound = false;
-  bool operator()(const Item& a, const Item& b) const {
+  bool operator()(const PieceSearch& a, const PieceSearch& b) const {
     const double x = byBound ? a.bound : a.promise;
     const double y = byBound ? b.bound : b.promise;
     return x != y ? x < y : a.number > b.number;
@@ -61,16 +61,16 @@ class DepthSearch {
         before_.byBound = true;
         std::make_heap(queue_.begin(), queue_.end(), before_);
       }
-      for (std::size_t i = 0; i < kRound && !queue_.empty(); ++i) {
+      for (std::size_t i = 0; i < kPiecesPerRound && !queue_.empty(); ++i) {
         std::pop_heap(queue_.begin(), queue_.end(), before_);
-        const Item item = std::move(queue_.back());
+        const PieceSearch item = std::move(queue_.back());
         queue_.pop_back();
         if (item.bound > best_.depth + allowed()) divide(item);
       }
       examine();
     }
     double bound = best_.depth + allowed();
-    for (const Item& item : queue_) bound = std::max(bound, item.bound);
+    for (const PieceSearch& item : queue_) bound = std::max(bound, item.bound);
     if (!(best_.depth > 0)) {
       PenetrationResult none;
       none.depthBound = bound;
@@ -87,8 +87,8 @@ class DepthSearch {
   double allowed() const { return std::max(tolerance_, 0.01 * best_.depth); }
 
   // Returns a new item of the queue. `bound`: the bound of the item that is split.
-  Item makeItem(const MotionNode& node, const Piece& piece, double bound) {
-    Item item;
+  PieceSearch makeItem(const MotionNode& node, const Piece& piece, double bound) {
+    PieceSearch item;
     item.bound = bound;
     item.number = number_++;
     item.motion = node;
@@ -96,7 +96,7 @@ class DepthSearch {
     return item;
   }
 
-  void divide(const Item& item) {
+  void divide(const PieceSearch& item) {
     const bool byMotion = c_.motion.splits(item.motion) && item.reach > item.excess;
     if (byMotion) {
       nodes_.clear();
@@ -114,7 +114,7 @@ class DepthSearch {
     probes_.assign(fresh_.size(), {});
     tbb::parallel_for(std::size_t{0}, fresh_.size(), [&](std::size_t i) {
       if (c_.run.isCancelled()) return;
-      Item& item = fresh_[i];
+      PieceSearch& item = fresh_[i];
       const MotionBound b = c_.motion.bound(item.motion);
       probes_[i] = probe(c_.pair, b.R, b.t, item.piece);
       item.piece.near = probes_[i].near;
@@ -137,7 +137,7 @@ class DepthSearch {
         best_.parameter = c_.motion.bound(fresh_[i].motion).parameter;
       }
     }
-    for (const Item& item : fresh_) {
+    for (const PieceSearch& item : fresh_) {
       if (item.bound <= best_.depth + allowed()) continue;
       queue_.push_back(item);
       std::push_heap(queue_.begin(), queue_.end(), before_);
@@ -161,9 +161,9 @@ class DepthSearch {
   Triangle3d bestCorners_;  // piece of triangle with the deepest point, in its mesh's frame
   double bestSpan_ = 0;
   bool bestHasPiece_ = false;
-  std::vector<Item> queue_;  // a heap, ordered by before_
+  std::vector<PieceSearch> queue_;  // a heap, ordered by before_
   Before before_;
-  std::vector<Item> fresh_;
+  std::vector<PieceSearch> fresh_;
   std::vector<Probe> probes_;
   std::vector<MotionNode> nodes_;
   std::vector<Piece> pieces_;
@@ -309,7 +309,8 @@ PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touc
 bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, double atLeast) {
   if (atLeast < 0) return true;
   struct Open {
-    double promise;  // see Item::promise; one deep point suffices, so promising pieces come first
+    double promise;  // see PieceSearch::promise; one deep point suffices, so promising pieces come
+                     // first
     Piece piece;
     bool operator<(const Open& other) const { return promise < other.promise; }
   };

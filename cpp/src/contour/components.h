@@ -5,8 +5,8 @@
 // Promise (consistent method only): the dual surface is closed, and the polygons round every
 // component form one closed ring. tests/unit/contour enumerates all configurations;
 // docs/contouring.md lists the faults of the other methods.
-// Source: own method; docs/contouring.md, "Why the consistent rule holds". The other methods are in
-// methods/methods.h with their papers.
+// Source: own method; docs/contouring.md, "Why `consistent` gives closed, manifold meshes". The
+// other methods are in methods/methods.h with their papers.
 //
 // The consistent method (the default) pairs the crossings of each face. On a walk round a face,
 // crossings that enter the inside alternate with crossings that leave it. The method joins entering

@@ -57,8 +57,8 @@ struct VertexFit {
   /// planes have no reliable common point: if they are some distance apart, the crossings are
   /// inexact by about this distance. A vertex where they seem to meet could lie far along the
   /// surface and beyond the other side of a thin wall. The damping grows with the mean squared
-  /// distance to the planes (docs/contouring.md, "Sides of thin walls"). In a trial, 25,177 pairs
-  /// of triangles intersected with damping, and 32,585 without.
+  /// distance to the planes (docs/contouring.md, "Nearly parallel planes"). In a trial, 25,177
+  /// pairs of triangles intersected with damping, and 32,585 without.
   void keepNear() {
     constexpr double kMaxSharpness = 0.002;  // sharpness of two planes that differ by 5 degrees
     // If the planes are this far from the best point (cells), the damping weighs as much as all

@@ -7,7 +7,7 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 13;
+constexpr std::size_t kItemGrain = 1 << 13;
 constexpr std::uint32_t kHilbertBits = 10;  // per axis
 using Keys = RawArray<std::uint64_t>;       // key in the upper half, item in the lower half
 
@@ -106,7 +106,7 @@ Keys makeKeys(const Boxes& boxes, double extent) {
   const double half = (1u << kHilbertBits) / 2.0;
   const double scale = extent > 0 ? ((1u << kHilbertBits) - 1) / extent / 2 : 0;
   Keys keys(boxes.size());
-  parallelBlocks(keys.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(keys.size(), kItemGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto& box = boxes[i];
       std::array<std::uint32_t, 3> cell{};
@@ -212,7 +212,7 @@ void BoxTree::build(const RawArray<FloatBox>& boxes, Order order) {
   const auto groupsOf = [&](std::size_t level) {
     return (levels_[level].nodes + kWidth - 1) / kWidth;
   };
-  parallelBlocks(groupsOf(0), kGrain / kWidth, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(groupsOf(0), kItemGrain / kWidth, [&](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
       for (int lane = 0; lane < kWidth; ++lane) {
         const std::size_t place = kWidth * g + lane;
@@ -229,7 +229,7 @@ void BoxTree::build(const RawArray<FloatBox>& boxes, Order order) {
     }
   });
   for (std::size_t level = 1; level < levels_.size(); ++level) {
-    parallelBlocks(groupsOf(level), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelBlocks(groupsOf(level), kItemGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t g = begin; g < end; ++g) {
         Group& group = groups_[levels_[level].firstGroup + g];
         for (int lane = 0; lane < kWidth; ++lane) {

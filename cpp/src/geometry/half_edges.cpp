@@ -12,7 +12,7 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 14;
+constexpr std::size_t kEdgeGrain = 1 << 14;
 using Range = tbb::blocked_range<std::size_t>;
 
 }  // namespace
@@ -25,7 +25,7 @@ EdgeTable::EdgeTable(const Triangles& triangles, std::size_t vertexCount) {
                     " triangles, but the limit is 1431655765; use a coarser mesh");
   }
   const auto forAll = [&](const auto& use) {
-    parallelBlocks(triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelBlocks(triangles.size(), kEdgeGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
           const std::int32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3];
@@ -37,7 +37,7 @@ EdgeTable::EdgeTable(const Triangles& triangles, std::size_t vertexCount) {
     });
   };
   groups_ = ListsByKey<std::uint64_t>(vertexCount, forAll);
-  parallelBlocks(vertexCount, kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(vertexCount, kEdgeGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) groups_.of(v);
   });
 }
@@ -45,7 +45,7 @@ EdgeTable::EdgeTable(const Triangles& triangles, std::size_t vertexCount) {
 Adjacency findAdjacency(const EdgeTable& edges) {
   Adjacency found;
   RawArray<std::uint32_t> across(edges.records().size());
-  parallelBlocks(across.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(across.size(), kEdgeGrain, [&](std::size_t begin, std::size_t end) {
     std::fill(across.data() + begin, across.data() + end, kNoNeighbour);
   });
   const auto join = [&](const Range& range, EdgeFaults faults) {
@@ -69,7 +69,7 @@ Adjacency findAdjacency(const EdgeTable& edges) {
     return faults;
   };
   found.faults =
-      tbb::parallel_reduce(Range(0, static_cast<std::size_t>(edges.vertexCount()), kGrain),
+      tbb::parallel_reduce(Range(0, static_cast<std::size_t>(edges.vertexCount()), kEdgeGrain),
                            EdgeFaults{}, join, [](const EdgeFaults& a, const EdgeFaults& b) {
                              return EdgeFaults{a.open + b.open, a.nonManifold + b.nonManifold,
                                                a.odd + b.odd, a.misoriented + b.misoriented};
@@ -82,7 +82,7 @@ Adjacency findAdjacency(const TriMesh& mesh) { return findAdjacency(EdgeTable(me
 
 ListsByKey<> halfEdgesByVertex(const TriMesh& mesh) {
   return ListsByKey<>(mesh.vertices.size(), [&](const auto& use) {
-    parallelBlocks(mesh.triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelBlocks(mesh.triangles.size(), kEdgeGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t h = 3 * begin; h != 3 * end; ++h) {
         use(static_cast<std::size_t>(mesh.triangles[h / 3][h % 3]), static_cast<std::uint32_t>(h));
       }

@@ -9,19 +9,19 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kBlock = 1 << 14;
+constexpr std::size_t kCheckBlock = 1 << 14;
 constexpr std::size_t kMaxListed = 8;
 
 }  // namespace
 
 std::optional<BadIndex> findBadIndex(const TriMesh& mesh) {
   const auto count = static_cast<std::int64_t>(mesh.vertices.size());
-  std::vector<std::optional<BadIndex>> parts(mesh.triangles.size() / kBlock + 1);
-  parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::optional<BadIndex>> parts(mesh.triangles.size() / kCheckBlock + 1);
+  parallelBlocks(mesh.triangles.size(), kCheckBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       for (const std::int32_t v : mesh.triangles[t]) {
         if (v >= 0 && v < count) continue;
-        parts[begin / kBlock] = BadIndex{static_cast<std::int64_t>(t), v};
+        parts[begin / kCheckBlock] = BadIndex{static_cast<std::int64_t>(t), v};
         return;
       }
     }
@@ -40,9 +40,9 @@ std::string badIndexText(const BadIndex& bad, const TriMesh& mesh) {
 }
 
 Coordinates measureCoordinates(const TriMesh& mesh) {
-  std::vector<Coordinates> parts(mesh.vertices.size() / kBlock + 1);
-  parallelBlocks(mesh.vertices.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    Coordinates& part = parts[begin / kBlock];
+  std::vector<Coordinates> parts(mesh.vertices.size() / kCheckBlock + 1);
+  parallelBlocks(mesh.vertices.size(), kCheckBlock, [&](std::size_t begin, std::size_t end) {
+    Coordinates& part = parts[begin / kCheckBlock];
     for (std::size_t v = begin; v < end; ++v) {
       const auto vertex = static_cast<std::int64_t>(v);
       if (!mesh.vertices[v].allFinite()) {

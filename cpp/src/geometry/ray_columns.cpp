@@ -30,7 +30,7 @@ int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double 
 /// Limits of the mean number of columns per triangle, and of the total number of pairs of a
 /// triangle and a column, whose indices have 32 bits. If one is exceeded, the columns become wider.
 constexpr double kMostColumns = 256, kMostPairs = 4e9;
-constexpr std::size_t kBlock = 1 << 13;
+constexpr std::size_t kColumnBlock = 1 << 13;
 constexpr double kRoom = 1e-12;  ///< margin as a fraction of the largest coordinate
 
 using Corners = std::array<const Eigen::Vector3d*, 3>;
@@ -102,7 +102,7 @@ void RayColumns::forRows(std::size_t triangle, const Use& use) const {
 
 std::int64_t RayColumns::countPairs() const {
   std::atomic<std::int64_t> pairs{0};
-  parallelBlocks(mesh_.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(mesh_.triangles.size(), kColumnBlock, [&](std::size_t begin, std::size_t end) {
     std::int64_t sum = 0;
     for (std::size_t t = begin; t < end; ++t) {
       forRows(t, [&](std::int32_t, std::int32_t y0, std::int32_t y1) { sum += y1 - y0 + 1; });
@@ -118,7 +118,7 @@ void RayColumns::build() {
   const double most = std::min(kMostColumns * count, kMostPairs);
   while (columns_ > 1 && static_cast<double>(countPairs()) > most) columns_ /= 2;
   const auto forAll = [&](const auto& use) {
-    parallelBlocks(mesh_.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    parallelBlocks(mesh_.triangles.size(), kColumnBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         forRows(t, [&](std::int32_t z, std::int32_t y0, std::int32_t y1) {
           for (std::int32_t y = y0; y <= y1; ++y) use(cellAt(y, z), static_cast<std::int32_t>(t));

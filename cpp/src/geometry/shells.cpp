@@ -11,7 +11,7 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kBlock = 1 << 14;
+constexpr std::size_t kShellBlock = 1 << 14;
 
 /// The shells within one block of triangles, in the order of their first triangles.
 using Parts = std::vector<std::pair<std::int32_t, ShellExtent>>;
@@ -46,7 +46,7 @@ Shells shellsByEdges(const RawArray<std::uint32_t>& across) {
   Shells shells;
   auto& parent = shells.ofTriangle;
   parent = singleSets<std::int32_t>(across.size() / 3);
-  parallelBlocks(parent.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(parent.size(), kShellBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = across[3 * t + k];
@@ -65,7 +65,7 @@ Shells shellsByEdges(const RawArray<std::uint32_t>& across) {
 
 std::vector<std::int32_t> smallestJoinedVertices(const TriMesh& mesh) {
   auto parent = singleSets<std::int32_t>(mesh.vertices.size());
-  parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(mesh.triangles.size(), kShellBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto& [a, b, c] = mesh.triangles[t];
       unite(parent, a, b);
@@ -96,10 +96,10 @@ std::vector<ShellExtent> measureShells(const TriMesh& mesh, const Shells& shells
     if (shells.ofTriangle[t] != std::ssize(origins)) continue;
     origins.push_back(mesh.vertices[mesh.triangles[t][0]]);
   }
-  std::vector<Parts> blocks((mesh.triangles.size() + kBlock - 1) / kBlock);
+  std::vector<Parts> blocks((mesh.triangles.size() + kShellBlock - 1) / kShellBlock);
   parallelFor(blocks.size(), [&](std::size_t i) {
-    blocks[i] = measureBlock(mesh, shells, origins, i * kBlock,
-                             std::min(mesh.triangles.size(), (i + 1) * kBlock));
+    blocks[i] = measureBlock(mesh, shells, origins, i * kShellBlock,
+                             std::min(mesh.triangles.size(), (i + 1) * kShellBlock));
   });
   std::vector<ShellExtent> extents(shells.count);
   for (const Parts& parts : blocks) {

@@ -19,10 +19,6 @@ namespace fs = std::filesystem;
 // triangles. The limit also ends the reading of an endless device.
 constexpr std::uint64_t kMaxPipeBytes = 2ULL << 30;
 
-[[noreturn]] void badFile(const std::string& text) {
-  throw Error(Status::InvalidInput, "BadFile", text);
-}
-
 InputFile wholeOf(std::istream& pipe, const std::string& path) {
   std::string text;
   std::array<char, 1 << 16> block{};
@@ -38,6 +34,8 @@ InputFile wholeOf(std::istream& pipe, const std::string& path) {
 }
 
 }  // namespace
+
+void badFile(const std::string& text) { throw Error(Status::InvalidInput, "BadFile", text); }
 
 InputFile openInput(const std::string& path) {
   const fs::path name = pathFromUtf8(path);

@@ -19,4 +19,7 @@ struct InputFile {
 
 InputFile openInput(const std::string& path);
 
+/// Throws Error(InvalidInput, "BadFile").
+[[noreturn]] void badFile(const std::string& text);
+
 }  // namespace swept

@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::size_t kChunkBytes = 1 << 16;
 
-[[noreturn]] void badFile(const std::string& text) {
-  throw Error(Status::InvalidInput, "BadFile", text);
-}
-
 class PlainSource final : public ByteSource {
  public:
   PlainSource(const std::string& path, std::unique_ptr<std::istream> stream)

@@ -29,10 +29,6 @@ namespace {
 
 constexpr std::size_t kMaxPolygonCorners = 20000;
 
-[[noreturn]] void badFile(const std::string& text) {
-  throw Error(Status::InvalidInput, "BadFile", text);
-}
-
 // OpenMesh's readers keep state between calls, so only one call may run at a time. They also print
 // errors; this class catches that text for the error message instead.
 class OpenMeshCall {

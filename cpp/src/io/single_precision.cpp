@@ -16,7 +16,7 @@
 namespace swept {
 namespace {
 
-using Point = Eigen::Vector3f;
+using FloatPoint = Eigen::Vector3f;
 
 /// Hashes the bytes of the coordinates.
 struct Hash {
@@ -28,7 +28,7 @@ struct Hash {
 };
 
 /// Rounds to single precision. Turns -0 into 0, so that equal points have equal bytes.
-Point rounded(const Eigen::Vector3d& p) { return p.cast<float>() + Point::Zero(); }
+FloatPoint rounded(const Eigen::Vector3d& p) { return p.cast<float>() + FloatPoint::Zero(); }
 
 float stepped(float value, int steps) {
   const float to =
@@ -56,7 +56,7 @@ class Rounding {
   }
 
   void keepVerticesApart() {
-    for (const std::size_t place : joined_) move(place, [](const Point&) { return true; });
+    for (const std::size_t place : joined_) move(place, [](const FloatPoint&) { return true; });
   }
 
   void keepAreas() {
@@ -77,8 +77,8 @@ class Rounding {
     for (const std::size_t t : flat) {
       for (const std::size_t place : placesOf(t)) {
         if (!isFlat(t)) break;
-        move(place, [&](const Point& to) {
-          const Point old = std::exchange(points_[place], to);
+        move(place, [&](const FloatPoint& to) {
+          const FloatPoint old = std::exchange(points_[place], to);
           const std::vector<std::size_t>& fan = around[place];
           const bool fine =
               std::none_of(fan.begin(), fan.end(), [&](std::size_t near) { return isFlat(near); });
@@ -114,12 +114,12 @@ class Rounding {
   template <class Suits>
   void move(std::size_t place, const Suits& suits) {
     constexpr int kReach = 2;
-    std::vector<std::pair<double, Point>> points;
-    const Point centre = rounded(exact_[place]);
+    std::vector<std::pair<double, FloatPoint>> points;
+    const FloatPoint centre = rounded(exact_[place]);
     for (int x = -kReach; x <= kReach; ++x) {
       for (int y = -kReach; y <= kReach; ++y) {
         for (int z = -kReach; z <= kReach; ++z) {
-          const Point to(stepped(centre[0], x), stepped(centre[1], y), stepped(centre[2], z));
+          const FloatPoint to(stepped(centre[0], x), stepped(centre[1], y), stepped(centre[2], z));
           points.emplace_back((to.cast<double>() - exact_[place]).squaredNorm(), to);
         }
       }
@@ -136,8 +136,8 @@ class Rounding {
   const TriMesh& mesh_;
   std::vector<std::size_t> placeOf_;    // per vertex
   std::vector<Eigen::Vector3d> exact_;  // per place
-  std::vector<Point> points_;           // per place: its rounded position
-  std::unordered_set<Point, Hash> taken_;
+  std::vector<FloatPoint> points_;      // per place: its rounded position
+  std::unordered_set<FloatPoint, Hash> taken_;
   std::vector<std::size_t> joined_;
 };
 

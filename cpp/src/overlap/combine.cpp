@@ -19,7 +19,7 @@
 namespace swept::overlap {
 namespace {
 
-constexpr std::size_t kBlock = 1 << 10;
+constexpr std::size_t kTriangleBlock = 1 << 10;
 
 /// A directed edge on the border of a piece of a triangle. `from` and `to`: indices of points in
 /// the result.
@@ -184,11 +184,12 @@ class Builder {
     for (const Node& node : nodes_[int(side)]) ++firstOfEdge[node.edge + 1];
     for (std::size_t e = 0; e < mesh.edges.size(); ++e) firstOfEdge[e + 1] += firstOfEdge[e];
     using Triangle = std::array<std::int32_t, 3>;
-    const std::vector<Triangle> found = gather<Triangle>(
-        mesh.mesh->triangles.size(), kBlock, [&](std::size_t t, std::vector<Triangle>& triangles) {
-          if (t % kBlock == 0) run_.checkpoint(Phase::Contour);
-          addTriangle(side, static_cast<std::int32_t>(t), firstOfEdge, triangles);
-        });
+    const std::vector<Triangle> found =
+        gather<Triangle>(mesh.mesh->triangles.size(), kTriangleBlock,
+                         [&](std::size_t t, std::vector<Triangle>& triangles) {
+                           if (t % kTriangleBlock == 0) run_.checkpoint(Phase::Contour);
+                           addTriangle(side, static_cast<std::int32_t>(t), firstOfEdge, triangles);
+                         });
     out_.triangles.insert(out_.triangles.end(), found.begin(), found.end());
   }
 

@@ -11,7 +11,7 @@ namespace swept::overlap {
 namespace {
 
 constexpr int kBits = 38;
-constexpr std::size_t kBlock = 1 << 13;
+constexpr std::size_t kPointBlock = 1 << 13;
 
 using Cross = std::array<Wide, 3>;
 
@@ -52,7 +52,7 @@ Lattice::Lattice(const TriMesh& shrunk, const TriMesh& fixed) {
   for (int side = 0; side < 2; ++side) {
     const std::vector<Eigen::Vector3d>& from = meshes[side]->vertices;
     points_[side].resize(from.size());
-    parallelBlocks(from.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    parallelBlocks(from.size(), kPointBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) points_[side][i] = whole(from[i]);
     });
   }

@@ -11,7 +11,7 @@
 namespace swept::overlap {
 namespace {
 
-constexpr std::size_t kBlock = 1 << 10;
+constexpr std::size_t kEdgeBlock = 1 << 10;
 
 /// Returns whether an edge, which crosses the plane of a triangle, passes through the triangle.
 /// `before` is the side of the plane on which the edge begins (1 or -1).
@@ -108,7 +108,7 @@ BoxTree treeOf(const Lattice& lattice, Side side, const TriMesh& mesh) {
 std::vector<Node> findNodes(const Lattice& lattice, Side side, const ClosedMesh& mesh,
                             const TriMesh& there, const BoxTree& tree, RunContext& run) {
   const auto nodesOf = [&](std::size_t e, std::vector<Node>& found) {
-    if (e % kBlock == 0) run.checkpoint(Phase::Contour);
+    if (e % kEdgeBlock == 0) run.checkpoint(Phase::Contour);
     const Edge& edge = mesh.edges[e];
     const Eigen::Vector3d a = lattice.place(side, edge.from), b = lattice.place(side, edge.to);
     const std::size_t first = found.size();
@@ -130,7 +130,7 @@ std::vector<Node> findNodes(const Lattice& lattice, Side side, const ClosedMesh&
       return x.share != y.share ? x.share < y.share : x.triangle < y.triangle;
     });
   };
-  return gather<Node>(mesh.edges.size(), kBlock, nodesOf);
+  return gather<Node>(mesh.edges.size(), kEdgeBlock, nodesOf);
 }
 
 Windings findWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,

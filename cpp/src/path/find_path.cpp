@@ -19,7 +19,7 @@ namespace {
 
 using namespace path;
 
-constexpr int kTrials = 400;  // number of shortcuts tried
+constexpr int kShortcuts = 400;  // number of shortcuts tried
 
 class PathFinder {
  public:
@@ -183,7 +183,7 @@ class PathFinder {
     RandomNumbers random(o_.seed + leg);
     const MoveAllowed allowed = turnLimit(scene_, space_);
     const State first = keys.front(), last = keys.back();
-    shorten(scene_, demand_.apart, allowed, kTrials, random, keys, run_);
+    shorten(scene_, demand_.apart, allowed, kShortcuts, random, keys, run_);
     widen(scene_, demand_.apart, {allowed, space_.turns(), [this] { return limits_.over(); }},
           random, keys, run_);
     const std::vector<State> in = exitTo(ends_[leg + 1], last), out = exitTo(ends_[leg], first);

@@ -19,9 +19,9 @@ namespace {
 
 using namespace path;
 
-constexpr int kTrials = 400;          // number of shortcuts tried
-constexpr double kLeastRaise = 1.05;  // raising ends when the step is smaller than this factor
-constexpr double kRaise = 1.5;        // first factor from one clearance to the next
+constexpr int kTrialsToShorten = 400;  // number of shortcuts tried
+constexpr double kLeastRaise = 1.05;   // raising ends when the step is smaller than this factor
+constexpr double kRaise = 1.5;         // first factor from one clearance to the next
 // A piece ends after this fraction of the part of a move that is proven free.
 constexpr double kRoom = 0.98;
 constexpr double kLeast = 1e-4;  // in radii of the part; shorter pieces of a move get no key
@@ -176,7 +176,8 @@ class Improver {
       for (Piece& piece : whole) {
         if (!piece.free) continue;
         RandomNumbers random(o_.seed + ++shortened_);
-        shorten(scene_, rule, turnLimit(scene_, space_), kTrials, random, piece.keys, run_);
+        shorten(scene_, rule, turnLimit(scene_, space_), kTrialsToShorten, random, piece.keys,
+                run_);
       }
       after.push_back(std::move(whole));
     }

@@ -15,11 +15,11 @@ namespace {
 
 // Number of parallel searches. They differ in their random numbers. The first path found wins.
 constexpr std::size_t kSearches = 2;
-constexpr int kRounds = 20;  // rounds of one search before all searches are compared
+constexpr int kRoundsPerTurn = 20;  // rounds of one search before all searches are compared
 // A search restarts for the first time when its two trees together have this many nodes.
 constexpr std::size_t kNodesAtFirst = 3000;
-constexpr std::size_t kMostStarts = 8;                // with more starts, no grids are searched
-constexpr int kPlaces = 8000, kPlacesOfProof = 6000;  // placements tried on one grid
+constexpr std::size_t kMostStarts = 8;  // with more starts, no grids are searched
+constexpr int kGridPlacements = 8000, kProofPlacements = 6000;  // placements tried on one grid
 constexpr const char* kGridMethod = "grid of places";
 // Placements tried on grids before the searches in six dimensions begin, and in each of their
 // rounds.
@@ -79,7 +79,7 @@ class SixDimensions {
       const bool turning = !stepsOver();
       parallelFor(kSearches + 1, [&](std::size_t i) {
         if (i == kSearches) return shifts_.advance(kRoundPlaces, run_);
-        for (int k = 0; k < kRounds && turning && !done[i] && !run_.isCancelled(); ++k) {
+        for (int k = 0; k < kRoundsPerTurn && turning && !done[i] && !run_.isCancelled(); ++k) {
           if (limits_.over()) break;
           done[i] = searches_[i].round() ? 1 : 0;
         }
@@ -168,7 +168,7 @@ LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const L
       starts.push_back(state);
   const auto pairs = static_cast<int>(leg.starts.size() * leg.goals.size());
   ShiftSearch shifts(scene, rule, leg.space, starts, leg.goals,
-                     std::max(kPlaces / 10, kPlaces / std::max(1, pairs)));
+                     std::max(kGridPlacements / 10, kGridPlacements / std::max(1, pairs)));
   for (int places = 0; !shifts.isOver() && !limits.over(); places += kRoundPlaces) {
     if (leg.space.turns() && places >= kFirstPlaces) break;
     run.checkpoint(Phase::Shifts);
@@ -177,7 +177,7 @@ LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const L
   const State* start = leg.space.isOut || leg.starts.empty() ? nullptr : &leg.starts.front();
   const bool proven =
       shifts.path().empty() && leg.provable && !leg.space.turns() &&
-      noShifts(scene, rule, leg.space, start, leg.goals.front(), kPlacesOfProof, isLate, run);
+      noShifts(scene, rule, leg.space, start, leg.goals.front(), kProofPlacements, isLate, run);
   if (!shifts.path().empty()) {
     result.keys = shifts.path();
     result.method = kGridMethod;

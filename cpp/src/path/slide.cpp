@@ -11,8 +11,8 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t kMostTouches = 12;
 // Distance kept from contacts if there is room, in radii of the part.
-constexpr double kMargin = 2e-3;
-constexpr int kRounds = 40;
+constexpr double kSlideMargin = 2e-3;
+constexpr int kSlideRounds = 40;
 
 /// Linear inequality for a move v: row . v >= least.
 struct Limit {
@@ -24,7 +24,7 @@ struct Limit {
 // converge.
 bool nearest(std::vector<Limit>& limits, double tolerance, Vector6d& v) {
   for (Limit& limit : limits) limit.weight = 0;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kSlideRounds; ++round) {
     double worst = 0;
     for (Limit& limit : limits) {
       const double missing = limit.least - limit.row.dot(v);
@@ -84,7 +84,7 @@ Twist allowedMove(const Scene& scene, const State& state, const Rule& rule, cons
   Vector6d start;
   start << wanted.shift, wanted.turn * radius;
   const double tolerance = 1e-3 * length;
-  const double margin = std::min(kMargin * radius, 0.1 * length);
+  const double margin = std::min(kSlideMargin * radius, 0.1 * length);
   if (std::all_of(limits.begin(), limits.end(),
                   [&](const Limit& limit) { return limit.row.dot(start) >= limit.least + margin; }))
     return wanted;

@@ -13,23 +13,23 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kLongestMove = 0.5;  // radii of the part; longer moves get keys in between
 constexpr std::size_t kMaxKeys = 300;
-constexpr int kPlaces = 6;       // number of positions at which a free move is sampled
-constexpr int kManyPlaces = 24;  // the same for a blocked move
-constexpr int kRounds = 12;      // after this many rounds, a raise has failed
-constexpr int kSweeps = 60;      // passes of the dual ascent
-constexpr double kTrust = 0.1;   // radii of the part; a key moves no farther in one round
+constexpr int kSamplesOfMove = 6;  // number of positions at which a free move is sampled
+constexpr int kManyPlaces = 24;    // the same for a blocked move
+constexpr int kRaiseRounds = 12;   // after this many rounds, a raise has failed
+constexpr int kSweeps = 60;        // passes of the dual ascent
+constexpr double kTrust = 0.1;     // radii of the part; a key moves no farther in one round
 // Pairs are opened to this multiple of the wanted distance. Tried on test cases of OMPL.app: with
 // 1.02, blocked moves open too slowly; with 1.25 and more, wide detours use up the permitted
 // length.
-constexpr double kMargin = 1.1;
+constexpr double kLengthening = 1.1;
 constexpr double kFirst = 2e-3;      // radii; the first raise
 constexpr double kLeast = 2e-6;      // radii; smaller raises are not worth the time
 constexpr double kMostRaise = 0.25;  // radii; largest raise of all steps together
 constexpr double kRaise = 2;         // factor from one raise to the next
 // The search ends when the next raise to try is at most this many times the last one that worked.
 constexpr double kEnough = 1.4;
-constexpr double kLonger = 1.25;  // the path may become longer by this factor
-constexpr int kTrials = 100;      // shortcuts of the widened path
+constexpr double kLonger = 1.25;          // the path may become longer by this factor
+constexpr int kShortcutsOfWidened = 100;  // shortcuts of the widened path
 
 /// The distance of a pair of triangles, as a linear function of the twists of the two keys beside
 /// it: row . (before * twist of the key + after * twist of the next key) >= least.
@@ -58,17 +58,17 @@ class Band {
         run_(run),
         memory_(scene.memory()) {
     for (double& distance : within_)
-      if (distance >= 0) distance *= kMargin;
+      if (distance >= 0) distance *= kLengthening;
   }
 
   /// Returns false if the wanted distances were not reached, or if the path became longer than
   /// `longest`.
   bool push(std::vector<State>& keys, double longest) {
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kRaiseRounds; ++round) {
       run_.checkpoint(Phase::Polish);
       if (lengthOf(scene_, keys) > longest) return false;
       openings_.clear();
-      places_.assign(keys.size() - 1, kPlaces);
+      places_.assign(keys.size() - 1, kSamplesOfMove);
       for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
         if (!limits_.allowed(keys[i], keys[i + 1])) return false;
         if (!keepsApart(keys, i)) places_[i] = kManyPlaces;
@@ -222,7 +222,7 @@ double widen(const Scene& scene, const Rule& rule, const WidenLimits& limits, Ra
   }
   if (!moved) return 0;
   keys = std::move(best);
-  shorten(scene, raised(rule, reached), limits.allowed, kTrials, random, keys, run);
+  shorten(scene, raised(rule, reached), limits.allowed, kShortcutsOfWidened, random, keys, run);
   return reached;
 }
 

@@ -15,7 +15,7 @@ namespace {
 /// crossing (docs/performance.md). Thin walls need more, to compare the surfaces that may touch
 /// there.
 constexpr double kBytesPerCrossing = 310, kBytesPerWall = 700;
-constexpr double kRoom = 1.1;
+constexpr double kGrowthReserve = 1.1;
 constexpr double kMinRatio = 2;  ///< smallest ratio of the resolutions of run and pilot
 /// Largest number of faces times placements in a trial of a union of copies.
 constexpr double kMaxCopiedFaces = 5e7;
@@ -50,7 +50,7 @@ Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
   const double power = std::clamp(
       std::log2(static_cast<double>(fine->crossings) / static_cast<double>(coarse->crossings)), 2.0,
       2.5);
-  const double growth = kRoom * std::pow(ratio, power);
+  const double growth = kGrowthReserve * std::pow(ratio, power);
   const double crossings = growth * static_cast<double>(fine->crossings);
   const double walls = growth * static_cast<double>(fine->walls);
   const double faces = static_cast<double>(prepared.body.mesh.triangles.size());

@@ -34,10 +34,10 @@ Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options
 
 /// Margin on every side of the grid of a preview session, as a fraction of the longest side.
 /// Motions of later calls can then use the same grid.
-constexpr double kRoom = 0.03;
+constexpr double kMargin = 0.03;
 
 Eigen::AlignedBox3d withRoom(Eigen::AlignedBox3d box) {
-  const double room = kRoom * box.sizes().maxCoeff();
+  const double room = kMargin * box.sizes().maxCoeff();
   box.min().array() -= room;
   box.max().array() += room;
   return box;

@@ -13,9 +13,9 @@
 namespace swept {
 namespace {
 
-/// At least kFewestCells cells are tried, unless they take more than kFewestSeconds of CPU time.
-constexpr std::size_t kFewestCells = 48;
-constexpr double kFewestSeconds = 0.6;
+/// At least kMinCells cells are tried, unless they take more than kMinSeconds of CPU time.
+constexpr std::size_t kMinCells = 48;
+constexpr double kMinSeconds = 0.6;
 /// Further cells are tried for the fraction kProbePart of the expected CPU time of all cells, but
 /// at least for kProbeSeconds and at most for kMostSeconds.
 constexpr double kProbeSeconds = 0.15, kProbePart = 0.03, kMostSeconds = 2;
@@ -181,7 +181,7 @@ ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
   const auto times = [&] { return static_cast<double>(cells.size()) / static_cast<double>(done); };
   const auto goesOn = [&] {
     const double taken = threadSeconds() - start;
-    if (done < kFewestCells) return taken < kFewestSeconds;
+    if (done < kMinCells) return taken < kMinSeconds;
     return taken < std::clamp(kProbePart * cost.seconds * times(), kProbeSeconds, kMostSeconds);
   };
   for (; done < cells.size() && goesOn(); ++done) {

@@ -16,13 +16,13 @@ namespace {
 
 /// Bounds of the number of placements of the rough motion. Between them, RoughRoom::faces
 /// determines the number.
-constexpr std::size_t kFewest = 6, kMost = 192;
+constexpr std::size_t kMinPoses = 6, kMaxPoses = 192;
 /// A motion of at most this many placements is not thinned if the number of faces of the body times
 /// the number of placements is at most RoughRoom::faces.
 constexpr std::size_t kMostWhole = 384;
 /// The grid is at most this many times coarser and has at least this many cells along its longest
 /// side.
-constexpr std::int32_t kCoarsest = 8, kFewestCells = 12;
+constexpr std::int32_t kCoarsest = 8, kMinLongestCells = 12;
 /// To choose the coarsening, a motion with fewer steps is sampled at one placement, others at two.
 constexpr std::size_t kFewSteps = 16;
 /// Normals and times are computed for about this many crossings at most.
@@ -72,7 +72,7 @@ std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion, cons
                            RunContext& run) {
   const std::int32_t longest =
       *std::max_element(whole.grid.points.begin(), whole.grid.points.end());
-  const std::int32_t most = std::clamp(longest / kFewestCells, 1, kCoarsest);
+  const std::int32_t most = std::clamp(longest / kMinLongestCells, 1, kCoarsest);
   if (most == 1) return 1;
   const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
   const std::size_t looks = count < kFewSteps ? 1 : 2;
@@ -112,7 +112,7 @@ RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
   const auto wanted = static_cast<std::size_t>(room.faces / faces);
   const bool few = known || (all <= kMostWhole && all <= wanted);
   Motion part =
-      thinned(whole.motion, few ? all : std::min(std::clamp(wanted, kFewest, kMost), all));
+      thinned(whole.motion, few ? all : std::min(std::clamp(wanted, kMinPoses, kMaxPoses), all));
   const std::int32_t times = known ? 1 : coarseningFor(whole, part, room, run);
   const GridPlan grid = coarser(whole.grid, times);
   MarkedEdges marked = known ? std::move(*known) : sampleCpu(whole.with(part, grid), run);

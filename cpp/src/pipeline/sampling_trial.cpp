@@ -17,10 +17,11 @@ namespace {
 
 /// Work of the trial, in copies of triangles. A crossing counts as kCrossingWork copies.
 constexpr double kTrialWork = 2.4e6, kCrossingWork = 0.25;
-/// Bounds of the number of sampled steps; kFewestCopies: of sampled copies of a union. For bodies
-/// with few triangles, the upper bound grows up to kMostCheap. Then the windows are long, so that
-/// parts of the motion that are far apart in time can hide each other.
-constexpr std::size_t kFewest = 24, kFewestCopies = 8, kMost = 192, kMostCheap = 1536;
+/// Bounds of the number of sampled steps; kMinCopies: of sampled copies of a union. For bodies
+/// with few triangles, the upper bound grows up to kMaxCheapPlacements. Then the windows are long,
+/// so that parts of the motion that are far apart in time can hide each other.
+constexpr std::size_t kMinPlacements = 24, kMinCopies = 8, kMaxPlacements = 192,
+                      kMaxCheapPlacements = 1536;
 constexpr double kCheapCopies = 4e5;
 /// Number of windows of the motion that are sampled. Each is sampled with two lengths, one twice
 /// the other. Bodies with many triangles get fewer windows.
@@ -107,16 +108,16 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
     const double parts = std::ceil(static_cast<double>(n) * step / kTrialWork);
     return std::min(static_cast<std::size_t>(std::max(1.0, parts)), most);
   };
-  const std::size_t cap =
-      std::clamp(static_cast<std::size_t>(kCheapCopies / faces), kMost, kMostCheap);
+  const std::size_t cap = std::clamp(static_cast<std::size_t>(kCheapCopies / faces), kMaxPlacements,
+                                     kMaxCheapPlacements);
   if (count <= 2 * cap && affordable((count + 1) / 2)) return {count, 1, true};
   // Steps differ more from each other than clusters do. So sampling all steps with some clusters is
   // better than sampling some steps with all clusters.
   if (whole_.motion.continuous &&
-      (count <= 2 * kFewest || (count <= kMost && affordable(count / most)))) {
+      (count <= 2 * kMinPlacements || (count <= kMaxPlacements && affordable(count / most)))) {
     return {count, partsOf(count), true};
   }
-  const std::size_t fewest = byClusters() ? kFewest : std::min(kFewestCopies, count);
+  const std::size_t fewest = byClusters() ? kMinPlacements : std::min(kMinCopies, count);
   const std::size_t steps = std::clamp(static_cast<std::size_t>(kTrialWork / step), fewest, cap);
   return {steps, partsOf(steps), false};
 }

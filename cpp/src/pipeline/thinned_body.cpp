@@ -7,7 +7,7 @@ namespace swept {
 namespace {
 
 /// With fewer placements, thinning costs more time than it saves.
-constexpr std::size_t kMinPlacements = 256;
+constexpr std::size_t kMinPlacementsToThin = 256;
 /// At least this fraction of the triangles must go. Otherwise thinning would cost accuracy for
 /// hardly any time.
 constexpr double kMinSaved = 0.5;
@@ -21,7 +21,7 @@ double bodyThinning(double cell, const Options& options) {
 std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& given, double cell,
                                    const Options& options, RunContext& run) {
   const Motion& motion = prepared.motion;
-  if (!motion.continuous || motion.placements.size() < kMinPlacements) return {};
+  if (!motion.continuous || motion.placements.size() < kMinPlacementsToThin) return {};
   if (prepared.keepRoom || prepared.keepBody || !prepared.body.orientable) return {};
   if (options.sources || options.offset > 0 || options.conservative) return {};
   Thinned thinned = thinOut(given, bodyThinning(cell, options), ThinFor::Sweep, Phase::Motion, run);

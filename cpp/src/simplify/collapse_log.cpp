@@ -5,15 +5,7 @@
 #include <unordered_map>
 
 namespace swept {
-namespace {
-
 using Eigen::Vector3d;
-
-bool has(const CollapseLog::Corners& tri, std::int32_t v) {
-  return tri[0] == v || tri[1] == v || tri[2] == v;
-}
-
-}  // namespace
 
 void CollapseLog::add(std::int32_t from, std::int32_t to, const Vector3d& place,
                       const std::vector<std::int32_t>& staying, const std::vector<Corners>& corners,

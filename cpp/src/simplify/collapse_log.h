@@ -13,6 +13,11 @@
 
 namespace swept {
 
+/// Tells whether a triangle has the vertex `v` as a corner.
+inline bool has(const std::array<std::int32_t, 3>& triangle, std::int32_t v) {
+  return triangle[0] == v || triangle[1] == v || triangle[2] == v;
+}
+
 class CollapseLog {
  public:
   using Corners = std::array<std::int32_t, 3>;

@@ -27,10 +27,6 @@ constexpr double kNetFraction = 0.96;
 // makes flat regions collapse evenly.
 constexpr double kLengthWeight = 1e-3;
 
-bool has(const std::array<std::int32_t, 3>& tri, std::int32_t v) {
-  return tri[0] == v || tri[1] == v || tri[2] == v;
-}
-
 double squaredLongest(const std::array<Vector3d, 3>& c) {
   return std::max(
       {(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(), (c[0] - c[2]).squaredNorm()});

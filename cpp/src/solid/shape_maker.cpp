@@ -26,9 +26,6 @@ namespace {
 // plus that of the simplification before them may exceed the tolerance. If so, vertices are added
 // to the mesh at the end.
 constexpr double kSurfaceFraction = 0.83, kFaceFraction = 0.95;
-// Fraction of the tolerance for thinning the triangles without a patch. Without thinning, the edge
-// collapse of 500,000 such triangles took two thirds of the time of an export.
-constexpr double kThinFraction = 0.15;
 
 Built describe(Model model, double deviation) {
   Built built{std::move(model), {}, deviation};

@@ -75,8 +75,6 @@ bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOpti
                   "no such limit");
 }
 
-// Fraction of the tolerance for thinning a dense mesh before surfaces are recognised.
-constexpr double kThinFraction = 0.15;
 constexpr std::size_t kDense = 150000;  // triangles; a smaller mesh is not thinned first
 
 double diagonalOf(const HalfEdgeMesh& mesh) {

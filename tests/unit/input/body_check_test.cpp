@@ -30,7 +30,7 @@ std::int64_t count(const CheckedBody& body, const std::string& code) {
   return finding == nullptr ? 0 : finding->count;
 }
 
-void expectRefused(const TriMesh& mesh, const std::string& code, const std::string& words) {
+void expectMeshRefused(const TriMesh& mesh, const std::string& code, const std::string& words) {
   try {
     check(mesh);
     FAIL() << "not refused: " << code;
@@ -57,28 +57,28 @@ TEST(BodyCheck, CleanBodyIsLeftAsItIs) {
 }
 
 TEST(BodyCheck, bad_input_01_empty_mesh) {
-  expectRefused({}, "EmptyMesh", "0 vertices and 0 triangles");
+  expectMeshRefused({}, "EmptyMesh", "0 vertices and 0 triangles");
   TriMesh points = unitBox();
   points.triangles.clear();
-  expectRefused(points, "EmptyMesh", "8 vertices and 0 triangles");
+  expectMeshRefused(points, "EmptyMesh", "8 vertices and 0 triangles");
 }
 
 TEST(BodyCheck, bad_input_02_index_out_of_range) {
   TriMesh mesh = unitBox();
   mesh.triangles[7][2] = 8;
-  expectRefused(mesh, "BadIndex",
-                "triangle 7 refers to vertex 8, but the mesh has 8 vertices (triangles and "
-                "vertices are counted from 0)");
+  expectMeshRefused(mesh, "BadIndex",
+                    "triangle 7 refers to vertex 8, but the mesh has 8 vertices (triangles and "
+                    "vertices are counted from 0)");
   mesh.triangles[7][2] = -1;
-  expectRefused(mesh, "BadIndex", "triangle 7 refers to vertex -1");
+  expectMeshRefused(mesh, "BadIndex", "triangle 7 refers to vertex -1");
 }
 
 TEST(BodyCheck, bad_input_03_not_a_number) {
   TriMesh mesh = unitBox();
   mesh.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
   mesh.vertices[5].x() = std::numeric_limits<double>::infinity();
-  expectRefused(mesh, "NonFiniteVertex", "2 vertices");
-  expectRefused(mesh, "NonFiniteVertex", "the first ones, counted from 0: 3, 5");
+  expectMeshRefused(mesh, "NonFiniteVertex", "2 vertices");
+  expectMeshRefused(mesh, "NonFiniteVertex", "the first ones, counted from 0: 3, 5");
 }
 
 TEST(BodyCheck, bad_input_04_degenerate_triangles) {
@@ -93,7 +93,7 @@ TEST(BodyCheck, bad_input_04_degenerate_triangles) {
   TriMesh line;
   line.vertices = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
   line.triangles = {{0, 1, 2}, {0, 0, 1}};
-  expectRefused(line, "NoVolume", "2 without area");
+  expectMeshRefused(line, "NoVolume", "2 without area");
 }
 
 TEST(BodyCheck, bad_input_05_soup_is_welded) {
@@ -259,7 +259,7 @@ TEST(BodyCheck, bad_input_12_body_within_a_cavity_and_within_material) {
 TEST(BodyCheck, bad_input_14_out_of_range) {
   TriMesh mesh = unitBox();
   for (auto& v : mesh.vertices) v.x() += 2e9;
-  expectRefused(mesh, "OutOfRange", "1e9 mm");
+  expectMeshRefused(mesh, "OutOfRange", "1e9 mm");
 }
 
 TEST(BodyCheck, CancelsAtEveryCheckpoint) {

@@ -13,12 +13,6 @@ namespace {
 
 using namespace test;
 
-PathOptions patient(const PathCase& c) {
-  PathOptions options = optionsOf(c);
-  options.budgetSeconds = 1000;
-  return options;
-}
-
 // Returns the straight motion from start to goal in equal moves, through all neighbours.
 Trajectory straightWay(const PathCase& c, int moves) {
   Trajectory motion;

@@ -47,14 +47,6 @@ std::string codeOf(const PathCase& c, const PathOptions& options) {
   return report.code;
 }
 
-/// Returns options with enough time for sanitizers too: a search that ends at its time limit tests
-/// nothing.
-PathOptions patient(const PathCase& c) {
-  PathOptions options = optionsOf(c);
-  options.budgetSeconds = 1000;
-  return options;
-}
-
 TEST(FindPath, MadeUpProblemsHaveTheRightAnswersAndEveryPathIsClear) {
   int found = 0;
   for (unsigned number = 0; number < 45; ++number) {

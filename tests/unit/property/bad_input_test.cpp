@@ -49,7 +49,7 @@ bool warns(const Result& result, const std::string& code) {
   return false;
 }
 
-void expectOk(const Result& result) {
+void expectGoodResult(const Result& result) {
   ASSERT_EQ(result.report.status, Status::Ok)
       << result.report.code << ": " << result.report.message;
   EXPECT_TRUE(result.report.check.passes());
@@ -91,7 +91,7 @@ TEST(BadInput, bad_input_04_degenerate_triangles) {
   TriMesh body = unitBox();
   body.triangles.push_back({0, 0, 1});
   const Result result = run(body, shift());
-  expectOk(result);
+  expectGoodResult(result);
   EXPECT_TRUE(warns(result, "DegenerateTriangles"));
   TriMesh flat;
   flat.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
@@ -102,7 +102,7 @@ TEST(BadInput, bad_input_04_degenerate_triangles) {
 TEST(BadInput, bad_input_05_soup) {
   const Result whole = run(unitBox(), shift());
   const Result welded = run(soup(unitBox()), shift());
-  expectOk(welded);
+  expectGoodResult(welded);
   EXPECT_TRUE(warns(welded, "Welded"));
   EXPECT_EQ(whole.report.check.volume, welded.report.check.volume);
 }
@@ -116,7 +116,7 @@ TEST(BadInput, bad_input_06_open_mesh) {
   sheet.vertices = {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
   const Result result = run(sheet, shift({0.3, 0.2, 2}));
-  expectOk(result);
+  expectGoodResult(result);
   EXPECT_TRUE(warns(result, "OpenEdges"));
   EXPECT_NEAR(result.report.check.volume, 18, 0.05 * 45 * result.report.cellSize);
 }
@@ -124,7 +124,7 @@ TEST(BadInput, bad_input_06_open_mesh) {
 TEST(BadInput, bad_input_07_inward_normals) {
   const Result right = run(unitBox(), shift());
   const Result wrong = run(inverted(unitBox()), shift());
-  expectOk(wrong);
+  expectGoodResult(wrong);
   EXPECT_TRUE(warns(wrong, "Flipped"));
   EXPECT_NEAR(right.report.check.volume, wrong.report.check.volume, 1e-9);
 }
@@ -133,7 +133,7 @@ TEST(BadInput, bad_input_08_mixed_orientation) {
   TriMesh body = unitBox();
   for (const std::size_t t : {1u, 4u, 6u}) std::swap(body.triangles[t][0], body.triangles[t][1]);
   const Result result = run(body, shift());
-  expectOk(result);
+  expectGoodResult(result);
   EXPECT_TRUE(warns(result, "MixedOrientation"));
   EXPECT_NEAR(result.report.check.volume, run(unitBox(), shift()).report.check.volume, 1e-9);
 }
@@ -142,7 +142,7 @@ TEST(BadInput, bad_input_09_non_manifold_edge) {
   TriMesh body = makeBox({0, 0, 0}, {1, 1, 1});
   append(body, makeBox({1, 1, 0}, {2, 2, 1}));
   const Result result = run(body, shift({0, 0, 2}));
-  expectOk(result);
+  expectGoodResult(result);
   EXPECT_TRUE(warns(result, "NonManifoldEdges"));
 }
 
@@ -150,7 +150,7 @@ TEST(BadInput, bad_input_10_overlapping_bodies) {
   TriMesh body = makeBox({0, 0, 0}, {2, 2, 2});
   append(body, makeBox({1, 1, 1}, {3, 3, 3}));
   const Result result = run(body, still());
-  expectOk(result);
+  expectGoodResult(result);
   EXPECT_NEAR(result.report.check.volume, 15, 0.05 * 42 * result.report.cellSize);
 }
 
@@ -158,7 +158,7 @@ TEST(BadInput, bad_input_11_duplicate_faces) {
   TriMesh body = unitBox();
   body.triangles.push_back(body.triangles[0]);
   const Result result = run(body, shift());
-  expectOk(result);
+  expectGoodResult(result);
   EXPECT_TRUE(warns(result, "DuplicateTriangles"));
 }
 
@@ -166,7 +166,7 @@ TEST(BadInput, bad_input_12_cavity) {
   TriMesh body = makeBox({0, 0, 0}, {4, 4, 4});
   append(body, inverted(makeBox({1, 1, 1}, {3, 3, 3})));
   const Result filled = run(body, still());
-  expectOk(filled);
+  expectGoodResult(filled);
   EXPECT_TRUE(warns(filled, "Cavities"));
   EXPECT_NEAR(filled.report.check.volume, 64, 0.05 * 96 * filled.report.cellSize);
   EXPECT_EQ(filled.report.check.shells, 1);
@@ -175,14 +175,14 @@ TEST(BadInput, bad_input_12_cavity) {
 TEST(BadInput, bad_input_13_thin_wall) {
   const TriMesh body = makeBox({0, 0, 0}, {3, 3, 0.01});  // a tenth of a cell
   const Result result = run(body, shift({0.5, 0, 0}));
-  expectOk(result);
+  expectGoodResult(result);
 }
 
 TEST(BadInput, bad_input_14_far_from_origin) {
   TriMesh body = unitBox();
   for (auto& v : body.vertices) v += Eigen::Vector3d(1e6, -2e6, 3e6);
   const Result result = run(body, shift());
-  expectOk(result);
+  expectGoodResult(result);
   EXPECT_NEAR(result.report.check.volume, run(unitBox(), shift()).report.check.volume, 0.01);
   for (auto& v : body.vertices) v.x() += 3e9;
   expectRefused(run(body, shift()), "OutOfRange");
@@ -223,7 +223,7 @@ TEST(BadInput, bad_input_17_no_poses) { expectRefused(run(unitBox(), {}), "Empty
 
 TEST(BadInput, bad_input_18_one_pose) {
   const Result result = run(unitBox(), still());
-  expectOk(result);
+  expectGoodResult(result);
   EXPECT_NEAR(result.report.check.volume, 6, 0.05 * 22 * result.report.cellSize);
 }
 
@@ -232,7 +232,7 @@ TEST(BadInput, bad_input_19_repeated_poses) {
   motion.poses.push_back(motion.poses.back());
   motion.poses.back().timeSeconds = 2;
   const Result result = run(unitBox(), motion);
-  expectOk(result);
+  expectGoodResult(result);
   EXPECT_TRUE(warns(result, "RepeatedPoses"));
 }
 
@@ -240,7 +240,7 @@ TEST(BadInput, bad_input_20_small_drift) {
   Trajectory motion = shift();
   motion.poses[1].rotation.coeffs() *= 1 + 3e-5;
   const Result result = run(unitBox(), motion);
-  expectOk(result);
+  expectGoodResult(result);
   EXPECT_TRUE(warns(result, "RotationMended"));
 }
 
@@ -265,7 +265,7 @@ TEST(BadInput, bad_input_23_jump_between_poses) {
   Options options;
   options.cellSize = 0.25;
   const Result far = run(unitBox(), shift({200, 0, 0}), options);
-  expectOk(far);
+  expectGoodResult(far);
   EXPECT_NEAR(far.report.check.volume, 6 + 200 * 2, 0.05 * 1222 * far.report.cellSize);
   Trajectory turn = still();
   turn.poses.push_back(poseOf(1, placement({0, 0, 1}, 180, {0, 0, 0})));
@@ -287,7 +287,7 @@ TEST(BadInput, bad_input_24_cancel_at_every_checkpoint) {
     SCOPED_TRACE("checkpoint " + std::to_string(n));
     expectFailure(result, Status::Cancelled, "Cancelled");
   }
-  expectOk(run(body, shift()));  // the next run works
+  expectGoodResult(run(body, shift()));  // the next run works
 }
 
 TEST(BadInput, bad_input_24_cancel_within_a_quarter_second) {
@@ -327,7 +327,7 @@ TEST(BadInput, bad_input_25_cancel_before_and_after) {
   RunContext after;
   const Result result = compute(unitBox(), shift(), coarse(), after);
   after.cancel();
-  expectOk(result);
+  expectGoodResult(result);
 }
 
 TEST(BadInput, bad_input_26_above_the_memory_budget) {
@@ -343,7 +343,7 @@ TEST(BadInput, bad_input_26_above_the_memory_budget) {
 TEST(BadInput, bad_input_28_no_gpu) {
   Options options = coarse();
   options.backend = Backend::Auto;
-  expectOk(run(unitBox(), shift(), options));
+  expectGoodResult(run(unitBox(), shift(), options));
 }
 
 TEST(BadInput, bad_input_45_thinner_than_the_cell_everywhere) {
@@ -378,7 +378,7 @@ TEST(BadInput, ProgressNeverFalls) {
   const Result result = compute(makeBall({0, 0, 0}, 2, 4), shift(), options, context);
   done = true;
   watcher.join();
-  expectOk(result);
+  expectGoodResult(result);
   EXPECT_FALSE(fell);
   EXPECT_EQ(context.phase(), Phase::Done);
 }

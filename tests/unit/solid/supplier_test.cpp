@@ -124,16 +124,16 @@ TriMesh bracket() {
       12, 8, 9);
 }
 
-struct Case {
+struct SupplierCase {
   const char* name;
   TriMesh (*body)();
   bool turns;
 };
 
-class ForSuppliers : public testing::TestWithParam<Case> {};
+class ForSuppliers : public testing::TestWithParam<SupplierCase> {};
 
 TEST_P(ForSuppliers, TheCheckFindsNothing) {
-  const Case& one = GetParam();
+  const SupplierCase& one = GetParam();
   Options options;
   options.resolution = 96;
   RunContext run;
@@ -165,10 +165,10 @@ TEST_P(ForSuppliers, TheCheckFindsNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, ForSuppliers,
-                         testing::Values(Case{"ring-turned", ring, true},
-                                         Case{"bracket-turned", bracket, true},
-                                         Case{"ring-lifted", ring, false},
-                                         Case{"bracket-lifted", bracket, false}),
+                         testing::Values(SupplierCase{"ring-turned", ring, true},
+                                         SupplierCase{"bracket-turned", bracket, true},
+                                         SupplierCase{"ring-lifted", ring, false},
+                                         SupplierCase{"bracket-lifted", bracket, false}),
                          [](const auto& one) {
                            std::string name = one.param.name;
                            std::replace(name.begin(), name.end(), '-', '_');

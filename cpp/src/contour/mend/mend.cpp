@@ -20,11 +20,8 @@
 namespace swept {
 namespace {
 
-/// A triangle spans two cells, so it cannot intersect triangles more than four cells away.
-constexpr int kReachCells = 4;
-constexpr std::size_t kPerTask = 1 << 15;
 // Largest number of rounds, to limit the time. Mending ends earlier if no pairs are left.
-constexpr int kRounds = 8;
+constexpr int kMendRounds = 8;
 /// The first round aligns only the sides of walls up to this thickness (cells).
 constexpr double kMaxFirstThickness = 0.1;
 /// Distances (cells) by which a corner is moved away from the line through the others, tried in
@@ -145,11 +142,12 @@ class Mender {
   std::vector<T> forTouching(const std::vector<std::int32_t>& vertices,
                              const std::vector<std::int32_t>& near, const Use& use) {
     for (const std::int32_t v : vertices) marked_[v] = 1;
-    std::vector<T> out = gather<T>(near.size(), kPerTask, [&](std::size_t n, std::vector<T>& part) {
-      for (const std::int32_t v : mesh_.triangles[near[n]]) {
-        if (marked_[v] != 0) use(v, near[n], part);
-      }
-    });
+    std::vector<T> out =
+        gather<T>(near.size(), kTrianglesPerTask, [&](std::size_t n, std::vector<T>& part) {
+          for (const std::int32_t v : mesh_.triangles[near[n]]) {
+            if (marked_[v] != 0) use(v, near[n], part);
+          }
+        });
     for (const std::int32_t v : vertices) marked_[v] = 0;
     return out;
   }
@@ -264,7 +262,7 @@ class Mender {
 
   std::vector<std::int32_t> flatTriangles() {
     std::vector<std::int32_t> flat = gather<std::int32_t>(
-        region_.size(), kPerTask, [&](std::size_t n, std::vector<std::int32_t>& part) {
+        region_.size(), kTrianglesPerTask, [&](std::size_t n, std::vector<std::int32_t>& part) {
           if (!hasArea(region_[n])) part.push_back(region_[n]);
         });
     sortUnique(flat);
@@ -338,8 +336,8 @@ SelfIntersections mendSelfIntersections(Surface& surface, const HermiteGrid& gri
                                         const SelfIntersections& found, RunContext& run) {
   if (found.count == 0) return found;
   Mender mender(surface, grid, found, run);
-  for (int round = 0; round < kRounds && !mender.done(); ++round) {
-    run.checkpoint(Phase::Check, static_cast<std::uint64_t>(round), kRounds);
+  for (int round = 0; round < kMendRounds && !mender.done(); ++round) {
+    run.checkpoint(Phase::Check, static_cast<std::uint64_t>(round), kMendRounds);
     mender.mendRound(round);
   }
   mender.restoreAreas();

@@ -12,10 +12,6 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kPerTask = 1 << 15;
-/// A triangle cannot intersect triangles more than this many cells away (mend.cpp).
-constexpr int kReachCells = 4;
-
 using Places = std::unordered_map<std::int32_t, Eigen::Vector3d>;
 
 bool hasArea(const TriMesh& mesh, std::int32_t t) {
@@ -32,13 +28,14 @@ std::vector<VertexMove> applyMoves(TriMesh& mesh, const GridPlan& plan,
     before.emplace(move.vertex, mesh.vertices[move.vertex]);
     mesh.vertices[move.vertex] = move.position;
   }
-  std::vector<std::int32_t> members = gather<std::int32_t>(
-      mesh.triangles.size(), kPerTask, [&](std::size_t t, std::vector<std::int32_t>& part) {
-        const auto& corners = mesh.triangles[t];
-        if (std::any_of(corners.begin(), corners.end(),
-                        [&](std::int32_t v) { return before.contains(v); }))
-          part.push_back(static_cast<std::int32_t>(t));
-      });
+  std::vector<std::int32_t> members =
+      gather<std::int32_t>(mesh.triangles.size(), kTrianglesPerTask,
+                           [&](std::size_t t, std::vector<std::int32_t>& part) {
+                             const auto& corners = mesh.triangles[t];
+                             if (std::any_of(corners.begin(), corners.end(),
+                                             [&](std::int32_t v) { return before.contains(v); }))
+                               part.push_back(static_cast<std::int32_t>(t));
+                           });
   std::vector<VertexMove> back;
   const auto takeBack = [&](std::int32_t t) {
     for (const std::int32_t v : mesh.triangles[t]) {

@@ -20,12 +20,9 @@ namespace {
 using Triangle = std::array<std::int32_t, 3>;
 using CellIndex = std::array<int, 3>;
 
-constexpr std::size_t kPerTask = 1 << 15;
 /// Largest number of rounds, to limit the time. Each round adds the cells of the triangles that
 /// still intersect.
-constexpr int kRounds = 24;
-/// A triangle cannot intersect triangles more than this many cells away (mend.cpp).
-constexpr int kReachCells = 4;
+constexpr int kRebuildRounds = 24;
 /// A vertex nearer to a wall of its cell than this (cells) gets another position.
 constexpr double kInside = 1e-3;
 
@@ -45,7 +42,7 @@ CellIndex behindFace(CellIndex cell, int face) {
 }
 
 /// The polygon of a crossing before rebuilding: its border, and the vertices of its four cells.
-struct Polygon {
+struct OldPolygon {
   std::vector<std::int32_t> border;
   std::array<std::int32_t, 4> vertex{-1, -1, -1, -1};  ///< by corner of the quad
 };
@@ -141,7 +138,7 @@ class Rebuilder {
       std::fill(ofVertex.begin() + cell.vertices.first, ofVertex.begin() + cell.vertices.end, 1);
     }
     removed_ = gather<std::int32_t>(
-        triangleCount_, kPerTask, [&](std::size_t t, std::vector<std::int32_t>& part) {
+        triangleCount_, kTrianglesPerTask, [&](std::size_t t, std::vector<std::int32_t>& part) {
           const std::uint32_t crossing = surface_.crossingOf[t];
           const Triangle& corners = mesh_.triangles[t];
           const bool removes = crossing != Surface::kNoCrossing
@@ -160,7 +157,7 @@ class Rebuilder {
       polygons_.emplace(crossing, polygonOf(crossing, members));
   }
 
-  Polygon polygonOf(std::uint32_t crossing, const std::vector<std::int32_t>& triangles) {
+  OldPolygon polygonOf(std::uint32_t crossing, const std::vector<std::int32_t>& triangles) {
     std::map<std::int32_t, std::int32_t> after;  // the next vertex along the border
     std::set<std::pair<std::int32_t, std::int32_t>> sides;
     for (const std::int32_t t : triangles) {
@@ -170,7 +167,7 @@ class Rebuilder {
     for (const auto& [from, to] : sides) {
       if (!sides.contains({to, from})) after[from] = to;
     }
-    Polygon polygon;
+    OldPolygon polygon;
     for (std::int32_t v = after.begin()->first; polygon.border.size() < after.size(); v = after[v])
       polygon.border.push_back(v);
     const CrossingEdge edge = edgeOfCrossing(grid_, crossing);
@@ -233,7 +230,7 @@ class Rebuilder {
   /// Adds the part of a crossing's polygon that lies in cells that are not rebuilt: a fan about the
   /// crossing.
   void addPolygon(std::uint32_t crossing) {
-    const Polygon& polygon = polygons_.at(crossing);
+    const OldPolygon& polygon = polygons_.at(crossing);
     const CrossingEdge edge = edgeOfCrossing(grid_, crossing);
     const auto isRebuilt = [&](int corner) { return cells_.contains(cellAtCorner(edge, corner)); };
     const auto cornerOf = [&](std::int32_t v) {
@@ -308,7 +305,7 @@ class Rebuilder {
                                           const CellRing& ring) const {
     std::int32_t vertex = -1;
     for (const std::int8_t slot : ring.slots) {
-      const Polygon& polygon = polygons_.at(cell.crossings.crossing(slot));
+      const OldPolygon& polygon = polygons_.at(cell.crossings.crossing(slot));
       const std::int32_t own = polygon.vertex[quadCorner(slot >> 1)];
       if (vertex >= 0 && own != vertex) return {};
       vertex = own;
@@ -360,7 +357,7 @@ class Rebuilder {
   std::map<CellIndex, RebuiltCell> rebuilt_;
   std::set<std::uint32_t> crossings_;  // all crossings of the rebuilt cells
   std::map<CellIndex, CellVertices::Range> ranges_;
-  std::map<std::uint32_t, Polygon> polygons_;                      // by crossing
+  std::map<std::uint32_t, OldPolygon> polygons_;                   // by crossing
   std::map<std::uint32_t, std::int32_t> crossingAt_;               // crossing -> its vertex
   std::map<std::pair<std::uint32_t, int>, std::int32_t> chordAt_;  // crossing and side -> vertex
   std::vector<std::int32_t> removed_;                              // triangles, in rising order
@@ -372,8 +369,8 @@ SelfIntersections rebuildCells(Surface& surface, const HermiteGrid& grid,
                                const SelfIntersections& found, RunContext& run) {
   Rebuilder rebuilder(surface, grid, run);
   SelfIntersections pairs = found;
-  for (int round = 0; round < kRounds && pairs.count > 0; ++round) {
-    run.checkpoint(Phase::Check, static_cast<std::uint64_t>(round), kRounds);
+  for (int round = 0; round < kRebuildRounds && pairs.count > 0; ++round) {
+    run.checkpoint(Phase::Check, static_cast<std::uint64_t>(round), kRebuildRounds);
     if (!rebuilder.addCells(pairs)) break;
     pairs = rebuilder.rebuild();
   }

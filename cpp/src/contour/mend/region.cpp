@@ -10,7 +10,6 @@ namespace swept {
 namespace {
 
 constexpr int kBlockCells = 4;
-constexpr std::size_t kPerTask = 1 << 15;
 
 }  // namespace
 
@@ -64,10 +63,11 @@ std::vector<std::int32_t> TriangleBlocks::near(const TriMesh& mesh,
     }
   });
   const std::size_t count = among != nullptr ? among->size() : of_.size();
-  return gather<std::int32_t>(count, kPerTask, [&](std::size_t n, std::vector<std::int32_t>& part) {
-    const std::int32_t t = among != nullptr ? (*among)[n] : static_cast<std::int32_t>(n);
-    if ((marks[of_[t] / 64] >> of_[t] % 64 & 1u) != 0) part.push_back(t);
-  });
+  return gather<std::int32_t>(
+      count, kTrianglesPerTask, [&](std::size_t n, std::vector<std::int32_t>& part) {
+        const std::int32_t t = among != nullptr ? (*among)[n] : static_cast<std::int32_t>(n);
+        if ((marks[of_[t] / 64] >> of_[t] % 64 & 1u) != 0) part.push_back(t);
+      });
 }
 
 }  // namespace swept

@@ -4,12 +4,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "contour/surface.h"
 
 namespace swept {
+
+/// A triangle spans two cells, so it cannot intersect triangles more than this many cells away.
+constexpr int kReachCells = 4;
+/// Triangles of one parallel task.
+constexpr std::size_t kTrianglesPerTask = 1 << 15;
 
 /// Stores for each triangle the block that contains its first corner.
 class TriangleBlocks {

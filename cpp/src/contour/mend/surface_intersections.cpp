@@ -18,7 +18,6 @@ namespace {
 
 /// The centre of a fan may deviate from its lattice edge by this (cells), because of rounding.
 constexpr double kOnEdge = 1e-9;
-constexpr std::size_t kPerTask = 1 << 15;
 using Triangle = std::array<std::int32_t, 3>;
 
 /// The lattice edge (axis, i, j, k) that a polygon surrounds.
@@ -142,7 +141,7 @@ class PolygonSorter {
 std::vector<std::pair<std::int32_t, std::int32_t>> compareEntangled(
     const Surface& surface, const Polygons& polygons, const CrossingPairs& entangled) {
   return gather<std::pair<std::int32_t, std::int32_t>>(
-      entangled.size(), kPerTask, [&](std::size_t n, auto& part) {
+      entangled.size(), kTrianglesPerTask, [&](std::size_t n, auto& part) {
         const Polygon p = polygons.of(entangled[n].first);
         const Polygon q = polygons.of(entangled[n].second);
         for (std::uint32_t t = p.first; t < p.first + p.count; ++t) {
@@ -169,19 +168,20 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
     });
   });
   const CrossingPairs entangled = entangledPolygons(surface, grid, sorter.polygons(), settled, run);
-  const std::vector<std::int32_t> members = gather<std::int32_t>(
-      surface.mesh.triangles.size(), kPerTask, [&](std::size_t t, std::vector<std::int32_t>& part) {
-        const std::uint32_t crossing = surface.crossingOf[t];
-        if (crossing == Surface::kNoCrossing || settled[crossing] == 0)
-          part.push_back(static_cast<std::int32_t>(t));
-      });
+  const std::vector<std::int32_t> members =
+      gather<std::int32_t>(surface.mesh.triangles.size(), kTrianglesPerTask,
+                           [&](std::size_t t, std::vector<std::int32_t>& part) {
+                             const std::uint32_t crossing = surface.crossingOf[t];
+                             if (crossing == Surface::kNoCrossing || settled[crossing] == 0)
+                               part.push_back(static_cast<std::int32_t>(t));
+                           });
   if (unsure != nullptr) *unsure = static_cast<std::int64_t>(members.size());
   // A polygon that lies in the tetrahedra of its own edge spans two cells. So every point of a
   // triangle is within this distance of its first corner.
-  constexpr int kReachCells = 2;
+  constexpr int kNearCells = 2;
   const TriangleBlocks blocks(surface.mesh, grid.plan);
   SelfIntersections found =
-      findNearPairs(surface.mesh, members, blocks.near(surface.mesh, members, kReachCells), run);
+      findNearPairs(surface.mesh, members, blocks.near(surface.mesh, members, kNearCells), run);
   const auto more = compareEntangled(surface, sorter.polygons(), entangled);
   found.pairs.insert(found.pairs.end(), more.begin(), more.end());
   tbb::parallel_sort(found.pairs.begin(), found.pairs.end());

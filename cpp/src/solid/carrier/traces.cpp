@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kSamplesPerSpan = 6;
+constexpr int kSamplesPerKnotSpan = 6;
 
 // Returns the spline with these points and derivatives at ascending parameters.
 Curve hermite(const std::vector<double>& at, const std::vector<CurvePoint>& nodes) {
@@ -85,8 +85,9 @@ double nearestParameter(const Curve& curve, const Vector3d& p) {
   }
   double best = 0, smallest = 1e300;
   for (std::size_t i = 0; i + 1 < curve.knots.size(); ++i) {
-    for (int k = 0; k <= kSamplesPerSpan; ++k) {
-      const double t = curve.knots[i] + (curve.knots[i + 1] - curve.knots[i]) * k / kSamplesPerSpan;
+    for (int k = 0; k <= kSamplesPerKnotSpan; ++k) {
+      const double t =
+          curve.knots[i] + (curve.knots[i + 1] - curve.knots[i]) * k / kSamplesPerKnotSpan;
       const double d = (curve.at(t) - p).squaredNorm();
       if (d >= smallest) continue;
       smallest = d;

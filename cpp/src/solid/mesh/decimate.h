@@ -35,6 +35,10 @@ enum class Effort {
   Again,  ///< after patches became open ground: the remaining borders do not move
 };
 
+/// Limit of thinning, as a fraction of the tolerance of the solid. Without thinning, the edge
+/// collapse of 500,000 triangles took two thirds of the time of an export.
+constexpr double kThinFraction = 0.15;
+
 /// Thins open ground at a few microseconds per triangle, before the first call of decimate().
 /// Removes vertices without a patch if the surface moves by at most `limit`.
 Decimated thinOpenGround(Decimated start, double limit, RunContext& run);

@@ -85,7 +85,7 @@ class Recogniser {
 /// lie exactly on the surface.
 constexpr double kMinScatter = 0.03;
 constexpr double kMaxMoved = 0.2;  // fraction of the tolerance: largest shift of a surface
-constexpr std::size_t kMaxSamples = 5000;
+constexpr std::size_t kMaxFitSamples = 5000;
 /// Vertices farther away than this multiple of the median distance belong to a neighbour.
 constexpr double kMaxMedians = 5;
 
@@ -112,7 +112,7 @@ void fitToMost(const HalfEdgeMesh& mesh, Patch& patch) {
       const Eigen::Vector3d& p = mesh.points[mesh.triangles[t][0]];
       if (std::abs(patch.surface.distance(p)) <= limit) samples.points.push_back(p);
     }
-    refineSurface(samples, patch.surface, kMaxSamples);
+    refineSurface(samples, patch.surface, kMaxFitSamples);
   }
 }
 

@@ -20,6 +20,10 @@ namespace swept::step {
 
 /// A curved patch smaller than this becomes facets.
 constexpr std::size_t kMinTriangles = 24;
+/// Cosine: a triangle may deviate by this angle (26 degrees) from its surface.
+constexpr double kSurfaceCosine = 0.90;
+/// Largest median distance of the vertices from their surface, as a fraction of the tolerance.
+constexpr double kExactFraction = 0.1;
 
 class RegionFinder {
  public:

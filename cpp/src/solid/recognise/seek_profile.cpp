@@ -17,12 +17,9 @@ using Eigen::Vector3d;
 // Triangles of a first and of a wide region around a seed.
 constexpr std::size_t kMaxSeed = 600, kMaxWide = 1200;
 constexpr std::size_t kFewSamples = 200, kMaxSamples = 1000;
-constexpr double kMaxSpread = 0.03;  // sine: scatter of the normals about a direction or an axis
-constexpr double kMaxLean = 0.08;    // sine: a single normal may deviate by this much
-constexpr double kSurfaceCosine = 0.90;  // a triangle may deviate by 26 degrees from its surface
-constexpr double kExactFraction =
-    0.1;  // fraction of the tolerance: largest median distance of the vertices
-constexpr double kRoughFraction = 0.2;  // the same for a quick first test
+constexpr double kMaxSpread = 0.03;     // sine: scatter of the normals about a direction or an axis
+constexpr double kMaxLean = 0.08;       // sine: a single normal may deviate by this much
+constexpr double kRoughFraction = 0.2;  // fraction of the tolerance, for a quick first test
 /// Spans are halved until their points are within this fraction of the tolerance.
 constexpr double kFitFraction = 0.02;
 /// Only patches whose median distance exceeds this fraction of the tolerance may give triangles to
@@ -33,7 +30,7 @@ constexpr double kMinSaved = 8;  // facets that a patch must save
 /// Triangles nearer to the axis than this many edge lengths belong to the pole and are left out.
 constexpr double kMinAxisDistance = 6;
 
-struct Candidate {
+struct ProfileCandidate {
   Carrier surface;
   std::vector<std::int32_t> region;
   double area = 0, saved = 0;
@@ -88,9 +85,9 @@ class ProfileSeeker {
     const std::vector<std::int32_t> wide = flood(seed, kMaxWide, all);
     for (std::size_t i = 0; i < std::min(kMaxSeed, wide.size()); ++i) tried_[wide[i]] = 1;
     if (wide.size() < kMinTriangles || !finder_.bends(wide)) return false;
-    std::optional<Candidate> best;
+    std::optional<ProfileCandidate> best;
     for (const CarrierKind kind : {CarrierKind::Extrusion, CarrierKind::Revolution}) {
-      std::optional<Candidate> candidate = tryKind(kind, seed, wide);
+      std::optional<ProfileCandidate> candidate = tryKind(kind, seed, wide);
       if (candidate && (!best || candidate->area > 1.2 * best->area)) best = std::move(candidate);
     }
     if (!best) return false;
@@ -98,8 +95,8 @@ class ProfileSeeker {
     return true;
   }
 
-  std::optional<Candidate> tryKind(CarrierKind kind, std::int32_t seed,
-                                   const std::vector<std::int32_t>& wide) {
+  std::optional<ProfileCandidate> tryKind(CarrierKind kind, std::int32_t seed,
+                                          const std::vector<std::int32_t>& wide) {
     double spread = 0;
     std::optional<Carrier> surface =
         guessAxis(kind, finder_.samplesOf(wide, kFewSamples, false), spread);
@@ -110,7 +107,7 @@ class ProfileSeeker {
     if (!surface || spread > kMaxSpread) return std::nullopt;
     region = withinLean(*surface, seed);
     if (region.size() < kMinTriangles) return std::nullopt;
-    Candidate candidate;
+    ProfileCandidate candidate;
     candidate.surface = *surface;
     // A quick test first: most regions are not such a surface and need no fit to many points.
     const Samples few = finder_.samplesOf(region, kFewSamples, true);
@@ -205,7 +202,7 @@ class ProfileSeeker {
     return largest != pieces.end() ? std::move(*largest) : std::vector<std::int32_t>();
   }
 
-  bool isWorthIt(Candidate& candidate) const {
+  bool isWorthIt(ProfileCandidate& candidate) const {
     if (candidate.region.size() < kMinTriangles || !finder_.bends(candidate.region)) return false;
     candidate.area = areaOf(mesh_, candidate.region);
     Patch patch;
@@ -215,7 +212,7 @@ class ProfileSeeker {
     return candidate.saved >= kMinSaved;
   }
 
-  void take(Candidate& candidate) {
+  void take(ProfileCandidate& candidate) {
     const auto id = static_cast<std::int32_t>(partition_.patches.size());
     for (const std::int32_t t : candidate.region) {
       if (partition_.patchOf[t] < 0) continue;

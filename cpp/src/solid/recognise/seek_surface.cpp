@@ -10,13 +10,9 @@ namespace {
 
 constexpr int kSeedTriangles = 60;       // triangles of the first guess
 constexpr int kMaxSeedTriangles = 4000;  // triangles of the largest guess
-/// Cosine: a triangle may deviate by this angle (26 degrees) from its surface.
-constexpr double kSurfaceCosine = 0.90;
-constexpr double kMinFraction = 0.1;  // smallest fraction to which the tolerance is reduced
-/// Largest median distance of the vertices, as a fraction of the tolerance.
-constexpr double kExactFraction = 0.1;
+constexpr double kMinFraction = 0.1;     // smallest fraction to which the tolerance is reduced
 constexpr int kRimRings = 3;
-constexpr std::size_t kFewSamples = 80;  // for a first guess: few, since most guesses fail
+constexpr std::size_t kGuessSamples = 80;  // for a first guess: few, since most guesses fail
 constexpr double kMinMore = 1.25;   // factor of the area that a more complicated surface must cover
 constexpr double kMinMuchMore = 4;  // the same for a surface that fits less exactly
 
@@ -91,7 +87,7 @@ std::optional<Candidate> SurfaceSeeker::tryKind(CarrierKind kind, std::int32_t s
                                                 const Samples& first) {
   std::optional<Carrier> surface = guessSurface(kind, first);
   if (!surface) return std::nullopt;
-  refineSurface(first, *surface, kFewSamples);
+  refineSurface(first, *surface, kGuessSamples);
   const Residuals start = residuals(first, *surface);
   if (start.largest > tolerance_ || start.median > 2 * kExactFraction * tolerance_)
     return std::nullopt;

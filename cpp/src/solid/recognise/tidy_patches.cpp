@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Fraction of the area of the mesh. A smaller patch must save kMinSaved facets.
+/// Fraction of the area of the mesh. A smaller patch must save kMinSavedToStay facets.
 constexpr double kMinArea = 1.0 / 400;
-constexpr double kMinSaved = 8;
+constexpr double kMinSavedToStay = 8;
 /// Cosine of the largest angle between a triangle and the surface that it joins.
 constexpr double kMinCosine = 0.5;
 constexpr double kBorderPerFacet = 3;  // edges of a smooth border that cost one facet outside
@@ -214,7 +214,7 @@ class Tidier {
     std::vector<double> saved;
     for (Patch& patch : partition_.patches) {
       saved.push_back(facetsSaved(mesh_, patch, tolerance_));
-      if (areaOf(mesh_, patch.triangles) < kMinArea * mesh_.area && saved.back() < kMinSaved)
+      if (areaOf(mesh_, patch.triangles) < kMinArea * mesh_.area && saved.back() < kMinSavedToStay)
         release(patch);
     }
     std::vector<std::int32_t> smooth(partition_.patches.size());

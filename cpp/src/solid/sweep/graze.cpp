@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /// Smaller speeds, relative to the largest speed, count as zero.
-constexpr double kNone = 1e-9;
+constexpr double kNoSpeed = 1e-9;
 /// Radians: the smallest gap between contacts on a closed rail at which the rail can be cut open.
 constexpr double kLeastGap = 0.35;
 
@@ -140,7 +140,7 @@ SweptSurface grazeOfSphere(const Carrier& face, const std::vector<Contact>& cont
     fastest = std::max(fastest, speed);
     slowest = std::min(slowest, speed);
   }
-  if (!(fastest > kNone * face.radius)) return none(Degeneracy::AtRest);
+  if (!(fastest > kNoSpeed * face.radius)) return none(Degeneracy::AtRest);
   if (!(slowest > 1e-3 * fastest)) return none(Degeneracy::Singular);
   std::vector<double> angles, times;
   for (const Contact& c : contacts) {
@@ -223,8 +223,8 @@ std::optional<Vector3d> lineDirection(const Carrier& face, const std::vector<Con
                                       const StepPath& path, double size) {
   const Moment moment(path, contacts.front().s);
   const Vector3d along = moment.angular - moment.angular.dot(face.axis) * face.axis;
-  if (!(along.norm() * size > kNone * moment.velocityAt(face.point).norm()) ||
-      !(along.norm() > kNone))
+  if (!(along.norm() * size > kNoSpeed * moment.velocityAt(face.point).norm()) ||
+      !(along.norm() > kNoSpeed))
     return std::nullopt;
   return along.normalized();
 }
@@ -268,7 +268,7 @@ SweptSurface grazeOf(const Carrier& face, const std::vector<Contact>& contacts,
     const auto along = lineDirection(face, contacts, path, size);
     if (!along) {
       const Moment moment(path, contacts.front().s);
-      const bool slides = std::abs(face.axis.dot(moment.linear)) <= kNone * moment.linear.norm();
+      const bool slides = std::abs(face.axis.dot(moment.linear)) <= kNoSpeed * moment.linear.norm();
       return none(slides ? Degeneracy::AlongItself : Degeneracy::NoContact);
     }
     const auto rails = railsOf(face, false, *along);
@@ -279,7 +279,7 @@ SweptSurface grazeOf(const Carrier& face, const std::vector<Contact>& contacts,
   const OnRails on = place(*rails, contacts, path, size),
                 onCrossed = place(*crossed, contacts, path, size);
   if (!(on.farthest > 0)) return none(Degeneracy::AtRest);
-  if (!(on.fastest > kNone * on.farthest)) return none(Degeneracy::AlongItself);
+  if (!(on.fastest > kNoSpeed * on.farthest)) return none(Degeneracy::AlongItself);
   return on.crossing >= onCrossed.crossing
              ? followed(*rails, on, false, size, path, bound)
              : followed(*crossed, onCrossed, false, size, path, bound);

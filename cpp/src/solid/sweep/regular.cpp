@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kSteps = 32;
+constexpr int kSearchSteps = 32;
 /// Cosine of 45 degrees. If the angle between adjacent normals is larger, there is a singular
 /// point.
 constexpr double kLeastAgreement = 0.7;
@@ -19,9 +19,10 @@ constexpr double kLeastAgreement = 0.7;
 class Search {
  public:
   Search(const Sheet& sheet, Range u, Range t) : sheet_(sheet), u_(u), t_(t) {
-    for (int i = 0; i <= kSteps; ++i) {
-      for (int j = 0; j <= kSteps; ++j) {
-        feet_.push_back(sheet.footAt(u.at(i / double{kSteps}), t.at(j / double{kSteps})));
+    for (int i = 0; i <= kSearchSteps; ++i) {
+      for (int j = 0; j <= kSearchSteps; ++j) {
+        feet_.push_back(
+            sheet.footAt(u.at(i / double{kSearchSteps}), t.at(j / double{kSearchSteps})));
         largestU_ = std::max(largestU_, feet_.back().alongU.norm());
         largestT_ = std::max(largestT_, feet_.back().alongT.norm());
       }
@@ -44,7 +45,7 @@ class Search {
         [&](const auto& a, const auto& b) { return regularity(a) < regularity(b); });
     Vector2d at(least->u, least->t);
     double value = regularity(*least);
-    Vector2d step(u_.length() / kSteps, t_.length() / kSteps);
+    Vector2d step(u_.length() / kSearchSteps, t_.length() / kSearchSteps);
     for (int round = 0; round < 30; ++round) {
       Vector2d best = at;
       for (int i = -1; i <= 1; ++i) {
@@ -68,8 +69,8 @@ class Search {
   // its side.
   std::optional<Vector2d> turning(const std::function<Vector3d(double, double)>& side) const {
     double sign = 0;
-    for (int i = 0; i <= kSteps; ++i) {
-      for (int j = 0; j <= kSteps; ++j) {
+    for (int i = 0; i <= kSearchSteps; ++i) {
+      for (int j = 0; j <= kSearchSteps; ++j) {
         const Sheet::Foot& foot = at(i, j);
         const Vector3d normal = foot.normal();
         const Vector2d here(foot.u, foot.t);
@@ -85,7 +86,7 @@ class Search {
   }
 
  private:
-  const Sheet::Foot& at(int i, int j) const { return feet_[i * (kSteps + 1) + j]; }
+  const Sheet::Foot& at(int i, int j) const { return feet_[i * (kSearchSteps + 1) + j]; }
 
   const Sheet& sheet_;
   Range u_, t_;

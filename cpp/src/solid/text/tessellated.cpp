@@ -20,9 +20,10 @@ constexpr double kBytesPerTriangle = 45;
 constexpr double kSameVolume = 1e-9;
 constexpr double kExact = 1e-7;  // mm, accuracy stated in the file
 
-class Writer {
+class TessellatedWriter {
  public:
-  Writer(const HalfEdgeMesh& mesh, std::ostream& out, const StepOptions& options, RunContext& run)
+  TessellatedWriter(const HalfEdgeMesh& mesh, std::ostream& out, const StepOptions& options,
+                    RunContext& run)
       : mesh_(mesh), options_(options), lines_(out, run), sections_(lines_, options) {}
 
   void write(const std::string& fileName) {
@@ -291,7 +292,7 @@ StepReport writeTessellated(const TriMesh& input, const std::string& path,
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
   checkOptions(mesh, options);
   report.secondsBuild = timer.lap();
-  Writer(mesh, file.stream(), options, run)
+  TessellatedWriter(mesh, file.stream(), options, run)
       .write(utf8FromPath(pathFromUtf8(file.target()).filename()));
   file.close();
   report.secondsWrite = timer.lap();

@@ -15,6 +15,8 @@ namespace swept::step {
 
 using Eigen::Vector3d;
 
+constexpr Range kWhole{0, 1};  // of a motion
+
 inline Pose pose(const Vector3d& translation, const Vector3d& axis = {0, 0, 1}, double angle = 0) {
   Pose result;
   result.translation = translation;

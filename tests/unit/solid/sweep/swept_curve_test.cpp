@@ -10,8 +10,6 @@
 namespace swept::step {
 namespace {
 
-constexpr Range kWhole{0, 1};
-
 // Tests that every point that the curve passes lies on the carrier, and that the normal there is
 // orthogonal to the surface. Independent of how the surface was made.
 void expectSweptBy(const SweptSurface& swept, const Curve& curve, Range along,

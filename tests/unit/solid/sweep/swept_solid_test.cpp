@@ -11,8 +11,6 @@
 namespace swept::step {
 namespace {
 
-constexpr Range kWhole{0, 1};
-
 void expectSound(HandBuilt& solid, double volume, int faces) {
   ASSERT_TRUE(solid.isClosed());
   EXPECT_LE(solid.largestGap(), 2e-7);

@@ -1,0 +1,25 @@
+# With CMAKE_UNITY_BUILD, as in the preset `release`, all sources of a folder are compiled as one. A whole build is
+# much faster that way, because headers and templates are compiled once for each folder.
+# SPDX-License-Identifier: LGPL-2.1-or-later
+function(swept_unite)
+  foreach(target ${ARGN})
+    if(TARGET ${target})
+      get_target_property(sources ${target} SOURCES)
+      list(FILTER sources INCLUDE REGEX "\\.cpp$")
+      foreach(source ${sources})
+        cmake_path(GET source PARENT_PATH folder)
+        cmake_path(ABSOLUTE_PATH folder BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
+        cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
+        string(MAKE_C_IDENTIFIER "${folder}" group)
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${group}")
+      endforeach()
+      set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+      # GCC warns about types in unnamed namespaces of any file but the compiled one.
+      if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+      endif()
+    endif()
+  endforeach()
+endfunction()
+swept_unite(swept_core swept_gl swept_io swept_clearance swept_path swept_page swept_model swept_solid swept _swept
+  swept_test_support swept_fuzz swept_tests)
