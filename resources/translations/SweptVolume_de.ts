@@ -2785,8 +2785,8 @@ path&apos;s size.</extracomment>
         <translation>Schrittweite beim Ziehen eines Pfeils (mm) oder eines Bogens (Grad) in der 3D-Ansicht. 0: stufenlos</translation>
     </message>
     <message>
-        <source>A motion needs at least two keys (captured placements): move the part, then press Capture.</source>
-        <translation>Eine Bewegung braucht mindestens zwei Stützstellen (aufgenommene Platzierungen): Bewegen Sie das Teil, und klicken Sie auf „Aufnehmen“.</translation>
+        <source>A motion needs at least two keys (poses): move the part, then press Capture.</source>
+        <translation>Eine Bewegung braucht mindestens zwei Stützstellen (Lagen): Bewegen Sie das Teil, und klicken Sie auf „Aufnehmen“.</translation>
     </message>
     <message>
         <source>Pivot</source>

@@ -60,8 +60,7 @@ class MotionPanel(KeysInView):
         self.few.setText(
             translate(
                 "SweptVolume",
-                "A motion needs at least two keys (captured placements): move the part, then "
-                "press Capture.",
+                "A motion needs at least two keys (poses): move the part, then press Capture.",
             )
         )
         layout.addWidget(self.few)
