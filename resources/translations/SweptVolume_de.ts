@@ -1557,7 +1557,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>Run study</source>
-        <translation>Studie rechnen</translation>
+        <translation>Studie ausführen</translation>
     </message>
     <message>
         <source>Study</source>
@@ -2968,11 +2968,11 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Out by a distance</source>
-        <translation>Um einen Abstand hinaus</translation>
+        <translation>Herausgezogen um eine Strecke</translation>
     </message>
     <message>
         <source>Out in a direction</source>
-        <translation>In einer Richtung hinaus</translation>
+        <translation>Herausgezogen in einer Richtung</translation>
     </message>
     <message>
         <source>Take</source>
