@@ -134,7 +134,7 @@ def test_the_addon_manager_installs_workbench_and_core(freecad, tree, index, hom
     assert made["workbench"].startswith(os.path.join(done["user"], "Mod", "SweptVolume"))
     packages = os.path.join(done["user"], "AdditionalPythonPackages")
     assert made["core"].startswith(packages)
-    # pip fetches numpy with the core, since it looks into the target folder alone. FreeCAD loads its own.
+    # pip fetches numpy with the core, since it looks only into the target folder. FreeCAD loads its own.
     own = [sys.executable, "-c", "import numpy; print(numpy.__file__)"]
     assert made["numpy"] == subprocess.run(own, capture_output=True, text=True).stdout.strip()
     assert made["volume"] == pytest.approx(40 * 10 * 10, rel=1e-5)

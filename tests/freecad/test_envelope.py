@@ -346,7 +346,7 @@ class SolidAndFiles(Computed):
         path, judged = os.path.join(self.folder, "x.step"), step_reader.judged
 
         def refusing(shape):
-            said = judged(shape)  # a query for curved faces alone has no solid
+            said = judged(shape)  # a query that has only the curved faces has no solid
             return said if said["solids"] else dict(said, bad_faces=list(range(said["faces"])))
 
         with mock.patch.object(core, "has_solids", return_value=False):

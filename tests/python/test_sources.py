@@ -35,8 +35,8 @@ def motion():
 
 
 def wrong(sources, mesh, motion, cell):
-    """Returns (share of wrong sources among the triangles with a source, share of triangles
-    without)."""
+    """Returns the fraction of wrong sources among the triangles with a source, and the fraction of
+    triangles without a source."""
     body = source_check.BodyFaces(mesh.vertices, mesh.triangles, mesh.faces)
     way = motion.times, motion.quaternions, motion.translations, motion.pivot
     off = source_check.residuals(sources.point, sources, body, way)

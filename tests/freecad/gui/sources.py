@@ -217,7 +217,7 @@ def scenario():
     select(box)
     began = time.thread_time()
     for command in ("MotionFromSource", "MotionFromSelection", "EditEnvelope", "MotionDriven"):
-        if command == "MotionDriven":  # a box alone has values: all parts that one of them moves
+        if command == "MotionDriven":  # needs no part: the box has values that can drive parts
             assert Gui.isCommandActive("SweptVolume_" + command)
             select()
         assert not Gui.isCommandActive("SweptVolume_" + command), command

@@ -25,7 +25,7 @@ struct FakeFaults {
   int faultyContexts = 1000;      ///< only so many contexts have the two faults above
   int setBitsFromReadback = 0;    ///< marks appear all over the brick
   int setOneBitAtReadback = 0;    ///< one mark appears, well within the empty border of the grid
-  int clearBitsFromReadback = 0;  ///< a share of the marks disappears
+  int clearBitsFromReadback = 0;  ///< a fraction of the marks disappears
   int wrongWinnerFromReadback = 0;
 };
 
