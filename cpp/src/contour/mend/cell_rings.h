@@ -4,7 +4,7 @@
 // from crossing to crossing along these chords. So the rings of a cell do not meet, wherever the
 // vertices in the cell lie.
 // Units: the coordinates of the cell, [0, 1]^3. Cost: O(crossings of the cell).
-// Source: own method; docs/contouring.md, "Pairs of triangles that meet".
+// Source: own method; docs/contouring.md, "Pairs of triangles that intersect".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
