@@ -3,7 +3,7 @@
 // In: a component with crossings on both sides of a thin wall, and a probe. Out: hits on the rim,
 // and the split of the vertex into one for each side. Units: grid coordinates (cells). Cost: a few
 // probe lines per wall end.
-// Source: own method; figures in docs/contouring.md, "Rims".
+// Source: own method; docs/contouring.md, "Rims".
 //
 // No grid edge meets the rim of such a wall, so all crossings of the cell lie on its two sides.
 // The plane half way between the sides cuts the edges of the cell in some points. Lines from the
