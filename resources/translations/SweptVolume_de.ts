@@ -2877,10 +2877,6 @@ path&apos;s size.</extracomment>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>shared</source>
-        <translation>gemeinsam</translation>
-    </message>
-    <message>
         <source>Keep s&amp;hared volume</source>
         <translation>&amp;Gemeinsames Volumen behalten</translation>
     </message>
@@ -3657,6 +3653,18 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>{0} (the core is not published there yet)</source>
         <translation>{0} (der Rechenkern ist dort noch nicht veröffentlicht)</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Volume that the two objects share</source>
+        <translation>Gemeinsames Volumen der beiden Objekte</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,7 @@ from driver import (  # noqa: E402
     run,
     select,
     shot,
+    titles_of,
 )
 
 
@@ -96,6 +97,8 @@ def scenario():
     assert doc.UndoCount == undo + 1, (doc.UndoCount, undo)
     table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
     assert table.rowCount() == 4, table.rowCount()
+    heads = ["Neighbour", "Verdict", "Distance\nmm", "Time\ns", "Depth\nmm"]
+    assert titles_of(table) == heads, titles_of(table)
     distances = [float(table.item(r, 2).text()) for r in range(4)]
     assert distances == sorted(distances), distances
     summary = find(QtWidgets.QLabel, "SweptVolumeClearanceSummary").text()
