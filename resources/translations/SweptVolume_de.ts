@@ -232,10 +232,6 @@
         <translation>Wie sich das Teil zwischen zwei Lagen bewegt. Linear: auf einer Geraden, mit gleichmäßiger Drehung. Screw (Schraubung): um eine Achse drehend und an ihr entlang, wie eine Schraube. Spline: auf einer glatten Kurve durch alle Lagen. None (Keine): Nur die Lagen selbst zählen, dazwischen gibt es keine Bewegung</translation>
     </message>
     <message>
-        <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. In coordinates of the part if PoseType is Absolute, otherwise of the document</source>
-        <translation>Punkt des Teils, der sich zwischen zwei Lagen auf der Geraden (Linear) oder der Kurve (Spline) bewegt und um den sich das Teil dreht. In Koordinaten des Teils, wenn PoseType Absolute ist, sonst des Dokuments</translation>
-    </message>
-    <message>
         <source>Parts that this motion moves. The motion editor shows the first part</source>
         <translation>Teile, für die diese Bewegung gilt. Der Bewegungseditor zeigt das erste Teil</translation>
     </message>
@@ -506,6 +502,10 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
     <message>
         <source>Number to which the driving value (SourceValue) is set at the last pose, in its own unit (such as mm or degrees)</source>
         <translation>Zahl, auf die der steuernde Wert (SourceValue) bei der letzten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
+    </message>
+    <message>
+        <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. Coordinates: those of the part if PoseType is Absolute; those of the document, or of the group that holds the motion, if it is Relative; those that the first pose places if it is RelativeToFirst</source>
+        <translation>Punkt des Teils, der sich zwischen zwei Lagen auf der Geraden (Linear) oder der Kurve (Spline) bewegt und um den sich das Teil dreht. Koordinaten: die des Teils, wenn PoseType Absolute (Absolut) ist; die des Dokuments, oder der Gruppe, in der die Bewegung liegt, bei Relative (Relativ); die, deren Platzierung die erste Lage angibt, bei RelativeToFirst (Relativ zur ersten)</translation>
     </message>
 </context>
 <context>
@@ -2925,10 +2925,6 @@ path&apos;s size.</extracomment>
         <translation>Drehung</translation>
     </message>
     <message>
-        <source>The pivot moves straight between two keys, and the part turns about it. The x, y and z of a key are the coordinates of the pivot.</source>
-        <translation>Der Drehpunkt bewegt sich zwischen zwei Stützstellen geradlinig, und das Teil dreht sich um ihn. x, y und z einer Stützstelle sind die Koordinaten des Drehpunkts.</translation>
-    </message>
-    <message>
         <source>Middle of the part</source>
         <extracomment>mm: a point this close to the middle of the part counts as the middle.</extracomment>
         <translation>Mitte des Teils</translation>
@@ -3665,6 +3661,10 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>Length</source>
         <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Between two keys, the pivot follows the straight line (Linear) or the curve (Spline), and the part turns about it. The x, y and z of a key are the coordinates of the pivot, or its displacement if the pose type is Relative.</source>
+        <translation>Zwischen zwei Stützstellen bewegt sich der Drehpunkt auf der Geraden (Linear) oder der Kurve (Spline), und das Teil dreht sich um ihn. x, y und z einer Stützstelle sind die Koordinaten des Drehpunkts, oder seine Verschiebung, wenn die Art der Lage Relativ ist.</translation>
     </message>
 </context>
 <context>
