@@ -3666,6 +3666,10 @@ bis etwa {2}, {3}</translation>
         <source>Between two keys, the pivot follows the straight line (Linear) or the curve (Spline), and the part turns about it. The x, y and z of a key are the coordinates of the pivot, or its displacement if the pose type is Relative.</source>
         <translation>Zwischen zwei Stützstellen bewegt sich der Drehpunkt auf der Geraden (Linear) oder der Kurve (Spline), und das Teil dreht sich um ihn. x, y und z einer Stützstelle sind die Koordinaten des Drehpunkts, oder seine Verschiebung, wenn die Art der Lage Relativ ist.</translation>
     </message>
+    <message>
+        <source>This motion was recorded from an assembly simulation, which has no settings here. To change the motion, change the simulation, then choose Reload motion.</source>
+        <translation>Diese Bewegung wurde aus einer Baugruppensimulation aufgezeichnet, die hier keine Einstellungen hat. Um die Bewegung zu ändern, ändern Sie die Simulation und wählen dann Bewegung neu laden.</translation>
+    </message>
 </context>
 <context>
     <name>SweptVolumePreferences</name>
