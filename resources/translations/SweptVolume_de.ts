@@ -28,10 +28,6 @@
         <translation>Abstand, den die Teile während der Bewegung von den Nachbarn halten müssen</translation>
     </message>
     <message>
-        <source>Largest allowed error of the smallest distance</source>
-        <translation>Größter erlaubter Fehler des kleinsten Abstands</translation>
-    </message>
-    <message>
         <source>How far the triangle mesh of a solid may deviate from the solid. This deviation is subtracted from guaranteed distances</source>
         <translation>Wie weit das Dreiecksnetz eines Festkörpers vom Festkörper abweichen darf. Diese Abweichung wird von garantierten Abständen abgezogen</translation>
     </message>
@@ -506,6 +502,10 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
     <message>
         <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. Coordinates: those of the part if PoseType is Absolute; those of the document, or of the group that holds the motion, if it is Relative; those that the first pose places if it is RelativeToFirst</source>
         <translation>Punkt des Teils, der sich zwischen zwei Lagen auf der Geraden (Linear) oder der Kurve (Spline) bewegt und um den sich das Teil dreht. Koordinaten: die des Teils, wenn PoseType Absolute (Absolut) ist; die des Dokuments, oder der Gruppe, in der die Bewegung liegt, bei Relative (Relativ); die, deren Platzierung die erste Lage angibt, bei RelativeToFirst (Relativ zur ersten)</translation>
+    </message>
+    <message>
+        <source>Largest allowed error of the smallest distance. If the motion has the interpolation Spline, or is relative to a moving part, half of this value is subtracted in addition from the guaranteed distance and in the verdict</source>
+        <translation>Größter erlaubter Fehler des kleinsten Abstands. Ist die Interpolation der Bewegung Spline, oder ist sie relativ zu einem bewegten Teil, wird die Hälfte dieses Werts zusätzlich vom garantierten Abstand und im Urteil abgezogen</translation>
     </message>
 </context>
 <context>
