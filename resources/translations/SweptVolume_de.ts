@@ -386,10 +386,6 @@
         <translation>Größte Anzahl der Flächen. Ist Tolerance 0 und hätte der genaue Festkörper mehr Flächen, wird er mit der kleinsten Toleranz vereinfacht, die ausreicht</translation>
     </message>
     <message>
-        <source>How far the solid may deviate from the mesh. Within this tolerance, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a tolerance</source>
-        <translation>Wie weit der Festkörper vom Netz abweichen darf. Innerhalb dieser Toleranz werden Zylinder, Kugeln und andere Flächen erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces keine Toleranz erfordert</translation>
-    </message>
-    <message>
         <source>Largest distance of the mesh from the solid, as measured</source>
         <translation>Größter gemessener Abstand des Netzes vom Festkörper</translation>
     </message>
@@ -506,6 +502,10 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
     <message>
         <source>Largest allowed error of the smallest distance. If the motion has the interpolation Spline, or is relative to a moving part, half of this value is subtracted in addition from the guaranteed distance and in the verdict</source>
         <translation>Größter erlaubter Fehler des kleinsten Abstands. Ist die Interpolation der Bewegung Spline, oder ist sie relativ zu einem bewegten Teil, wird die Hälfte dieses Werts zusätzlich vom garantierten Abstand und im Urteil abgezogen</translation>
+    </message>
+    <message>
+        <source>How far the solid should deviate from the mesh at most. Not guaranteed: Deviation is the measured value. Within this tolerance, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a tolerance</source>
+        <translation>Wie weit der Festkörper höchstens vom Netz abweichen soll. Nicht garantiert: Deviation ist der gemessene Wert. Innerhalb dieser Toleranz werden Zylinder, Kugeln und andere Flächen erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces keine Toleranz erfordert</translation>
     </message>
 </context>
 <context>
@@ -680,10 +680,6 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     <message>
         <source>Recompute envelope</source>
         <translation>Hülle neu berechnen</translation>
-    </message>
-    <message>
-        <source>Recomputes the selected envelope from its current parts and motion. Without a selection, recomputes the first stale envelope</source>
-        <translation>Berechnet die gewählte Hülle aus ihren aktuellen Teilen und ihrer aktuellen Bewegung neu. Ohne Auswahl wird die erste veraltete Hülle neu berechnet</translation>
     </message>
     <message>
         <source>Reload motion</source>
@@ -1019,10 +1015,6 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     <message>
         <source>Select one wire, sketch, robot trajectory, link array, Draft array or CAM operation; or two curves; or an assembly simulation and the part whose motion you want.</source>
         <translation>Wählen Sie einen Linienzug, eine Skizze, Roboterbahn, Link-Anordnung, Draft-Anordnung oder CAM-Operation; oder zwei Kurven; oder eine Baugruppensimulation und das Teil, dessen Bewegung Sie brauchen.</translation>
-    </message>
-    <message>
-        <source>No envelope is stale. To compute an envelope again anyway, select it.</source>
-        <translation>Keine Hülle ist veraltet. Um eine Hülle trotzdem neu zu berechnen, wählen Sie sie aus.</translation>
     </message>
     <message>
         <source>No moving part is chosen: select a solid or a mesh, then press Add selected.</source>
@@ -3184,10 +3176,6 @@ path&apos;s size.</extracomment>
         <translation>Vereinigt benachbarte koplanare Dreiecke zu einer ebenen Fläche</translation>
     </message>
     <message>
-        <source>How far the solid may deviate from the mesh. 0: exact, unless Max faces requires a tolerance</source>
-        <translation>Wie weit der Festkörper vom Netz abweichen darf. 0: genau, sofern „Max. Flächen“ keine Toleranz erfordert</translation>
-    </message>
-    <message>
         <source>Largest number of faces of the solid. If the tolerance is 0 and the exact solid would have more faces, the solid is simplified with the smallest tolerance that is enough</source>
         <translation>Größte Anzahl der Flächen des Festkörpers. Ist die Toleranz 0 und hätte der genaue Festkörper mehr Flächen, wird er mit der kleinsten Toleranz vereinfacht, die ausreicht</translation>
     </message>
@@ -3669,6 +3657,18 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>This motion was recorded from an assembly simulation, which has no settings here. To change the motion, change the simulation, then choose Reload motion.</source>
         <translation>Diese Bewegung wurde aus einer Baugruppensimulation aufgezeichnet, die hier keine Einstellungen hat. Um die Bewegung zu ändern, ändern Sie die Simulation und wählen dann Bewegung neu laden.</translation>
+    </message>
+    <message>
+        <source>Recomputes the selected envelope from its current parts and motion. Without a selection, recomputes the first envelope that is not up to date, or the only envelope</source>
+        <translation>Berechnet die gewählte Hülle aus ihren aktuellen Teilen und ihrer aktuellen Bewegung neu. Ohne Auswahl wird die erste Hülle neu berechnet, die nicht aktuell ist, oder die einzige Hülle</translation>
+    </message>
+    <message>
+        <source>All envelopes are up to date. To compute one of them again anyway, select it.</source>
+        <translation>Alle Hüllen sind aktuell. Um eine davon trotzdem neu zu berechnen, wählen Sie sie aus.</translation>
+    </message>
+    <message>
+        <source>How far the solid should deviate from the mesh at most. Not guaranteed: the property Deviation of the solid is the measured value. 0: exact, unless Max faces requires a tolerance</source>
+        <translation>Wie weit der Festkörper höchstens vom Netz abweichen soll. Nicht garantiert: Die Eigenschaft Deviation des Festkörpers ist der gemessene Wert. 0: genau, sofern „Max. Flächen“ keine Toleranz erfordert</translation>
     </message>
 </context>
 <context>
