@@ -3543,10 +3543,6 @@ bis etwa {2}, {3}</translation>
         <translation>Einige Lagen haben denselben Zeitpunkt.</translation>
     </message>
     <message>
-        <source>Cavities inside the envelope were filled. To keep them, tick Keep cavities, and close the gaps of the part if it is open.</source>
-        <translation>Hohlräume in der Hülle wurden gefüllt. Um sie zu behalten, schalten Sie „Hohlräume behalten“ ein, und schließen Sie bei einem offenen Teil die Lücken.</translation>
-    </message>
-    <message>
         <source>The solid deviates from the envelope by {0}, which is more than its Tolerance of {1}. A smaller Tolerance usually reduces the deviation.</source>
         <translation>Der Festkörper weicht um {0} von der Hülle ab. Das ist mehr als seine Toleranz von {1}. Eine kleinere Toleranz verringert die Abweichung meist.</translation>
     </message>
@@ -3669,6 +3665,10 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>How far the solid should deviate from the mesh at most. Not guaranteed: the property Deviation of the solid is the measured value. 0: exact, unless Max faces requires a tolerance</source>
         <translation>Wie weit der Festkörper höchstens vom Netz abweichen soll. Nicht garantiert: Die Eigenschaft Deviation des Festkörpers ist der gemessene Wert. 0: genau, sofern „Max. Flächen“ keine Toleranz erfordert</translation>
+    </message>
+    <message>
+        <source>Cavities inside the envelope were filled, because the part has gaps: close them to keep the cavities.</source>
+        <translation>Hohlräume innerhalb der Hülle wurden gefüllt, weil das Teil Lücken hat: Schließen Sie sie, um die Hohlräume zu behalten.</translation>
     </message>
 </context>
 <context>
