@@ -69,8 +69,8 @@
         <translation>Bericht des Laufs (JSON)</translation>
     </message>
     <message>
-        <source>Distance at each vertex of the envelope, for its colours</source>
-        <translation>Abstand an jedem Eckpunkt der Hülle, für ihre Farben</translation>
+        <source>Distance of each vertex of the envelope from the nearest neighbour, for the colours of the envelope</source>
+        <translation>Abstand jedes Eckpunkts der Hülle zum nächsten Nachbarn. Nach ihm wird die Hülle eingefärbt</translation>
     </message>
     <message>
         <source>Inputs that were deleted (JSON)</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>Placement of each pose. PoseType says whether it replaces the placement of the part or is a displacement from it</source>
-        <translation>Platzierung jeder Lage. PoseType sagt, ob sie die Platzierung des Teils ersetzt oder eine Verschiebung davon ist</translation>
+        <translation>Platzierung jeder Lage. PoseType legt fest, ob sie die Platzierung des Teils ersetzt oder zu ihr hinzukommt (Verschiebung und Drehung)</translation>
     </message>
     <message>
         <source>How the part moves between two poses. Linear: along a straight line, turning at a constant rate. Screw: turning about an axis and moving along it, like a screw. Spline: along a smooth curve through all poses. None: only the poses themselves count, there is no motion between them</source>
@@ -2858,7 +2858,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Adds the shared volume of the two objects to the document. When the new object is stale, its icon in the tree has a clock</source>
-        <translation>Fügt das gemeinsame Volumen der beiden Objekte dem Dokument hinzu. Ist das neue Objekt veraltet, trägt sein Symbol im Baum eine Uhr</translation>
+        <translation>Fügt das gemeinsame Volumen der beiden Objekte dem Dokument hinzu. Ändert sich später eines von ihnen, zeigt eine Uhr am Symbol im Baum, dass das Volumen veraltet ist</translation>
     </message>
     <message>
         <source>Pairs checked: {0}, shared volume: {1}</source>
@@ -3555,8 +3555,8 @@ bis etwa {2}, {3}</translation>
         <translation>Das Teil hat Lücken (offene Kanten), die seine Bewegung nicht schließt. Dort gilt das Teil nicht als massiv, und die Hülle ist nur eine dünne Schicht entlang jeder Wand des Teils: Schließen Sie die Lücken, wenn das Teil dort massiv ist.</translation>
     </message>
     <message>
-        <source>For research. Only Consistent guarantees that the envelope is closed</source>
-        <translation>Für die Forschung. Nur „Stimmig“ garantiert, dass die Hülle geschlossen ist</translation>
+        <source>How pieces of surface inside one cell are separated. For research only: keep Consistent, which alone guarantees that the envelope is closed</source>
+        <translation>Verfahren, das die Flächenstücke in einer Zelle trennt. Nur für die Forschung: Lassen Sie „Stimmig“ stehen, denn nur damit ist die Hülle sicher geschlossen</translation>
     </message>
     <message>
         <source>The motion &quot;{0}&quot; does not set start and goal: this needs the pose type Absolute and at least two poses. Enter start and goal below.</source>

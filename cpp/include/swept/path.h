@@ -156,12 +156,13 @@ struct ImproveTask {
   bool moreClearance = false;
 };
 
-/// Improves a motion. Moves that come closer to a neighbour than the clearance are replaced by
-/// another path; all other moves become shorter, with fewer keys. Moves for which no other path is
-/// found, or that lie within `release` of the ends, stay exactly as given (keptMoves). All others
-/// are certified as in findPath(). The verdict is NotFound if no move keeps the clearance. The
-/// options are those of findPath(), but the interpolation is that of the motion. Never throws
-/// except std::bad_alloc. Codes besides those of findPath(): BadPose.
+/// Improves a motion. Moves within `release` of the ends stay exactly as given. Of the rest, moves
+/// that come closer to a neighbour than the clearance are replaced by another path, or stay as
+/// given if none is found. The others become shorter, with fewer keys. `keptMoves` counts the moves
+/// that stay as given; all others are certified as in findPath(). The verdict is NotFound if no
+/// move of the result is certified. The options are those of findPath(), but the interpolation is
+/// that of the motion. Never throws except std::bad_alloc. Codes besides those of findPath():
+/// BadPose.
 PathReport improvePath(const TriMesh& part, const ImproveTask& task,
                        const std::vector<ClearanceNeighbour>& neighbours,
                        const PathOptions& options, RunContext& run);

@@ -7,7 +7,7 @@
 namespace swept {
 
 /// Largest length and largest coordinate, in mm. A larger input probably has the wrong unit.
-constexpr double kLargestLength = 1e9;
+constexpr double kMaxLength = 1e9;
 /// Largest number of vertices or of triangles: their indices have 32 bits.
 constexpr std::uint64_t kMaxElements = 2147483647;
 /// Largest number of threads that a user may give to a run.

@@ -34,7 +34,7 @@ void checkClearanceOptions(const ClearanceOptions& o,
   }
 }
 
-constexpr std::size_t kMostFirst = 8;  // largest number of indices that a finding lists
+constexpr std::size_t kMaxFirst = 8;  // largest number of indices that a finding lists
 
 void summarise(ClearanceReport& report) {
   std::vector<const NeighbourClearance*> rows;
@@ -78,7 +78,7 @@ void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
         row.penetration.depthBound <= allowedDepth(row, options))
       continue;
     ++finding.count;
-    if (finding.first.size() < kMostFirst) finding.first.push_back(static_cast<std::int64_t>(i));
+    if (finding.first.size() < kMaxFirst) finding.first.push_back(static_cast<std::int64_t>(i));
     if (worst == nullptr || row.penetration.depthBound > worst->penetration.depthBound)
       worst = &row;
   }

@@ -15,7 +15,7 @@ constexpr const char* kAllowed =
     "a required distance in mm (such as 8), contact, contact:MM (the parts may overlap by at most "
     "MM mm) or ignore";
 /// Largest number of neighbours that one message names.
-constexpr std::size_t kMostNames = 12;
+constexpr std::size_t kMaxNames = 12;
 
 [[noreturn]] void badRule(const std::string& text) {
   throw Error(Status::InvalidInput, "BadRule", text);
@@ -68,9 +68,9 @@ bool same(const NeighbourRule& a, const NeighbourRule& b) {
 
 std::string listOf(const std::vector<std::string>& names) {
   std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i)
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNames); ++i)
     list += (i > 0 ? ", " : "") + quoted(names[i]);
-  return list + (names.size() > kMostNames ? ", ..." : "");
+  return list + (names.size() > kMaxNames ? ", ..." : "");
 }
 
 /// Assigns rules to names. Rules with exact names take precedence over rules with patterns.
@@ -152,7 +152,7 @@ void checkRule(const NeighbourRule& rule, const std::string& who) {
   if (int(rule.required.has_value()) + int(rule.contact.has_value()) + int(rule.ignored) > 1)
     badRule(who + " contradicts itself; use only one of: a required distance, contact, ignore");
   const auto check = [&](const std::optional<double>& length, const char* what) {
-    if (!length || (std::isfinite(*length) && *length >= 0 && *length <= kLargestLength)) return;
+    if (!length || (std::isfinite(*length) && *length >= 0 && *length <= kMaxLength)) return;
     badRule(who + ": " + what + " of " + numberText(*length, kTellingDigits) +
             " mm is not allowed; enter 0 to 1e9 mm");
   };

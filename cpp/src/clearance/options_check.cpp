@@ -9,8 +9,7 @@
 namespace swept::clearance {
 
 void requireLength(const std::string& name, double value, bool mayBeZero) {
-  if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
-    return;
+  if (std::isfinite(value) && value >= 0 && value <= kMaxLength && (mayBeZero || value > 0)) return;
   throw Error(Status::InvalidInput, "BadOption",
               name + " is " + numberText(value, kTellingDigits) +
                   " mm; allowed: " + (mayBeZero ? "0" : "more than 0") + " up to 1e9 mm");

@@ -93,7 +93,7 @@ class Stack {
  public:
   Stack(const Part& body, const Part& neighbour) {
     const int levels = body.tree().root().level + neighbour.tree().root().level;
-    if (1 + (BoxTree::kWidth - 1) * levels > kMost)
+    if (1 + (BoxTree::kWidth - 1) * levels > kCapacity)
       throw std::logic_error("a tree of boxes is deeper than 32-bit numbers of items allow");
   }
   bool empty() const { return size_ == 0; }
@@ -103,8 +103,8 @@ class Stack {
   NodePair pop() { return items_[--size_]; }
 
  private:
-  static constexpr int kMost = 128;
-  std::array<NodePair, kMost> items_;
+  static constexpr int kCapacity = 128;
+  std::array<NodePair, kCapacity> items_;
   int size_ = 0;
 };
 

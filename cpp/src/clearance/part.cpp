@@ -24,7 +24,7 @@ void requireUsable(const TriMesh& mesh, const std::string& who) {
                 who + ": vertex " + std::to_string(numbers.firstNonFinite.front()) +
                     " (counted from 0) has a coordinate that is not a finite number; export the "
                     "part again");
-  if (numbers.largest > kLargestLength)
+  if (numbers.largest > kMaxLength)
     throw Error(Status::InvalidInput, "OutOfRange",
                 who + ": vertex " + std::to_string(numbers.farthest) +
                     " (counted from 0) lies more than 1e9 mm from the origin; check the unit of "

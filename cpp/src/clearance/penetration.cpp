@@ -20,7 +20,7 @@ constexpr double kNoBound = std::numeric_limits<double>::infinity();
 /// this fraction of the sum of the piece's radius and the reach of its motion.
 constexpr double kPromise = 0.3;
 // Largest number of connected pieces of a part from which the search starts.
-constexpr std::size_t kMostPieces = 1000;
+constexpr std::size_t kMaxPieces = 1000;
 constexpr std::size_t kPiecesPerRound = 64;  // pieces per round; fixed, see motion_search.cpp
 
 struct PieceSearch {
@@ -204,7 +204,7 @@ void DepthSearch::tryRound(double u, double width, bool ofBody, const Vector3d& 
 void DepthSearch::begin(const Minimum& touch) {
   if (touch.inside) {  // one of these points lies inside
     const auto tryPieces = [&](bool ofBody, const Part& own) {
-      const std::size_t count = std::min(own.pieces().size(), kMostPieces);
+      const std::size_t count = std::min(own.pieces().size(), kMaxPieces);
       for (std::size_t i = 0; i < count; ++i) tryAt(touch.parameter, ofBody, own.pieces()[i]);
     };
     tryPieces(true, c_.pair.body());

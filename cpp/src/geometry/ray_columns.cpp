@@ -27,11 +27,11 @@ int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double 
   return aboveB ? 1 : -1;
 }
 
-/// Limits of the mean number of columns per triangle, and of the total number of pairs of a
-/// triangle and a column, whose indices have 32 bits. If one is exceeded, the columns become wider.
-constexpr double kMostColumns = 256, kMostPairs = 4e9;
+/// Limits of the mean number of columns per triangle, and of the total number of pairs (triangle,
+/// column). The pairs are numbered with 32 bits. If a limit is exceeded, the columns become wider.
+constexpr double kMaxColumns = 256, kMaxPairs = 4e9;
 constexpr std::size_t kColumnBlock = 1 << 13;
-constexpr double kRoom = 1e-12;  ///< margin as a fraction of the largest coordinate
+constexpr double kColumnMargin = 1e-12;  ///< margin as a fraction of the largest coordinate
 
 using Corners = std::array<const Eigen::Vector3d*, 3>;
 
@@ -86,7 +86,7 @@ void RayColumns::forRows(std::size_t triangle, const Use& use) const {
   const std::int32_t z0 = column(zLow, 2), z1 = column(zHigh, 2);
   const bool few = y1 - y0 < 2 || z1 - z0 < 2;
   // This margin is far above the rounding of the limits of a row and of a point on an edge.
-  const Eigen::Vector3d room = kRoom * low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
+  const Eigen::Vector3d room = kColumnMargin * low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
   const double row = (high_.z() - low_.z()) / columns_;
   for (std::int32_t z = z0; z <= z1; ++z) {
     if (few) {
@@ -115,7 +115,7 @@ std::int64_t RayColumns::countPairs() const {
 void RayColumns::build() {
   const double count = static_cast<double>(mesh_.triangles.size());
   columns_ = std::clamp(static_cast<std::int32_t>(std::sqrt(count)), 1, 128);
-  const double most = std::min(kMostColumns * count, kMostPairs);
+  const double most = std::min(kMaxColumns * count, kMaxPairs);
   while (columns_ > 1 && static_cast<double>(countPairs()) > most) columns_ /= 2;
   const auto forAll = [&](const auto& use) {
     parallelBlocks(mesh_.triangles.size(), kColumnBlock, [&](std::size_t begin, std::size_t end) {

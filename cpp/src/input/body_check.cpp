@@ -75,7 +75,7 @@ void refuseBadVertices(const TriMesh& body) {
                     " a coordinate that is not a finite number (the first ones, counted from 0: " +
                     list(found.firstNonFinite) + "); repair the mesh, or export it again");
   }
-  if (found.largest > kLargestLength) {
+  if (found.largest > kMaxLength) {
     throw Error(Status::InvalidInput, "OutOfRange",
                 "the part reaches " + numberText(found.largest) +
                     " mm from the origin, but the limit is 1e9 mm; check the unit of length, or "

@@ -29,7 +29,7 @@ void checkFinite(const Pose& pose, std::size_t index) {
                 poseName(index) + ": " + what +
                     " is not a finite number; correct or remove this pose" + kCounted);
   }
-  if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength) {
+  if (pose.translation.cwiseAbs().maxCoeff() > kMaxLength) {
     throw Error(
         Status::InvalidInput, "BadPose",
         poseName(index) + ": translation of " + numberText(pose.translation.cwiseAbs().maxCoeff()) +
@@ -91,7 +91,7 @@ bool samePlacement(const Pose& a, const Pose& b) {
 }
 
 void requireLength(const char* name, double value) {
-  if (!(value >= 0 && value <= kLargestLength)) {
+  if (!(value >= 0 && value <= kMaxLength)) {
     badOption(name, value, "0 (off), or above 0 up to 1e9 mm");
   }
 }
@@ -162,7 +162,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
 }
 
 void checkOptions(const Options& options) {
-  if (options.cellSize != 0 && !(options.cellSize > 0 && options.cellSize <= kLargestLength)) {
+  if (options.cellSize != 0 && !(options.cellSize > 0 && options.cellSize <= kMaxLength)) {
     badOption("cellSize", options.cellSize, "0 (from resolution), or above 0 up to 1e9 mm");
   }
   if (options.cellSize == 0 && (options.resolution < 4 || options.resolution > 16384)) {

@@ -8,7 +8,7 @@ namespace swept {
 
 Eigen::Vector3d pivotOf(const Trajectory& trajectory) {
   const Eigen::Vector3d& pivot = trajectory.pivot;
-  if (!pivot.allFinite() || pivot.cwiseAbs().maxCoeff() > kLargestLength) {
+  if (!pivot.allFinite() || pivot.cwiseAbs().maxCoeff() > kMaxLength) {
     throw Error(Status::InvalidInput, "BadOption",
                 "the pivot is (" + numberText(pivot.x()) + ", " + numberText(pivot.y()) + ", " +
                     numberText(pivot.z()) + ") mm; allowed: finite numbers up to 1e9 mm");

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Vector3d;
 using Corners = std::array<Vector3d, 3>;
 
-constexpr double kSmallest = 0.01;  // cells: triangles with a smaller radius are not split further
-constexpr double kTight = 0.1;      // cells: the upper bound may exceed the true value by this much
+constexpr double kMinRadius = 0.01;  // cells: triangles with a smaller radius are not split further
+constexpr double kTight = 0.1;  // cells: the upper bound may exceed the true value by this much
 
 class Prover {
  public:
@@ -37,7 +37,7 @@ class Prover {
     }
     const double lower = found.reach - radius;
     const bool loose = most > farthest && most - (found.reach + 2 * cover.slack) > kTight;
-    if (radius > kSmallest && (lower < least_ || loose)) {
+    if (radius > kMinRadius && (lower < least_ || loose)) {
       if (found.reach < least_) return fail(found.reach);
       const Vector3d a = (corner[0] + corner[1]) / 2, b = (corner[1] + corner[2]) / 2,
                      c = (corner[2] + corner[0]) / 2;

@@ -16,10 +16,10 @@ constexpr double kFromPoint = 1e-3;  // cells: smallest distance of crossings fr
 // Dips are only searched for below this offset distance (cells), because a dip (offset_surface.h)
 // is less deep than 1 / (8 distance).
 constexpr double kDipsBelow = 2;
-constexpr double kShortest = 1.0 / 32;  // fraction of an edge: shorter dips are not searched for
+constexpr double kMinDip = 1.0 / 32;  // fraction of an edge: shorter dips are not searched for
 // Offset distances (cells).
 constexpr double kApart = 0.5;  // below this distance, an edge may pass through two separate walls
-constexpr double kThin = kShortest / 2;  // below this distance, shorter dips are searched for, too
+constexpr double kThin = kMinDip / 2;  // below this distance, shorter dips are searched for, too
 // Below this distance, crossings have the normals of the cover triangles.
 constexpr double kFlat = 1e-3;
 
@@ -65,7 +65,7 @@ Entry firstEntry(const CoverSearch& tree, double distance, const Vector3d& origi
 double findDip(const CoverSearch& tree, double distance, const Vector3d& origin, int axis,
                double t0, double gap0, double t1, double gap1) {
   if (gap0 + gap1 >= t1 - t0 + kRounding) return -1;
-  if (t1 - t0 < kShortest) {
+  if (t1 - t0 < kMinDip) {
     if (distance >= kThin) return -1;
     Vector3d from = origin;
     from[axis] += t0;

@@ -38,8 +38,8 @@ struct Link {
 /// Throws if more than a small part of the solid `name` overlaps itself: `windings` are those of
 /// the solid `other`. A smaller overlap only counts its own small volume more than once.
 void requireOnce(const Windings& windings, const std::string& name, const std::string& other) {
-  constexpr double kMost = 0.01;
-  if (windings.more <= kMost * (windings.once + windings.more)) return;
+  constexpr double kMaxFraction = 0.01;
+  if (windings.more <= kMaxFraction * (windings.once + windings.more)) return;
   throw Error(Status::InvalidInput, "OverlappingShells",
               name + " overlaps itself (" +
                   numberText(100 * windings.more / (windings.once + windings.more), 3) +

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kMoments = 120;  // intervals between evenly spaced frames
 // Largest number of frames for the poses of one motion without interpolation.
-constexpr std::size_t kMostCopies = 400;
+constexpr std::size_t kMaxCopies = 400;
 constexpr double kCrease = 0.5;  // rad, as in the workbench's 3D view in FreeCAD
 // Positions are rounded to this many steps along each side of the box.
 constexpr double kSteps = 65535;
@@ -65,7 +65,7 @@ void checkPart(const PagePart& part) {
                                   " a coordinate that is not a finite number (first: vertex " +
                                   std::to_string(found.firstNonFinite[0]) +
                                   ", counted from 0); export the part again");
-  if (found.largest > kLargestLength)
+  if (found.largest > kMaxLength)
     refuse(
         "OutOfRange",
         "vertex " + std::to_string(found.farthest) + " (counted from 0) lies " +
@@ -124,7 +124,7 @@ std::vector<Frame> framesOf(const Told& told, const std::vector<PagePart>& parts
     from = std::min(from, poses.front().timeSeconds);
     to = std::max(to, poses.back().timeSeconds);
     if (part.motion.interpolation != Interpolation::None) continue;
-    const std::size_t copies = std::min(poses.size(), kMostCopies);
+    const std::size_t copies = std::min(poses.size(), kMaxCopies);
     for (std::size_t i = 0; i < copies; ++i)
       frames.push_back(
           {poses[i * (poses.size() - 1) / std::max<std::size_t>(1, copies - 1)].timeSeconds,

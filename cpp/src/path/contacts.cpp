@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-constexpr std::size_t kMostPairs = 4000, kMostContacts = 200;
+constexpr std::size_t kMaxPairs = 4000, kMaxContacts = 200;
 
 // Returns how fast a contact opens, as a linear function of the twist. Rotations are multiplied by
 // the radius of the part, as in the length of moves.
@@ -85,8 +85,8 @@ std::vector<Contact> contactsOf(const Scene& scene, const State& state, const Ru
   for (std::size_t i = 0; i < scene.count(); ++i) {
     if (within[i] < 0) continue;
     const clearance::PairSearch pair(scene.part(), scene.neighbour(i));
-    const auto pairs = pair.pairsWithin(R, t, within[i], kMostPairs);
-    const std::size_t step = pairs.size() / kMostContacts + 1;
+    const auto pairs = pair.pairsWithin(R, t, within[i], kMaxPairs);
+    const std::size_t step = pairs.size() / kMaxContacts + 1;
     for (std::size_t k = 0; k < pairs.size(); k += step) {
       const NearestPoints near = pair.leafDistance(R, t, pairs[k]);
       const Vector3d n = normalOf(near, scene.neighbour(i).corners(pairs[k].neighbour));

@@ -10,7 +10,7 @@
 namespace swept::path {
 namespace {
 
-constexpr std::size_t kMostExits = 6;
+constexpr std::size_t kMaxExits = 6;
 
 [[noreturn]] void refuse(const std::string& what, const NeighbourClearance& row, double required,
                          double release, double most) {
@@ -75,7 +75,7 @@ void findExits(const Scene& scene, const Demand& demand, End& end, RunContext& r
         end.exits.push_back(keys);
       break;
     }
-    if (end.exits.size() >= kMostExits) return;
+    if (end.exits.size() >= kMaxExits) return;
   }
 }
 

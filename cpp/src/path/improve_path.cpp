@@ -20,12 +20,13 @@ namespace {
 using namespace path;
 
 constexpr int kTrialsToShorten = 400;  // number of shortcuts tried
-constexpr double kLeastRaise = 1.05;   // raising ends when the step is smaller than this factor
+constexpr double kMinRaise = 1.05;     // raising ends when the step is smaller than this factor
 constexpr double kRaise = 1.5;         // first factor from one clearance to the next
 // A piece ends after this fraction of the part of a move that is proven free.
-constexpr double kRoom = 0.98;
-constexpr double kLeast = 1e-4;  // in radii of the part; shorter pieces of a move get no key
-constexpr double kShare = 0.25;  // fraction of the budget for one search
+constexpr double kGapFraction = 0.98;
+constexpr double kMinPieceLength =
+    1e-4;  // in radii of the part; shorter pieces of a move get no key
+constexpr double kBudgetFraction = 0.25;  // fraction of the budget for one search
 
 struct Piece {
   std::vector<State> keys;  // consecutive
@@ -126,9 +127,10 @@ class Improver {
       return;
     }
     const double back = scene_.follow(b, a, rule, memory_).fraction;
-    const double least = kLeast * scene_.radius() / std::max(scene_.distance(a, b), 1e-300);
-    const double first = kRoom * ahead > least ? kRoom * ahead : 0;
-    const double last = kRoom * back > least ? 1 - kRoom * back : 1;
+    const double least =
+        kMinPieceLength * scene_.radius() / std::max(scene_.distance(a, b), 1e-300);
+    const double first = kGapFraction * ahead > least ? kGapFraction * ahead : 0;
+    const double last = kGapFraction * back > least ? 1 - kGapFraction * back : 1;
     // The free parts from both ends overlap, but the whole move is not proven free.
     if (first >= last) {
       append(stretch, a, b, false);
@@ -193,7 +195,8 @@ class Improver {
     leg.goals = {piece.keys.back()};
     leg.space = space_;
     leg.far = (space_.high - space_.low).norm();
-    const double until = std::min(o_.budgetSeconds, timer_.seconds() + kShare * o_.budgetSeconds);
+    const double until =
+        std::min(o_.budgetSeconds, timer_.seconds() + kBudgetFraction * o_.budgetSeconds);
     const Limits limits{timer_, until, o_.seed, nullptr, o_.mostSteps};
     const LegResult found = solveLeg(scene_, rule, leg, limits, run_);
     report_.steps += found.steps;
@@ -216,7 +219,7 @@ class Improver {
   // if the whole result keeps the raised clearance.
   void raise(std::vector<Stretch>& best, Demand& demand, double clearance) {
     double reached = std::max(clearance, demand_.tolerance), step = kRaise;
-    while (step > kLeastRaise && timer_.seconds() < o_.budgetSeconds) {
+    while (step > kMinRaise && timer_.seconds() < o_.budgetSeconds) {
       Demand higher = demand_;
       for (std::size_t k = 0; k < scene_.count(); ++k) {
         const double more = step * reached - std::max(higher.required[k], higher.tolerance);

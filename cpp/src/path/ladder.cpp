@@ -18,7 +18,7 @@ constexpr std::size_t kSearches = 2;
 constexpr int kRoundsPerTurn = 20;  // rounds of one search before all searches are compared
 // A search restarts for the first time when its two trees together have this many nodes.
 constexpr std::size_t kNodesAtFirst = 3000;
-constexpr std::size_t kMostStarts = 8;  // with more starts, no grids are searched
+constexpr std::size_t kMaxStarts = 8;  // with more starts, no grids are searched
 constexpr int kGridPlacements = 8000, kProofPlacements = 6000;  // placements tried on one grid
 constexpr const char* kGridMethod = "grid of places";
 // Placements tried on grids before the searches in six dimensions begin, and in each of their
@@ -164,7 +164,7 @@ LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const L
   // because they may prove that there is no path.
   std::vector<State> starts;
   for (const State& state : leg.starts)
-    if (leg.starts.size() <= kMostStarts && allowed(state, leg.goals.front()))
+    if (leg.starts.size() <= kMaxStarts && allowed(state, leg.goals.front()))
       starts.push_back(state);
   const auto pairs = static_cast<int>(leg.starts.size() * leg.goals.size());
   ShiftSearch shifts(scene, rule, leg.space, starts, leg.goals,

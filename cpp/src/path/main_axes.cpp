@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMostSamples = 20000;  // largest number of triangles that are sampled
-constexpr std::size_t kMostDirections = 256;
+constexpr std::size_t kMaxSamples = 20000;  // largest number of triangles that are sampled
+constexpr std::size_t kMaxDirections = 256;
 constexpr double kSame = 0.9998;  // cosine of about one degree; nearer directions count as the same
 
 struct Direction {
@@ -23,7 +23,7 @@ struct Direction {
 std::vector<Direction> directionsOf(const std::vector<const TriMesh*>& meshes) {
   std::size_t triangles = 0;
   for (const TriMesh* mesh : meshes) triangles += mesh->triangles.size();
-  const std::size_t step = triangles / kMostSamples + 1;
+  const std::size_t step = triangles / kMaxSamples + 1;
   std::vector<Direction> list;
   std::size_t counted = 0;
   for (const TriMesh* mesh : meshes) {
@@ -42,7 +42,7 @@ std::vector<Direction> directionsOf(const std::vector<const TriMesh*>& meshes) {
       if (same != list.end()) {
         same->sum += same->sum.dot(n) < 0 ? Vector3d(-n) : n;
         same->area += area;
-      } else if (list.size() < kMostDirections) {
+      } else if (list.size() < kMaxDirections) {
         list.push_back({n, area});
       }
     }

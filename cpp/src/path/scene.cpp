@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 // With a larger rotation between two keys, the direction of turning could become ambiguous
 // (input/trajectory_check.h requires less than 179 degrees).
-constexpr double kLargestTurn = 170 * std::numbers::pi / 180;
+constexpr double kMaxTurn = 170 * std::numbers::pi / 180;
 // Largest number of pairs of boxes that the first proof of a move examines. It doubles each time
 // the move is halved.
 constexpr std::int64_t kEffort = 300;
@@ -141,7 +141,7 @@ Follow Scene::follow(const State& from, const State& to, const Rule& rule, Memor
                      double finest) const {
   Follow result;
   const double turn = from.pose.rotation.angularDistance(to.pose.rotation);
-  if (turn > kLargestTurn) return {0, -1};
+  if (turn > kMaxTurn) return {0, -1};
   Trajectory step{{from.pose, to.pose}, interpolation_};
   step.poses.back().timeSeconds = 1;
   const clearance::MotionTree motion = motionTree(step);

@@ -21,7 +21,7 @@ using namespace path;
 
 // Limits of the number of moves per search while the order is searched for: the first limit, the
 // factor from round to round, and the largest limit. Round 0 allows only the quick methods.
-constexpr std::int64_t kFirstMoves = 20000, kMoreMoves = 4, kMostMoves = 1000000000;
+constexpr std::int64_t kFirstMoves = 20000, kMoreMoves = 4, kMaxMoves = 1000000000;
 
 class Sequencer {
  public:
@@ -137,7 +137,7 @@ class Sequencer {
         if (found) return part;
         if (over) return left.end();
       }
-      const bool longest = moves >= (o_.path.mostSteps > 0 ? o_.path.mostSteps : kMostMoves);
+      const bool longest = moves >= (o_.path.mostSteps > 0 ? o_.path.mostSteps : kMaxMoves);
       if (longest || hopeless(left)) return left.end();
     }
   }
@@ -158,7 +158,7 @@ class Sequencer {
 
   std::int64_t movesOf(int round) const {
     std::int64_t moves = 1;
-    for (int k = 0; k < round && moves < kMostMoves; ++k)
+    for (int k = 0; k < round && moves < kMaxMoves; ++k)
       moves = k == 0 ? kFirstMoves : kMoreMoves * moves;
     return o_.path.mostSteps > 0 ? std::min(moves, o_.path.mostSteps) : moves;
   }

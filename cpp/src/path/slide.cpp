@@ -9,7 +9,7 @@ namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-constexpr std::size_t kMostTouches = 12;
+constexpr std::size_t kMaxTouches = 12;
 // Distance kept from contacts if there is room, in radii of the part.
 constexpr double kSlideMargin = 2e-3;
 constexpr int kSlideRounds = 40;
@@ -46,7 +46,7 @@ bool addTouch(const Memory& memory, int neighbour, Touches& touches) {
   const Touch touch{neighbour, memory.pairs[static_cast<std::size_t>(neighbour)]};
   if (touch.pair.body < 0) return false;
   if (std::find(touches.begin(), touches.end(), touch) != touches.end()) return false;
-  if (touches.size() >= kMostTouches) touches.erase(touches.begin());
+  if (touches.size() >= kMaxTouches) touches.erase(touches.begin());
   touches.push_back(touch);
   return true;
 }

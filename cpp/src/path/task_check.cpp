@@ -15,8 +15,7 @@ namespace {
 }
 
 void requireLength(const char* name, double value, bool mayBeZero) {
-  if (std::isfinite(value) && value >= 0 && value <= kLargestLength && (mayBeZero || value > 0))
-    return;
+  if (std::isfinite(value) && value >= 0 && value <= kMaxLength && (mayBeZero || value > 0)) return;
   badOption(std::string(name) + " is " + numberText(value, kTellingDigits) +
             " mm; allowed: " + (mayBeZero ? "0" : "more than 0") + " up to 1e9 mm");
 }
@@ -78,7 +77,7 @@ Pose checkedPose(const Pose& pose, const std::string& what) {
     throw Error(Status::InvalidInput, "BadPose",
                 "the " + what + " has a quaternion of length " + numberText(norm, 6) +
                     " instead of 1 (allowed error: 0.0001); give a unit quaternion");
-  if (pose.translation.cwiseAbs().maxCoeff() > kLargestLength)
+  if (pose.translation.cwiseAbs().maxCoeff() > kMaxLength)
     throw Error(Status::InvalidInput, "OutOfRange",
                 "the " + what + " lies more than 1e9 mm from the origin; check the unit of length");
   Pose checked = pose;

@@ -13,11 +13,11 @@ using Eigen::Vector3d;
 constexpr int kStart = 0, kGoal = 1;
 // Largest number of moves of one extension and of one push.
 constexpr int kSlides = 5, kPushes = 60;
-constexpr double kPushed = 0.5;  // fraction of the rounds that push
-constexpr double kPush = 3;      // longest push, in radii of the part or in rad
-constexpr double kLost = 1e-9;   // largest fraction of a move that counts as a rounding error
+constexpr double kPushFraction = 0.5;  // fraction of the rounds that push
+constexpr double kMaxPush = 3;         // longest push, in radii of the part or in rad
+constexpr double kMaxRounding = 1e-9;  // largest fraction of a move that counts as a rounding error
 // Smallest fraction of a wanted move that the allowed move must keep.
-constexpr double kOnward = 0.05;
+constexpr double kStepBeyond = 0.05;
 // Resolution at which the search finds where a move is blocked, as a fraction of the move.
 constexpr double kFinest = 1.0 / 16;
 
@@ -145,7 +145,7 @@ int TwoTrees::push(int tree, int from) {
   const Twist drive = randomDrive(trees_[tree][static_cast<std::size_t>(from)].state);
   const double step = scene_.radius() * std::pow(10.0, random_.between(-1.5, -0.5));
   bool reached = false;
-  return slide(tree, from, {nullptr, drive, step, kPush * scene_.radius(), kPushes}, reached);
+  return slide(tree, from, {nullptr, drive, step, kMaxPush * scene_.radius(), kPushes}, reached);
 }
 
 // Returns a move along or about an axis of the world or of the part, or a random direction. The
@@ -158,7 +158,7 @@ Twist TwoTrees::randomDrive(const State& at) {
     if (kind < 0.4) d = at.pose.rotation * d;
     if (random_.fraction() < 0.5) d = -d;
   }
-  const double far = 2 * kPush;
+  const double far = 2 * kMaxPush;
   if (space_.turns() && random_.fraction() < 0.5) return {Vector3d::Zero(), far * d};
   return {far * scene_.radius() * d, Vector3d::Zero()};
 }
@@ -179,10 +179,10 @@ int TwoTrees::slide(int tree, int from, const Drive& drive, bool& reached) {
     const double onward =
         allowed.shift.dot(asked.shift) + radius * radius * allowed.turn.dot(asked.turn);
     const double most = scene_.length(asked);
-    if (!(onward >= kOnward * most * most) || scene_.length(allowed) > 3 * most) break;
+    if (!(onward >= kStepBeyond * most * most) || scene_.length(allowed) > 3 * most) break;
     const Twist lost{allowed.shift - asked.shift, allowed.turn - asked.turn};
     const bool last =
-        drive.to != nullptr && wanted <= length && scene_.length(lost) <= kLost * most;
+        drive.to != nullptr && wanted <= length && scene_.length(lost) <= kMaxRounding * most;
     const State next = last ? *drive.to : limited(at, scene_.moved(at, allowed));
     const Follow follow = scene_.follow(at, next, rule_, memory_, kFinest);
     const double came = follow.fraction * scene_.distance(at, next);
@@ -202,7 +202,7 @@ int TwoTrees::slide(int tree, int from, const Drive& drive, bool& reached) {
       const bool isNew = addTouch(memory_, follow.neighbour, touches);
       if (isNew || follow.fraction > 0.3) continue;
       step *= 0.5;
-      if (step < kOnward * drive.step) break;
+      if (step < kStepBeyond * drive.step) break;
     }
   }
   return node;
@@ -262,7 +262,7 @@ bool TwoTrees::grow(int rounds) {
       from = sparse(tree);
       to = sampleNear(tree, from);
     }
-    if (random_.fraction() < kPushed) {
+    if (random_.fraction() < kPushFraction) {
       const int end = push(tree, sparse(tree));
       if (!path_.empty()) break;
       if (!trees_[1 - tree].empty() && connect(tree, end)) break;

@@ -13,22 +13,22 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kLongestMove = 0.5;  // radii of the part; longer moves get keys in between
 constexpr std::size_t kMaxKeys = 300;
-constexpr int kSamplesOfMove = 6;  // number of positions at which a free move is sampled
-constexpr int kManyPlaces = 24;    // the same for a blocked move
-constexpr int kRaiseRounds = 12;   // after this many rounds, a raise has failed
-constexpr int kSweeps = 60;        // passes of the dual ascent
-constexpr double kTrust = 0.1;     // radii of the part; a key moves no farther in one round
+constexpr int kSamplesOfMove = 6;    // number of positions at which a free move is sampled
+constexpr int kManyPlaces = 24;      // the same for a blocked move
+constexpr int kRaiseRounds = 12;     // after this many rounds, a raise has failed
+constexpr int kSweeps = 60;          // passes of the dual ascent
+constexpr double kMaxKeyMove = 0.1;  // radii of the part; a key moves no farther in one round
 // Pairs are opened to this multiple of the wanted distance. Tried on test cases of OMPL.app: with
 // 1.02, blocked moves open too slowly; with 1.25 and more, wide detours use up the permitted
 // length.
-constexpr double kLengthening = 1.1;
-constexpr double kFirst = 2e-3;      // radii; the first raise
-constexpr double kLeast = 2e-6;      // radii; smaller raises are not worth the time
-constexpr double kMostRaise = 0.25;  // radii; largest raise of all steps together
-constexpr double kRaise = 2;         // factor from one raise to the next
+constexpr double kOpening = 1.1;
+constexpr double kFirst = 2e-3;           // radii; the first raise
+constexpr double kMinUsefulRaise = 2e-6;  // radii; smaller raises are not worth the time
+constexpr double kMaxRaise = 0.25;        // radii; largest raise of all steps together
+constexpr double kRaise = 2;              // factor from one raise to the next
 // The search ends when the next raise to try is at most this many times the last one that worked.
-constexpr double kEnough = 1.4;
-constexpr double kLonger = 1.25;          // the path may become longer by this factor
+constexpr double kBracketRatio = 1.4;
+constexpr double kMaxLengthening = 1.25;  // the path may become longer by this factor
 constexpr int kShortcutsOfWidened = 100;  // shortcuts of the widened path
 
 /// The distance of a pair of triangles, as a linear function of the twists of the two keys beside
@@ -58,7 +58,7 @@ class Band {
         run_(run),
         memory_(scene.memory()) {
     for (double& distance : within_)
-      if (distance >= 0) distance *= kLengthening;
+      if (distance >= 0) distance *= kOpening;
   }
 
   /// Returns false if the wanted distances were not reached, or if the path became longer than
@@ -143,7 +143,7 @@ class Band {
       }
     for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
       Twist twist{twists[i].head<3>(), twists[i].tail<3>() / scene_.radius()};
-      const double length = scene_.length(twist), longest = kTrust * scene_.radius();
+      const double length = scene_.length(twist), longest = kMaxKeyMove * scene_.radius();
       if (length == 0) continue;
       if (length > longest) twist = twist * (longest / length);
       keys[i] = scene_.moved(keys[i], twist);
@@ -199,12 +199,13 @@ double roomAtEnds(const Scene& scene, const Rule& rule, const std::vector<State>
 double widen(const Scene& scene, const Rule& rule, const WidenLimits& limits, RandomNumbers& random,
              std::vector<State>& keys, RunContext& run) {
   if (keys.size() < 3) return 0;
-  const double longest = kLonger * lengthOf(scene, keys);
-  const double room = roomAtEnds(scene, rule, keys, kMostRaise * scene.radius());
+  const double longest = kMaxLengthening * lengthOf(scene, keys);
+  const double room = roomAtEnds(scene, rule, keys, kMaxRaise * scene.radius());
   std::vector<State> best = refined(scene, keys);
   bool moved = false;  // if the path is wide enough already, it keeps its keys
   double reached = 0, failed = 0, next = std::min(kFirst * scene.radius(), room);
-  while (next > kEnough * reached && next > kLeast * scene.radius() && !limits.over()) {
+  while (next > kBracketRatio * reached && next > kMinUsefulRaise * scene.radius() &&
+         !limits.over()) {
     std::vector<State> pushed = best;
     const Rule wanted = raised(rule, next);
     Band band(scene, wanted, limits, run);

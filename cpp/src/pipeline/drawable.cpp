@@ -17,7 +17,7 @@ using Triangle = std::array<std::int32_t, 3>;
 using Eigen::Vector3d;
 
 /// Thinning stops at this many times the requested number of triangles.
-constexpr double kEnough = 1.2;
+constexpr double kMaxExcess = 1.2;
 /// Weight of the mean point of a cell, relative to the planes in the cell.
 constexpr double kMeanWeight = 0.001;
 /// Largest index of a cell along one side of the grid: a key holds 21 bits per axis.
@@ -156,7 +156,7 @@ TriMesh thinned(const TriMesh& mesh, std::size_t most) {
   for (int round = 0; round < 4; ++round) {
     out = clustered(mesh, cell);
     const double ratio = static_cast<double>(out.triangles.size()) / wanted;
-    if (ratio <= kEnough) break;
+    if (ratio <= kMaxExcess) break;
     cell *= std::sqrt(ratio);
   }
   return out;

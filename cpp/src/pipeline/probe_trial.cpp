@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kMinCells = 48;
 constexpr double kMinSeconds = 0.6;
 /// Further cells are tried for the fraction kProbePart of the expected CPU time of all cells, but
-/// at least for kProbeSeconds and at most for kMostSeconds.
-constexpr double kProbeSeconds = 0.15, kProbePart = 0.03, kMostSeconds = 2;
+/// at least for kProbeSeconds and at most for kMaxSeconds.
+constexpr double kProbeSeconds = 0.15, kProbePart = 0.03, kMaxSeconds = 2;
 
 using CellKey = std::uint64_t;
 constexpr int kKeyBits = 20;
@@ -182,7 +182,7 @@ ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
   const auto goesOn = [&] {
     const double taken = threadSeconds() - start;
     if (done < kMinCells) return taken < kMinSeconds;
-    return taken < std::clamp(kProbePart * cost.seconds * times(), kProbeSeconds, kMostSeconds);
+    return taken < std::clamp(kProbePart * cost.seconds * times(), kProbeSeconds, kMaxSeconds);
   };
   for (; done < cells.size() && goesOn(); ++done) {
     const Eigen::Vector3i at = cellOf(cells[done]);

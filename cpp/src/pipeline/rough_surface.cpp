@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMinPoses = 6, kMaxPoses = 192;
 /// A motion of at most this many placements is not thinned if the number of faces of the body times
 /// the number of placements is at most RoughRoom::faces.
-constexpr std::size_t kMostWhole = 384;
+constexpr std::size_t kMaxWhole = 384;
 /// The grid is at most this many times coarser and has at least this many cells along its longest
 /// side.
 constexpr std::int32_t kCoarsest = 8, kMinLongestCells = 12;
@@ -110,7 +110,7 @@ RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
   const double faces = static_cast<double>(whole.body.triangles.size());
   const std::size_t all = whole.motion.placements.size();
   const auto wanted = static_cast<std::size_t>(room.faces / faces);
-  const bool few = known || (all <= kMostWhole && all <= wanted);
+  const bool few = known || (all <= kMaxWhole && all <= wanted);
   Motion part =
       thinned(whole.motion, few ? all : std::min(std::clamp(wanted, kMinPoses, kMaxPoses), all));
   const std::int32_t times = known ? 1 : coarseningFor(whole, part, room, run);

@@ -25,14 +25,14 @@ constexpr std::size_t kMinPlacements = 24, kMinCopies = 8, kMaxPlacements = 192,
 constexpr double kCheapCopies = 4e5;
 /// Number of windows of the motion that are sampled. Each is sampled with two lengths, one twice
 /// the other. Bodies with many triangles get fewer windows.
-constexpr std::size_t kMostWindows = 32, kFewestWindows = 2;
+constexpr std::size_t kMaxWindows = 32, kMinWindows = 2;
 /// The crossings of a copy are estimated at this many placements, from about this many faces at
 /// each.
 constexpr std::size_t kLooks = 4, kLookFaces = 4096;
 /// A trial samples at least this many groups of kClustersTogether clusters each.
-constexpr std::size_t kFewestParts = 24;
+constexpr std::size_t kMinParts = 24;
 /// Each further copy is assumed to cost at least this fraction of the mean cost of a sampled copy.
-constexpr double kLeastFraction = 0.2;
+constexpr double kMinFraction = 0.2;
 /// Bytes of a crossing that is being sorted (including its buffer), and of an element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
 
@@ -135,7 +135,7 @@ SamplingCost SamplingTrial::bySomeCopies(std::size_t count, std::size_t wanted) 
   SamplingCost sum, least;
   sum.add(all, times(count, wanted - 1));
   sum.add(one, -times(count, wanted - 1));
-  least.add(all, kLeastFraction * times(count, wanted));
+  least.add(all, kMinFraction * times(count, wanted));
   return largerOf(sum, least);
 }
 
@@ -157,7 +157,7 @@ SamplingCost SamplingTrial::byAllSteps(std::size_t count, const Parts& parts) co
 /// without clusters gives the fixed cost of a work item.
 SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) const {
   const std::size_t item = placementsOfItem(input(whole_.motion));
-  const std::size_t windows = std::clamp(parts.steps / 3, kFewestWindows, kMostWindows);
+  const std::size_t windows = std::clamp(parts.steps / 3, kMinWindows, kMaxWindows);
   const std::size_t steps =
       std::clamp<std::size_t>(parts.steps / (3 * windows), 1, std::max<std::size_t>(item / 2, 1));
   PlaceGroups::Trial some;
@@ -193,7 +193,7 @@ std::size_t SamplingTrial::mostClusterParts() const {
   // Patches at open borders belong to no cluster, so a trial could not leave any of them out.
   // Therefore it then samples all clusters, too.
   if (clusters.firstBorder.back() < clusters.borders.size()) return 1;
-  return std::max<std::size_t>(1, clusters.clusters.size() / (kClustersTogether * kFewestParts));
+  return std::max<std::size_t>(1, clusters.clusters.size() / (kClustersTogether * kMinParts));
 }
 
 double SamplingTrial::fractionShown(std::size_t clusterParts) const {

@@ -29,7 +29,7 @@ constexpr int kRounds = 4;              ///< rounds of improvement
 constexpr int kFirstDepth = 2;
 constexpr int kThinTrials = 4;  ///< attempts of thinning, each with more vertices kept
 /// Fraction of the tolerance; below it, nothing is simplified.
-constexpr double kLeastFraction = 0.1;
+constexpr double kMinFraction = 0.1;
 
 // Attaches each missed point of the original to the nearest of the changed triangles, so that
 // further collapses keep it near.
@@ -112,7 +112,7 @@ const NearestTriangle& Simplifier::nearest() const {
 Simplified Simplifier::cut(double tolerance, RunContext& run) const {
   run.checkpoint(Phase::Simplify);
   // If no trial keeps within the tolerance, tries again with half of it.
-  for (double within = tolerance; within > kLeastFraction * tolerance; within /= 2) {
+  for (double within = tolerance; within > kMinFraction * tolerance; within /= 2) {
     const double limit = kThinFraction * within;
     const Level* level = levelWithin(limit, run);
     std::vector<char> kept;

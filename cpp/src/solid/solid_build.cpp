@@ -21,7 +21,7 @@ namespace {
 }
 
 void requireLength(const char* name, double value) {
-  if (value >= 0 && value <= kLargestLength) return;
+  if (value >= 0 && value <= kMaxLength) return;
   badOption(std::string(name) + " is " + numberText(value, kTellingDigits) +
             " mm; allowed: 0 to 1e9 mm");
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Paths designed in the motion editor, on real data. First, recorded placements of a robot's gripper (12, or
+"""Paths designed in the motion editor, on real data. First, recorded placements of a robot's gripper (6, or
 all 34 with SWEPT_LONG_TESTS): some captured from the part, others typed into the table. Then a joint of
 beams with a known start and goal: keys are added between them until the path is clear. Parts whose data
 are missing are skipped, with a message.
@@ -36,7 +36,7 @@ ARM = os.path.join(DATA, "motions", "installation_34_from_baxter_left.csv")
 GRIPPER = os.path.join(DATA, "meshes", "gripper_robotiq_2f140_30k.ply")
 POSES = os.path.join(DATA, "motions", "beam_joint_start_goal_poses.csv")
 CM, METRE = 10.0, 1000.0
-STRIDE = 1 if os.environ.get("SWEPT_LONG_TESTS") else 3
+STRIDE = 1 if os.environ.get("SWEPT_LONG_TESTS") else 6
 V = App.Vector
 
 
@@ -104,7 +104,7 @@ def robot_arm(keyboard):
     rows = list(rows_of(ARM, METRE))[::STRIDE]
     recorded = [(float(row["t_s"]), place) for row, place in rows]
     captured = len(recorded) * 2 // 3
-    assert len(recorded) == (34 if STRIDE == 1 else 12)
+    assert len(recorded) == (34 if STRIDE == 1 else 6)
     doc.recompute()
     select(gripper)
     Gui.runCommand("SweptVolume_NewMotion")

@@ -20,9 +20,9 @@ namespace swept::test {
 namespace {
 
 /// Largest error of a source point, in cells. kOff: usual, since crossings keep this distance from
-/// lattice points. kMostOff: where an edge slides along itself and the core finds no exact
+/// lattice points. kMaxOff: where an edge slides along itself and the core finds no exact
 /// crossing. kShareOff: largest fraction of triangles with an error above kOff.
-constexpr double kOff = 1e-3, kMostOff = 0.25, kShareOff = 0.01;
+constexpr double kOff = 1e-3, kMaxOff = 0.25, kShareOff = 0.01;
 
 Trajectory turningMotion(Interpolation interpolation) {
   Trajectory motion;
@@ -86,7 +86,7 @@ void expectTrue(const TriMesh& body, const Trajectory& motion, const std::string
   off.erase(known, off.end());
   std::sort(off.begin(), off.end());
   const double cell = result.report.cellSize;
-  EXPECT_LT(off.back(), kMostOff * cell) << what;
+  EXPECT_LT(off.back(), kMaxOff * cell) << what;
   EXPECT_LT(off[static_cast<std::size_t>((1 - kShareOff) * static_cast<double>(off.size()))],
             kOff * cell)
       << what;
@@ -218,7 +218,7 @@ TEST(Sources, SimplifiedTrianglesHaveWhatMadeMostOfThem) {
     for (std::size_t t = 0; t < off.size(); ++t) {
       if (off[t] < 0) continue;
       ++known;
-      EXPECT_LT(off[t], kMostOff * cell);
+      EXPECT_LT(off[t], kMaxOff * cell);
       // The point lies on the triangle or beside it.
       const auto& tri = result.mesh.triangles[t];
       Eigen::AlignedBox3d box;
@@ -252,7 +252,7 @@ TEST(Sources, PreviewsHaveThemToo) {
     ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
     ASSERT_EQ(result.sources.of.size(), result.mesh.triangles.size());
     for (const double off : sourceDistances(body, motion, result.sources))
-      EXPECT_LT(off, kMostOff * result.report.cellSize);
+      EXPECT_LT(off, kMaxOff * result.report.cellSize);
   }
 }
 

@@ -180,9 +180,10 @@ TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
   }
 }
 
-// The estimate of the memory during sampling. A work item removes crossings that cannot matter only
-// once it has kMinThinRecords of them. So all crossings count if there are fewer per item, and only
-// few if there are more. Interpolation::None has more work items than an interpolated motion.
+// The estimate of the memory during sampling. A work item keeps all its crossings until it has
+// kMinThinRecords. Only then does it remove those that cannot matter. So below this number per
+// item, all crossings count; above it, only few. Both kinds of interpolation are tested, because
+// Interpolation::None has more work items.
 TEST(TrialSteps, CrossingsAreHeldWhereNoItemHasMany) {
   const TriMesh body = makeBox({0, 0, 0}, {10, 10, 10});
   Trajectory path = bow(20000, 60, 0, 0.3);  // noise, so that no steps are merged

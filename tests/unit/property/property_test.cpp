@@ -1,6 +1,7 @@
-// What must hold for any body and motion, on seeded random cases: more than 500 in all.
-// Lengths are in cells; volumes in units of area x cell. Where two results are compared, each may
-// be as far from the exact surface as tests/unit/truth allows, so the limits here are twice those.
+// What must hold for any body and motion, on seeded random cases: more than 250 in all, twice as
+// many with SWEPT_LONG_TESTS. Lengths are in cells; volumes in units of area x cell. Where two
+// results are compared, each may be as far from the exact surface as tests/unit/truth allows, so
+// the limits here are twice those.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@
 namespace swept::test {
 namespace {
 
-constexpr int kSeeds = 72;
+const int kSeeds = longRun() ? 72 : 36;
 constexpr double kVolumeBar = 0.1;
 
 Result sweep(const TriMesh& body, const Trajectory& motion, int resolution, int threads = 0,

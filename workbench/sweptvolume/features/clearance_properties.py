@@ -159,7 +159,8 @@ RESULT = [
         "App::PropertyFloatList",
         "MapDistances",
         QT_TRANSLATE_NOOP(
-            "App::Property", "Distance at each vertex of the envelope, for its colours"
+            "App::Property",
+            "Distance of each vertex of the envelope from the nearest neighbour, for the colours of the envelope",
         ),
         HIDDEN,
     ),

@@ -187,7 +187,8 @@ class EnvelopePanel(StartPanel):
             self.components,
             translate(
                 "SweptVolume",
-                "For research. Only Consistent guarantees that the envelope is closed",
+                "How pieces of surface inside one cell are separated. For research only: keep Consistent, "
+                "which alone guarantees that the envelope is closed",
             ),
         )
         self.backend = widgets.choice(list(BACKENDS), values["Backend"])

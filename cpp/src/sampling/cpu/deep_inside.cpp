@@ -14,16 +14,16 @@ namespace swept {
 namespace {
 
 /// The number of whole copies is the number of placements divided by kPlacementsPerCopy, but at
-/// most kMost. A motion with merged steps has few placements for the length of its path, so the
-/// divisor is kMergedPerCopy. With 128 instead of 32, two wheels along 124,992 poses, of which
-/// 2,153 remain after merging, take 1.6 times as long. If the number of copies is below kFewest,
-/// none are sampled. If it is kWithExtreme or more, the copies include the placements farthest
-/// along many directions.
-constexpr std::size_t kPlacementsPerCopy = 128, kMergedPerCopy = 32, kFewest = 8,
-                      kWithExtreme = 176, kMost = 256;
+/// most kMaxWholeCopies. A motion with merged steps has few placements for the length of its path,
+/// so the divisor is kMergedPerCopy. With 128 instead of 32, two wheels along 124,992 poses, of
+/// which 2,153 remain after merging, take 1.6 times as long. If the number of copies is below
+/// kMinCopies, none are sampled. If it is kWithExtreme or more, the copies include the placements
+/// farthest along many directions.
+constexpr std::size_t kPlacementsPerCopy = 128, kMergedPerCopy = 32, kMinCopies = 8,
+                      kWithExtreme = 176, kMaxWholeCopies = 256;
 /// The map is used only if it hides at least this fraction of the crossings of kTrials other
 /// copies. For thin parts that travel far it hides little, and its queries take time.
-constexpr double kLeastHidden = 0.5;
+constexpr double kMinHidden = 0.5;
 constexpr std::size_t kTrials = 8;
 
 bool hidesEnough(const SamplerInput& input, const InsideMap& inside) {
@@ -40,7 +40,7 @@ bool hidesEnough(const SamplerInput& input, const InsideMap& inside) {
           });
     }
   }
-  return static_cast<double>(hidden) >= kLeastHidden * static_cast<double>(all);
+  return static_cast<double>(hidden) >= kMinHidden * static_cast<double>(all);
 }
 
 /// The positions of four points of the body at every placement. They suffice to compare placements.
@@ -125,11 +125,11 @@ class Places {
 std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& run) {
   const std::size_t placements = input.motion.placements.size();
   const std::size_t perCopy = input.motion.mergeError > 0 ? kMergedPerCopy : kPlacementsPerCopy;
-  const std::size_t count = std::min(kMost, placements / perCopy);
+  const std::size_t count = std::min(kMaxWholeCopies, placements / perCopy);
   // With a cache, nothing may be hidden. The next run may reuse the crossings of one part of the
   // motion, although the parts that would have hidden some crossings have changed.
   const bool mayHide = input.cull && input.orientable && input.fillsHollows && !input.cache;
-  if (count < kFewest || !mayHide) {
+  if (count < kMinCopies || !mayHide) {
     return std::nullopt;
   }
   const Places places(input);

@@ -154,9 +154,9 @@ bool InsideMap::hidesAlong(const std::array<Eigen::Vector3d, 3>& corner,
   constexpr int U = W == 0 ? 1 : 0, V = W == 2 ? 1 : 2;
   /// If the sine of the angle between plane and lines is below this, the plane does not narrow the
   /// range.
-  constexpr double kLeastSlope = 1e-3;
+  constexpr double kMinSlope = 1e-3;
   const double across = std::abs(normal[W]);
-  const bool steep = across < kLeastSlope * normal.norm();
+  const bool steep = across < kMinSlope * normal.norm();
   const double slack =
       steep ? 0 : reach * (1 + (std::abs(normal[U]) + std::abs(normal[V])) / across) + 1e-9;
   // Orientation of the triangle in the (U, V) plane: the sign of normal[W], reversed if U x V is

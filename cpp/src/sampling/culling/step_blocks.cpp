@@ -14,10 +14,10 @@
 namespace swept {
 namespace {
 
-constexpr double kRoom = 1 + 1e-9;   ///< covers the rounding of the bounds
-constexpr double kSnapReach = 1e-4;  ///< cells: more than snapping can move a point
+constexpr double kRounding = 1 + 1e-9;  ///< covers the rounding of the bounds
+constexpr double kSnapReach = 1e-4;     ///< cells: more than snapping can move a point
 /// Largest and smallest size of a group of placements, in cells.
-constexpr double kLargestGroup = 2, kSmallestGroup = 1e-3;
+constexpr double kMaxGroup = 2, kMinGroup = 1e-3;
 /// cells: in groups of at most this size, single faces are tested, too.
 constexpr double kFaceGroup = 0.5;
 /// Grouping saves time only if groups have at least this many placements on average.
@@ -71,14 +71,14 @@ PlaceBlock PlaceBounds::blockOf(const Box& box) {
   PlaceBlock block;
   block.turn = middle.head<9>().matrix().reshaped(3, 3);
   block.place = middle.tail<3>().matrix();
-  block.turnSpread = half.head<9>().matrix().norm() * kRoom;
-  block.placeSpread = half.tail<3>().matrix().norm() * kRoom;
+  block.turnSpread = half.head<9>().matrix().norm() * kRounding;
+  block.placeSpread = half.tail<3>().matrix().norm() * kRounding;
   return block;
 }
 
 bool PlaceBounds::shows(const PlaceBlock& block, const FaceCluster& cluster) const {
   const Eigen::Vector3d arm = cluster.centre - centre_;
-  const double reach = cluster.radius / input_.grid.cell * kRoom + block.placeSpread +
+  const double reach = cluster.radius / input_.grid.cell * kRounding + block.placeSpread +
                        block.turnSpread * (arm.norm() + cluster.radius) + kSnapReach;
   if (reach > 0.5 && !hasInside()) return true;
   const Eigen::Array3d at = (block.turn * arm + block.place).array();
@@ -108,7 +108,7 @@ PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters
   });
   // Smaller groups hide more clusters, but there are more groups. A group only tests the clusters
   // that the larger group around it shows.
-  for (double cells = kLargestGroup; cells > kSmallestGroup; cells /= 2) {
+  for (double cells = kMaxGroup; cells > kMinGroup; cells /= 2) {
     std::vector<std::uint32_t> groupOf;
     const auto groups = group(boxes, cells, bounds.radius(), groupOf);
     if (groups.size() * kWorthGroup > boxes.size()) break;
@@ -190,7 +190,7 @@ StepBlocks::StepBlocks(const SamplerInput& input, const FaceClusters& clusters,
   for (const FaceCluster& c : clusters.clusters) {
     narrows_ |= bounds_.hasInside() || c.radius < 0.5 * input.grid.cell;
   }
-  below_.resize(1 + kMostLevels);
+  below_.resize(1 + kMaxLevels);
   if (!groups.empty()) narrows_ = false;  // every group has been tested face by face
   if (!narrows_) return;
   std::vector<PlaceBounds::Box> boxes;
@@ -204,7 +204,7 @@ StepBlocks::StepBlocks(const SamplerInput& input, const FaceClusters& clusters,
   };
   single_ = blocksOf();
   constexpr std::size_t kChildren = std::size_t{1} << kShift;
-  while (levels_.size() < kMostLevels && boxes.size() > kChildren) {
+  while (levels_.size() < kMaxLevels && boxes.size() > kChildren) {
     for (std::size_t n = 0; n < boxes.size(); ++n) {
       if (n % kChildren == 0) {
         boxes[n / kChildren] = boxes[n];

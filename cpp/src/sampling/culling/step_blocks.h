@@ -114,7 +114,7 @@ class StepBlocks {
   }
 
  private:
-  static constexpr std::size_t kShift = 3, kMostLevels = 2;
+  static constexpr std::size_t kShift = 3, kMaxLevels = 2;
 
   /// Visits the block `at` of a level. At level 0, a block is a single placement.
   template <class Use>

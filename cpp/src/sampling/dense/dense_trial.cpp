@@ -19,13 +19,13 @@ namespace {
 
 /// The patches are spaced evenly in the order of the faces. Together they have about 1 /
 /// kPartOfFaces of the faces of the body, within the limits for the number of patches.
-constexpr std::size_t kFacesOfPatch = 1300, kFewestPatches = 4, kMostPatches = 12, kPartOfFaces = 4;
+constexpr std::size_t kFacesOfPatch = 1300, kMinPatches = 4, kMaxPatches = 12, kPartOfFaces = 4;
 /// Only the middle of a patch is sampled: 1 / kPartOfPatch of its faces. The faces missing around
 /// the patch have no effect there.
 constexpr std::size_t kPartOfPatch = 6;
 /// Largest number of faces at one vertex that join a patch. At the hub of a fan, the faces lie far
 /// apart.
-constexpr std::size_t kMostOfStar = 48;
+constexpr std::size_t kMaxOfStar = 48;
 /// Number of exact tests that are timed, and number of exact tests that a run needs for each open
 /// point.
 constexpr std::size_t kTests = 500;
@@ -57,7 +57,7 @@ void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t numb
       if (spread[static_cast<std::size_t>(v)]) continue;
       spread[static_cast<std::size_t>(v)] = true;
       const auto star = corners.asTheyStand(static_cast<std::size_t>(v));
-      const std::size_t some = std::min(star.size(), kMostOfStar);
+      const std::size_t some = std::min(star.size(), kMaxOfStar);
       const std::size_t from = star.size() * number / patches;  // other faces for other patches
       for (std::size_t i = 0; i < some && faces.size() < kFacesOfPatch; ++i) {
         const std::uint32_t face = star[(i * star.size() + from) / some] / 3;
@@ -74,7 +74,7 @@ void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t numb
 Patches somePatchesOf(const TriMesh& body) {
   const std::size_t faces = body.triangles.size();
   const std::size_t patches =
-      std::clamp(faces / (kPartOfFaces * kFacesOfPatch), kFewestPatches, kMostPatches);
+      std::clamp(faces / (kPartOfFaces * kFacesOfPatch), kMinPatches, kMaxPatches);
   if (faces <= patches * kFacesOfPatch) {
     Patches all{body, std::vector<std::uint8_t>(faces, 1), std::vector<std::uint32_t>(faces)};
     std::iota(all.faceOf.begin(), all.faceOf.end(), 0u);

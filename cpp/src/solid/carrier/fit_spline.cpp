@@ -5,7 +5,7 @@ namespace swept::step {
 
 std::optional<Curve> fitSpline(const ExactCurve& exact, Range range, double bound) {
   const ExactRow row = [&](double v) -> Eigen::RowVectorXd { return exact(v).transpose(); };
-  const auto knots = knotsFor(row, range, kSmoothDegree, bound, kMostSpans);
+  const auto knots = knotsFor(row, range, kSmoothDegree, bound, kMaxSpans);
   if (!knots) return std::nullopt;
   const std::vector<double> sites = knots->sites();
   Eigen::MatrixXd values(sites.size(), 3);

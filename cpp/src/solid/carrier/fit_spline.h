@@ -16,13 +16,13 @@ namespace swept::step {
 /// Degree of curves, and of sheets in curved directions. Rotations are so smooth that degree 5
 /// needs a third of the poles of degree 3.
 constexpr int kSmoothDegree = 5;
-constexpr std::size_t kMostSpans = 64;
+constexpr std::size_t kMaxSpans = 64;
 
 /// Returns a point of the exact curve; its coordinates are not finite where the curve is undefined.
 using ExactCurve = std::function<Eigen::Vector3d(double)>;
 
 /// Returns the curve through exact(v) for v in `range`. Its parameter starts at 0. Returns nothing
-/// if the bound is not reached with kMostSpans spans, or if a value is not finite.
+/// if the bound is not reached with kMaxSpans spans, or if a value is not finite.
 std::optional<Curve> fitSpline(const ExactCurve& exact, Range range, double bound);
 
 }  // namespace swept::step

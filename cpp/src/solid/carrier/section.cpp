@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 /// Sine of 0.17 degrees. At smaller angles between the carriers, rounding decides where they meet.
-constexpr double kLeastSine = 0.003;
-constexpr std::size_t kFewestPieces = 4, kMostPieces = 64;
+constexpr double kMinSine = 0.003;
+constexpr std::size_t kMinPieces = 4, kMaxPieces = 64;
 
 // Returns the point on both carriers near q. Each step of the iteration is, to first order, the
 // shortest possible. Returns nothing if the point moves farther than `strays` (mm).
@@ -27,7 +27,7 @@ std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const C
     if (std::max(std::abs(da), std::abs(db)) < 1e-11) return p;
     const Vector3d na = a.normal(p), nb = b.normal(p);
     const double c = na.dot(nb), sine2 = 1 - c * c;
-    if (sine2 < kLeastSine * kLeastSine) return std::nullopt;
+    if (sine2 < kMinSine * kMinSine) return std::nullopt;
     p -= ((da - c * db) * na + (db - c * da) * nb) / sine2;
     if (!((p - q).norm() <= strays)) return std::nullopt;
   }
@@ -104,7 +104,7 @@ std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& poi
     const Vector3d cross = a.normal(points[i]).cross(b.normal(points[i]));
     const Vector3d way = (after - before).normalized();
     Vector3d unit = cross.normalized();
-    if (cross.norm() < kLeastSine) {
+    if (cross.norm() < kMinSine) {
       if (closed || (i > 0 && i < last)) return std::nullopt;
       const auto branch = branchTangent(points[i], way, 0.01 * (after - before).norm(), a, b);
       if (!branch) return std::nullopt;
@@ -121,10 +121,10 @@ std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& poi
 std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrier& extrusion,
                                 const Carrier& plane) {
   // The angle between plane and direction is at least 3 degrees.
-  constexpr double kLeastCosine = 0.05;
+  constexpr double kMinCosine = 0.05;
   const double slope = extrusion.axis.dot(plane.axis);
   const Profile& profile = *extrusion.profile;
-  if (std::abs(slope) < kLeastCosine || profile.isClosed()) return std::nullopt;
+  if (std::abs(slope) < kMinCosine || profile.isClosed()) return std::nullopt;
   const Vector3d &x = extrusion.xdir, y = extrusion.axis.cross(x);
   const auto onPlane = [&](const Vector3d& direction) {
     return Vector3d(direction - direction.dot(plane.axis) / slope * extrusion.axis);
@@ -171,7 +171,7 @@ Vector3d pointInSlice(Vector3d p, const Carrier& a, const Carrier& b, const Vect
   for (int round = 0; round < 20; ++round) {
     Eigen::Matrix3d rows;
     rows << a.normal(p).transpose(), b.normal(p).transpose(), dir.transpose();
-    if (!(std::abs(rows.determinant()) > 0.1 * kLeastSine)) break;
+    if (!(std::abs(rows.determinant()) > 0.1 * kMinSine)) break;
     const Vector3d off(a.distance(p), b.distance(p), dir.dot(p - base) - height);
     const Vector3d step = rows.inverse() * off;
     p -= step;
@@ -186,14 +186,14 @@ Vector3d pointInSlice(Vector3d p, const Carrier& a, const Carrier& b, const Vect
 std::optional<Curve> slicedCurve(const std::vector<Vector3d>& points,
                                  const std::vector<Vector3d>& tangents, const Carrier& a,
                                  const Carrier& b) {
-  constexpr double kLeastCosine = 0.4;
+  constexpr double kMinCosine = 0.4;
   const Vector3d &first = points.front(), way = points.back() - first;
   const double length = way.norm();
   const Vector3d dir = way / length;
   std::vector<double> heights;
   for (std::size_t i = 0; i < points.size(); ++i) {
     heights.push_back(dir.dot(points[i] - first));
-    if (tangents[i].dot(dir) < kLeastCosine || (i > 0 && heights[i] <= heights[i - 1]))
+    if (tangents[i].dot(dir) < kMinCosine || (i > 0 && heights[i] <= heights[i - 1]))
       return std::nullopt;
   }
   const auto exact = [&](double height) {
@@ -233,7 +233,7 @@ std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, cons
     const auto curve = cutProfile(along, *extrusion, *plane);
     if (curve && isOnBoth(*curve, a, b)) return curve;
   }
-  for (std::size_t spans = kFewestPieces; spans <= kMostPieces; spans *= 2) {
+  for (std::size_t spans = kMinPieces; spans <= kMaxPieces; spans *= 2) {
     std::vector<Vector3d> points = spaced(along, spans);
     for (std::size_t i = 0; i <= spans; ++i) {
       if (!closed && (i == 0 || i == spans)) continue;
@@ -246,14 +246,14 @@ std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, cons
       const Curve line = lineThrough(points.front(), points.back());
       if (isOnBoth(line, a, b)) return line;
     }
-    if (spans > kFewestPieces) {
+    if (spans > kMinPieces) {
       const auto circle = circleThrough(points, closed, kOnCarrier);
       if (circle && isOnBoth(*circle, a, b)) return circle;
     }
     const auto tangents = tangentsAt(points, closed, a, b);
     if (!tangents) return std::nullopt;
     const bool isSheet = a.kind == CarrierKind::Sheet || b.kind == CarrierKind::Sheet;
-    if (isSheet && !closed && spans > kFewestPieces) {
+    if (isSheet && !closed && spans > kMinPieces) {
       const auto sliced = slicedCurve(points, *tangents, a, b);
       if (sliced && isOnBoth(*sliced, a, b)) return sliced;
     }

@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 // Fraction of the range by which the surface is continued beyond its borders.
 constexpr double kBeyond = 0.05;
 /// Number of samples along the longer direction. Along the other direction, samples have about the
-/// same spacing, but there are at least kFewestSamples.
-constexpr int kSamples = 40, kFewestSamples = 6;
+/// same spacing, but there are at least kMinSamples.
+constexpr int kSamples = 40, kMinSamples = 6;
 constexpr int kRounds = 40;
 
 std::vector<double> evenly(Range range, int count) {
@@ -45,7 +45,7 @@ Sheet::Sheet(Knots u, Knots t, std::vector<Vector3d> poles)
   }
   spacing_ = std::max(longU, longT) / kSamples;
   const auto count = [&](double length) {
-    return std::max(kFewestSamples, static_cast<int>(length / std::max(spacing_, 1e-300)));
+    return std::max(kMinSamples, static_cast<int>(length / std::max(spacing_, 1e-300)));
   };
   sampleU_ = evenly(u_.range(), count(longU));
   sampleT_ = evenly(t_.range(), count(longT));

@@ -40,14 +40,14 @@ Vector3d onCubic(double a, const CurvePoint& p, double b, const CurvePoint& q, d
 // to their parameters.
 void addNodes(const Curve& curve, double from, double to, double shift, std::vector<double>& at,
               std::vector<CurvePoint>& nodes) {
-  constexpr double kShortest = 1e-7;
+  constexpr double kMinKnotGap = 1e-7;
   const auto add = [&](double t) {
     at.push_back(t + shift);
     nodes.push_back({curve.at(t), slopeAt(curve, t)});
   };
   if (at.empty()) add(from);
   for (const double knot : curve.knots) {
-    if (knot > from + kShortest && knot < to - kShortest) add(knot);
+    if (knot > from + kMinKnotGap && knot < to - kMinKnotGap) add(knot);
   }
   add(to);
 }

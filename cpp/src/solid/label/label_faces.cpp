@@ -19,14 +19,14 @@ double spacingOf(const HalfEdgeMesh& mesh) {
 
 // How far the surface that an edge sweeps is extended at its borders, as a multiple of the mean
 // length of the edges of triangles.
-constexpr double kRoom = 4;
+constexpr double kExtension = 4;
 
 Labels emptyLabels(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double tolerance) {
   const double spacing = spacingOf(mesh);
   return {mesh,
           tolerance,
           spacing,
-          SweptCarriers(*origin.shape, origin.trajectory, kRoom * spacing),
+          SweptCarriers(*origin.shape, origin.trajectory, kExtension * spacing),
           std::vector<std::int32_t>(mesh.triangles.size(), -1),
           std::vector<Eigen::Vector3d>(mesh.triangles.size())};
 }

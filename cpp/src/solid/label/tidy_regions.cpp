@@ -28,13 +28,13 @@ class Tidier : LabelTools {
     for (const std::int32_t r : order) {
       const auto& members = all.triangles[r];
       const bool open = of_[members.front()] < 0;
-      if (members.size() > (open ? kMostOpen : kMostSmall)) continue;
+      if (members.size() > (open ? kMaxOpen : kMaxSmall)) continue;
       any = joinBest(members) || any;
     }
     return any;
   }
 
-  static constexpr std::size_t kMostSmall = 400, kMostOpen = 2000, kSpeck = 6;
+  static constexpr std::size_t kMaxSmall = 400, kMaxOpen = 2000, kSpeck = 6;
 
   bool joinBest(const std::vector<std::int32_t>& members) {
     const std::int32_t own = of_[members.front()];

@@ -37,7 +37,7 @@ void checkNumbers(const TriMesh& mesh) {
                                   " (counted from 0) has a coordinate that is not a finite number; "
                                   "export the mesh again");
   }
-  if (found.largest > kLargestLength) {
+  if (found.largest > kMaxLength) {
     refuse("OutOfRange",
            "vertex " + std::to_string(found.farthest) +
                " (counted from 0) lies more than 1e9 mm from the origin; check the unit of length, "

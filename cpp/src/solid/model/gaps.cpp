@@ -10,7 +10,7 @@ namespace swept::step {
 namespace {
 
 /// mm; default tolerance of the kernel. An edge this near to its faces needs no larger tolerance.
-constexpr double kHeld = 1e-7;
+constexpr double kMaxOpenGap = 1e-7;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known,
     if (face.surface.kind == CarrierKind::Facet) continue;
     const auto isOff = [&](const ModelUse& use) {
       const ModelEdge& edge = model.edges[use.edge];
-      const double allowed = isKnown[use.edge][0] && isKnown[use.edge][1] ? tolerance : kHeld;
+      const double allowed = isKnown[use.edge][0] && isKnown[use.edge][1] ? tolerance : kMaxOpenGap;
       return edge.tolerance > allowed && largestGap(edge.curve, face.surface) > allowed;
     };
     const bool isLoose = std::any_of(face.loops.begin(), face.loops.end(), [&](const auto& loop) {

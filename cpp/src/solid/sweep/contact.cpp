@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 constexpr int kRounds = 30;
 constexpr double kNoPlace = std::numeric_limits<double>::quiet_NaN();
 /// Sine of 3 degrees: the smallest angle at which rails must cross the contact curve.
-constexpr double kLeastCrossing = 0.05;
+constexpr double kMinCrossing = 0.05;
 
 // Returns the position of x in the range, in units of node intervals.
 double share(Range range, double x, int nodes) {
@@ -97,8 +97,7 @@ Degeneracy ContactMap::follow(Range w, Range s, Range innerW, Range innerS, cons
     if (!found) return Degeneracy::NoContact;
     if (!rails_.covers(rail, *found)) return Degeneracy::LeavesFace;
     const Vector2d slope = slopes(rail, *found, moments[j]);
-    return std::abs(slope.x()) > kLeastCrossing * slope.norm() ? Degeneracy::None
-                                                               : Degeneracy::Fold;
+    return std::abs(slope.x()) > kMinCrossing * slope.norm() ? Degeneracy::None : Degeneracy::Fold;
   };
   const auto sweep = [&](bool alongTime, int fixed, int first) {
     for (const int way : {-1, 1}) {

@@ -17,10 +17,10 @@ constexpr double kTiny = 1e-7;
 /// A revolution may not come nearer to its axis than this fraction of its size.
 constexpr double kNearAxis = 1e-3;
 /// A profile consists of cubics that meet with equal derivatives (C1). If it needs more than
-/// kMostNodes, a sheet is better, because it has fewer poles. The sheet also passes the kernel's
+/// kMaxNodes, a sheet is better, because it has fewer poles. The sheet also passes the kernel's
 /// test of a shape for Boolean operations (BOPAlgo_ArgumentAnalyzer). In such profiles this test
 /// finds curves off their surfaces (InvalidCurveOnSurface).
-constexpr std::size_t kFewestNodes = 4, kMostNodes = 16;
+constexpr std::size_t kMinNodes = 4, kMaxNodes = 16;
 
 // Points of the surface: for each of kTests values of u, a row of points along t.
 struct Samples {
@@ -162,7 +162,7 @@ std::shared_ptr<const Profile> profileThrough(const std::function<Vector2d(doubl
 std::optional<Carrier> withProfile(Carrier carrier, const ExactCurve& generator, Range range,
                                    const Samples& samples, double bound) {
   const auto at = [&](double v) { return carrier.inProfile(generator(v)); };
-  for (std::size_t count = kFewestNodes; count <= kMostNodes; count *= 2) {
+  for (std::size_t count = kMinNodes; count <= kMaxNodes; count *= 2) {
     carrier.profile = profileThrough(at, range, count);
     if (!carrier.profile) return std::nullopt;
     double error = 0;

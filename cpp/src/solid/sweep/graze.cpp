@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 /// Smaller speeds, relative to the largest speed, count as zero.
 constexpr double kNoSpeed = 1e-9;
 /// Radians: the smallest gap between contacts on a closed rail at which the rail can be cut open.
-constexpr double kLeastGap = 0.35;
+constexpr double kMinGap = 0.35;
 
 SweptSurface none(Degeneracy why, const Vector2d& where = Vector2d::Zero()) {
   SweptSurface result;
@@ -48,7 +48,7 @@ bool unwrap(std::vector<double>& values, double period) {
   for (double& x : values) {
     if (x < cut) x += period;
   }
-  return gap >= kLeastGap;
+  return gap >= kMinGap;
 }
 
 Range rangeOf(const std::vector<double>& values) {

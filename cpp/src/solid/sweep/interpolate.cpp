@@ -29,7 +29,7 @@ std::optional<Knots> knotsAcross(const ExactSurface& exact, Range range,
     }
     return values;
   };
-  return knotsFor(row, range, kSmoothDegree, bound, kMostSpans);
+  return knotsFor(row, range, kSmoothDegree, bound, kMaxSpans);
 }
 
 Sheet interpolate(const ExactSurface& exact, const Knots& u, const Knots& t) {
@@ -92,7 +92,7 @@ std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t,
     if (!knotsT) return std::nullopt;
     const auto knotsU = given != nullptr ? std::optional<Knots>(*given)
                                          : knotsAcross(exact, u, evenly(t, lines), true, each);
-    if (!knotsU || knotsU->poleCount() * knotsT->poleCount() > kMostPoles) return std::nullopt;
+    if (!knotsU || knotsU->poleCount() * knotsT->poleCount() > kMaxPoles) return std::nullopt;
     const auto sheet = std::make_shared<const Sheet>(interpolate(exact, *knotsU, *knotsT));
     const double error = errorOf(*sheet, exact);
     if (error <= bound) return FittedSheet{sheet, error};

@@ -17,7 +17,7 @@
 namespace swept::step {
 
 /// A sheet that needs more poles is nearly singular and is not made.
-constexpr std::size_t kMostPoles = 1000;
+constexpr std::size_t kMaxPoles = 1000;
 
 /// Returns a point of the exact surface. Its coordinates are not finite where the surface is
 /// undefined.
@@ -30,8 +30,8 @@ struct FittedSheet {
 
 /// Returns a sheet within `bound` of the exact surface. `given`: the knots along u if the exact
 /// surface is a spline along u, as for surfaces that a line or a spline sweeps; null: the function
-/// searches for knots. Returns nothing if the bound is not reached with kMostSpans spans and
-/// kMostPoles poles, or if a value is not finite.
+/// searches for knots. Returns nothing if the bound is not reached with kMaxSpans spans and
+/// kMaxPoles poles, or if a value is not finite.
 std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
                                     double bound);
 

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 constexpr int kSearchSteps = 32;
 /// Cosine of 45 degrees. If the angle between adjacent normals is larger, there is a singular
 /// point.
-constexpr double kLeastAgreement = 0.7;
+constexpr double kMinAgreement = 0.7;
 
 class Search {
  public:
@@ -60,7 +60,7 @@ class Search {
       }
       if (best == at) step /= 2;
       at = best;
-      if (value < kLeastRegular) break;
+      if (value < kMinRegular) break;
     }
     return at;
   }
@@ -74,12 +74,12 @@ class Search {
         const Sheet::Foot& foot = at(i, j);
         const Vector3d normal = foot.normal();
         const Vector2d here(foot.u, foot.t);
-        if (i > 0 && normal.dot(at(i - 1, j).normal()) < kLeastAgreement) return here;
-        if (j > 0 && normal.dot(at(i, j - 1).normal()) < kLeastAgreement) return here;
+        if (i > 0 && normal.dot(at(i - 1, j).normal()) < kMinAgreement) return here;
+        if (j > 0 && normal.dot(at(i, j - 1).normal()) < kMinAgreement) return here;
         if (!side) continue;
         const double agreement = normal.dot(side(foot.u, foot.t));
         if (sign == 0) sign = agreement > 0 ? 1 : -1;
-        if (!(sign * agreement > kLeastAgreement)) return here;
+        if (!(sign * agreement > kMinAgreement)) return here;
       }
     }
     return std::nullopt;
@@ -100,7 +100,7 @@ std::optional<Vector2d> findSingular(const Sheet& sheet, Range u, Range t,
                                      const std::function<Vector3d(double, double)>& side) {
   const Search search(sheet, u, t);
   const Vector2d worst = search.worst();
-  if (!(search.regularity(sheet.footAt(worst.x(), worst.y())) >= kLeastRegular)) return worst;
+  if (!(search.regularity(sheet.footAt(worst.x(), worst.y())) >= kMinRegular)) return worst;
   return search.turning(side);
 }
 

@@ -14,7 +14,7 @@ namespace swept::step {
 
 /// Smallest values allowed: for the sine of the angle between S_u and S_t, and for the length of a
 /// derivative relative to the longest one of the sheet.
-constexpr double kLeastRegular = 0.01;
+constexpr double kMinRegular = 0.01;
 
 /// Returns parameters (u, t) within the two ranges at which the sheet is not regular, if there are
 /// any. `side`: if given, returns a direction at (u, t). The normal S_u x S_t must then be always

@@ -59,7 +59,7 @@ enum class Degeneracy {
   NoContact,    ///< n.v = 0 has no solution on some rail in the range
   Fold,         ///< a contact curve turns back within the rails
   LeavesFace,   ///< the contact leaves the known part of the face
-  TooComplex,   ///< the bound is not reached with kMostSpans
+  TooComplex,   ///< the bound is not reached with kMaxSpans
   NotKnown,     ///< no method for this kind of face
 };
 /// Returns a text such as "the curve slides along itself".
