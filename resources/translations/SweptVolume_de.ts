@@ -439,13 +439,13 @@
 Absolute: the pose replaces the current placement of the part. This is the default; captured placements and recorded motions use it.
 Relative: the pose is added to the current placement of the part. A pose without shift and rotation leaves the part in place.
 RelativeToFirst: as Relative, but measured from the first pose. The motion starts at the current placement of the part.
-Several parts move together as one rigid body; with Absolute, the poses are those of the first part. A motion in a group uses the coordinates of the group and moves with the group.</source>
+Several parts move together as one rigid body; with Absolute, the poses are those of the first part. A motion in a group (App::Part) uses the coordinates of the group and moves with the group.</source>
         <extracomment>Values of the property PoseType: what a pose means for the part.</extracomment>
         <translation>Was eine Lage bedeutet.
 Absolute (Absolut): Die Lage ersetzt die aktuelle Platzierung des Teils. Dies ist die Vorgabe; übernommene Platzierungen und aufgezeichnete Bewegungen verwenden sie.
 Relative (Relativ): Die Lage kommt zur aktuellen Platzierung des Teils hinzu. Eine Lage ohne Verschiebung und Drehung lässt das Teil an seinem Platz.
 RelativeToFirst (Relativ zur ersten): wie Relative, aber von der ersten Lage aus gemessen. Die Bewegung beginnt an der aktuellen Platzierung des Teils.
-Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten die Lagen für das erste Teil. Eine Bewegung in einer Gruppe verwendet die Koordinaten der Gruppe und bewegt sich mit ihr.</translation>
+Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten die Lagen für das erste Teil. Eine Bewegung in einer Gruppe (App::Part) verwendet die Koordinaten der Gruppe und bewegt sich mit ihr.</translation>
     </message>
     <message>
         <source>Largest number of triangles to draw. A larger mesh is reduced to this number on screen. 0: draws all triangles</source>
@@ -496,8 +496,8 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
         <translation>Zahl, auf die der steuernde Wert (SourceValue) bei der letzten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
     </message>
     <message>
-        <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. Coordinates: those of the part if PoseType is Absolute; those of the document, or of the group that holds the motion, if it is Relative; those that the first pose places if it is RelativeToFirst</source>
-        <translation>Punkt des Teils, der sich zwischen zwei Lagen auf der Geraden (Linear) oder der Kurve (Spline) bewegt und um den sich das Teil dreht. Koordinaten: die des Teils, wenn PoseType Absolute (Absolut) ist; die des Dokuments, oder der Gruppe, in der die Bewegung liegt, bei Relative (Relativ); die, deren Platzierung die erste Lage angibt, bei RelativeToFirst (Relativ zur ersten)</translation>
+        <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. Coordinates: those of the part if PoseType is Absolute; those of the document, or of the group that holds the motion, if it is Relative; those with the position and orientation of the first pose if it is RelativeToFirst</source>
+        <translation>Punkt des Teils, der sich zwischen zwei Lagen auf der Geraden (Linear) oder der Kurve (Spline) bewegt und um den sich das Teil dreht. Koordinaten: die des Teils, wenn PoseType Absolute (Absolut) ist; die des Dokuments, oder der Gruppe, in der die Bewegung liegt, bei Relative (Relativ); die mit Ort und Ausrichtung der ersten Lage bei RelativeToFirst (Relativ zur ersten)</translation>
     </message>
     <message>
         <source>Largest allowed error of the smallest distance. If the motion has the interpolation Spline, or is relative to a moving part, half of this value is subtracted in addition from the guaranteed distance and in the verdict</source>
@@ -2659,8 +2659,8 @@ path&apos;s size.</extracomment>
         <translation>&amp;Umkehren</translation>
     </message>
     <message>
-        <source>Reverses the order of the keys</source>
-        <translation>Kehrt die Reihenfolge der Stützstellen um</translation>
+        <source>Reverses the order of the keys. The time between neighbouring keys stays the same</source>
+        <translation>Kehrt die Reihenfolge der Stützstellen um. Die Zeit zwischen benachbarten Stützstellen bleibt gleich</translation>
     </message>
     <message>
         <source>Up</source>
@@ -3068,8 +3068,8 @@ path&apos;s size.</extracomment>
         <translation>Regel</translation>
     </message>
     <message>
-        <source>Required distance for this row (empty: the value of Required distance below). If contact is allowed: how deep the parts may overlap (empty: no measurable overlap)</source>
-        <translation>Sollabstand für diese Zeile (leer: der Wert von „Sollabstand“ unten). Bei erlaubtem Kontakt: wie tief sich die Teile überschneiden dürfen (leer: keine messbare Überschneidung)</translation>
+        <source>Required distance for this row (empty: the value of Required distance below). If contact is allowed: how deep the parts may overlap (empty: no deeper than the accuracy plus the mesh deflections of both parts)</source>
+        <translation>Sollabstand für diese Zeile (leer: der Wert von „Sollabstand“ unten). Bei erlaubtem Kontakt: wie tief sich die Teile überschneiden dürfen (leer: höchstens um die Genauigkeit plus die Netzabweichungen beider Teile)</translation>
     </message>
     <message>
         <source>Required distance for this row (empty: the value of Required distance below)</source>
@@ -3080,8 +3080,8 @@ path&apos;s size.</extracomment>
         <translation>Regeln</translation>
     </message>
     <message>
-        <source>At the start and the goal, the part may be closer to a neighbour than required. It may stay that close until some point of the part has moved farther than this length</source>
-        <translation>An Start und Ziel darf das Teil näher an einem Nachbarn sein als der Sollabstand. Es darf so nah bleiben, bis sich einer seiner Punkte weiter als diese Länge bewegt hat</translation>
+        <source>If a neighbour is closer to the start or the goal than required, the part may stay that close to it until some point of the part has moved farther than this length from there</source>
+        <translation>Liegt ein Nachbar näher am Start oder am Ziel als der Sollabstand, darf das Teil ihm so nah bleiben, bis sich einer seiner Punkte weiter als diese Länge von dort entfernt hat</translation>
     </message>
     <message>
         <source>Release distance</source>
@@ -3373,8 +3373,8 @@ bis etwa {2}, {3}</translation>
         <translation>Gegebene Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Automatic: from the keys before and after. Stop: the part comes to rest. Corner: the direction may change abruptly. Given velocity: as entered below</source>
-        <translation>Automatisch: aus den Stützstellen davor und danach. Anhalten: Das Teil kommt zur Ruhe. Ecke: Die Richtung darf sich abrupt ändern. Gegebene Geschwindigkeit: wie unten eingegeben</translation>
+        <source>Automatic: from the keys before and after. Stop: the part comes to rest. Corner: arrives in the direction from the previous key, leaves in the direction to the next key. Given velocity: as entered below</source>
+        <translation>Automatisch: aus den Stützstellen davor und danach. Anhalten: Das Teil kommt zur Ruhe. Ecke: Das Teil kommt in der Richtung von der vorigen Stützstelle an und verlässt die Stützstelle in der Richtung zur nächsten. Gegebene Geschwindigkeit: wie unten eingegeben</translation>
     </message>
     <message>
         <source>Velocity along {0} (mm/s)</source>
@@ -3669,6 +3669,10 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>Cavities inside the envelope were filled, because the part has gaps: close them to keep the cavities.</source>
         <translation>Hohlräume innerhalb der Hülle wurden gefüllt, weil das Teil Lücken hat: Schließen Sie sie, um die Hohlräume zu behalten.</translation>
+    </message>
+    <message>
+        <source>Without a path, the search fails after this time. With one, it stops improving it</source>
+        <translation>Ist bis dahin keine Bahn gefunden, endet die Suche ohne Ergebnis. Sonst endet nur das Verbessern der Bahn</translation>
     </message>
 </context>
 <context>

@@ -55,8 +55,8 @@ PROPERTIES = [
             "Point of the part that follows the straight line (Linear) or the curve "
             "(Spline) between two poses, and about which the part turns. Coordinates: "
             "those of the part if PoseType is Absolute; those of the document, or of the "
-            "group that holds the motion, if it is Relative; those that the first pose "
-            "places if it is RelativeToFirst",
+            "group that holds the motion, if it is Relative; those with the position and "
+            "orientation of the first pose if it is RelativeToFirst",
         ),
         None,
         0,
