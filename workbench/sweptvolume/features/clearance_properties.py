@@ -160,7 +160,8 @@ RESULT = [
         "MapDistances",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Distance of each vertex of the envelope from the nearest neighbour, for the colours of the envelope",
+            "Distance of each vertex of the envelope from the nearest neighbour, for the "
+            "colours of the envelope",
         ),
         HIDDEN,
     ),
