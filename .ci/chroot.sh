@@ -46,6 +46,6 @@ make_system() {
   folder=build-matrix/build-$suite
   ! inside which ccache >/dev/null || launcher+=ccache
   inside bash -c "cd /opt/repository &&
-    cmake -S . -B $folder -G Ninja -DCMAKE_BUILD_TYPE=Release $launcher &&
+    cmake -S . -B $folder -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON $launcher &&
     cmake --build $folder --parallel $jobs --target $targets"
 }

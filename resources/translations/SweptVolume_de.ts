@@ -28,10 +28,6 @@
         <translation>Abstand, den die Teile während der Bewegung von den Nachbarn halten müssen</translation>
     </message>
     <message>
-        <source>Largest allowed error of the smallest distance</source>
-        <translation>Größter erlaubter Fehler des kleinsten Abstands</translation>
-    </message>
-    <message>
         <source>How far the triangle mesh of a solid may deviate from the solid. This deviation is subtracted from guaranteed distances</source>
         <translation>Wie weit das Dreiecksnetz eines Festkörpers vom Festkörper abweichen darf. Diese Abweichung wird von garantierten Abständen abgezogen</translation>
     </message>
@@ -232,10 +228,6 @@
         <translation>Wie sich das Teil zwischen zwei Lagen bewegt. Linear: auf einer Geraden, mit gleichmäßiger Drehung. Screw (Schraubung): um eine Achse drehend und an ihr entlang, wie eine Schraube. Spline: auf einer glatten Kurve durch alle Lagen. None (Keine): Nur die Lagen selbst zählen, dazwischen gibt es keine Bewegung</translation>
     </message>
     <message>
-        <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. In coordinates of the part if PoseType is Absolute, otherwise of the document</source>
-        <translation>Punkt des Teils, der sich zwischen zwei Lagen auf der Geraden (Linear) oder der Kurve (Spline) bewegt und um den sich das Teil dreht. In Koordinaten des Teils, wenn PoseType Absolute ist, sonst des Dokuments</translation>
-    </message>
-    <message>
         <source>Parts that this motion moves. The motion editor shows the first part</source>
         <translation>Teile, für die diese Bewegung gilt. Der Bewegungseditor zeigt das erste Teil</translation>
     </message>
@@ -394,10 +386,6 @@
         <translation>Größte Anzahl der Flächen. Ist Tolerance 0 und hätte der genaue Festkörper mehr Flächen, wird er mit der kleinsten Toleranz vereinfacht, die ausreicht</translation>
     </message>
     <message>
-        <source>How far the solid may deviate from the mesh. Within this tolerance, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a tolerance</source>
-        <translation>Wie weit der Festkörper vom Netz abweichen darf. Innerhalb dieser Toleranz werden Zylinder, Kugeln und andere Flächen erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces keine Toleranz erfordert</translation>
-    </message>
-    <message>
         <source>Largest distance of the mesh from the solid, as measured</source>
         <translation>Größter gemessener Abstand des Netzes vom Festkörper</translation>
     </message>
@@ -451,13 +439,13 @@
 Absolute: the pose replaces the current placement of the part. This is the default; captured placements and recorded motions use it.
 Relative: the pose is added to the current placement of the part. A pose without shift and rotation leaves the part in place.
 RelativeToFirst: as Relative, but measured from the first pose. The motion starts at the current placement of the part.
-Several parts move together as one rigid body; with Absolute, the poses are those of the first part. A motion in a group uses the coordinates of the group and moves with the group.</source>
+Several parts move together as one rigid body; with Absolute, the poses are those of the first part. A motion in a group (App::Part) uses the coordinates of the group and moves with the group.</source>
         <extracomment>Values of the property PoseType: what a pose means for the part.</extracomment>
         <translation>Was eine Lage bedeutet.
 Absolute (Absolut): Die Lage ersetzt die aktuelle Platzierung des Teils. Dies ist die Vorgabe; übernommene Platzierungen und aufgezeichnete Bewegungen verwenden sie.
 Relative (Relativ): Die Lage kommt zur aktuellen Platzierung des Teils hinzu. Eine Lage ohne Verschiebung und Drehung lässt das Teil an seinem Platz.
 RelativeToFirst (Relativ zur ersten): wie Relative, aber von der ersten Lage aus gemessen. Die Bewegung beginnt an der aktuellen Platzierung des Teils.
-Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten die Lagen für das erste Teil. Eine Bewegung in einer Gruppe verwendet die Koordinaten der Gruppe und bewegt sich mit ihr.</translation>
+Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten die Lagen für das erste Teil. Eine Bewegung in einer Gruppe (App::Part) verwendet die Koordinaten der Gruppe und bewegt sich mit ihr.</translation>
     </message>
     <message>
         <source>Largest number of triangles to draw. A larger mesh is reduced to this number on screen. 0: draws all triangles</source>
@@ -506,6 +494,18 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
     <message>
         <source>Number to which the driving value (SourceValue) is set at the last pose, in its own unit (such as mm or degrees)</source>
         <translation>Zahl, auf die der steuernde Wert (SourceValue) bei der letzten Lage gesetzt wird, in dessen eigener Einheit (etwa mm oder Grad)</translation>
+    </message>
+    <message>
+        <source>Point of the part that follows the straight line (Linear) or the curve (Spline) between two poses, and about which the part turns. Coordinates: those of the part if PoseType is Absolute; those of the document, or of the group that holds the motion, if it is Relative; those with the position and orientation of the first pose if it is RelativeToFirst</source>
+        <translation>Punkt des Teils, der sich zwischen zwei Lagen auf der Geraden (Linear) oder der Kurve (Spline) bewegt und um den sich das Teil dreht. Koordinaten: die des Teils, wenn PoseType Absolute (Absolut) ist; die des Dokuments, oder der Gruppe, in der die Bewegung liegt, bei Relative (Relativ); die mit Ort und Ausrichtung der ersten Lage bei RelativeToFirst (Relativ zur ersten)</translation>
+    </message>
+    <message>
+        <source>Largest allowed error of the smallest distance. If the motion has the interpolation Spline, or is relative to a moving part, half of this value is subtracted in addition from the guaranteed distance and in the verdict</source>
+        <translation>Größter erlaubter Fehler des kleinsten Abstands. Ist die Interpolation der Bewegung Spline, oder ist sie relativ zu einem bewegten Teil, wird die Hälfte dieses Werts zusätzlich vom garantierten Abstand und im Urteil abgezogen</translation>
+    </message>
+    <message>
+        <source>How far the solid should deviate from the mesh at most. Not guaranteed: Deviation is the measured value. Within this tolerance, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a tolerance</source>
+        <translation>Wie weit der Festkörper höchstens vom Netz abweichen soll. Nicht garantiert: Deviation ist der gemessene Wert. Innerhalb dieser Toleranz werden Zylinder, Kugeln und andere Flächen erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces keine Toleranz erfordert</translation>
     </message>
 </context>
 <context>
@@ -680,10 +680,6 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     <message>
         <source>Recompute envelope</source>
         <translation>Hülle neu berechnen</translation>
-    </message>
-    <message>
-        <source>Recomputes the selected envelope from its current parts and motion. Without a selection, recomputes the first stale envelope</source>
-        <translation>Berechnet die gewählte Hülle aus ihren aktuellen Teilen und ihrer aktuellen Bewegung neu. Ohne Auswahl wird die erste veraltete Hülle neu berechnet</translation>
     </message>
     <message>
         <source>Reload motion</source>
@@ -1019,10 +1015,6 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     <message>
         <source>Select one wire, sketch, robot trajectory, link array, Draft array or CAM operation; or two curves; or an assembly simulation and the part whose motion you want.</source>
         <translation>Wählen Sie einen Linienzug, eine Skizze, Roboterbahn, Link-Anordnung, Draft-Anordnung oder CAM-Operation; oder zwei Kurven; oder eine Baugruppensimulation und das Teil, dessen Bewegung Sie brauchen.</translation>
-    </message>
-    <message>
-        <source>No envelope is stale. To compute an envelope again anyway, select it.</source>
-        <translation>Keine Hülle ist veraltet. Um eine Hülle trotzdem neu zu berechnen, wählen Sie sie aus.</translation>
     </message>
     <message>
         <source>No moving part is chosen: select a solid or a mesh, then press Add selected.</source>
@@ -2667,8 +2659,8 @@ path&apos;s size.</extracomment>
         <translation>&amp;Umkehren</translation>
     </message>
     <message>
-        <source>Reverses the order of the keys</source>
-        <translation>Kehrt die Reihenfolge der Stützstellen um</translation>
+        <source>Reverses the order of the keys. The time between neighbouring keys stays the same</source>
+        <translation>Kehrt die Reihenfolge der Stützstellen um. Die Zeit zwischen benachbarten Stützstellen bleibt gleich</translation>
     </message>
     <message>
         <source>Up</source>
@@ -2877,10 +2869,6 @@ path&apos;s size.</extracomment>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>shared</source>
-        <translation>gemeinsam</translation>
-    </message>
-    <message>
         <source>Keep s&amp;hared volume</source>
         <translation>&amp;Gemeinsames Volumen behalten</translation>
     </message>
@@ -2927,10 +2915,6 @@ path&apos;s size.</extracomment>
     <message>
         <source>Turns</source>
         <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>The pivot moves straight between two keys, and the part turns about it. The x, y and z of a key are the coordinates of the pivot.</source>
-        <translation>Der Drehpunkt bewegt sich zwischen zwei Stützstellen geradlinig, und das Teil dreht sich um ihn. x, y und z einer Stützstelle sind die Koordinaten des Drehpunkts.</translation>
     </message>
     <message>
         <source>Middle of the part</source>
@@ -3084,8 +3068,8 @@ path&apos;s size.</extracomment>
         <translation>Regel</translation>
     </message>
     <message>
-        <source>Required distance for this row (empty: the value of Required distance below). If contact is allowed: how deep the parts may overlap (empty: no measurable overlap)</source>
-        <translation>Sollabstand für diese Zeile (leer: der Wert von „Sollabstand“ unten). Bei erlaubtem Kontakt: wie tief sich die Teile überschneiden dürfen (leer: keine messbare Überschneidung)</translation>
+        <source>Required distance for this row (empty: the value of Required distance below). If contact is allowed: how deep the parts may overlap (empty: no deeper than the accuracy plus the mesh deflections of both parts)</source>
+        <translation>Sollabstand für diese Zeile (leer: der Wert von „Sollabstand“ unten). Bei erlaubtem Kontakt: wie tief sich die Teile überschneiden dürfen (leer: höchstens um die Genauigkeit plus die Netzabweichungen beider Teile)</translation>
     </message>
     <message>
         <source>Required distance for this row (empty: the value of Required distance below)</source>
@@ -3096,8 +3080,8 @@ path&apos;s size.</extracomment>
         <translation>Regeln</translation>
     </message>
     <message>
-        <source>At the start and the goal, the part may be closer to a neighbour than required. It may stay that close until some point of the part has moved farther than this length</source>
-        <translation>An Start und Ziel darf das Teil näher an einem Nachbarn sein als der Sollabstand. Es darf so nah bleiben, bis sich einer seiner Punkte weiter als diese Länge bewegt hat</translation>
+        <source>If a neighbour is closer to the start or the goal than required, the part may stay that close to it until some point of the part has moved farther than this length from there</source>
+        <translation>Liegt ein Nachbar näher am Start oder am Ziel als der Sollabstand, darf das Teil ihm so nah bleiben, bis sich einer seiner Punkte weiter als diese Länge von dort entfernt hat</translation>
     </message>
     <message>
         <source>Release distance</source>
@@ -3190,10 +3174,6 @@ path&apos;s size.</extracomment>
     <message>
         <source>Merges adjacent coplanar triangles into one flat face</source>
         <translation>Vereinigt benachbarte koplanare Dreiecke zu einer ebenen Fläche</translation>
-    </message>
-    <message>
-        <source>How far the solid may deviate from the mesh. 0: exact, unless Max faces requires a tolerance</source>
-        <translation>Wie weit der Festkörper vom Netz abweichen darf. 0: genau, sofern „Max. Flächen“ keine Toleranz erfordert</translation>
     </message>
     <message>
         <source>Largest number of faces of the solid. If the tolerance is 0 and the exact solid would have more faces, the solid is simplified with the smallest tolerance that is enough</source>
@@ -3393,8 +3373,8 @@ bis etwa {2}, {3}</translation>
         <translation>Gegebene Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Automatic: from the keys before and after. Stop: the part comes to rest. Corner: the direction may change abruptly. Given velocity: as entered below</source>
-        <translation>Automatisch: aus den Stützstellen davor und danach. Anhalten: Das Teil kommt zur Ruhe. Ecke: Die Richtung darf sich abrupt ändern. Gegebene Geschwindigkeit: wie unten eingegeben</translation>
+        <source>Automatic: from the keys before and after. Stop: the part comes to rest. Corner: arrives in the direction from the previous key, leaves in the direction to the next key. Given velocity: as entered below</source>
+        <translation>Automatisch: aus den Stützstellen davor und danach. Anhalten: Das Teil kommt zur Ruhe. Ecke: Das Teil kommt in der Richtung von der vorigen Stützstelle an und verlässt die Stützstelle in der Richtung zur nächsten. Gegebene Geschwindigkeit: wie unten eingegeben</translation>
     </message>
     <message>
         <source>Velocity along {0} (mm/s)</source>
@@ -3563,10 +3543,6 @@ bis etwa {2}, {3}</translation>
         <translation>Einige Lagen haben denselben Zeitpunkt.</translation>
     </message>
     <message>
-        <source>Cavities inside the envelope were filled. To keep them, tick Keep cavities, and close the gaps of the part if it is open.</source>
-        <translation>Hohlräume in der Hülle wurden gefüllt. Um sie zu behalten, schalten Sie „Hohlräume behalten“ ein, und schließen Sie bei einem offenen Teil die Lücken.</translation>
-    </message>
-    <message>
         <source>The solid deviates from the envelope by {0}, which is more than its Tolerance of {1}. A smaller Tolerance usually reduces the deviation.</source>
         <translation>Der Festkörper weicht um {0} von der Hülle ab. Das ist mehr als seine Toleranz von {1}. Eine kleinere Toleranz verringert die Abweichung meist.</translation>
     </message>
@@ -3657,6 +3633,46 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>{0} (the core is not published there yet)</source>
         <translation>{0} (der Rechenkern ist dort noch nicht veröffentlicht)</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Volume that the two objects share</source>
+        <translation>Gemeinsames Volumen der beiden Objekte</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Between two keys, the pivot follows the straight line (Linear) or the curve (Spline), and the part turns about it. The x, y and z of a key are the coordinates of the pivot, or its displacement if the pose type is Relative.</source>
+        <translation>Zwischen zwei Stützstellen bewegt sich der Drehpunkt auf der Geraden (Linear) oder der Kurve (Spline), und das Teil dreht sich um ihn. x, y und z einer Stützstelle sind die Koordinaten des Drehpunkts, oder seine Verschiebung, wenn die Art der Lage Relativ ist.</translation>
+    </message>
+    <message>
+        <source>This motion was recorded from an assembly simulation, which has no settings here. To change the motion, change the simulation, then choose Reload motion.</source>
+        <translation>Diese Bewegung wurde aus einer Baugruppensimulation aufgezeichnet, die hier keine Einstellungen hat. Um die Bewegung zu ändern, ändern Sie die Simulation und wählen dann Bewegung neu laden.</translation>
+    </message>
+    <message>
+        <source>Recomputes the selected envelope from its current parts and motion. Without a selection, recomputes the first envelope that is not up to date, or the only envelope</source>
+        <translation>Berechnet die gewählte Hülle aus ihren aktuellen Teilen und ihrer aktuellen Bewegung neu. Ohne Auswahl wird die erste Hülle neu berechnet, die nicht aktuell ist, oder die einzige Hülle</translation>
+    </message>
+    <message>
+        <source>All envelopes are up to date. To compute one of them again anyway, select it.</source>
+        <translation>Alle Hüllen sind aktuell. Um eine davon trotzdem neu zu berechnen, wählen Sie sie aus.</translation>
+    </message>
+    <message>
+        <source>How far the solid should deviate from the mesh at most. Not guaranteed: the property Deviation of the solid is the measured value. 0: exact, unless Max faces requires a tolerance</source>
+        <translation>Wie weit der Festkörper höchstens vom Netz abweichen soll. Nicht garantiert: Die Eigenschaft Deviation des Festkörpers ist der gemessene Wert. 0: genau, sofern „Max. Flächen“ keine Toleranz erfordert</translation>
+    </message>
+    <message>
+        <source>Cavities inside the envelope were filled, because the part has gaps: close them to keep the cavities.</source>
+        <translation>Hohlräume innerhalb der Hülle wurden gefüllt, weil das Teil Lücken hat: Schließen Sie sie, um die Hohlräume zu behalten.</translation>
+    </message>
+    <message>
+        <source>Without a path, the search fails after this time. With one, it stops improving it</source>
+        <translation>Ist bis dahin keine Bahn gefunden, endet die Suche ohne Ergebnis. Sonst endet nur das Verbessern der Bahn</translation>
     </message>
 </context>
 <context>

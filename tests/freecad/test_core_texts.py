@@ -14,6 +14,7 @@ class CoreTexts(unittest.TestCase):
     def test_untranslated_sentences_stay_as_they_are(self):
         self.assertEqual(core_texts.said("EmptyMesh", "0 triangles"), "0 triangles")
         self.assertEqual(core_texts.said("Unheard", "who knows"), "who knows")
+        self.assertEqual(core_texts.said("Cancelled", ""), "Cancelled.")
 
     def test_translation_comes_before_the_numbers(self):
         with mock.patch.object(core_texts, "translate", lambda context, text: "Leer."):

@@ -147,8 +147,17 @@ class Moving(Case):
         check = clearance.make_clearance(self.doc, MovingParts=[(part, [""])], Motion=way)
         check.Neighbours, check.AllVisible = [(wall, [""])], False
         self.doc.recompute()
-        report = clearance.compute(check)
-        self.assertAlmostEqual(report["neighbours"][0]["distance"], 8, delta=0.02)
+        row = clearance.compute(check)["neighbours"][0]
+        self.assertAlmostEqual(row["distance"], 8, delta=0.02)
+        # Beside the mesh deflections and the accuracy: half of the accuracy, for the curve.
+        off = 2 * check.MeshDeflection.Value + 1.5 * check.Accuracy.Value
+        self.assertAlmostEqual(row["guaranteed"], row["distance"] - off, places=9)
+        check.RequiredDistance = row["distance"] - off + check.Accuracy.Value + 0.002
+        self.doc.recompute()
+        self.assertEqual(clearance.compute(check)["neighbours"][0]["verdict"], "below")
+        check.RequiredDistance = check.RequiredDistance.Value - 0.004
+        self.doc.recompute()
+        self.assertEqual(clearance.compute(check)["neighbours"][0]["verdict"], "clear")
 
     def test_stale_motion_makes_a_stale_envelope(self):
         text = "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,9,0,0,0,0,0,1\n"

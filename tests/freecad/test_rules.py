@@ -4,7 +4,7 @@ from case import shift
 from neighbour_case import Neighbours
 from sweptvolume import convert, core
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import clearance, clearance_table, neighbour_rules
+from sweptvolume.features import clearance, clearance_table, neighbour_rules, pair_rules
 from sweptvolume.features.neighbour_rules import CONTACT, IGNORE, REQUIRED, Rule
 
 
@@ -160,6 +160,35 @@ class Rules(Neighbours):
         self.assertEqual(
             rows, {"Table": {"contact": 0.2}, "Wall": {"required": 2.0}, "Far": {"required": 5.0}}
         )
+
+    def test_a_change_of_one_row_keeps_the_rule_of_a_group(self):
+        group = self.doc.addObject("App::Part", "Fixture")
+        for part in (self.table, self.wall):
+            group.addObject(part)
+        self.doc.recompute()
+        all_of, table, wall = ((group, sub) for sub in ("", "Table.", "Wall."))
+        far, shown = (self.far, ""), [(self.far, ""), table, wall]
+        rules = {all_of: Rule(CONTACT, 0.2)}
+        before = {table: Rule(CONTACT, 0.2), wall: Rule(CONTACT, 0.2)}
+        for changed, now in (
+            ({}, rules),
+            ({far: Rule(IGNORE)}, {**rules, far: Rule(IGNORE)}),
+            ({wall: Rule(length=3.0)}, {**rules, wall: Rule(length=3.0)}),
+            # No rule can say that a part in the group has the default again.
+            ({wall: Rule()}, {table: Rule(CONTACT, 0.2)}),
+        ):
+            given = {pair: r for pair, r in {**before, **changed}.items() if r.asks()}
+            found = neighbour_rules.merged(rules, shown, given)
+            self.assertEqual(found, now)
+            self.assertEqual(neighbour_rules.merged(found, shown, given), now)
+        # Rules of pairs: that of the group applies to far and both parts in the group.
+        pairs = [pair_rules.key(far, part) for part in (table, wall)]
+        rules = {pair_rules.key(far, all_of): Rule(CONTACT, 0.2)}
+        given = {pairs[0]: Rule(CONTACT, 0.2), pairs[1]: Rule(IGNORE)}
+        found = pair_rules.merged(rules, pairs, given)
+        self.assertEqual(found, {**rules, pairs[1]: Rule(IGNORE)})
+        del given[pairs[1]]
+        self.assertEqual(pair_rules.merged(found, pairs, given), given)
 
     def test_rules_stay_when_the_check_comes_into_a_group(self):
         obj = self.usual()

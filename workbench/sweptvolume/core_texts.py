@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Texts of the core's findings in the user's language, by the code of the finding. The core's own
-English sentence, with the numbers, follows in brackets. If there is no translation, the message is
-that sentence alone."""
+English sentence, with the numbers, follows in parentheses. In English, and if there is no
+translation, the message is that sentence alone: it also says what to do."""
 from .texts import QT_TRANSLATE_NOOP, translate
 
 #: Maps a code to a text that says what happened and what to do.
@@ -224,8 +224,8 @@ _TEXTS = {
     ),
     "CavitiesFilled": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "Cavities inside the envelope were filled. To keep them, tick Keep cavities, and close "
-        "the gaps of the part if it is open.",
+        "Cavities inside the envelope were filled, because the part has gaps: close them to keep "
+        "the cavities.",
     ),
     "SelfIntersections": QT_TRANSLATE_NOOP(
         "SweptVolume",
@@ -269,4 +269,6 @@ def said(code, text):
     """Returns the message for the code of a finding and the core's own sentence."""
     known = english(code)
     ours = translate("SweptVolume", known) if known else ""
-    return text if ours == known else "{} ({})".format(ours, text) if text else ours
+    if not text:
+        return ours
+    return text if ours == known else "{} ({})".format(ours, text)

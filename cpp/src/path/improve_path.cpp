@@ -24,8 +24,8 @@ constexpr double kMinRaise = 1.05;     // raising ends when the step is smaller 
 constexpr double kRaise = 1.5;         // first factor from one clearance to the next
 // A piece ends after this fraction of the part of a move that is proven free.
 constexpr double kGapFraction = 0.98;
-constexpr double kMinPieceLength =
-    1e-4;  // in radii of the part; shorter pieces of a move get no key
+// In radii of the part: shorter pieces of a move get no key.
+constexpr double kMinPieceLength = 1e-4;
 constexpr double kBudgetFraction = 0.25;  // fraction of the budget for one search
 
 struct Piece {

@@ -25,6 +25,7 @@ from driver import (  # noqa: E402
     run,
     select,
     shot,
+    titles_of,
 )
 
 
@@ -96,6 +97,8 @@ def scenario():
     assert doc.UndoCount == undo + 1, (doc.UndoCount, undo)
     table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
     assert table.rowCount() == 4, table.rowCount()
+    heads = ["Neighbour", "Verdict", "Distance\nmm", "Time\ns", "Depth\nmm"]
+    assert titles_of(table) == heads, titles_of(table)
     distances = [float(table.item(r, 2).text()) for r in range(4)]
     assert distances == sorted(distances), distances
     summary = find(QtWidgets.QLabel, "SweptVolumeClearanceSummary").text()
@@ -210,6 +213,41 @@ def scenario():
     doc.getObject("Post").Placement.Base.y = 40
     doc.recompute()
     assert obj.Status == clearance.STALE, obj.Status
+    yield from rules_of_groups(doc, obj)
+
+
+def rules_of_groups(doc, obj):
+    """The rule of a group stays while rows of other parts change, or a row of a part in it."""
+    from sweptvolume.features import neighbour_rules
+    from sweptvolume.features.neighbour_rules import Rule
+
+    group = doc.addObject("App::Part", "Fixture")
+    group.addObjects([doc.getObject("Stop"), doc.getObject("Wall")])
+    doc.recompute()
+    far, fixture = (doc.getObject("Far"), ""), (group, "")
+    stop, wall = (group, "Stop."), (group, "Wall.")
+    neighbour_rules.write(obj, {fixture: Rule(length=3.0)})
+    doc.recompute()
+    select(obj)
+    Gui.runCommand("SweptVolume_Clearance")
+    yield 0.5
+    asked = find(QtWidgets.QTableWidget, "SweptVolumeRules")
+    row_of = {asked.item(r, 0).text(): r for r in range(asked.rowCount())}
+    assert [asked.item(row_of[name], 1).text() for name in ("Stop", "Wall", "Far")] == ["3", "3", ""]
+    for name, text, rules in (
+        ("Far", "20", {fixture: Rule(length=3.0), far: Rule(length=20.0)}),
+        ("Wall", "4", {fixture: Rule(length=3.0), far: Rule(length=20.0), wall: Rule(length=4.0)}),
+        ("Wall", "", {far: Rule(length=20.0), stop: Rule(length=3.0)}),
+    ):
+        asked.item(row_of[name], 1).setText(text)
+        undo = doc.UndoCount
+        click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
+        yield lambda undo=undo: doc.UndoCount == undo + 1
+        yield 0.3
+        found = neighbour_rules.read(obj)
+        assert found == rules, {key[1]: rule.text() for key, rule in found.items()}
+    click(panel_button(Close))
+    yield no_panel
 
 
 run(scenario)

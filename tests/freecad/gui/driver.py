@@ -57,6 +57,11 @@ def read_verdicts(table):
     return found
 
 
+def titles_of(table):
+    """Returns the titles of the columns of a table."""
+    return [table.horizontalHeaderItem(column).text() for column in range(table.columnCount())]
+
+
 def check_table(table):
     """Checks that no heading of a table is cut off, and no text in its first column."""
     header = table.horizontalHeader()

@@ -24,6 +24,7 @@ from driver import (  # noqa: E402
     select,
     shot,
     stopped,
+    titles_of,
     type_over,
     visible_text,
 )
@@ -94,6 +95,7 @@ def slot(doc):
     found = motions(doc)[0]
     assert doc.UndoCount == undo + 1, doc.UndoNames
     paths = find(QtWidgets.QTableWidget, "SweptVolumePaths")
+    assert titles_of(paths)[2] == "Length\nmm", titles_of(paths)
     assert paths.rowCount() == 1 and found.Label == "Path of Plate", found.Label
     assert found.Parts[0][0] is part and "Found" in visible_text(), visible_text()
     rows = check(doc, part, found, 0.5)

@@ -14,6 +14,7 @@ from driver import (  # noqa: E402
     Gaps,
     Gui,
     QtWidgets,
+    check_table,
     click,
     find,
     new_document,
@@ -25,6 +26,7 @@ from driver import (  # noqa: E402
     say,
     select,
     shot,
+    titles_of,
     view_from,
 )
 from spaces import add_box, at, hidden_motion, swept_space  # noqa: E402
@@ -74,6 +76,9 @@ def scenario():
     )
     yield 0.3
     table = find(QtWidgets.QTableWidget, "SweptVolumeSpacesTable")
+    heads = ["Pair", "Verdict", "Distance\nmm", "Volume\nmm^3"]
+    assert titles_of(table) == heads, titles_of(table)
+    check_table(table)
     assert names_of(table) == ["First - Second", "First - Post", "Second - Post"], names_of(table)
     assert abs(float(table.item(0, 3).text()) - 10 * 10 * 6) < 0.5, table.item(0, 3).text()
     assert [table.item(r, 1).text() for r in range(3)] == ["Clash", "Below required", "Clear"]

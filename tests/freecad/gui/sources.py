@@ -38,7 +38,10 @@ def made(doc):
 
 def stops_early(doc):
     """If frames of a simulation are missing, the panel says so before a motion is made. A second OK
-    uses the frames that exist. Tested with one chosen part, and with all parts that move."""
+    uses the frames that exist. Tested with one chosen part, and with all parts that move. The
+    motion was read from a source, but this source has no settings."""
+    from sweptvolume.commands import edit_source
+
     simulation, part = stuck(doc)
     for chosen in ((simulation, part), (simulation,)):
         before, undo = len(doc.Objects), doc.UndoCount
@@ -59,6 +62,9 @@ def stops_early(doc):
         found = made(doc)
         assert (found.SourceType, found.Count, doc.UndoCount) == ("Simulation", 4, undo + 1)
         assert "4 of 5 frames" in found.Message, found.Message
+        select(found)
+        reason = edit_source.Command().missing(doc)
+        assert "recorded from an assembly simulation" in reason, reason
         assert part.Placement.Base.Length < 1e-9, part.Placement
         doc.removeObject(found.Name)
         doc.recompute()

@@ -19,11 +19,17 @@ class Command(BaseCommand):
     ICON = "SweptVolume_MotionFromSource"
 
     def missing(self, document):
-        from ..panels import selection
+        from ..panels import selection, sourced
 
         found = selection.of_kind(document, Motion.KIND)[0]
         if found is None or has_settings(found):
             return selection.wanting_motion(document)
+        if sourced.is_sourced(found):
+            return translate(
+                "SweptVolume",
+                "This motion was recorded from an assembly simulation, which has no settings "
+                "here. To change the motion, change the simulation, then choose Reload motion.",
+            )
         return translate(
             "SweptVolume",
             "This motion was not read from a source, so there are no settings to change.",

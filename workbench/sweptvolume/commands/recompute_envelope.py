@@ -13,17 +13,18 @@ class Command(BaseCommand):
     TIP = QT_TRANSLATE_NOOP(
         "SweptVolume",
         "Recomputes the selected envelope from its current parts and motion. Without "
-        "a selection, recomputes the first stale envelope",
+        "a selection, recomputes the first envelope that is not up to date, or the only envelope",
     )
 
     def find(self, document):
-        """Returns the selected envelope. Without a selection, returns the first stale envelope, or
-        the only one."""
+        """Returns the selected envelope. Without a selection, returns the first envelope that is
+        not up to date, or the only one."""
         from ..panels import selection
 
         known = objects_of_kind(document, Envelope.KIND)
-        stale = [o for o in known if o.Status != UP_TO_DATE]
-        return selection.envelope() or next(iter(stale or (known if len(known) == 1 else [])), None)
+        waiting = [o for o in known if o.Status != UP_TO_DATE]
+        only = known if len(known) == 1 else []
+        return selection.envelope() or next(iter(waiting or only), None)
 
     def missing(self, document):
         from ..panels import selection
@@ -33,7 +34,8 @@ class Command(BaseCommand):
         if not objects_of_kind(document, Envelope.KIND):
             return selection.wanting_envelope(document)
         return translate(
-            "SweptVolume", "No envelope is stale. To compute an envelope again anyway, select it."
+            "SweptVolume",
+            "All envelopes are up to date. To compute one of them again anyway, select it.",
         )
 
     def run(self, document):

@@ -5,6 +5,13 @@ from ..texts import QT_TRANSLATE_NOOP
 from . import missing, neighbour_rules
 from .base import HIDDEN, READ_ONLY
 
+ACCURACY_HELP = QT_TRANSLATE_NOOP(
+    "App::Property",
+    "Largest allowed error of the smallest distance. If the motion has the interpolation Spline, "
+    "or is relative to a moving part, half of this value is subtracted in addition from the "
+    "guaranteed distance and in the verdict",
+)
+
 INPUT = [
     (
         "App::PropertyLinkGlobal",
@@ -60,7 +67,7 @@ INPUT = [
     (
         "App::PropertyLength",
         "Accuracy",
-        QT_TRANSLATE_NOOP("App::Property", "Largest allowed error of the smallest distance"),
+        ACCURACY_HELP,
         0.01,
     ),
     (
@@ -153,7 +160,8 @@ RESULT = [
         "MapDistances",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Distance of each vertex of the envelope from the nearest neighbour, for the colours of the envelope",
+            "Distance of each vertex of the envelope from the nearest neighbour, for the "
+            "colours of the envelope",
         ),
         HIDDEN,
     ),

@@ -53,9 +53,10 @@ PROPERTIES = [
         QT_TRANSLATE_NOOP(
             "App::Property",
             "Point of the part that follows the straight line (Linear) or the curve "
-            "(Spline) between two poses, and about which the part turns. In "
-            "coordinates of the part if PoseType is Absolute, otherwise of the "
-            "document",
+            "(Spline) between two poses, and about which the part turns. Coordinates: "
+            "those of the part if PoseType is Absolute; those of the document, or of the "
+            "group that holds the motion, if it is Relative; those with the position and "
+            "orientation of the first pose if it is RelativeToFirst",
         ),
         None,
         0,

@@ -127,19 +127,21 @@ def of(rules, root, path):
     return found
 
 
-def merged(rules, shown, given):
+def merged(rules, shown, given, of=of):
     """Returns the rules after the user changed some. shown: all neighbours whose rules the user
-    saw. given: {pair: Rule} of those that now have a rule. If every shown neighbour has the same
-    rule as before, nothing changes, and rules of groups stay. Otherwise the given rules replace all
-    rules that apply to a shown neighbour."""
-    if all(of(rules, *pair) == given.get(pair, Rule()) for pair in shown):
-        return dict(rules)
-    kept = {
-        (above, sub): rule
-        for (above, sub), rule in rules.items()
-        if not any(root is above and path.startswith(sub) for root, path in shown)
+    saw. given: {pair: Rule} of those that now have a rule. A neighbour whose rule was changed gets
+    a rule of its own, and rules of groups stay. Only if a neighbour in a group was set back to the
+    default, which no rule can say, the rules of its groups become rules of the other neighbours
+    shown."""
+    wanted = {pair: given.get(pair, Rule()) for pair in shown}
+    freed = [p for p in shown if not wanted[p].asks() and of(rules, *p).asks()]
+    found = {
+        held: rule
+        for held, rule in rules.items()
+        if not any(of({held: rule}, *pair).asks() for pair in freed)
     }
-    return {**kept, **given}
+    own = {pair: rule for pair, rule in wanted.items() if of(found, *pair) != rule}
+    return {**found, **own}
 
 
 def drop(obj, gone):

@@ -87,10 +87,7 @@ def _contradiction(parts, first, second):
 
 def merged(rules, shown, given):
     """As neighbour_rules.merged(), for pairs."""
-    if all(of(rules, *pair) == given.get(pair, Rule()) for pair in shown):
-        return dict(rules)
-    kept = {p: r for p, r in rules.items() if all(of({p: r}, *pair) == Rule() for pair in shown)}
-    return {**kept, **given}
+    return neighbour_rules.merged(rules, shown, given, of)
 
 
 def drop(obj, gone):

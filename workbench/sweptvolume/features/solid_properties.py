@@ -46,9 +46,10 @@ PROPERTIES = [
         "Solid",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "How far the solid may deviate from the mesh. Within this tolerance, cylinders, "
-            "spheres and other surfaces are recognised, and the rest is simplified. 0: exact, "
-            "unless MaxFaces requires a tolerance",
+            "How far the solid should deviate from the mesh at most. Not guaranteed: Deviation is "
+            "the measured value. Within this tolerance, cylinders, spheres and other surfaces are "
+            "recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a "
+            "tolerance",
         ),
         0.0,
         0,

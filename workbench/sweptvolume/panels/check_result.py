@@ -64,7 +64,7 @@ class ResultPanel(StayingPanel):
         heads = (
             translate("SweptVolume", self.NAME),
             translate("SweptVolume", "Verdict"),
-            self.unit,
+            "{}\n{}".format(translate("SweptVolume", "Distance"), self.unit),
             "{}\ns".format(translate("SweptVolume", "Time")),
             "{}\n{}".format(translate("SweptVolume", "Depth"), self.unit),
         )

@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 from ..convert import InputProblem, label_of
 from ..features import clearance, motion, neighbour_rules
 from ..features.base import objects_of_kind
+from ..features.clearance_properties import ACCURACY_HELP
 from ..features.envelope import Envelope
 from ..features.envelope_plan import Plan as EnvelopePlan
 from ..texts import translate
@@ -89,7 +90,10 @@ class ClearancePanel(CheckRun, ResultPanel):
         rows.addRow(self.take)
         self._build_rules(rows)
         self.required = widgets.length(values["RequiredDistance"], 0.0, 0.5)
-        self.tolerance = widgets.length(values["Accuracy"], 1e-6, 0.01)
+        self.tolerance = widgets.hint(
+            widgets.length(values["Accuracy"], 1e-6, 0.01),
+            translate("App::Property", ACCURACY_HELP),
+        )
         self.deflection = widgets.length(values["MeshDeflection"], 1e-4, 0.01)
         rows.addRow(translate("SweptVolume", "Required distance"), self.required)
         rows.addRow(translate("SweptVolume", "Accuracy"), self.tolerance)

@@ -68,7 +68,10 @@ def actions():
         (
             "Reverse",
             translate("SweptVolume", "&Reverse"),
-            translate("SweptVolume", "Reverses the order of the keys"),
+            translate(
+                "SweptVolume",
+                "Reverses the order of the keys. The time between neighbouring keys stays the same",
+            ),
         ),
         (
             "Up",

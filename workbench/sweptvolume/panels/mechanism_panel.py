@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 
 from ..convert import InputProblem, label_of
 from ..features import mechanism, pair_rules
+from ..features.clearance_properties import ACCURACY_HELP
 from ..texts import translate
 from . import focus, guard, selection, widgets
 from .check_run import CheckRun
@@ -99,6 +100,7 @@ class MechanismPanel(CheckRun, ResultPanel):
             "median size of the parts, or more if a rule needs it",
         )
         widgets.hint(self.fields["Range"], tip)
+        widgets.hint(self.fields["Accuracy"], translate("App::Property", ACCURACY_HELP))
         self.check = QtWidgets.QPushButton(translate("SweptVolume", "Check"))
         self.check.setObjectName("SweptVolumeCheckMechanism")
         self.check.setDefault(True)  # Enter presses this button

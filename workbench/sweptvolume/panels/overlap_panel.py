@@ -84,10 +84,13 @@ class OverlapPanel(StayingPanel):
         heads = (
             translate("SweptVolume", "Pair"),
             translate("SweptVolume", "Verdict"),
-            self.unit,
-            "{}\n{}^3".format(translate("SweptVolume", "shared"), self.unit),
+            "{}\n{}".format(translate("SweptVolume", "Distance"), self.unit),
+            "{}\n{}^3".format(translate("SweptVolume", "Volume"), self.unit),
         )
         self.table = VerdictTable("SweptVolumeSpacesTable", heads)
+        self.table.horizontalHeaderItem(3).setToolTip(
+            translate("SweptVolume", "Volume that the two objects share")
+        )
         self.keep = widgets.hint(
             QtWidgets.QPushButton(translate("SweptVolume", "Keep s&hared volume")),
             translate(

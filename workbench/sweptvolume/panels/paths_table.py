@@ -26,7 +26,7 @@ class PathsTable(QtCore.QObject):
             [
                 translate("SweptVolume", "Motion"),
                 translate("SweptVolume", "Keys"),
-                "{}\n{}".format(translate("SweptVolume", "Distance"), unit),
+                "{}\n{}".format(translate("SweptVolume", "Length"), unit),
                 "{}\ndeg".format(translate("SweptVolume", "Turns")),
                 "{}\n{}".format(translate("SweptVolume", "Clearance"), unit),
             ]

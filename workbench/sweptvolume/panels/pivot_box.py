@@ -90,8 +90,9 @@ class PivotBox(QtWidgets.QWidget):
     def _explain(self):
         text = translate(
             "SweptVolume",
-            "The pivot moves straight between two keys, and the part turns about it. "
-            "The x, y and z of a key are the coordinates of the pivot.",
+            "Between two keys, the pivot follows the straight line (Linear) or the curve "
+            "(Spline), and the part turns about it. The x, y and z of a key are the coordinates "
+            "of the pivot, or its displacement if the pose type is Relative.",
         )
         if self.in_part() is not None:
             here = translate("SweptVolume", "In the coordinates of the part: {0}, {1}, {2}")

@@ -76,8 +76,8 @@ class RulesTable(QtWidgets.QTableWidget):
             translate(
                 "SweptVolume",
                 "Required distance for this row (empty: the value of Required distance below). "
-                "If contact is allowed: how deep the parts may overlap (empty: no measurable "
-                "overlap)",
+                "If contact is allowed: how deep the parts may overlap (empty: no deeper than the "
+                "accuracy plus the mesh deflections of both parts)",
             )
             if CONTACT in kinds
             else translate(

@@ -48,16 +48,22 @@ class SearchPanel(StayingPanel):
             widgets.length(now["ReleaseDistance"], 0.0, 5.0),
             translate(
                 "SweptVolume",
-                "At the start and the goal, the part may be closer to a neighbour than required. "
-                "It may stay that close until some point of the part has moved farther than this "
-                "length",
+                "If a neighbour is closer to the start or the goal than required, the part may stay "
+                "that close to it until some point of the part has moved farther than this length "
+                "from there",
             ),
         )
         self.release.setObjectName("SweptVolumeRelease")
         rows.addRow(translate("SweptVolume", "Required distance"), self.required)
         rows.addRow(translate("SweptVolume", "Release distance"), self.release)
         self.build_rules(rows)
-        self.budget = QtWidgets.QDoubleSpinBox()
+        self.budget = widgets.hint(
+            QtWidgets.QDoubleSpinBox(),
+            translate(
+                "SweptVolume",
+                "Without a path, the search fails after this time. With one, it stops improving it",
+            ),
+        )
         self.budget.setObjectName("SweptVolumeBudget")
         self.budget.setRange(0.0, 86400.0)
         self.budget.setDecimals(1)

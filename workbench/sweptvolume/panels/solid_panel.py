@@ -59,8 +59,9 @@ class SolidPanel(StartPanel):
             self.tolerance,
             translate(
                 "SweptVolume",
-                "How far the solid may deviate from the mesh. 0: exact, unless Max faces "
-                "requires a tolerance",
+                "How far the solid should deviate from the mesh at most. Not guaranteed: the "
+                "property Deviation of the solid is the measured value. 0: exact, unless Max "
+                "faces requires a tolerance",
             ),
         )
         self.faces = QtWidgets.QSpinBox()

@@ -28,8 +28,8 @@ class TangentBox(QtWidgets.QGroupBox):
             translate(
                 "SweptVolume",
                 "Automatic: from the keys before and after. Stop: the part comes to "
-                "rest. Corner: the direction may change abruptly. Given velocity: as "
-                "entered below",
+                "rest. Corner: arrives in the direction from the previous key, leaves in the "
+                "direction to the next key. Given velocity: as entered below",
             )
         )
         self.speeds = [QtWidgets.QDoubleSpinBox() for _ in range(3)]

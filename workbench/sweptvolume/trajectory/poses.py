@@ -24,7 +24,7 @@ FRAME_HELP = QT_TRANSLATE_NOOP(
     "RelativeToFirst: as Relative, but measured from the first pose. The motion starts at the "
     "current placement of the part.\n"
     "Several parts move together as one rigid body; with Absolute, the poses are those of the "
-    "first part. A motion in a group uses the coordinates of the group and moves with the group.",
+    "first part. A motion in a group (App::Part) uses the coordinates of the group and moves with the group.",
 )
 
 
