@@ -83,21 +83,24 @@ class Keyboard:
         for name in reversed(held):
             self._send(name, 0)
 
+    def _all_heard(self, keys):
+        """A generator that sends keys, and waits until the window has received all of them."""
+        wanted = self.heard.count + sum(key.count("+") + 1 for key in keys)
+        until = time.monotonic() + LATE
+        for key in keys:
+            self._stroke(key)
+        yield lambda: self.heard.count >= wanted or time.monotonic() > until
+
     def press(self, *keys):
         """A generator that presses keys one after the other."""
         for key in keys:
-            wanted, until = self.heard.count + key.count("+") + 1, time.monotonic() + LATE
-            self._stroke(key)
-            yield lambda: self.heard.count >= wanted or time.monotonic() > until
+            yield from self._all_heard([key])
             yield 0.2  # a button that a letter presses stays down for 0.1 s
 
     def type(self, text, *then):
         """A generator that types a text, and then presses keys that end it."""
-        for character in text:
-            key = _NAMES.get(character, character)
-            self._stroke("Shift_L+" + key if character.isupper() else key)
-        for key in then:
-            self._stroke(key)
+        keys = [_NAMES.get(c, "Shift_L+" + c if c.isupper() else c) for c in text] + list(then)
+        yield from self._all_heard(keys)
         yield 0.1
 
     def letter(self, key):
