@@ -233,7 +233,11 @@ def rules_of_groups(doc, obj):
     yield 0.5
     asked = find(QtWidgets.QTableWidget, "SweptVolumeRules")
     row_of = {asked.item(r, 0).text(): r for r in range(asked.rowCount())}
-    assert [asked.item(row_of[name], 1).text() for name in ("Stop", "Wall", "Far")] == ["3", "3", ""]
+    assert [asked.item(row_of[name], 1).text() for name in ("Stop", "Wall", "Far")] == [
+        "3",
+        "3",
+        "",
+    ]
     for name, text, rules in (
         ("Far", "20", {fixture: Rule(length=3.0), far: Rule(length=20.0)}),
         ("Wall", "4", {fixture: Rule(length=3.0), far: Rule(length=20.0), wall: Rule(length=4.0)}),
