@@ -1510,8 +1510,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Die Hülle hat noch kein Netz: Berechnen Sie sie zuerst.</translation>
     </message>
     <message>
-        <source>At one edge, the gap between two faces of the solid is {0}. Expected is at most {1}: the Tolerance or the deviation of the solid from the envelope, whichever is larger, but at least 0.001 mm. A smaller Tolerance gives more faces and smaller gaps.</source>
-        <translation>An einer Kante beträgt der Spalt zwischen zwei Flächen des Festkörpers {0}. Erwartet wird höchstens {1}: die Toleranz oder die Abweichung des Festkörpers von der Hülle (der größere der beiden Werte), mindestens aber 0,001 mm. Eine kleinere Toleranz ergibt mehr Flächen und kleinere Spalte.</translation>
+        <source>At one edge, the gap between two faces of the solid is {0}. It should be at most {1}: the Tolerance or the deviation of the solid from the envelope, whichever is larger, but at least 0.001 mm. A smaller Tolerance gives more faces and smaller gaps.</source>
+        <translation>An einer Kante beträgt der Spalt zwischen zwei Flächen des Festkörpers {0}. Er sollte höchstens {1} betragen: die Toleranz oder die Abweichung des Festkörpers von der Hülle (der größere der beiden Werte), mindestens aber 0,001 mm. Eine kleinere Toleranz ergibt mehr Flächen und kleinere Spalte.</translation>
     </message>
     <message>
         <source>The envelope is conservative, but a solid with a tolerance could cut into the swept volume: set the Tolerance of the solid to 0.</source>

@@ -179,7 +179,7 @@ def notes_of(obj):
     if obj.EdgeTolerance.Value > asked:
         text = translate(
             "SweptVolume",
-            "At one edge, the gap between two faces of the solid is {0}. Expected is at most {1}: the "
+            "At one edge, the gap between two faces of the solid is {0}. It should be at most {1}: the "
             "Tolerance or the deviation of the solid from the envelope, whichever is larger, but at "
             "least 0.001 mm. A smaller Tolerance gives more faces and smaller gaps.",
         )
