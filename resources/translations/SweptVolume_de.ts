@@ -69,8 +69,8 @@
         <translation>Bericht des Laufs (JSON)</translation>
     </message>
     <message>
-        <source>Distance of each vertex of the envelope from the nearest neighbour, for the colours of the envelope</source>
-        <translation>Abstand jedes Eckpunkts der Hülle zum nächsten Nachbarn. Nach ihm wird die Hülle eingefärbt</translation>
+        <source>Distance of each vertex of the envelope from the nearest neighbouring part, for the colours of the envelope</source>
+        <translation>Abstand jedes Eckpunkts der Hülle zum nächsten Nachbarteil. Nach diesem Abstand wird die Hülle eingefärbt</translation>
     </message>
     <message>
         <source>Inputs that were deleted (JSON)</source>
@@ -993,8 +993,8 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>„{0}“ hat weniger als zwei Stützstellen, es gibt also keine Bahn zu verbessern: Fügen Sie eine Stützstelle hinzu.</translation>
     </message>
     <message>
-        <source>Select the object with the value, then the part that moves with the value.</source>
-        <translation>Wählen Sie das Objekt mit dem Wert, dann das Teil, das sich mit dem Wert bewegt.</translation>
+        <source>Select the object with the value that drives the motion, then the part that moves.</source>
+        <translation>Wählen Sie das Objekt mit dem Wert, der die Bewegung steuert, dann das Teil, das sich bewegt.</translation>
     </message>
     <message>
         <source>Select the object with the value to change (a spreadsheet, a sketch or variables), then the part that moves with the value.</source>
@@ -1002,11 +1002,11 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>Select at least two objects: their placements become the poses.</source>
-        <translation>Wählen Sie mindestens zwei Objekte aus: Ihre Platzierungen werden zu den Lagen.</translation>
+        <translation>Wählen Sie mindestens zwei Objekte aus: Die Platzierungen dieser Objekte werden zu den Lagen.</translation>
     </message>
     <message>
         <source>Select at least two objects in the order of the motion: their placements become the poses. Use copies or links of the part, or local coordinate systems.</source>
-        <translation>Wählen Sie mindestens zwei Objekte in der Reihenfolge der Bewegung aus: Ihre Platzierungen werden zu den Lagen. Verwenden Sie Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
+        <translation>Wählen Sie mindestens zwei Objekte in der Reihenfolge der Bewegung aus: Die Platzierungen dieser Objekte werden zu den Lagen. Verwenden Sie Kopien oder Verknüpfungen des Teils oder lokale Koordinatensysteme.</translation>
     </message>
     <message>
         <source>Select a wire, sketch, array, CAM operation or robot trajectory; or an assembly simulation and the part whose motion you want.</source>
@@ -1050,15 +1050,15 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Der Interpreter {0} hat kein pip. Installieren Sie pip (in Debian und Ubuntu das Paket python3-pip), oder wählen Sie in den Einstellungen des Addon-Managers einen anderen Interpreter.</translation>
     </message>
     <message>
-        <source>The package index could not be reached: check the network connection, or choose a package file (.whl) with From a file. pip says:
+        <source>The package index could not be reached: check the network connection, or choose a package file (.whl) with the button &quot;From a file&quot;. pip says:
 {0}</source>
-        <translation>Der Paketindex ist nicht erreichbar: Prüfen Sie die Netzwerkverbindung, oder wählen Sie mit „Aus einer Datei“ eine Paketdatei (.whl). pip meldet:
+        <translation>Der Paketindex ist nicht erreichbar: Prüfen Sie die Netzwerkverbindung, oder wählen Sie mit der Schaltfläche „Aus einer Datei“ eine Paketdatei (.whl). pip meldet:
 {0}</translation>
     </message>
     <message>
-        <source>There is no core of version {0} for Python {1} on this system: choose a package file (.whl) with From a file, or build the core as in docs/handbook/installation.md. pip says:
+        <source>There is no core of version {0} for Python {1} and this operating system: choose a package file (.whl) with the button &quot;From a file&quot;, or build the core as described in docs/handbook/installation.md. pip says:
 {2}</source>
-        <translation>Für dieses System gibt es keinen Rechenkern der Version {0} für Python {1}: Wählen Sie mit „Aus einer Datei“ eine Paketdatei (.whl), oder kompilieren Sie den Rechenkern wie in docs/handbook/installation.md. pip meldet:
+        <translation>Es gibt keinen Rechenkern der Version {0} für Python {1} und dieses Betriebssystem: Wählen Sie mit der Schaltfläche „Aus einer Datei“ eine Paketdatei (.whl), oder kompilieren Sie den Rechenkern, wie in docs/handbook/installation.md beschrieben. pip meldet:
 {2}</translation>
     </message>
     <message>
@@ -1075,9 +1075,9 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Es wurde kein Python-Interpreter gefunden, der pip ausführen kann: Installieren Sie Python.</translation>
     </message>
     <message>
-        <source>pip could not install the core: choose a package file (.whl) with From a file, or build the core as in docs/handbook/installation.md. pip says:
+        <source>pip could not install the core: choose a package file (.whl) with the button &quot;From a file&quot;, or build the core as described in docs/handbook/installation.md. pip says:
 {0}</source>
-        <translation>pip konnte den Rechenkern nicht installieren: Wählen Sie mit „Aus einer Datei“ eine Paketdatei (.whl), oder kompilieren Sie den Rechenkern wie in docs/handbook/installation.md. pip meldet:
+        <translation>pip konnte den Rechenkern nicht installieren: Wählen Sie mit der Schaltfläche „Aus einer Datei“ eine Paketdatei (.whl), oder kompilieren Sie den Rechenkern, wie in docs/handbook/installation.md beschrieben. pip meldet:
 {0}</translation>
     </message>
     <message>
@@ -1093,12 +1093,12 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Der Rechenkern wurde nicht installiert: {0}</translation>
     </message>
     <message>
-        <source>The core is not published on {0} yet: choose a package file (.whl) with From a file, or build the core as in docs/handbook/installation.md.</source>
-        <translation>Der Rechenkern ist auf {0} noch nicht veröffentlicht: Wählen Sie mit „Aus einer Datei“ eine Paketdatei (.whl), oder kompilieren Sie den Rechenkern wie in docs/handbook/installation.md.</translation>
+        <source>The core is not published on {0} yet: choose a package file (.whl) with the button &quot;From a file&quot;, or build the core as described in docs/handbook/installation.md.</source>
+        <translation>Der Rechenkern ist auf {0} noch nicht veröffentlicht: Wählen Sie mit der Schaltfläche „Aus einer Datei“ eine Paketdatei (.whl), oder kompilieren Sie den Rechenkern, wie in docs/handbook/installation.md beschrieben.</translation>
     </message>
     <message>
-        <source>pip ended without an error, but installed no usable core: choose another package file (.whl) with From a file, or build the core as in docs/handbook/installation.md.</source>
-        <translation>pip wurde ohne Fehler beendet, hat aber keinen brauchbaren Rechenkern installiert: Wählen Sie mit „Aus einer Datei“ eine andere Paketdatei (.whl), oder kompilieren Sie den Rechenkern wie in docs/handbook/installation.md.</translation>
+        <source>pip ended without an error, but installed no usable core: choose another package file (.whl) with the button &quot;From a file&quot;, or build the core as described in docs/handbook/installation.md.</source>
+        <translation>pip wurde ohne Fehler beendet, hat aber keinen brauchbaren Rechenkern installiert: Wählen Sie mit der Schaltfläche „Aus einer Datei“ eine andere Paketdatei (.whl), oder kompilieren Sie den Rechenkern, wie in docs/handbook/installation.md beschrieben.</translation>
     </message>
     <message>
         <source>The compiled core of Swept Volume (_swept, for Python {0}) cannot be loaded.
@@ -1488,8 +1488,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>„{0}“ hat die Interpolation „Keine“: Wählen Sie eine andere Interpolation, oder wählen Sie für dieses Teil „Bahn finden“.</translation>
     </message>
     <message>
-        <source>The two sides share no volume. Their smallest distance is {0}.</source>
-        <translation>Die beiden Seiten haben kein Volumen gemeinsam. Ihr kleinster Abstand ist {0}.</translation>
+        <source>The two compared objects or groups share no volume. The smallest distance between them is {0}.</source>
+        <translation>Die beiden verglichenen Objekte oder Gruppen haben kein Volumen gemeinsam. Der kleinste Abstand zwischen ihnen ist {0}.</translation>
     </message>
     <message>
         <source>Shared volume</source>
@@ -1510,8 +1510,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Die Hülle hat noch kein Netz: Berechnen Sie sie zuerst.</translation>
     </message>
     <message>
-        <source>At one edge, the gap between two faces of the solid is {0}, which is more than the tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and smaller gaps.</source>
-        <translation>An einer Kante beträgt der Spalt zwischen zwei Flächen des Festkörpers {0}. Das ist mehr als die Toleranz oder Abweichung des Festkörpers ({1}). Eine kleinere Toleranz ergibt mehr Flächen und kleinere Spalte.</translation>
+        <source>At one edge, the gap between two faces of the solid is {0}. It should be at most {1}: the Tolerance or the deviation of the solid from the envelope, whichever is larger, but at least 0.001 mm. A smaller Tolerance gives more faces and smaller gaps.</source>
+        <translation>An einer Kante beträgt der Spalt zwischen zwei Flächen des Festkörpers {0}. Er sollte höchstens {1} betragen: die Toleranz oder die Abweichung des Festkörpers von der Hülle (der größere der beiden Werte), mindestens aber 0,001 mm. Eine kleinere Toleranz ergibt mehr Flächen und kleinere Spalte.</translation>
     </message>
     <message>
         <source>The envelope is conservative, but a solid with a tolerance could cut into the swept volume: set the Tolerance of the solid to 0.</source>
@@ -1774,12 +1774,12 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Kein Abschnitt der Bewegung hält den Sollabstand ein: Verringern Sie den Sollabstand, oder verwenden Sie „Bahn finden“.</translation>
     </message>
     <message>
-        <source>Sections that stay below the required distance, because no other path was found: {0}.</source>
-        <translation>Abschnitte, die unter dem Sollabstand bleiben, weil keine andere Bahn gefunden wurde: {0}.</translation>
+        <source>Number of sections of the path on which the distance stays below the required distance, because no other path was found: {0}.</source>
+        <translation>Anzahl der Abschnitte der Bahn, auf denen der Abstand unter dem Sollabstand bleibt, weil keine andere Bahn gefunden wurde: {0}.</translation>
     </message>
     <message>
-        <source>Sections within the release distance of start and goal, which were left unchanged: {0}.</source>
-        <translation>Abschnitte innerhalb des Freigabeabstands von Start und Ziel, die unverändert bleiben: {0}.</translation>
+        <source>Number of sections of the path within the release distance of start and goal, which were left unchanged: {0}.</source>
+        <translation>Anzahl der Abschnitte der Bahn, die innerhalb des Freigabeabstands von Start und Ziel liegen und unverändert bleiben: {0}.</translation>
     </message>
     <message>
         <source>Found a path: {0} keys, length {1}, total turn {2} degrees, clearance at least {3}.</source>
@@ -1932,7 +1932,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>The simulation &quot;{0}&quot; stopped early, at {3} s of {4} s ({1} of {2} frames): its solver found no valid position. Check the joints and formulas, or set an earlier end time.</source>
-        <translation>Die Simulation „{0}“ endete vorzeitig, bei {3} s von {4} s ({1} von {2} Bildern): Ihr Gleichungslöser fand keine gültige Stellung. Prüfen Sie Gelenke und Formeln, oder geben Sie eine frühere Endzeit an.</translation>
+        <translation>Die Simulation „{0}“ endete vorzeitig, bei {3} s von {4} s ({1} von {2} Bildern): Der Gleichungslöser der Simulation fand keine gültige Stellung. Prüfen Sie Gelenke und Formeln, oder geben Sie eine frühere Endzeit an.</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; cannot be simulated by this version of FreeCAD: simulations need FreeCAD 1.1.</source>
@@ -2045,7 +2045,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>Pose {0}: its time {1:g} s is earlier than the time {2:g} s of the pose before. Correct one of these times; times must not decrease.</source>
-        <translation>Lage {0}: Ihre Zeit {1:g} s liegt vor der Zeit {2:g} s der vorigen Lage. Berichtigen Sie eine dieser Zeiten; Zeiten dürfen nicht abnehmen.</translation>
+        <translation>Lage {0}: Die Zeit {1:g} s dieser Lage liegt vor der Zeit {2:g} s der vorigen Lage. Berichtigen Sie eine dieser Zeiten; Zeiten dürfen nicht abnehmen.</translation>
     </message>
     <message>
         <source>The pose type &quot;{0}&quot; is unknown: use one of these: {1}.</source>
@@ -2073,7 +2073,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>This motion has no source that could be read again: its poses are stored only in the document. To change them, choose Edit motion.</source>
-        <translation>Diese Bewegung hat keine Quelle, die neu gelesen werden könnte: Ihre Lagen sind nur im Dokument gespeichert. Um sie zu ändern, wählen Sie „Bewegung bearbeiten“.</translation>
+        <translation>Diese Bewegung hat keine Quelle, die neu gelesen werden könnte: Die Lagen sind nur im Dokument gespeichert. Um sie zu ändern, wählen Sie „Bewegung bearbeiten“.</translation>
     </message>
     <message>
         <source>The number of poses is {0}: enter a number from {1} to {2}.</source>
@@ -2168,8 +2168,8 @@ path&apos;s size.</extracomment>
         <translation>Vori&amp;ge Stelle</translation>
     </message>
     <message>
-        <source>Goes back to the previous place, where the clash is deeper or the distance is smaller</source>
-        <translation>Geht zurück zur vorigen Stelle, an der die Kollision tiefer oder der Abstand kleiner ist</translation>
+        <source>Goes back to the previous place, where the clash is deeper or the distance is smaller than at the current place</source>
+        <translation>Geht zurück zur vorigen Stelle. Dort ist die Kollision tiefer oder der Abstand kleiner als an der jetzigen Stelle</translation>
     </message>
     <message>
         <source>&amp;Next worst place</source>
@@ -3374,7 +3374,7 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>Automatic: from the keys before and after. Stop: the part comes to rest. Corner: arrives in the direction from the previous key, leaves in the direction to the next key. Given velocity: as entered below</source>
-        <translation>Automatisch: aus den Stützstellen davor und danach. Anhalten: Das Teil kommt zur Ruhe. Ecke: Das Teil kommt in der Richtung von der vorigen Stützstelle an und verlässt die Stützstelle in der Richtung zur nächsten. Gegebene Geschwindigkeit: wie unten eingegeben</translation>
+        <translation>Automatisch: aus den Stützstellen davor und danach. Anhalten: Das Teil kommt zur Ruhe. Ecke: Das Teil kommt in Richtung der Geraden von der vorigen Stützstelle an und verlässt die Stützstelle in Richtung der Geraden zur nächsten. Gegebene Geschwindigkeit: wie unten eingegeben</translation>
     </message>
     <message>
         <source>Velocity along {0} (mm/s)</source>
@@ -3731,7 +3731,7 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>Number of threads of a run. With one thread fewer than processor cores, FreeCAD stays responsive while a large envelope is computed</source>
-        <translation>Anzahl der Threads eines Laufs. Mit einem Thread weniger als Prozessorkernen bleibt FreeCAD bedienbar, während eine große Hülle berechnet wird</translation>
+        <translation>Anzahl der Threads eines Laufs. Ist sie um eins kleiner als die Anzahl der Prozessorkerne, bleibt FreeCAD bedienbar, während eine große Hülle berechnet wird</translation>
     </message>
     <message>
         <source>all processor cores</source>

@@ -131,23 +131,24 @@ def _reason(python, output):
         text = translate(
             "SweptVolume",
             "The package index could not be reached: check the network connection, or choose a "
-            "package file (.whl) with From a file. pip says:\n"
+            'package file (.whl) with the button "From a file". pip says:\n'
             "{0}",
         )
         return text.format("\n".join(lines[-3:]))
     if "No matching distribution" in output or "not a supported wheel" in output:
         text = translate(
             "SweptVolume",
-            "There is no core of version {0} for Python {1} on this system: choose a package "
-            "file (.whl) with From a file, or build the core as in "
+            "There is no core of version {0} for Python {1} and this operating system: choose a "
+            'package file (.whl) with the button "From a file", or build the core as described in '
             "docs/handbook/installation.md. pip says:\n"
             "{2}",
         )
         return text.format(__version__, version, last)
     return translate(
         "SweptVolume",
-        "pip could not install the core: choose a package file (.whl) with From a file, or build "
-        "the core as in docs/handbook/installation.md. pip says:\n"
+        "pip could not install the core: choose a package file (.whl) with the button "
+        '"From a file", or build the core as described in docs/handbook/installation.md. '
+        "pip says:\n"
         "{0}",
     ).format(last)
 
@@ -241,8 +242,9 @@ class Installation(threading.Thread):
         elif any(is_unpublished_on(source) for source in sources()):
             text = translate(
                 "SweptVolume",
-                "The core is not published on {0} yet: choose a package file (.whl) with From a "
-                "file, or build the core as in docs/handbook/installation.md.",
+                "The core is not published on {0} yet: choose a package file (.whl) with the "
+                'button "From a file", or build the core as described in '
+                "docs/handbook/installation.md.",
             )
             raise Failed(text.format(DEFAULT_INDEX))
         staged = tempfile.mkdtemp(prefix=".swept-new-", dir=folder)
@@ -289,8 +291,8 @@ class Installation(threading.Thread):
                 translate(
                     "SweptVolume",
                     "pip ended without an error, but installed no usable core: choose another "
-                    "package file (.whl) with From a file, or build the core as in "
-                    "docs/handbook/installation.md.",
+                    'package file (.whl) with the button "From a file", or build the core as '
+                    "described in docs/handbook/installation.md.",
                 )
             )
         name = os.path.basename(infos[0])

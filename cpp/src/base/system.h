@@ -37,8 +37,9 @@ bool setHeap(HeapSetting setting);
 /// usually get; 0 if the system has no modes or the file could not be created. Sets errno, to 0 if
 /// the file was created.
 unsigned createPrivate(const std::filesystem::path& file);
-/// Flushes the file to the disk. Some systems report a full disk only at this point. Returns 0 or
-/// the errno of the failure. A file that cannot be opened again or flushed is no failure.
+/// Flushes the file to the disk, because some systems report a full disk only then. Returns 0, or
+/// the errno if the data could not be written. Also returns 0 if the file cannot be opened again,
+/// or is of a kind that cannot be flushed.
 int flushToDisk(const std::filesystem::path& file);
 /// Returns whether the user may write to an existing file or read it. Sets errno if not.
 bool mayWrite(const std::filesystem::path& file);

@@ -63,10 +63,13 @@ float pairCost(const Stop& p, const Stop& q, int a) {
          std::abs(n[b] * dx + n[c] * dy);
 }
 
-/// A perfect matching of n points on a circle without crossing chords. Entry p is the partner of
-/// point p. The caller numbers the points so that point 0 enters the inside. The first matching in
-/// a list therefore joins each entering crossing to the leaving crossing that follows it.
+/// A matching of the n crossings on the border of a cell face: each has one partner, and the chords
+/// between partners do not intersect. The crossings are numbered in the order of a walk round the
+/// face. Element p is the partner of crossing p.
 using Matching = std::array<std::int8_t, 8>;
+/// Appends to `out` all matchings that complete `partial`. If `partial` is empty, the first one is
+/// 0-1, 2-3 and so on. As the walk enters the inside at crossing 0, it joins each crossing where
+/// the walk enters to the next one, where the walk leaves.
 void enumerate(Matching partial, int n, std::array<Matching, 14>& out, int& count) {
   int p = 0;
   while (p < n && partial[p] >= 0) ++p;
@@ -76,7 +79,7 @@ void enumerate(Matching partial, int n, std::array<Matching, 14>& out, int& coun
   }
   for (int q = p + 1; q < n; q += 2) {
     if (partial[q] >= 0) continue;
-    // Points between p and q may only be joined to each other.
+    // Crossings between p and q may only be joined to each other.
     bool crosses = false;
     for (int r = p + 1; r < q; ++r)
       crosses |= partial[r] >= 0 && (partial[r] < p || partial[r] > q);
@@ -128,7 +131,7 @@ FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings) {
     return pairs;
   }
   if (n == 0) return pairs;
-  // Number the points so that the walk enters the inside at point 0.
+  // Number the crossings so that the walk enters the inside at crossing 0.
   const int shift = stops[0].enters ? 0 : 1;
   const auto at = [&](int i) -> const Stop& { return stops[(i + shift) % n]; };
   float cost[8][8];

@@ -1,8 +1,9 @@
-// Reads lines from a plain, gzip or xz file, one at a time, so the file may have any size.
+// Reads lines from a plain, gzip or xz file, one at a time, so a large file needs little memory.
 // In:   path (UTF-8). The first bytes determine the compression, not the name.
 // Out:  lines without their end (LF or CRLF) and without a UTF-8 byte-order mark.
-// Throws Error(InvalidInput, "BadFile") for damaged compression, UTF-16, NUL bytes and endless
-// lines, and Error(ResourceLimit, "FileTooLarge") if the text exceeds kMaxTextBytes.
+// Throws Error(InvalidInput, "BadFile") for damaged compression, UTF-16, NUL bytes and lines longer
+// than kMaxLineBytes, and Error(ResourceLimit, "FileTooLarge") if the uncompressed text exceeds
+// kMaxTextBytes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,5 +1,6 @@
-// Reads the content of a page from a report: one row per pair, the same for one moving body and for
-// mechanisms. All errors of a report are detected here.
+// Reads the content of an HTML page from a report: one row per pair of parts. The rows have the
+// same form for a check of one moving body and for a mechanism check. All errors of a report are
+// detected here.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

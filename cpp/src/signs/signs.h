@@ -33,8 +33,8 @@ struct SignRuns {
   }
 };
 
-/// Finds the outside runs. `component`, if given, receives a number per run. Runs that are joined
-/// have the same number.
+/// Finds all runs, and which of them are outside. `component`, if given, receives one number for
+/// each run: the same number for runs that are joined, directly or through other runs.
 SignRuns findOutside(const MarkedEdges& marked, const GridPlan& grid, RunContext& run,
                      std::vector<std::uint32_t>* component = nullptr);
 

@@ -25,8 +25,9 @@ CLI::Option* addNeighbourOptions(CLI::App& app, NeighbourFiles& files);
 /// Adds --rule and --rules.
 void addRuleOptions(CLI::App& app, NeighbourFiles& files);
 /// Throws an error for wrong usage. `moving`: the file of the moving part, which must not be among
-/// the neighbours. "": not checked, since there are several moving parts, or the part is placed
-/// elsewhere.
+/// the neighbours; "" leaves out this check. Commands with no moving part or with several pass "".
+/// So does `swept path`: at its goal, the part need not be where its file places it, so the same
+/// file may also be a neighbour.
 void checkNeighbourOptions(const NeighbourFiles& files, const std::string& moving);
 /// Reads the neighbours with their rules. A mesh is one neighbour; each solid of a solid file is
 /// one. Throws Error(InvalidInput), with "BadRule" if a rule does not match; Error(Cancelled).

@@ -206,7 +206,8 @@ def scenario():
 
     assert abs(Part.read(step).Volume - made.Mesh.Volume) < 1e-3 * made.Mesh.Volume
 
-    # A simplified envelope is simplified again as soon as its tolerance changes, without a command.
+    # The first simplification needs the command Recompute. From then on, the envelope is simplified
+    # again as soon as its tolerance changes, without a command.
     made.Tolerance = 0.5
     doc.recompute()
     assert made.Status == envelope.STALE and not runner.running(), "nothing to be cut is kept yet"

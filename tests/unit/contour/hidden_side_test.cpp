@@ -75,7 +75,8 @@ TEST(HiddenSide, UpperEdgeOfALedgeLowerThanACell) {
   EXPECT_LT(sum / count, 0.03);
 }
 
-/// The riser stands across the lattice, so that some cells see all three sides of the step.
+/// The ledge is oblique to the lattice, so that some cells contain pieces of all three of its
+/// faces: the upper one, the riser and the lower one.
 TEST(HiddenSide, BothEdgesOfALedgeAcrossTheLattice) {
   std::vector<double> upper, lower;
   for (const double height : {0.4, 0.7, 1.0}) {

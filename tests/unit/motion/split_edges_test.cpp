@@ -121,8 +121,9 @@ TEST(SplitEdges, ABoxIsFollowedWithFewPlacements) {
   Options options;
   options.resolution = 128;
   const Result result = checkedCompute(box, turn, options);
-  // Edges of 10 mm turn by 1.57 rad. Flat side patches would need 2,500 placements; the arcs of the
-  // vertices need only 100.
+  // Edges of 10 mm turn by 1.57 rad. If they were not split, the patches that they sweep from one
+  // placement to the next would need about 2,500 placements to be flat enough. The arcs of the
+  // vertices alone need fewer than 40 (piecesOf() in step_path.h).
   EXPECT_LT(result.report.refinedPlacements, 300);
   // A quarter of a disc up to the far corner, and the two halves of the box beside it.
   const double area = 17 * M_PI / 4 + 4;

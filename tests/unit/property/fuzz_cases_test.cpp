@@ -1,5 +1,5 @@
-// Inputs with which the fuzzing programs once found a fault, each run with the function that
-// found it.
+// Runs each fuzzed function with the inputs that once showed a fault in it (tests/fuzz/cases), and
+// with the inputs from which fuzzing starts (tests/fuzz/seeds).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -23,7 +23,7 @@ class Command(BaseCommand):
             return ""
         return translate(
             "SweptVolume",
-            "Select the object with the value, then the part that moves with the value.",
+            "Select the object with the value that drives the motion, then the part that moves.",
         )
 
     def run(self, document):

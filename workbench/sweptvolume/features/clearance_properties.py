@@ -160,7 +160,7 @@ RESULT = [
         "MapDistances",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Distance of each vertex of the envelope from the nearest neighbour, for the "
+            "Distance of each vertex of the envelope from the nearest neighbouring part, for the "
             "colours of the envelope",
         ),
         HIDDEN,

@@ -209,7 +209,9 @@ def notes_of(obj):
     if not obj.InputHash or obj.Mesh.CountFacets:
         return ""
     text = translate(
-        "SweptVolume", "The two sides share no volume. Their smallest distance is {0}."
+        "SweptVolume",
+        "The two compared objects or groups share no volume. The smallest distance between them "
+        "is {0}.",
     )
     return text.format(quantity(obj.Distance.Value, TABLE_DIGITS))
 

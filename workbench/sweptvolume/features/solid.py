@@ -179,9 +179,9 @@ def notes_of(obj):
     if obj.EdgeTolerance.Value > asked:
         text = translate(
             "SweptVolume",
-            "At one edge, the gap between two faces of the solid is {0}, which is more than the "
-            "tolerance or deviation of the solid ({1}). A smaller Tolerance gives more faces and "
-            "smaller gaps.",
+            "At one edge, the gap between two faces of the solid is {0}. It should be at most {1}: the "
+            "Tolerance or the deviation of the solid from the envelope, whichever is larger, but at "
+            "least 0.001 mm. A smaller Tolerance gives more faces and smaller gaps.",
         )
         notes.append(text.format(quantity(obj.EdgeTolerance.Value), quantity(asked)))
     return "\n".join(notes)

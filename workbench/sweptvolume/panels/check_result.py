@@ -129,7 +129,7 @@ class ResultPanel(StayingPanel):
                     translate(
                         "SweptVolume",
                         "Goes back to the previous place, where the clash is deeper or "
-                        "the distance is smaller",
+                        "the distance is smaller than at the current place",
                     ),
                 ),
                 (

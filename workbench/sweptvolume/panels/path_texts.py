@@ -109,15 +109,15 @@ def improved(report):
         if report["unmended_moves"]:
             text = translate(
                 "SweptVolume",
-                "Sections that stay below the required distance, because no other "
-                "path was found: {0}.",
+                "Number of sections of the path on which the distance stays below the required "
+                "distance, because no other path was found: {0}.",
             )
             lines.append(text.format(report["unmended_moves"]))
         if released:
             text = translate(
                 "SweptVolume",
-                "Sections within the release distance of start and goal, which were "
-                "left unchanged: {0}.",
+                "Number of sections of the path within the release distance of start and goal, "
+                "which were left unchanged: {0}.",
             )
             lines.append(text.format(released))
     lines += [said(w["code"], w["text"]) for w in report["warnings"]]

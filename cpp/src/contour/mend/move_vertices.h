@@ -1,4 +1,5 @@
-// Moves vertices of a surface as far as possible without making triangles intersect.
+// Moves vertices of a surface to target positions, without making pairs of triangles that
+// intersect.
 //
 // In: a surface without intersecting triangles, and the target positions of vertices. Out: the
 // surface, still without intersections. A vertex moves only half of the distance, or not at all, if

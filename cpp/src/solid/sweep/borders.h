@@ -1,5 +1,6 @@
-// Computes curves that bound the faces of a swept body and are known by a formula. Borders between
-// any two other carriers are intersections (carrier/section.h).
+// Computes those borders between faces of a swept body that are known by a formula. Every other
+// border is the intersection of the carriers of its two faces (carrier/carrier.h,
+// carrier/section.h).
 // Units:   mm. All curves are within `bound` of the exact ones.
 // Cost:    O(poles).
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -1,5 +1,7 @@
-// B-splines and sheets against polynomials, differences and dense samples; sections with sheets;
-// parts of curves.
+// Tests of B-splines and of sheets (surfaces made of B-splines). Values are compared with
+// polynomials and with the exact surface at dense samples, derivatives with finite differences.
+// Also tested: parts cut from curves and sheets, and the curves in which sheets intersect other
+// surfaces.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/carrier/sheet.h"
 
