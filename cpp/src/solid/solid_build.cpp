@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "base/safe_file.h"
 #include "simplify/thin.h"
+#include "solid/mesh/decimate.h"
 #include "solid/text/step_text.h"
 
 namespace swept {
