@@ -11,8 +11,7 @@ namespace swept {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kRigidLimit = 1e-4;  // larger deviations of |q| from 1 are not rounding errors
-constexpr double kMendNote = 1e-9;    // smaller deviations are corrected without a finding
+constexpr double kMendNote = 1e-9;  // smaller deviations are corrected without a finding
 constexpr double kAmbiguousDegrees = 1.0;
 
 // Messages count poses from 1, like the rows of a table.

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <string>
 
+#include "base/limits.h"
 #include "base/number_text.h"
 #include "swept/io.h"
 
 namespace swept {
 namespace {
-
-constexpr double kRigidLimit = 1e-4;
 
 [[noreturn]] void refuse(std::int64_t index, const std::string& text) {
   throw Error(Status::InvalidInput, "NotRigid", textOf(6, "pose ", index + 1, ": ", text));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/limits.h"
 #include "base/number_text.h"
 #include "io/line_source.h"
 #include "io/text_mesh.h"
@@ -16,7 +17,6 @@ namespace swept {
 namespace {
 
 constexpr std::size_t kMaxRows = 10'000'000;  // about 1 GB of poses
-constexpr double kUnitLimit = 1e-4;
 
 std::string_view trim(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -233,7 +233,7 @@ class CsvReader {
     pose.translation = Eigen::Vector3d(v[1], v[2], v[3]);
     pose.rotation = Eigen::Quaterniond(v[7], v[4], v[5], v[6]);
     const double length = pose.rotation.norm();
-    if (std::abs(length - 1) > kUnitLimit) {
+    if (std::abs(length - 1) > kRigidLimit) {
       throw Error(Status::InvalidInput, "NotRigid",
                   "'" + path_ + "', line " + std::to_string(lines_.number()) + ", pose " +
                       std::to_string(poses_.size() + 1) + ": the quaternion has length " +

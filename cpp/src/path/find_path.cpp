@@ -10,6 +10,7 @@
 #include "path/guarded_path.h"
 #include "path/ladder.h"
 #include "path/outside.h"
+#include "path/polish.h"
 #include "path/task_check.h"
 #include "path/widen.h"
 #include "swept/path.h"
@@ -18,8 +19,6 @@ namespace swept {
 namespace {
 
 using namespace path;
-
-constexpr int kShortcuts = 400;  // number of shortcuts tried
 
 class PathFinder {
  public:

@@ -10,6 +10,7 @@
 #include "path/found_path.h"
 #include "path/guarded_path.h"
 #include "path/ladder.h"
+#include "path/polish.h"
 #include "path/task_check.h"
 #include "path/widen.h"
 #include "swept/path.h"
@@ -19,9 +20,8 @@ namespace {
 
 using namespace path;
 
-constexpr int kTrialsToShorten = 400;  // number of shortcuts tried
-constexpr double kMinRaise = 1.05;     // raising ends when the step is smaller than this factor
-constexpr double kRaise = 1.5;         // first factor from one clearance to the next
+constexpr double kMinRaise = 1.05;  // raising ends when the step is smaller than this factor
+constexpr double kRaise = 1.5;      // first factor from one clearance to the next
 // A piece ends after this fraction of the part of a move that is proven free.
 constexpr double kGapFraction = 0.98;
 // In radii of the part: shorter pieces of a move get no key.
@@ -178,8 +178,7 @@ class Improver {
       for (Piece& piece : whole) {
         if (!piece.free) continue;
         RandomNumbers random(o_.seed + ++shortened_);
-        shorten(scene_, rule, turnLimit(scene_, space_), kTrialsToShorten, random, piece.keys,
-                run_);
+        shorten(scene_, rule, turnLimit(scene_, space_), kShortcuts, random, piece.keys, run_);
       }
       after.push_back(std::move(whole));
     }

@@ -21,6 +21,9 @@ namespace swept::path {
 /// turn beyond the limit.
 using MoveAllowed = std::function<bool(const State&, const State&)>;
 
+/// Number of shortcuts tried in one pass of shorten().
+constexpr int kShortcuts = 400;
+
 /// Returns the sum of the distances between consecutive keys, in mm.
 double lengthOf(const Scene& scene, const std::vector<State>& keys);
 

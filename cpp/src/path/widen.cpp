@@ -13,11 +13,11 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kLongestMove = 0.5;  // radii of the part; longer moves get keys in between
 constexpr std::size_t kMaxKeys = 300;
-constexpr int kSamplesOfMove = 6;    // number of positions at which a free move is sampled
-constexpr int kManyPlaces = 24;      // the same for a blocked move
-constexpr int kRaiseRounds = 12;     // after this many rounds, a raise has failed
-constexpr int kSweeps = 60;          // passes of the dual ascent
-constexpr double kMaxKeyMove = 0.1;  // radii of the part; a key moves no farther in one round
+constexpr int kSamplesOfMove = 6;      // number of positions at which a free move is sampled
+constexpr int kSamplesOfBlocked = 24;  // the same for a blocked move
+constexpr int kRaiseRounds = 12;       // after this many rounds, a raise has failed
+constexpr int kSweeps = 60;            // passes of the dual ascent
+constexpr double kMaxKeyMove = 0.1;    // radii of the part; a key moves no farther in one round
 // Pairs are opened to this multiple of the wanted distance. Tried on test cases of OMPL.app: with
 // 1.02, blocked moves open too slowly; with 1.25 and more, wide detours use up the permitted
 // length.
@@ -71,9 +71,9 @@ class Band {
       places_.assign(keys.size() - 1, kSamplesOfMove);
       for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
         if (!limits_.allowed(keys[i], keys[i + 1])) return false;
-        if (!keepsApart(keys, i)) places_[i] = kManyPlaces;
+        if (!keepsApart(keys, i)) places_[i] = kSamplesOfBlocked;
       }
-      if (std::count(places_.begin(), places_.end(), kManyPlaces) == 0) return true;
+      if (std::count(places_.begin(), places_.end(), kSamplesOfBlocked) == 0) return true;
       // Moves that are free must stay free.
       for (std::size_t i = 0; i + 1 < keys.size(); ++i)
         for (int k = 0; k <= places_[i]; ++k)

@@ -1,5 +1,5 @@
-// The library writes the same solid, whether the linked kernel checks its shape or another program
-// that reads its text. At most the vertices differ (FaultyText::sameBytes).
+// The library writes the same data, whether the linked kernel checks the shape of a solid or
+// another program that reads its text.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/text_judge.h"
 
@@ -49,13 +49,13 @@ std::string dataOf(const std::string& file) {
   return text.substr(std::min(text.size(), text.find("DATA;")));
 }
 
-struct FaultyText {
+struct JudgedBody {
   const char* name;
   TriMesh mesh;
   double tolerance;
 };
 
-std::vector<FaultyText> cases() {
+std::vector<JudgedBody> cases() {
   TriMesh two = makeBall({0, 0, 0}, 5, 4);
   append(two, makeBox({10, 0, 0}, {14, 3, 2}));
   return {{"box", makeBox({0, 0, 0}, {3, 2, 1}), 0},
@@ -71,7 +71,7 @@ std::vector<FaultyText> cases() {
 
 TEST(TextJudge, TheSolidIsTheOneOfTheKernel) {
   const TemporaryFolder folder;
-  for (const FaultyText& one : cases()) {
+  for (const JudgedBody& one : cases()) {
     SCOPED_TRACE(one.name);
     StepOptions options;
     options.tolerance = one.tolerance;

@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCornerFraction =
-    0.15;  // fraction of the tolerance: how far vertices of facets may move
+// Fraction of the tolerance: how far vertices of facets may move.
+constexpr double kCornerFraction = 0.15;
 
 class Builder {
  public:

@@ -17,8 +17,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Smaller speeds, relative to the largest speed, count as zero.
-constexpr double kNoSpeed = 1e-9;
 /// Radians: the smallest gap between contacts on a closed rail at which the rail can be cut open.
 constexpr double kMinGap = 0.35;
 

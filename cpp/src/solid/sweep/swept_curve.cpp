@@ -13,8 +13,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kSteps = 16;
-/// A relative speed or relative area below this counts as zero.
-constexpr double kNone = 1e-9;
 
 // Returns the range with its margin. The range of a circle does not extend beyond one turn.
 Range withRoom(const Curve& curve, Range range) {
@@ -54,8 +52,8 @@ Degeneracy idle(const ExactSurface& exact, Range u, Range t) {
       area = std::max(area, along.cross(moved).norm());
     }
   }
-  if (!(way > kNone * length)) return Degeneracy::AtRest;
-  return area > kNone * way * length ? Degeneracy::None : Degeneracy::AlongItself;
+  if (!(way > kNoSpeed * length)) return Degeneracy::AtRest;
+  return area > kNoSpeed * way * length ? Degeneracy::None : Degeneracy::AlongItself;
 }
 
 // Returns whether the curve is a circle that turns about its own axis. Its chords are not parallel,
@@ -67,8 +65,8 @@ bool turnsInItself(const Curve& curve, const StepPath& path) {
   const Vector3d centre = start.apply(curve.start), normal = start.rotation * curve.axis;
   const Vector3d off = (centre - axis->point).cross(axis->direction);
   const Vector3d slid = path.at(1).apply(curve.start) - centre;
-  return off.norm() <= kNone * curve.radius && slid.norm() <= kNone * curve.radius &&
-         normal.cross(axis->direction).norm() <= kNone;
+  return off.norm() <= kNoSpeed * curve.radius && slid.norm() <= kNoSpeed * curve.radius &&
+         normal.cross(axis->direction).norm() <= kNoSpeed;
 }
 
 }  // namespace

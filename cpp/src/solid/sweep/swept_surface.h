@@ -50,6 +50,8 @@ namespace swept::step {
 
 /// Fraction of a range by which a sheet is larger on each side.
 constexpr double kMargin = 0.02;
+/// Speeds and areas below this fraction of the largest possible ones count as zero.
+constexpr double kNoSpeed = 1e-9;
 
 enum class Degeneracy {
   None,
