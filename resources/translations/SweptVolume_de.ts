@@ -504,7 +504,7 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
         <translation>Größter erlaubter Fehler des kleinsten Abstands. Ist die Interpolation der Bewegung Spline, oder ist sie relativ zu einem bewegten Teil, wird die Hälfte dieses Werts zusätzlich vom garantierten Abstand und im Urteil abgezogen</translation>
     </message>
     <message>
-        <source>How far the solid should deviate from the mesh at most. Not guaranteed: Deviation is the measured value. Within this tolerance, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a tolerance</source>
+        <source>Largest deviation from the mesh to aim at. Not guaranteed: Deviation is the measured value. Within this tolerance, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a tolerance</source>
         <translation>Wie weit der Festkörper höchstens vom Netz abweichen soll. Nicht garantiert: Deviation ist der gemessene Wert. Innerhalb dieser Toleranz werden Zylinder, Kugeln und andere Flächen erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces keine Toleranz erfordert</translation>
     </message>
 </context>
@@ -3663,7 +3663,7 @@ bis etwa {2}, {3}</translation>
         <translation>Alle Hüllen sind aktuell. Um eine davon trotzdem neu zu berechnen, wählen Sie sie aus.</translation>
     </message>
     <message>
-        <source>How far the solid should deviate from the mesh at most. Not guaranteed: the property Deviation of the solid is the measured value. 0: exact, unless Max faces requires a tolerance</source>
+        <source>Largest deviation from the mesh to aim at. Not guaranteed: the property Deviation of the solid is the measured value. 0: exact, unless Max faces requires a tolerance</source>
         <translation>Wie weit der Festkörper höchstens vom Netz abweichen soll. Nicht garantiert: Die Eigenschaft Deviation des Festkörpers ist der gemessene Wert. 0: genau, sofern „Max. Flächen“ keine Toleranz erfordert</translation>
     </message>
     <message>

@@ -46,7 +46,7 @@ PROPERTIES = [
         "Solid",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "How far the solid should deviate from the mesh at most. Not guaranteed: Deviation is "
+            "Largest deviation from the mesh to aim at. Not guaranteed: Deviation is "
             "the measured value. Within this tolerance, cylinders, spheres and other surfaces are "
             "recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a "
             "tolerance",

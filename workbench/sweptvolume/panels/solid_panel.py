@@ -59,7 +59,7 @@ class SolidPanel(StartPanel):
             self.tolerance,
             translate(
                 "SweptVolume",
-                "How far the solid should deviate from the mesh at most. Not guaranteed: the "
+                "Largest deviation from the mesh to aim at. Not guaranteed: the "
                 "property Deviation of the solid is the measured value. 0: exact, unless Max "
                 "faces requires a tolerance",
             ),
