@@ -213,7 +213,7 @@
     </message>
     <message>
         <source>Number of pairs checked, including pairs that stay farther apart than Range</source>
-        <translation>Anzahl der geprüften Paare, einschließlich der Paare, die weiter als Range voneinander entfernt bleiben</translation>
+        <translation>Anzahl der geprüften Paare, einschließlich der Paare, deren Abstand immer größer ist als die Eigenschaft „Range“</translation>
     </message>
     <message>
         <source>Time of each pose (s), in ascending order</source>
@@ -1426,8 +1426,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>„{0}“ enthält „{1}“: Entfernen Sie eines davon.</translation>
     </message>
     <message>
-        <source>The rules for &quot;{0}&quot; and for &quot;{1}&quot; contradict each other for &quot;{2}&quot;, and neither takes precedence: add a rule for this pair.</source>
-        <translation>Die Regeln für „{0}“ und für „{1}“ widersprechen sich für „{2}“, und keine hat Vorrang: Fügen Sie eine Regel für dieses Paar hinzu.</translation>
+        <source>The rules for &quot;{0}&quot; and for &quot;{1}&quot; contradict each other for the pair &quot;{2}&quot;, and neither takes precedence: add a rule for exactly this pair.</source>
+        <translation>Die Regeln für „{0}“ und für „{1}“ widersprechen sich für das Paar „{2}“, und keine hat Vorrang: Fügen Sie eine Regel für genau dieses Paar hinzu.</translation>
     </message>
     <message>
         <source>The rules of &quot;{0}&quot; do not fit together (parts: {1}, kinds of rules: {2}, lengths: {3}); each rule needs two parts, one kind and one length. Enter the rules again.</source>
@@ -1484,8 +1484,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Die Liste der Teile ist leer: Wählen Sie die Teile aus, und klicken Sie auf „Auswahl hinzufügen“.</translation>
     </message>
     <message>
-        <source>&quot;{0}&quot; has the interpolation None: choose another interpolation, or choose find a path for this part.</source>
-        <translation>„{0}“ hat die Interpolation „Keine“: Wählen Sie eine andere Interpolation, oder wählen Sie für dieses Teil „Bahn finden“.</translation>
+        <source>&quot;{0}&quot; has the interpolation None: choose another interpolation, or choose &quot;find a path&quot; as the motion of this part.</source>
+        <translation>„{0}“ hat die Interpolation „Keine“: Wählen Sie eine andere Interpolation, oder wählen Sie „Bahn finden“ als Bewegung dieses Teils.</translation>
     </message>
     <message>
         <source>The two compared objects or groups share no volume. The smallest distance between them is {0}.</source>
@@ -1511,7 +1511,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>At one edge, the gap between two faces of the solid is {0}. It should be at most {1}: the Tolerance or the deviation of the solid from the envelope, whichever is larger, but at least 0.001 mm. A smaller Tolerance gives more faces and smaller gaps.</source>
-        <translation>An einer Kante beträgt der Spalt zwischen zwei Flächen des Festkörpers {0}. Er sollte höchstens {1} betragen: die Toleranz oder die Abweichung des Festkörpers von der Hülle (der größere der beiden Werte), mindestens aber 0,001 mm. Eine kleinere Toleranz ergibt mehr Flächen und kleinere Spalte.</translation>
+        <translation>An einer Kante beträgt der Spalt zwischen zwei Flächen des Festkörpers {0}. Er sollte höchstens {1} betragen. Dieser Grenzwert ist der größte von drei Werten: die Toleranz, die Abweichung des Festkörpers von der Hülle und 0,001 mm. Eine kleinere Toleranz ergibt mehr Flächen und kleinere Spalte.</translation>
     </message>
     <message>
         <source>The envelope is conservative, but a solid with a tolerance could cut into the swept volume: set the Tolerance of the solid to 0.</source>
@@ -1882,8 +1882,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder kompilieren Sie sie mit „cmake --build build“.</translation>
     </message>
     <message>
-        <source>The program that runs the study ended with exit status {0} and wrote no result: run the study again, or run &quot;swept study FILE&quot; in a terminal to see its output.</source>
-        <translation>Das Programm, das die Studie ausführt, hat sich mit dem Rückgabewert {0} beendet und kein Ergebnis geschrieben: Starten Sie die Studie erneut, oder führen Sie „swept study DATEI“ in einem Terminal aus, um die Ausgabe zu sehen.</translation>
+        <source>The program that runs the study ended with exit status {0} and wrote no result: run the study again, or run swept study &quot;{1}&quot; in a terminal to see its output.</source>
+        <translation>Das Programm, das die Studie ausführt, hat sich mit dem Rückgabewert {0} beendet und kein Ergebnis geschrieben: Starten Sie die Studie erneut, oder führen Sie in einem Terminal swept study &quot;{1}&quot; aus, um die Ausgabe zu sehen.</translation>
     </message>
     <message>
         <source>Studies need the program {0}, but it was not found: install it.</source>
@@ -3025,7 +3025,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Starts again from the beginning when the end is reached</source>
-        <translation>Beginnt am Ende von vorn</translation>
+        <translation>Spielt die Bewegung nach dem Ende wieder von vorn ab</translation>
     </message>
     <message>
         <source>P&amp;ause</source>
@@ -3080,8 +3080,8 @@ path&apos;s size.</extracomment>
         <translation>Regeln</translation>
     </message>
     <message>
-        <source>If a neighbour is closer to the start or the goal than required, the part may stay that close to it until some point of the part has moved farther than this length from there</source>
-        <translation>Liegt ein Nachbar näher am Start oder am Ziel als der Sollabstand, darf das Teil ihm so nah bleiben, bis sich einer seiner Punkte weiter als diese Länge von dort entfernt hat</translation>
+        <source>If the part is closer to a neighbour than required at the start or the goal, this is also allowed nearby: until some point of the part has moved farther than this length from the start or the goal</source>
+        <translation>Liegt das Teil am Start oder am Ziel näher an einem Nachbarn als der Sollabstand, ist das auch in der Nähe erlaubt: bis sich ein Punkt des Teils weiter als diese Länge vom Start oder Ziel entfernt hat</translation>
     </message>
     <message>
         <source>Release distance</source>

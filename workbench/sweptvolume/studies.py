@@ -195,9 +195,9 @@ def run(path, output, jobs, told, cancelled):
     text = translate(
         "SweptVolume",
         "The program that runs the study ended with exit status {0} and wrote no result: run the "
-        'study again, or run "swept study FILE" in a terminal to see its output.',
+        'study again, or run swept study "{1}" in a terminal to see its output.',
     )
-    raise InputProblem(errors or text.format(process.returncode))
+    raise InputProblem(errors or text.format(process.returncode, path))
 
 
 #: Arguments: study, folder of the results, relative path from the page to that folder, template (""

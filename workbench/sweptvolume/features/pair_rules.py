@@ -79,8 +79,8 @@ def _narrower(one, other):
 def _contradiction(parts, first, second):
     text = translate(
         "SweptVolume",
-        'The rules for "{0}" and for "{1}" contradict each other for "{2}", and neither takes '
-        "precedence: add a rule for this pair.",
+        'The rules for "{0}" and for "{1}" contradict each other for the pair "{2}", and '
+        "neither takes precedence: add a rule for exactly this pair.",
     )
     return InputProblem(text.format(label_of(first), label_of(second), label_of(parts)))
 

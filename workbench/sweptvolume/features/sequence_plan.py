@@ -120,7 +120,7 @@ class Plan(mechanism_plan.Plan):
                 text = translate(
                     "SweptVolume",
                     '"{0}" has the interpolation None: choose another interpolation, or choose '
-                    "find a path for this part.",
+                    '"find a path" as the motion of this part.',
                 )
                 raise InputProblem(text.format(motion.Label))
         return groups

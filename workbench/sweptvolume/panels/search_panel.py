@@ -48,9 +48,9 @@ class SearchPanel(StayingPanel):
             widgets.length(now["ReleaseDistance"], 0.0, 5.0),
             translate(
                 "SweptVolume",
-                "If a neighbour is closer to the start or the goal than required, the part may stay "
-                "that close to it until some point of the part has moved farther than this length "
-                "from there",
+                "If the part is closer to a neighbour than required at the start or the goal, this "
+                "is also allowed nearby: until some point of the part has moved farther than this "
+                "length from the start or the goal",
             ),
         )
         self.release.setObjectName("SweptVolumeRelease")

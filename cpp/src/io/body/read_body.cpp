@@ -91,13 +91,13 @@ Body readSolidBody(const std::string& path, const BodyFileOptions& options, cons
                                        : toleranceFromSize(read, options.resolution);
   if (!(body.chordError > 0)) {
     throw Error(Status::InvalidInput, "BadOption",
-                "the tolerance with which '" + path + "' is turned into triangles is " +
+                "the tolerance for meshing '" + path + "' is set to " +
                     numberText(body.chordError, kTellingDigits) + " mm, but must be above 0");
   }
   if (!(options.angle > 0)) {
     throw Error(Status::InvalidInput, "BadOption",
-                "the largest angle between adjacent triangles, with which '" + path +
-                    "' is turned into triangles, is " + numberText(options.angle, kTellingDigits) +
+                "the largest angle between adjacent triangles for meshing '" + path +
+                    "' is set to " + numberText(options.angle, kTellingDigits) +
                     " rad, but must be above 0");
   }
   const std::vector<ImportedSolid> solids = read(body.chordError, options.angle, &body.shape);
