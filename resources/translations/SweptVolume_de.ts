@@ -1414,8 +1414,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Der Abstand in der Regel von „{0}“ ist {1} mm: Geben Sie 0 oder mehr ein.</translation>
     </message>
     <message>
-        <source>The rules of &quot;{0}&quot; do not fit together (parts: {1}, kinds of rules: {2}, lengths: {3}); these numbers must be equal. Enter the rules again.</source>
-        <translation>Die Regeln von „{0}“ passen nicht zusammen (Teile: {1}, Regelarten: {2}, Längen: {3}); diese Anzahlen müssen gleich sein. Geben Sie die Regeln neu ein.</translation>
+        <source>The rules of &quot;{0}&quot; are incomplete: each rule needs a part, a kind and a length, but there are {1} parts, {2} kinds and {3} lengths. Enter the rules again.</source>
+        <translation>Die Regeln von „{0}“ sind unvollständig: Jede Regel braucht ein Teil, eine Art und eine Länge, vorhanden sind aber {1} Teile, {2} Arten und {3} Längen. Geben Sie die Regeln neu ein.</translation>
     </message>
     <message>
         <source>There is nothing to compare: choose two or more parts, envelopes or solids.</source>
@@ -1430,8 +1430,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Die Regeln für „{0}“ und für „{1}“ widersprechen sich für das Paar „{2}“, und keine hat Vorrang: Fügen Sie eine Regel für genau dieses Paar hinzu.</translation>
     </message>
     <message>
-        <source>The rules of &quot;{0}&quot; do not fit together (parts: {1}, kinds of rules: {2}, lengths: {3}); each rule needs two parts, one kind and one length. Enter the rules again.</source>
-        <translation>Die Regeln von „{0}“ passen nicht zusammen (Teile: {1}, Regelarten: {2}, Längen: {3}); jede Regel braucht zwei Teile, eine Regelart und eine Länge. Geben Sie die Regeln neu ein.</translation>
+        <source>The rules of &quot;{0}&quot; are incomplete: each rule needs two parts, a kind and a length, but there are {1} parts, {2} kinds and {3} lengths. Enter the rules again.</source>
+        <translation>Die Regeln von „{0}“ sind unvollständig: Jede Regel braucht zwei Teile, eine Art und eine Länge, vorhanden sind aber {1} Teile, {2} Arten und {3} Längen. Geben Sie die Regeln neu ein.</translation>
     </message>
     <message>
         <source>Path of {0}</source>
@@ -2086,9 +2086,9 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Der Spline von Lage {0} bis Lage {1} ist nicht berechenbar, weil zu große Zahlenwerte entstehen: Prüfen Sie Zeiten, Platzierungen und vorgegebene Geschwindigkeiten dieser Lagen.</translation>
     </message>
     <message>
-        <source>The document &quot;{0}&quot; has no open 3D view: open one with the menu Window.</source>
+        <source>The document &quot;{0}&quot; has no open 3D view: open one with &quot;Create new view&quot; in the menu View.</source>
         <extracomment>Triangles of the part in motion, and at its keys, where it is drawn many times.</extracomment>
-        <translation>„{0}“ hat keine offene 3D-Ansicht: Öffnen Sie eine im Menü Fenster.</translation>
+        <translation>„{0}“ hat keine offene 3D-Ansicht: Öffnen Sie im Menü „Ansicht“ eine neue Ansicht.</translation>
     </message>
     <message>
         <source>Made by the face itself at one of the poses, not by its motion between the poses</source>
@@ -2857,8 +2857,8 @@ path&apos;s size.</extracomment>
         <translation>Aus&amp;wahl übernehmen</translation>
     </message>
     <message>
-        <source>Adds the shared volume of the two objects to the document. When the new object is stale, its icon in the tree has a clock</source>
-        <translation>Fügt das gemeinsame Volumen der beiden Objekte dem Dokument hinzu. Ändert sich später eines von ihnen, zeigt eine Uhr am Symbol im Baum, dass das Volumen veraltet ist</translation>
+        <source>Adds the shared volume of the two objects to the document. If one of them changes later, the icon of the shared volume gets a clock: it is out of date</source>
+        <translation>Fügt dem Dokument das gemeinsame Volumen der beiden Objekte hinzu. Ändert sich später eines davon, erhält das Symbol dieses Volumens eine Uhr: Es ist veraltet</translation>
     </message>
     <message>
         <source>Pairs checked: {0}, shared volume: {1}</source>
@@ -3743,7 +3743,7 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>A computation that would need more memory is refused before it starts</source>
-        <translation>Eine Berechnung, die mehr Speicher bräuchte, wird vor dem Start abgelehnt</translation>
+        <translation>Eine Berechnung, die mehr Speicher als diesen Wert bräuchte, wird vor dem Start abgelehnt</translation>
     </message>
     <message>
         <source> MiB</source>

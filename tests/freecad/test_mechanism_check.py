@@ -338,7 +338,7 @@ class BadInput(SliderCrank):
         self.refused("Only one part is given", (self.crank, crank))
         self.refused('"Rod" has no motion', (self.crank, crank), (self.rod, self.wall))
         self.refused(
-            "rules of .* do not fit together",
+            "rules of .* are incomplete",
             (self.crank, crank),
             (self.slider, slider),
             RuleParts=[(self.crank, "")],

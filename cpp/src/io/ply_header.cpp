@@ -92,9 +92,9 @@ void checkSize(const PlyHeader& header, std::uint64_t fileBytes, const std::stri
                                     : element.leastBytes();
     if (least != 0 && element.count > (left + 1) / least) {
       throw Error(Status::InvalidInput, "BadFile",
-                  "'" + path + "' declares " + std::to_string(element.count) + " of '" +
-                      element.name + "', at least " + std::to_string(least) +
-                      " bytes each, but only " + std::to_string(left) +
+                  "'" + path + "' announces in its header " + std::to_string(element.count) +
+                      " entries of the type '" + element.name + "' with at least " +
+                      std::to_string(least) + " bytes each, but only " + std::to_string(left) +
                       " bytes follow the header; the file is truncated");
     }
     left -= std::min(left, least * element.count);

@@ -151,7 +151,9 @@ RepeatableInput::RepeatableInput(const std::string& path) : given_(path), path_(
     path_ = copy_->finish();
   } catch (const std::system_error& error) {
     throw Error(Status::ExportFailed, "WriteFailed",
-                "'" + path + "' is a stream, and copying it to a temporary file failed: " +
+                "'" + path +
+                    "' is no ordinary file but a pipe or a device, and copying its data to a "
+                    "temporary file failed: " +
                     error.what() + "; free disk space, or give the name of a file");
   }
 }

@@ -71,8 +71,8 @@ def read(obj):
         raise InputProblem(
             translate(
                 "SweptVolume",
-                'The rules of "{0}" do not fit together (parts: {1}, kinds of rules: {2}, '
-                "lengths: {3}); these numbers must be equal. Enter the rules again.",
+                'The rules of "{0}" are incomplete: each rule needs a part, a kind and a '
+                "length, but there are {1} parts, {2} kinds and {3} lengths. Enter the rules again.",
             ).format(obj.Label, len(pairs), len(obj.RuleKinds), len(obj.RuleLengths))
         )
     return checked(obj, zip(pairs, (convert.label_of(*pair) for pair in pairs)))

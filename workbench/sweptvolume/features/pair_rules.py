@@ -28,9 +28,8 @@ def read(obj):
         raise InputProblem(
             translate(
                 "SweptVolume",
-                'The rules of "{0}" do not fit together (parts: {1}, kinds of rules: {2}, '
-                "lengths: {3}); each rule needs two parts, one kind and one length. Enter the "
-                "rules again.",
+                'The rules of "{0}" are incomplete: each rule needs two parts, a kind and a '
+                "length, but there are {1} parts, {2} kinds and {3} lengths. Enter the rules again.",
             ).format(obj.Label, len(parts), len(obj.RuleKinds), len(obj.RuleLengths))
         )
     pairs = [key(*two) for two in zip(parts[::2], parts[1::2])]

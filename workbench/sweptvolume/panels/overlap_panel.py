@@ -95,8 +95,8 @@ class OverlapPanel(StayingPanel):
             QtWidgets.QPushButton(translate("SweptVolume", "Keep s&hared volume")),
             translate(
                 "SweptVolume",
-                "Adds the shared volume of the two objects to the document. When the new object "
-                "is stale, its icon in the tree has a clock",
+                "Adds the shared volume of the two objects to the document. If one of them "
+                "changes later, the icon of the shared volume gets a clock: it is out of date",
             ),
         )
         self.keep.setObjectName("SweptVolumeKeepShared")

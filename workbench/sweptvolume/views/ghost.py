@@ -23,7 +23,8 @@ def view_of(document):
     views += gui.mdiViewsOfType("Gui::View3DInventor")
     if not views:
         text = translate(
-            "SweptVolume", 'The document "{0}" has no open 3D view: open one with the menu Window.'
+            "SweptVolume",
+            'The document "{0}" has no open 3D view: open one with "Create new view" in the menu View.',
         )
         raise InputProblem(text.format(document.Label))
     return views[0]

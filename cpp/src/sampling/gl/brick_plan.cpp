@@ -16,8 +16,8 @@ std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
                                std::uint64_t{1} << 30});
   if (most < 3) {
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
-                "no GPU can be used, because the GPU found offers too little memory (largest "
-                "storage block: " +
+                "no GPU can be used, because the GPU that was found has too little memory "
+                "(largest storage block: " +
                     std::to_string(limits.storageBytes) +
                     " bytes, memory for the grid: " + std::to_string(budgetBytes) +
                     " bytes; each must have at least 12 bytes)" + kDeviceAdvice);
