@@ -3,6 +3,9 @@
 import os
 import shutil
 import sys
+import tempfile
+
+import pivy.coin  # noqa: F401  getCameraNode() needs it
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "tests", "freecad", "gui"))
@@ -14,6 +17,7 @@ from driver import (  # noqa: E402
     Gui,
     Ok,
     QtCore,
+    QtGui,
     QtWidgets,
     answered,
     choose,
@@ -42,6 +46,33 @@ CSV = "# a lift and a quarter turn\nt,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,0
 CSV += "2,0,20,5,0,0,0.7071068,0.7071068\n"
 
 
+def fill_view():
+    """Zooms and moves the camera so that the visible objects fill most of the view. "ViewFit" leaves
+    room for a ball around them, which is much in a narrow view."""
+    view = Gui.activeDocument().activeView()
+    if not hasattr(view, "saveImage") or view.getCameraType() != "Orthographic":
+        return
+    wide, high = (size // 2 for size in view.getSize())
+    with tempfile.NamedTemporaryFile(suffix=".png") as file:
+        view.saveImage(file.name, wide, high, "White")
+        image = QtGui.QImage(file.name).convertToFormat(QtGui.QImage.Format_Grayscale8)
+    lines = [bytes(image.constScanLine(y))[:wide] for y in range(high)]
+    drawn = [(x, y) for y, line in enumerate(lines) for x, grey in enumerate(line) if grey < 250]
+    if not drawn:
+        return
+    left, right = min(x for x, _ in drawn), max(x for x, _ in drawn)
+    top, bottom = min(y for _, y in drawn), max(y for _, y in drawn)
+    camera = view.getCameraNode()
+    # Above: the height of the camera is that of the view, or of a square in a view that is narrow.
+    pixel = camera.height.getValue() / min(wide, high)
+    shift = App.Vector(((left + right - wide) / 2), ((high - top - bottom) / 2), 0) * pixel
+    place = view.getCameraOrientation().multVec(shift)
+    position = App.Vector(*camera.position.getValue()) + place
+    camera.position.setValue(*position)
+    fill = max((right - left) / wide, (bottom - top) / high)
+    camera.height.setValue(camera.height.getValue() * max(fill, 0.2) / 0.8)
+
+
 def picture(name):
     """A picture of the window when it has come to rest, as large as the screen. FreeCAD 1.1 has its
     task panel in a dock of its own."""
@@ -54,6 +85,8 @@ def picture(name):
     yield 0.3
     if name not in ZOOMED and Gui.activeDocument():
         Gui.SendMsgToActiveView("ViewFit")
+        yield 0.6
+        fill_view()
     yield 0.6
     yield shot(name)
 

@@ -8,6 +8,26 @@ from .shades import ShadedCells
 from .widgets import QtWidgets
 
 
+class _Header(QtWidgets.QHeaderView):
+    """A horizontal header with columns as narrow as their titles allow. Qt leaves room for the arrow
+    of the sorted column in every column, and too much for a title of two lines."""
+
+    def __init__(self):
+        super().__init__(QtCore.Qt.Horizontal)
+        self.setSectionsClickable(True)
+        self.setHighlightSections(True)
+
+    def sectionSizeFromContents(self, column):
+        size = super().sectionSizeFromContents(column)
+        metrics = self.fontMetrics()
+        lines = str(self.model().headerData(column, QtCore.Qt.Horizontal) or "").split("\n")
+        width = max(metrics.boundingRect(line).width() for line in lines)
+        width += 3 * metrics.averageCharWidth()
+        if self.isSortIndicatorShown() and column == self.sortIndicatorSection():
+            width += metrics.height()  # the arrow
+        return QtCore.QSize(min(size.width(), width), size.height())
+
+
 class VerdictTable(QtWidgets.QTableWidget):
     """The first column shows the name of a row, the second its verdict. Each cell keeps the index
     of its row in the report, so the table can be sorted."""
@@ -15,6 +35,7 @@ class VerdictTable(QtWidgets.QTableWidget):
     def __init__(self, name, heads):
         super().__init__(0, len(heads))
         self.setObjectName(name)
+        self.setHorizontalHeader(_Header())
         self.setHorizontalHeaderLabels(heads)
         self.shades = ShadedCells()  # the table does not keep a reference to it
         self.setItemDelegateForColumn(1, self.shades)
