@@ -50,6 +50,8 @@ if(SWEPT_ZIG_TARGET MATCHES "windows")
   add_compile_definitions(_USE_MATH_DEFINES)  # M_PI, which FCL and OpenMesh use
 elseif(SWEPT_ZIG_TARGET MATCHES "macos")
   set(CMAKE_SYSTEM_NAME Darwin)
+  # With zig 0.17.1, a source that includes <cmath> before <cfloat> does not get these two, which libccd uses.
+  add_compile_definitions(DBL_MAX=__DBL_MAX__ DBL_EPSILON=__DBL_EPSILON__)
 else()
   set(CMAKE_SYSTEM_NAME Linux)
 endif()
