@@ -1,5 +1,5 @@
-// Reports as JSON, for callers that add their own fields to the same object.
-// Keys stand in the order in which they are added. docs/report.schema.json describes them.
+// Reports as JSON objects, to which callers may add fields of their own. Keys appear in the order
+// in which they are added. docs/report.schema.json describes them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

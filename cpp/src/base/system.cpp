@@ -171,8 +171,8 @@ void returnFreeMemory() {
 
 #ifdef __GLIBC__
 bool setHeap(HeapSetting setting) {
-  // Upper bound to which the GNU C library raises its threshold for returning free memory at the
-  // end of the heap, and its default for the largest number of blocks outside the heap.
+  // kUsualTrim is the largest value to which the GNU C library itself raises M_TRIM_THRESHOLD.
+  // kUsualMaps is its default for M_MMAP_MAX, the largest number of blocks outside the heap.
   constexpr int kUsualTrim = 64 << 20, kUsualMaps = 65536, kNoTrim = 1 << 30;
   mallopt(M_TRIM_THRESHOLD, setting == HeapSetting::Usual ? kUsualTrim : kNoTrim);
   mallopt(M_MMAP_MAX, setting == HeapSetting::OneHeap ? 0 : kUsualMaps);
