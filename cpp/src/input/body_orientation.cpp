@@ -16,7 +16,7 @@
 namespace swept {
 namespace {
 
-/// Groups of triangles that are connected by edges with exactly two triangles.
+/// Groups of triangles that are connected across edges with exactly two triangles.
 struct Patches {
   std::vector<std::int32_t> ofTriangle;
   std::vector<std::uint8_t> flip;               ///< per triangle: 1 if it must be reversed
@@ -81,7 +81,7 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
 }
 
 /// Joins patches at edges that do not have exactly two triangles. A patch is balanced at an edge if
-/// its triangles run along this edge equally often in both directions. Patches that are not
+/// equally many of its triangles run along the edge in each direction. Patches that are not
 /// balanced at an edge are joined there. Returns the shell of each patch.
 std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& patches,
                                       std::vector<Shell>& shells) {
@@ -229,7 +229,8 @@ bool windingHolds(const RayColumns& columns, const std::vector<std::int32_t>& sh
         const std::int32_t s = shellOfTriangle[crossing.triangle];
         auto it = std::find_if(sums.begin(), sums.end(), [&](auto& e) { return e.first == s; });
         if (it == sums.end()) it = sums.insert(sums.end(), {s, 0});
-        // A cavity counts with the opposite sign. Crossings at one position may come in any order.
+        // A cavity counts with the opposite sign. Crossings at one position may come in any order,
+        // so the sums are tested only after the last of them.
         it->second += shells[s].winding < 1 ? -crossing.direction : crossing.direction;
         const bool last = &crossing == &line.back() || (&crossing)[1].x > crossing.x + samePlace;
         if (last) {

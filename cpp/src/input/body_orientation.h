@@ -1,4 +1,4 @@
-// Orients the generator (the moving part). This is the second half of the body check.
+// Orients the generator (the moving part). This is the second half of checkBody().
 // In:    welded triangles without duplicates. Out: the same triangles, some of them reversed.
 // Cost:  O(n) for n triangles, plus one ray per sample if shells lie inside the bounding boxes of
 //        others.

@@ -30,10 +30,11 @@ namespace {
 constexpr std::size_t kMaxPolygonCorners = 20000;
 
 // OpenMesh's readers keep state between calls, so only one call may run at a time. They also print
-// errors; this class catches that text for the error message instead.
+// errors; this class catches the printed text for the error message.
 class OpenMeshCall {
  public:
-  // Exchanges the stream buffers: OpenMesh's own connect() and disconnect() leak with every call.
+  // Exchanges the stream buffers, because OpenMesh's connect() and disconnect() leak memory with
+  // every call.
   OpenMeshCall()
       : lock_(mutex()), errors_(omerr().rdbuf(text_.rdbuf())), log_(omlog().rdbuf(&silence_)) {}
   ~OpenMeshCall() {

@@ -55,7 +55,7 @@ void requireRoles(const PlyHeader& header, const std::string& path) {
   }
 }
 
-/// The mesh so far. The readers add one value after another.
+/// The mesh read so far, to which the readers add one value after another.
 class Growing {
  public:
   void value(Role role, double number) { point_[static_cast<int>(role) - 1] = number; }

@@ -37,7 +37,7 @@ float stepped(float value, int steps) {
   return value + 0.0F;
 }
 
-/// Rounds a mesh. Works on places (distinct positions), so vertices at one place stay together.
+/// Rounds a mesh. Works on distinct positions, so vertices with equal coordinates stay equal.
 class Rounding {
  public:
   explicit Rounding(const TriMesh& mesh) : mesh_(mesh) {
@@ -109,8 +109,8 @@ class Rounding {
                      points_[c].cast<double>());
   }
 
-  /// Moves a place to the nearest free point for which suits() is true. Leaves the place unchanged
-  /// if there is no such point.
+  /// Moves a position to the nearest free point for which suits() is true. Leaves the position
+  /// unchanged if there is no such point.
   template <class Suits>
   void move(std::size_t place, const Suits& suits) {
     constexpr int kReach = 2;
