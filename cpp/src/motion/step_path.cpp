@@ -9,10 +9,10 @@
 namespace swept {
 namespace {
 
-// A step with a smaller turn than this is treated as straight. A screw of length d and angle a
-// turns about a point up to d / a away, so rounding (eps) displaces its points by eps d / a. A
-// straight line instead of the screw deviates by d a / 8. Both errors are equal, about 5e-9 d, at a
-// = sqrt(8 eps).
+// A step that turns by less than this angle (rad) is treated as straight. A screw of length d and
+// angle a turns about a point up to d / a away, so rounding (eps) displaces its points by eps d /
+// a. A straight line instead of the screw deviates by d a / 8. Both errors are equal, about 5e-9 d,
+// at a = sqrt(8 eps).
 constexpr double kMinScrewAngle = 4e-8;
 
 }  // namespace
