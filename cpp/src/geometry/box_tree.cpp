@@ -77,8 +77,8 @@ void sortByKey(Keys& keys) {
   }
 }
 
-/// Converts to float and subtracts a few units in the last place. So neither this conversion nor
-/// the rounding of the difference that a caller passes can make a box smaller.
+/// Converts to float and subtracts a few units in the last place. `value` is a rounded difference.
+/// So neither its rounding nor the conversion can make a box smaller.
 float roundedDown(double value) {
   const auto f = static_cast<float>(value);
   return f - std::abs(f) * 3e-7f - std::numeric_limits<float>::min();

@@ -1,14 +1,16 @@
 // Bounding volume hierarchy: a tree of boxes with four children per node, in flat arrays.
 //
-// In: the box of each item, finite. The tree reorders the items, so that near items lie side by
-// side. A place (0 .. size() - 1) is an index into this order. Searches return places; item()
+// In: the finite box of each item. The tree reorders the items, so that near items are next to each
+// other. A place (0 .. size() - 1) is an index into this order. Searches return places; item()
 // returns the item at a place.
-// Out: items near a point or a box, nearest first; boxes of nodes for searches over pairs.
+// Out: the items whose boxes intersect a box, in any order; the items near a point, nearest box
+// first; the boxes of nodes, for searches over pairs.
 // Units: any one unit of length.
 // Cost: for n items, O(n) to build along a curve and O(n log n) by medians, in parallel; 36 bytes
 // per item. O(log n) for a search that ends near its start.
 // Promise: the same tree for any number of threads. No search misses an item. Boxes are stored as
-// floats, relative to the middle of all items, and rounded outward by less than 1e-6 of the largest
+// floats, relative to the centre of the box of all items, and rounded outward by less than 1e-6 of
+// the largest coordinate. Distances to boxes allow for the rounding of the point.
 // coordinate. Distances to boxes allow for the rounding of the point.
 // Source: J. Skilling, Programming the Hilbert curve (2004); I. Kamel and C. Faloutsos, Hilbert
 // R-tree (1994).
@@ -59,7 +61,7 @@ class BoxTree {
       return {{low[0][lane], low[1][lane], low[2][lane]},
               {high[0][lane], high[1][lane], high[2][lane]}};
     }
-    /// Returns, per lane, whether its box intersects the other box (0: no). Has no branches, so
+    /// Returns for each lane whether its box intersects the other box (0: no). Has no branches, so
     /// that the compiler can test all four lanes at once.
     std::array<std::int32_t, kWidth> intersecting(const FloatBox& other) const {
       alignas(16) std::array<std::int32_t, kWidth> hit;
@@ -84,8 +86,9 @@ class BoxTree {
   /// then neighbours in space, and large items do not enlarge the boxes of small ones. Best for few
   /// searches, or for one search over all pairs.
   /// Medians: by repeated halving along the axis on which the centres of the boxes spread most.
-  /// Takes twice as long to build. Time of a search near the items, relative to Curve: 0.5 to 1 for
-  /// balls and tori of 82,000 and 300,000 triangles, 0.6 to 1.4 for a machine part of 32,000.
+  /// Takes twice as long to build as Curve. The time of a search near the items, relative to Curve,
+  /// is 0.5 to 1 for balls and tori of 82,000 and 300,000 triangles, and 0.6 to 1.4 for a machine
+  /// part of 32,000 triangles.
   enum class Order { Curve, Medians };
 
   BoxTree() = default;
@@ -117,12 +120,14 @@ class BoxTree {
     return groups_[levels_[node.level].firstGroup + node.index / kWidth];
   }
 
-  /// Calls visit(place) for every item whose box intersects the box [low, high].
+  /// Calls visit(place) for every item whose box intersects the box [low, high], and perhaps for
+  /// some whose box is just outside.
   template <class Visit>
   void forBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Visit& visit) const;
 
-  /// Calls look(place, reach) for every item whose box is within `reach` of p, nearest box first.
-  /// look() may lower `reach`, and ends the search by returning false.
+  /// Calls look(place, reach) for every item whose box is within `reach` of p, nearest box first,
+  /// and perhaps for some slightly farther away. If the tree has only one item, always calls look()
+  /// for it. look() may lower `reach`, and ends the search by returning false.
   template <class Look>
   void searchNear(const Eigen::Vector3d& p, double reach, const Look& look) const;
 

@@ -9,15 +9,16 @@ namespace {
 /// Angles with a smaller sine than this count as zero. Rounding errors stay below 1e-15.
 constexpr double kSine = 1e-9;
 
-/// Returns whether w and x form an acute angle. The margin is far above rounding.
+/// Returns true only if the angle between w and x is certainly acute. The margin is far above
+/// rounding.
 bool leadsTo(const Eigen::Vector3d& w, const Eigen::Vector3d& x) {
   const double along = w.dot(x);
   return along > 0 && along * along > kSine * kSine * w.squaredNorm() * x.squaredNorm();
 }
 
-/// Returns whether a plane through v separates the triangles (v, a, b) and (v, c, d); all corners
-/// are relative to v. Tries three planes perpendicular to (v, a, b): one along each edge at v, and
-/// one perpendicular to the bisector of a and b.
+/// Returns true if one of three planes through v separates the triangles (v, a, b) and (v, c, d);
+/// all corners are relative to v. The planes are perpendicular to (v, a, b): one along each edge at
+/// v, and one perpendicular to the bisector of a and b.
 bool partedAtVertex(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                     const Eigen::Vector3d& d) {
   const Eigen::Vector3d normal = a.cross(b);
@@ -55,8 +56,8 @@ bool certainlyApart(const std::vector<Eigen::Vector3d>& vertices,
     }
   }
   if (common == 0) {
-    // The plane of a triangle usually separates sheets that lie on each other. A plane through an
-    // edge usually separates neighbours in one sheet.
+    // The plane of a triangle usually separates triangles of two sheets that lie on each other. A
+    // plane through an edge usually separates neighbours in one sheet.
     const TriedTriangle a(vertices, p), b(vertices, q);
     return a.partedByNormal(b) || b.partedByNormal(a) || a.partedByEdge(b) || b.partedByEdge(a);
   }

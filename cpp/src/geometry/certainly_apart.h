@@ -1,7 +1,7 @@
 // Cheap tests whether two triangles of a mesh certainly do not intersect.
 //
-// In: triangles of one mesh. Out: true only if they certainly do not intersect: margins are far
-// above rounding. If the result is false, the triangles may intersect; triangle_pairs.h then
+// In: triangles of one mesh. Out: true only if they certainly do not intersect; the margins are far
+// above rounding errors. If the result is false, the triangles may intersect; triangle_pairs.h then
 // decides. Cost: about ten nanoseconds, even where the exact predicates are slow (coplanar
 // triangles).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -18,7 +18,7 @@
 
 namespace swept {
 
-/// A triangle with the directions that most often separate it from others.
+/// A triangle and the normals of the planes that most often separate it from other triangles.
 class TriedTriangle {
  public:
   TriedTriangle(const TriMesh& mesh, std::int32_t t)

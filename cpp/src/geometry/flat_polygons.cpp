@@ -40,8 +40,8 @@ bool contains(const Polygon& polygon, const Point& p) {
   return inside;
 }
 
-/// Returns whether two segments without a common end cross, or one passes through an end of the
-/// other.
+/// Returns whether two segments cross or an end of one lies on the other. Also returns true for all
+/// segments on one line, and false for segments with a common end.
 bool blocks(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (a == c || a == d || b == c || b == d) return false;
   const double c1 = turn(a, b, c), d1 = turn(a, b, d), a1 = turn(c, d, a), b1 = turn(c, d, b);
@@ -49,8 +49,8 @@ bool blocks(const Point& a, const Point& b, const Point& c, const Point& d) {
          ((a1 >= 0) != (b1 > 0) || (a1 > 0) != (b1 >= 0));
 }
 
-/// Joins a hole to its polygon along the shortest of some lines that crosses neither the hole nor
-/// the polygon.
+/// Joins a hole to its polygon along the shortest candidate line that crosses neither of them. If
+/// there is no such line, takes the shortest candidate.
 void joinHole(Polygon& polygon, const Polygon& hole) {
   struct Bridge {
     double length;
@@ -139,8 +139,8 @@ class EarClipper {
     return true;
   }
 
-  /// If rounding left no ear, returns the corner with the least area, because cutting it off
-  /// changes the polygon least.
+  /// Returns the corner with the smallest area, for a polygon in which rounding has left no ear.
+  /// Cutting it off changes the polygon least.
   std::size_t bestOfNone(std::size_t at, std::size_t left) const {
     std::size_t best = at;
     double least = std::numeric_limits<double>::infinity();
@@ -184,7 +184,8 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
     (areaOf(polygon) < 0 ? holes : outer).push_back(std::move(polygon));
   }
   constexpr double kFlat = 1e-14;
-  if (outer.empty()) outer.swap(holes);  // the loops are slivers that rounding has turned over
+  // Without an outer loop, the loops are slivers whose orientation rounding has reversed.
+  if (outer.empty()) outer.swap(holes);
   // Joins the holes from right to left, so that a hole can be joined to a hole farther right.
   const auto right = [](const Polygon& polygon) {
     double most = -std::numeric_limits<double>::infinity();
@@ -200,7 +201,7 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
           (home == outer.size() || areaOf(outer[k]) < areaOf(outer[home])))
         home = k;
     if (home == outer.size())
-      outer.push_back(hole);  // a sliver that rounding has turned over
+      outer.push_back(hole);  // a sliver whose orientation rounding has reversed
     else
       joinHole(outer[home], hole);
   }

@@ -15,7 +15,7 @@ namespace swept {
 
 struct BadIndex {
   std::int64_t triangle = 0;
-  std::int32_t vertex = 0;  ///< the index, for which there is no vertex
+  std::int32_t vertex = 0;  ///< an index for which there is no vertex
 };
 
 /// Returns the first triangle corner with a bad index, if any.

@@ -46,8 +46,8 @@ class NearestTriangle {
   bool isNear(const Eigen::Vector3d& p, double limit, std::int32_t& hint) const;
 
  private:
-  /// Tests the triangles that are `depth` edges away from the triangle `at`. `best` and `hint`
-  /// receive the squared distance and the index of a nearer one.
+  /// Tests the triangles that are `depth` edges away from the triangle `at`. If a tested triangle
+  /// is nearer than `best`, `best` and `hint` receive its squared distance and its index.
   void lookAround(const Eigen::Vector3d& p, std::int32_t at, int depth, double limit, double& best,
                   std::int32_t& hint) const;
   double squaredDistanceTo(const Eigen::Vector3d& p, std::int32_t t) const {

@@ -55,11 +55,12 @@ struct Quadric {
   }
   /// Returns the mean squared distance of x from the planes.
   double mean(const Eigen::Vector3d& x) const { return weight > 0 ? error(x) / weight : 0; }
-  /// Returns the minimiser, with a small damping (a millionth of the planes' weight) that pulls
-  /// it towards `about`. In directions that the planes do not determine, the result stays at
-  /// `about`. About ten times as fast as minimise().
+  /// Returns the minimiser of error() plus a small damping term, which pulls it towards `about`. In
+  /// directions that the planes do not determine, the result stays at `about`. About ten times as
+  /// fast as minimise().
   Eigen::Vector3d dampedMinimiser(const Eigen::Vector3d& about) const {
-    constexpr double kDamping = 1e-6;  // as strong as planes that differ by a tenth of a degree
+    // The damping outweighs the difference of planes whose angle is less than about 0.1 degrees.
+    constexpr double kDamping = 1e-6;
     Eigen::Matrix3d m = matrix();
     const Eigen::Vector3d g = b - m * about;
     m.diagonal().array() += kDamping * (a[0] + a[3] + a[5]);

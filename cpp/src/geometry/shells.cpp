@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kShellBlock = 1 << 14;
 
-/// The shells within one block of triangles, in the order of their first triangles.
+/// The extents of the shells within one block of triangles, in the order of their first triangles.
 using Parts = std::vector<std::pair<std::int32_t, ShellExtent>>;
 
 Parts measureBlock(const TriMesh& mesh, const Shells& shells,

@@ -43,7 +43,7 @@ void nearestOnSegments(const Vector3d& p, const Vector3d& u, const Vector3d& q, 
 struct Face {
   const Triangle3d& c;
   Vector3d normal;
-  double squared;  // of the normal; 0 for needles, whose normal is inexact; their edges suffice
+  double squared;  // of the normal; 0 for needles: their normal is inexact, and their edges suffice
   explicit Face(const Triangle3d& corners)
       : c(corners), normal((c[1] - c[0]).cross(c[2] - c[0])), squared(normal.squaredNorm()) {
     const double edge = std::max((c[1] - c[0]).squaredNorm(), (c[2] - c[0]).squaredNorm());

@@ -27,10 +27,10 @@ struct Foot {
 };
 
 namespace detail {
-/// Finds the foot from the plane and the edges: slower than footOnTriangle(), but also right for
+/// Finds the foot from the plane and the edges. Slower than footOnTriangle(), but also accurate for
 /// needles.
 Foot footOnNeedle(const Eigen::Vector3d& p, const Triangle3d& triangle);
-/// Returns part / whole, and 0 if an edge has no extent.
+/// Returns part / whole, or 0 if `part` is not positive (then an edge may have length 0).
 inline double fractionOf(double part, double whole) { return part > 0 ? part / whole : 0; }
 }  // namespace detail
 
@@ -38,8 +38,8 @@ inline double fractionOf(double part, double whole) { return part > 0 ? part / w
 inline Foot footOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                            const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   // A triangle is a needle if its squared area is below this fraction of that of a right-angled
-  // triangle with equally long edges. Its barycentric coordinates are then mostly rounding: their
-  // error is about 1e-16 times the fourth power of the edge length.
+  // triangle with equally long edges ab and ac. Its barycentric coordinates are then mostly
+  // rounding: their error is about 1e-16 times the fourth power of the edge length.
   constexpr double kNeedle = 1e-8;
   const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
