@@ -81,8 +81,8 @@ struct LineSearch {
     return std::max(std::abs(at.x[u] - line[u]), std::abs(at.x[v] - line[v]));
   }
 
-  /// Improves (r, s) by Newton's method. If the method does not converge, the result is not on the
-  /// line.
+  /// Improves (r, s) by Newton's method. If the method does not converge, the resulting point is
+  /// not on the line.
   void newton(double& r, double& s) const {
     for (int iteration = 0; iteration < 4; ++iteration) {
       const CurvedPatch::At at = patch.at(r, s);
@@ -101,7 +101,7 @@ struct LineSearch {
 
   /// Finds the point of the patch nearest to the line. Starts at the best of several points, and
   /// damps the steps until they reduce the distance (Levenberg 1944, Marquardt 1963). This is for
-  /// edges that move along themselves: they sweep hardly any area, and the steps of newton() leave
+  /// edges that slide along themselves: they sweep hardly any area, and the steps of newton() leave
   /// the patch.
   void nearest(double& r, double& s) const {
     const auto square = [&](double x, double y) {
@@ -180,7 +180,7 @@ double CrossingRefiner::nearestTime(const SweptElement& element,
     const double along = std::clamp((point - at.x).dot(way) / way.squaredNorm(), 0.0, 1.0);
     return (point - at.x - along * way).squaredNorm();
   };
-  // A few samples find the region of the minimum, because the step is short. Then a search with
+  // A few samples find the interval of the minimum, because the step is short. Then a search with
   // halved widths finds the minimum.
   constexpr int kLooks = 16, kHalvings = 30;
   int nearest = 0;

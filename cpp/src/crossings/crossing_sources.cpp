@@ -45,8 +45,8 @@ class EdgeSources {
             smooth ? SourceKind::Graze : SourceKind::Edge};
   }
 
-  /// Gives all connected edges between the same two faces one kind, which follows from the median
-  /// of their angles.
+  /// Gives all connected edges between the same two faces one kind. The median of their angles
+  /// decides.
   void decideByChains() {
     std::vector<std::uint32_t> border;
     for (std::uint32_t e = 0; e < sources_.size(); ++e) {
@@ -92,8 +92,8 @@ class EdgeSources {
 /// exceeds this (2e-3 rad).
 constexpr double kInPlane = 1 - 2e-6;
 
-/// An edge of the body has swept a patch with this normal. If a face beside the edge slides along
-/// itself in the plane of the patch, returns this face, otherwise -1.
+/// `patch` is the side patch of an edge, and `normal` its normal at a crossing. If a face beside
+/// the edge slides along itself in the plane of the patch, returns this face, otherwise -1.
 std::int32_t slidingFace(const SamplerInput& input, const SweptElement& patch,
                          const Eigen::Vector3f& normal) {
   const BodyEdge& edge = input.topology.edges[patch.index()];
@@ -106,8 +106,8 @@ std::int32_t slidingFace(const SamplerInput& input, const SweptElement& patch,
   return -1;
 }
 
-/// Returns the last pose at or before a time within the step that starts at a placement. A merged
-/// step has several poses.
+/// Returns the last pose at or before a time. The time lies within the step that starts at the
+/// placement. A merged step has several poses.
 std::size_t lastPose(const Motion& motion, const Trajectory& trajectory, std::uint32_t placement,
                      double seconds) {
   const auto [first, end] = std::equal_range(motion.poses.begin(), motion.poses.end(), placement);

@@ -11,13 +11,13 @@
 namespace swept {
 namespace {
 
-/// In a cell with more pieces (element_probe.h) than this, the probe finds no hits. Such a cell
+/// In a cell with more pieces (element_probe.h) than this, the probe reports no hits. Such a cell
 /// contains more than a single wall, and the search would take too long.
 constexpr std::size_t kMaxPieces = 20000;
-/// After this many pieces in a cell, the search leaves out pieces for which isPassed() is true.
-/// Measured on a gripper along 16 keys with cells of 30 mm, and limits of 100, 300, 1,000 and none:
-/// the mean deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cells. Contouring takes 0.3, 0.5 and 1.2
-/// s with the first three limits.
+/// After this many pieces in a cell, the search leaves out pieces for which isCovered() is true.
+/// Measured on a gripper along 16 keys with cells of 30 mm. With limits of 100, 300, 1,000 and
+/// none, the mean deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cells. Contouring takes 0.3, 0.5
+/// and 1.2 s with the first three limits.
 constexpr std::size_t kManyPieces = 300;
 /// Pieces within this distance (cells) of the cell count as touching it, so that the search can
 /// pass around the corners of the cell.
@@ -96,7 +96,8 @@ bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
 
 }  // namespace
 
-/// Directions of faces during steps of the motion. Caches the steps and directions used last.
+/// Directions of faces during steps of the motion, as directionOf() returns them. Keeps the steps
+/// and directions used last.
 class ElementProbe::Directions {
  public:
   explicit Directions(const SamplerInput& input) : input_(input) {}
@@ -141,7 +142,7 @@ class SeenElements {
   }
 
  private:
-  static constexpr std::uint64_t kFree = ~std::uint64_t{0};  // no step has this number
+  static constexpr std::uint64_t kFree = ~std::uint64_t{0};  // no element has this key
   bool put(std::uint64_t key) {
     const std::size_t mask = slots_.size() - 1;
     std::size_t at = (key * 0x9e3779b97f4a7c15u >> 32) & mask;
@@ -203,8 +204,8 @@ ElementProbe::Piece ElementProbe::pieceOf(const SweptElement& element) const {
   return piece;
 }
 
-// Two neighbouring pieces share an edge, a path or a face. A shared edge or path must pass through
-// the box.
+// Neighbouring pieces share an edge, a path or a face. A shared edge or path must pass through the
+// box.
 template <class Inside, class Use>
 void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece,
                                  const Inside& inside, const Use& use) const {
@@ -257,9 +258,9 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
 }
 
 /// Returns whether the pieces before and after this one in the motion cover it, so that it does not
-/// lie on the envelope. This is so for a face that moves in the same direction (along its normal or
-/// against it) before and after its placement. It is also so for a side patch between two faces
-/// that move in the same direction.
+/// lie on the envelope. A face is covered if it moves in the same direction (along its normal or
+/// against it) before and after its placement. A side patch is covered if the two faces beside its
+/// edge move in the same direction.
 bool ElementProbe::isPassed(const SweptElement& element, Directions& directions) const {
   const std::size_t k = element.placement;
   const auto directionIn = [&](std::size_t step, std::int32_t face) {
@@ -340,7 +341,7 @@ void ElementProbe::cast(const Eigen::AlignedBox3d& region,
     const auto& [a, b, c, d] = piece.corner;
     const Eigen::Vector3d n = (b - a).cross(c - a);
     // A line wholly above or below the piece cannot hit it. Heights are measured from the plane of
-    // the first triangle; the fourth corner of a side patch need not lie in this plane.
+    // the first triangle. The fourth corner of a side patch need not lie in this plane.
     const double fourth = n.dot(d - a);
     const double low = std::min(0.0, fourth), high = std::max(0.0, fourth);
     const double slack = kEdgeSlack * n.norm();

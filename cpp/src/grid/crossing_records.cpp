@@ -10,8 +10,8 @@
 namespace swept {
 namespace {
 
-/// Collects the crossings of one column. Keeps, for each lattice edge, the crossings nearest to its
-/// two ends. A bit set marks the crossed edges, so no sorting is needed.
+/// Collects the crossings of one column. For each lattice edge, keeps the crossing nearest to each
+/// of its two ends. A bit set marks the crossed edges, so no sorting is needed.
 class ColumnEnds {
  public:
   explicit ColumnEnds(std::size_t points) : ends_(points), crossed_(points / 64 + 1, 0) {}
@@ -25,7 +25,8 @@ class ColumnEnds {
       ends = {r, r};
       return;
     }
-    // Of several crossings at the same position, both ends keep the one with the smallest element.
+    // Of several crossings at the same position, both ends keep the one whose element has the
+    // smallest index.
     const auto firstOf = [&](const CrossingRecord& other) {
       return r.key == other.key && r.element < other.element;
     };

@@ -87,7 +87,7 @@ class MovingSolid {
   double grazing_;
 };
 
-/// A lattice point of a component to test.
+/// A lattice point of a component at which the component is tested.
 struct Queried {
   std::int32_t length = 0;  ///< of the run; the point is in its middle
   std::array<std::int32_t, 3> point{0, 0, 0};
