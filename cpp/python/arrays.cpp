@@ -101,7 +101,7 @@ TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles) 
     throw py::type_error("triangles must be an array of integers");
   }
   checkShape(any, "triangles", {-1, 3}, "(M, 3)");
-  // Arrays that came from the core are read in place, without a copy.
+  // Contiguous int32 arrays, such as those that the core has returned, are read without a copy.
   const bool plain = py::isinstance<py::array_t<std::int32_t, py::array::c_style>>(any);
   const Integers wide = plain ? Integers() : Integers::ensure(any);
   if (!wide) throw py::error_already_set();

@@ -90,7 +90,7 @@ constexpr const char* kDistanceDoc =
 
 Returns the distance (mm) of each point (N, 3) from a mesh, negative for points inside a closed mesh.)";
 
-/// Returns a report as a dict. Raises if its run failed.
+/// Returns the report of a successful run as a dict. Raises an error if the run failed.
 template <class Report>
 py::object foundOf(const Report& report) {
   py::object found = parseJson(toJson(report));

@@ -1,4 +1,4 @@
-// Texts of help(_swept): shapes, dtypes, units, errors.
+// Texts of help(_swept), with shapes, dtypes, units and errors.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

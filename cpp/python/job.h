@@ -1,6 +1,6 @@
-// Runs long calls. The core computes on a thread of its own, without the interpreter lock. The
-// calling thread lets Python handle its signals meanwhile, so Ctrl-C cancels the run at once.
-// Threads of runs may get a lower priority than the other threads of the process (priority.h).
+// Runs long calls. The core computes on a separate thread, without the interpreter lock. Meanwhile,
+// the calling thread lets Python handle signals, so Ctrl-C cancels the run at once. Threads of runs
+// may get a lower priority than the other threads of the process (priority.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

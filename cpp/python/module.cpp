@@ -57,8 +57,8 @@ std::uint64_t bytesFromMegabytes(double megabytes) {
   return static_cast<std::uint64_t>(megabytes * 1048576.0);
 }
 
-// Converts one option of compute() or estimate(). Raises TypeError if the value is not a number,
-// name or flag as expected, and BadOption for a whole number too large for any option.
+// Converts one option of compute() or estimate(). Raises TypeError if the value has a wrong type,
+// and BadOption if the value is a whole number that T cannot hold.
 template <class T>
 T castOption(const std::string& name, const py::handle& value) {
   try {

@@ -1,5 +1,5 @@
-// Functions of Python that read solids in place of the module's own OpenCASCADE. They are called in
-// the thread of a run, and take the interpreter lock for that time.
+// Python functions that read solids in place of the module's own OpenCASCADE. A run calls them in
+// its thread, and holds the interpreter lock during the call.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,8 +15,8 @@
 
 namespace swept::python {
 
-/// A reader of STEP files in Python: a function that takes the text (bytes) and returns a
-/// dictionary with the figures of check_solid() and "bad_faces".
+/// A reader of STEP files in Python: a function that takes the text (bytes) of a file and returns a
+/// dictionary with the members of SolidCheck and "bad_faces" (kWriteSolidDoc in docstrings.h).
 class PythonStepReader : public StepReader {
  public:
   explicit PythonStepReader(py::function read) : read_(std::move(read)) {}
