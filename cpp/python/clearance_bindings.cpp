@@ -69,7 +69,7 @@ constexpr const char* kMechanismDoc =
 Measures the smallest distances between parts that move at the same time. No approach between two poses is
 missed. Lengths are in mm, times in s.
 parts: list of (name, vertices, triangles, motion, interpolation, chord_error). motion is as in compute(), or
-None for a part that stands still in the place of its mesh. rules: list of (name, name, rule) for pairs of
+None for a part that stands still where its mesh is. rules: list of (name, name, rule) for pairs of
 parts, with rules as in clearance(). Returns the report (docs/clearance.md): summary, far_pairs, joined, and
 pairs, each with first, second and what clearance() returns for a neighbour; first takes the place of the
 body. Raises InvalidInput, Cancelled.)";

@@ -36,7 +36,7 @@ constexpr const char* kImproveDoc =
              more_clearance=False, clearance=0.0, release=0.0, translation_only=False, max_angle=None,
              tolerance=0.01, body_chord=0.0, budget=60.0, seed=1, run=None, rules=()) -> (dict, motion or None)
 
-Improves a motion. Sections that come closer to a neighbour than the clearance are led another way, if the
+Improves a motion. Sections that come closer to a neighbour than the clearance get another path, if the
 search finds one. All other sections become shorter and get fewer keys; with more_clearance=True they stay as
 far from the neighbours as possible instead. The ends, and the keys whose indices are in `locked`, do not
 change. Sections that cannot be improved, or that lie within `release` of the ends, are left unchanged
