@@ -167,8 +167,8 @@ StepOptions solidOptions(const py::dict& keywords) {
 StepReport writeWith(const py::object& reader, const TriMesh& mesh, const std::string& name,
                      const StepOptions& options, RunContext& run) {
   if (!reader.is_none()) {
-    PythonStepReader judge(py::cast<py::function>(reader));
-    return runWithoutLock(run, [&] { return writeSolid(mesh, name, options, judge, run); });
+    PythonStepReader checker(py::cast<py::function>(reader));
+    return runWithoutLock(run, [&] { return writeSolid(mesh, name, options, checker, run); });
   }
   return runWithoutLock(run, [&] { return writeSolid(mesh, name, options, run); });
 }

@@ -20,7 +20,7 @@ template <class Job>
 auto runWithoutLock(RunContext& run, Job job) -> decltype(job()) {
   namespace py = pybind11;
   auto done = std::async(std::launch::async, [job = std::move(job)]() mutable {
-    standBackIfAsked();
+    applyRunPriority();
     return job();
   });
   std::optional<py::error_already_set> interrupt;

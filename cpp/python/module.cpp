@@ -270,7 +270,7 @@ void bindFunctions(py::module_& module) {
       .def("release", &WarmMemory::release,
            "Gives the memory back to the heap. Call it in the thread that created the object.")
       .def_property_readonly("bytes", &WarmMemory::bytes, "Number of reserved bytes.");
-  module.def("stand_back", &standBack,
+  module.def("stand_back", &lowerRunPriority,
              "Gives later runs a lower priority than the other threads of this process. Call it "
              "before the first run.");
   module.def("compute", &pyCompute, kComputeDoc, py::arg("vertices"), py::arg("triangles"),

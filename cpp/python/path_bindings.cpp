@@ -249,9 +249,9 @@ py::tuple pyFindSequence(const py::iterable& list, const py::iterable& still,
   const RunPointer context = runFromObject(run);
   std::vector<SequencePart> parts;
   for (const py::handle& item : list) parts.push_back(sequencePartFrom(item));
-  std::vector<StillPart> there;
+  std::vector<StillPart> stillParts;
   for (ClearanceNeighbour& part : neighboursFrom(still, {}))
-    there.push_back({std::move(part.name), std::move(part.mesh), part.chordError});
+    stillParts.push_back({std::move(part.name), std::move(part.mesh), part.chordError});
   SequenceOptions options;
   options.path = optionsFrom(clearance, release, translationOnly, maxAngle, tolerance, 0, budget,
                              seed, parseInterpolation(interpolation));
@@ -260,7 +260,7 @@ py::tuple pyFindSequence(const py::iterable& list, const py::iterable& still,
   for (const auto& [first, second, text] : rules)
     options.rules.push_back({first, second, parseRule(text)});
   const SequenceReport report = runWithoutLock(
-      *context, [&] { return findSequence(parts, there, options, *context, watch); });
+      *context, [&] { return findSequence(parts, stillParts, options, *context, watch); });
   const py::object found = parseJson(toJson(report));
   if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
   if (report.verdict != SequenceVerdict::Found) return py::make_tuple(found, py::none());

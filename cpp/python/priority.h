@@ -10,10 +10,10 @@
 namespace swept::python {
 
 /// Lowers the priority of all later runs.
-void standBack();
+void lowerRunPriority();
 
 /// Lowers the priority of the calling thread if lowerRunPriority() was called. Each run calls this
 /// function first.
-void standBackIfAsked();
+void applyRunPriority();
 
 }  // namespace swept::python

@@ -22,17 +22,17 @@ class PythonStepReader : public StepReader {
   explicit PythonStepReader(py::function read) : read_(std::move(read)) {}
   Answer read(const std::string& text) override {
     const py::gil_scoped_acquire acquire;
-    const py::dict said = read_(py::bytes(text));
+    const py::dict values = read_(py::bytes(text));
     Answer answer;
-    answer.badFaces = py::cast<std::vector<std::int32_t>>(said["bad_faces"]);
-    answer.check.solids = py::cast<std::int64_t>(said["solids"]);
-    answer.check.shells = py::cast<std::int64_t>(said["shells"]);
-    answer.check.faces = py::cast<std::int64_t>(said["faces"]);
-    answer.check.edges = py::cast<std::int64_t>(said["edges"]);
-    answer.check.valid = py::cast<bool>(said["valid"]);
-    answer.check.complaint = py::cast<std::string>(said["complaint"]);
-    answer.check.volume = py::cast<double>(said["volume"]);
-    answer.check.edgeTolerance = py::cast<double>(said["edge_tolerance"]);
+    answer.badFaces = py::cast<std::vector<std::int32_t>>(values["bad_faces"]);
+    answer.check.solids = py::cast<std::int64_t>(values["solids"]);
+    answer.check.shells = py::cast<std::int64_t>(values["shells"]);
+    answer.check.faces = py::cast<std::int64_t>(values["faces"]);
+    answer.check.edges = py::cast<std::int64_t>(values["edges"]);
+    answer.check.valid = py::cast<bool>(values["valid"]);
+    answer.check.complaint = py::cast<std::string>(values["complaint"]);
+    answer.check.volume = py::cast<double>(values["volume"]);
+    answer.check.edgeTolerance = py::cast<double>(values["edge_tolerance"]);
     for (const std::int32_t face : answer.badFaces) {
       if (face < 0 || face >= answer.check.faces)
         throw py::value_error("bad_faces of the reader names face " + std::to_string(face) +

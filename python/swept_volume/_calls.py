@@ -202,7 +202,7 @@ def compute(
 
     Raises Error with .status, .code and .report; TypeError and ValueError for wrong types and shapes.
     """
-    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    body, trajectory = mesh_of(mesh), motion_of(motion, interpolation)
     options = _given(
         accuracy=accuracy,
         resolution=resolution,
@@ -224,8 +224,8 @@ def compute(
     core = _core.compute(
         body.vertices,
         body.triangles,
-        way._arrays(),
-        way.interpolation,
+        trajectory._arrays(),
+        trajectory.interpolation,
         run,
         body.faces if sources else None,
         **options,
@@ -252,10 +252,16 @@ def estimate(
     leave out most poses and change the result by no more than the chord error. trial=True samples
     some steps, which takes up to a second. Without a trial, memory, seconds and triangles are rough.
     """
-    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    body, trajectory = mesh_of(mesh), motion_of(motion, interpolation)
     given = _given(resolution=resolution, cell=cell, **options)
     return _core.estimate(
-        body.vertices, body.triangles, way._arrays(), way.interpolation, trial, run, **given
+        body.vertices,
+        body.triangles,
+        trajectory._arrays(),
+        trajectory.interpolation,
+        trial,
+        run,
+        **given,
     )
 
 
@@ -285,9 +291,12 @@ class PreviewSession:
         run: Optional[RunContext] = None,
     ) -> Result:
         """Does the same as the function compute(). Only one thread may call it at a time. sketch=True, for
-        drawing, neither repairs nor checks the surface (finding NotChecked), and takes half the time."""
-        way = motion_of(motion, interpolation)
-        return Result._of_core(self._session.compute(way._arrays(), way.interpolation, run, sketch))
+        drawing, neither repairs nor checks the surface (finding NotChecked), and takes half the time.
+        """
+        trajectory = motion_of(motion, interpolation)
+        return Result._of_core(
+            self._session.compute(trajectory._arrays(), trajectory.interpolation, run, sketch)
+        )
 
 
 def check_mesh(mesh: MeshLike, *, run: Optional[RunContext] = None) -> Dict[str, Any]:
@@ -361,9 +370,9 @@ def _origin_of(result: Result, body: Mesh, motion: MotionLike) -> Tuple[Any, ...
         raise bad_option("the result has no sources: compute it with sources=True")
     if body.shape is None:
         raise bad_option("the body has no faces: read it with read_body() from a STEP or BREP file")
-    way = motion_of(motion)
-    poses = way.times, way.quaternions, way.translations
-    return sources, poses, way.interpolation, body.shape, body.chord_error
+    trajectory = motion_of(motion)
+    poses = trajectory.times, trajectory.quaternions, trajectory.translations
+    return sources, poses, trajectory.interpolation, body.shape, body.chord_error
 
 
 def estimate_solid(

@@ -58,13 +58,13 @@ def clearance(
     in mm. The default of a chord error is the chord_error of the mesh. rules: for neighbours with
     another rule than the distance `required`: {"bolt*": "contact:0.1", "cover": 5.0, "hose": "ignore"}.
     Returns the report (docs/clearance.md)."""
-    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    body, trajectory = mesh_of(mesh), motion_of(motion, interpolation)
     report: Dict[str, Any] = _core.clearance(
         body.vertices,
         body.triangles,
-        way._arrays(),
+        trajectory._arrays(),
         [_neighbour(item) for item in neighbours],
-        way.interpolation,
+        trajectory.interpolation,
         required,
         tolerance,
         body.chord_error if body_chord is None else body_chord,
@@ -91,14 +91,14 @@ def first_contacts(
     """Returns the contacts of the body at the first pose of its motion, as rules for clearance() that
     allow them: {"flange": "contact", "bearing": "contact:0.09"}. Remove contacts that are not intended.
     The arguments are those of clearance()."""
-    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    body, trajectory = mesh_of(mesh), motion_of(motion, interpolation)
     parts = [_neighbour(item) for item in neighbours]
     texts = _core.first_contacts(
         body.vertices,
         body.triangles,
-        way._arrays(),
+        trajectory._arrays(),
         parts,
-        way.interpolation,
+        trajectory.interpolation,
         tolerance,
         body.chord_error if body_chord is None else body_chord,
         run,

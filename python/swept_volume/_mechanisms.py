@@ -20,8 +20,8 @@ def _part(item: MechanismPart) -> Tuple[Any, ...]:
     mesh = mesh_of(parts[1])
     motion = None if parts[2] is None else motion_of(parts[2], None)
     chord = float(parts[3]) if len(parts) == 4 else mesh.chord_error
-    way = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
-    return (parts[0], mesh.vertices, mesh.triangles, *way, chord)
+    arrays = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
+    return (parts[0], mesh.vertices, mesh.triangles, *arrays, chord)
 
 
 def mechanism(

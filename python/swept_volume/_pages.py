@@ -26,8 +26,8 @@ def _part(item: PagePart) -> Tuple[Any, ...]:
     mesh = mesh_of(parts[1])
     moves = len(parts) == 3
     motion = motion_of(parts[2], None) if moves and parts[2] is not None else None
-    way = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
-    return (parts[0], mesh.vertices, mesh.triangles, *way, moves, False)
+    arrays = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
+    return (parts[0], mesh.vertices, mesh.triangles, *arrays, moves, False)
 
 
 def report_page(

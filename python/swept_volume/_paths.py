@@ -9,7 +9,7 @@ import numpy.typing as npt
 from . import _core
 from ._calls import RunContext, _log
 from ._clearance import Neighbour, Rules, _neighbour, rule_texts
-from ._values import MeshLike, Motion, MotionLike, matrix, mesh_of, motion_of, way_out
+from ._values import MeshLike, Motion, MotionLike, extraction_of, matrix, mesh_of, motion_of
 
 
 def find_path(
@@ -46,7 +46,7 @@ def find_path(
         matrix(goal, "goal"),
         [_neighbour(item) for item in neighbours],
         None if start is None else matrix(start, "start"),
-        way_out(extract),
+        extraction_of(extract),
         [matrix(place, "via") for place in via],
         clearance,
         release,

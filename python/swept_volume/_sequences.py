@@ -10,7 +10,7 @@ import numpy.typing as npt
 from . import _core
 from ._calls import RunContext, _log
 from ._clearance import Neighbour, _neighbour
-from ._values import MeshLike, Motion, MotionLike, matrix, mesh_of, motion_of, way_out
+from ._values import MeshLike, Motion, MotionLike, extraction_of, matrix, mesh_of, motion_of
 
 
 @dataclass(frozen=True)
@@ -33,12 +33,12 @@ class SequencePart:
         mesh = mesh_of(self.mesh)
         chord = mesh.chord_error if self.chord_error is None else self.chord_error
         motion = None if self.motion is None else motion_of(self.motion, None)
-        way = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
+        arrays = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
         ends = ((self.goal, "goal"), (self.start, "start"))
         goal, start = (None if end is None else matrix(end, name) for end, name in ends)
         via = [matrix(place, "via") for place in self.via]
-        places = (goal, start, way_out(self.extract), via)
-        return (self.name, mesh.vertices, mesh.triangles, chord, *places, *way)
+        ends_and_via = (goal, start, extraction_of(self.extract), via)
+        return (self.name, mesh.vertices, mesh.triangles, chord, *ends_and_via, *arrays)
 
 
 def find_sequence(

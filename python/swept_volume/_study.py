@@ -150,7 +150,7 @@ def _reports(
     return compute_here(tasks, jobs or cores(), lambda: context.cancelled)
 
 
-class _Looked:
+class _StudyState:
     """The content of a study file, the hashes of its files, and the results in its folder."""
 
     def __init__(self, path: Path, output: Optional[Path], strict: bool = False) -> None:
@@ -163,13 +163,13 @@ class _Looked:
         self.reports: List[Optional[Report]] = [None] * len(self.keys)
         self.rows = [_row(one, None) for one in self.study.runs]
 
-    def look(self) -> None:
+    def read_results(self) -> None:
         """Reads the results that an earlier call has left in the folder."""
         for number, (one, key) in enumerate(zip(self.study.runs, self.keys)):
             self.take(number, self.folder.earlier(one, key))
 
     def take(self, number: int, report: Optional[Report]) -> None:
-        """Stores the report of a run (None: there is none yet) and the row of the run."""
+        """Stores the report of a run (None: no report yet) and the row of the run."""
         self.reports[number] = report
         self.rows[number] = _row(self.study.runs[number], report, self.strict)
 
@@ -231,36 +231,36 @@ def run_study(
         raise bad_option(f"jobs is {jobs}; it must be 1 or more")
     if send_files and scheduler is None:
         raise bad_option("send_files is for a scheduler; name its address")
-    looked, context, began = _Looked(path, output, strict), run or RunContext(), time.monotonic()
-    study, folder = looked.study, looked.folder
+    state, context, began = _StudyState(path, output, strict), run or RunContext(), time.monotonic()
+    study, folder = state.study, state.folder
     if page or study.page:
         page_date()  # raises an error for a wrong date before anything is computed
-    with folder.filled_alone():
+    with folder.locked():
         if not again:
-            looked.look()
-        todo = looked.tasks()
+            state.read_results()
+        todo = state.tasks()
         ended = len(study.runs) - len(todo)
-        there = ended
+        kept_count = ended
         if kept is not None:
             left = {task.number for task in todo}
-            kept([row for number, row in enumerate(looked.rows) if number not in left])
+            kept([row for number, row in enumerate(state.rows) if number not in left])
         try:
             for number, report, filled in _reports(todo, jobs, scheduler, send_files, context):
                 folder.take(study.runs[number], report, filled)
-                looked.take(number, report)
+                state.take(number, report)
                 ended += 1
                 if progress is not None:
-                    progress(ended, len(study.runs), looked.rows[number])
+                    progress(ended, len(study.runs), state.rows[number])
         finally:
             folder.remove_partial()
-            found = looked.summary()
-            folder.write(TABLE, _table(looked.rows))
+            found = state.summary()
+            folder.write(TABLE, _table(state.rows))
             folder.write(STUDY_REPORT, json_text(found))
             if page or study.page:
-                folder.write(STUDY_PAGE, looked.page())
-    found["kept"] = there
+                folder.write(STUDY_PAGE, state.page())
+    found["kept"] = kept_count
     found["seconds"] = {"total": round(time.monotonic() - began, 3)}
-    logger.info("%s: %d runs, %d of them kept", study.name, len(study.runs), there)
+    logger.info("%s: %d runs, %d of them kept", study.name, len(study.runs), kept_count)
     return found
 
 
@@ -278,8 +278,8 @@ def study_page(
     page to the folder of results, such as "results/", for links to the pages of single runs.
     template: text, in place of the template that the file names. Raises InvalidInput (BadStudy, BadTemplate),
     FileNotFoundError, Cancelled."""
-    looked = _Looked(path, output)
+    state = _StudyState(path, output)
     if template is not None:
-        looked.study = dataclasses.replace(looked.study, template=template)
-    looked.look()
-    return looked.page(folder, run)
+        state.study = dataclasses.replace(state.study, template=template)
+    state.read_results()
+    return state.page(folder, run)

@@ -52,7 +52,8 @@ def check_roles(runs: Sequence[Run], problems: List[str]) -> None:
 
 def check_rules(runs: Sequence[Run], problems: List[str]) -> None:
     """Refuses rules that clearance() would refuse. The names of the solids in a STEP or BREP file are
-    unknown until the file is read. With such neighbours, only the texts of the rules are checked."""
+    unknown until the file is read. With such neighbours, only the texts of the rules are checked.
+    """
     seen = set()
     for run in runs:
         rules = rule_texts(run.rules)

@@ -25,7 +25,7 @@ Table = Mapping[str, Any]
 
 STAGES = ("envelope", "solid", "clearance")
 _UNITS = ("mm", "cm", "m", "in")
-_KNOWN_PROBLEMS = 12  # largest number that one message lists
+_MAX_LISTED = 12  # largest number that one message lists
 
 
 @dataclasses.dataclass(frozen=True)
@@ -183,8 +183,8 @@ class _Problems(List[str]):
 
 
 def _bad_study(path: pathlib.Path, problems: Sequence[str]) -> _core.InvalidInput:
-    more = len(problems) - _KNOWN_PROBLEMS
-    lines = list(problems[:_KNOWN_PROBLEMS]) + ([f"and {more} more"] if more > 0 else [])
+    more = len(problems) - _MAX_LISTED
+    lines = list(problems[:_MAX_LISTED]) + ([f"and {more} more"] if more > 0 else [])
     error = _core.InvalidInput(f"'{path}': " + "\n  ".join(lines))
     error.status, error.code, error.report = "InvalidInput", "BadStudy", None
     return error

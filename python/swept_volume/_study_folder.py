@@ -42,7 +42,7 @@ class Folder:
         self.path = path
 
     @contextlib.contextmanager
-    def filled_alone(self) -> Iterator[None]:
+    def locked(self) -> Iterator[None]:
         """Locks the folder, so that only one study at a time writes to it. The system removes the lock when
         the process ends, for whatever reason. The empty lock file remains. Raises InvalidInput
         (FolderInUse), OSError. There is no lock in Windows."""

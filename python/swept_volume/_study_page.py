@@ -17,7 +17,8 @@ from ._values import bad_option
 
 def page_date() -> str:
     """Returns the time that a page shows: the value of the environment variable SOURCE_DATE_EPOCH
-    (seconds since 1970) if it is set, otherwise the current time. Raises InvalidInput (BadOption)."""
+    (seconds since 1970) if it is set, otherwise the current time. Raises InvalidInput (BadOption).
+    """
     given = os.environ.get("SOURCE_DATE_EPOCH")
     try:
         now = time.gmtime(int(given)) if given else time.gmtime()

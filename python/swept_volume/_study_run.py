@@ -49,7 +49,8 @@ def file_hash(path: str) -> str:
 
 def run_key(run: Run, hashes: Mapping[str, str]) -> str:
     """Returns one hash of everything on which the results of a run depend: the version of the core, the
-    names (without folders), contents and roles of the files, the rules, the stages and the options."""
+    names (without folders), contents and roles of the files, the rules, the stages and the options.
+    """
     files = [[pathlib.PurePath(file).name, hashes[file]] for file in run.files()]
     roles = [run.part, run.motion, *run.neighbours]
     order = [run.files().index(file) for file in roles]
@@ -90,8 +91,10 @@ class _Stages:
         self.warnings: List[Dict[str, Any]] = []  # findings of the stage solid
         self._result: Optional[Result] = None
 
-    def _body(self, **how: Any) -> Mesh:
-        return read_body(self.locate(self.run.part), unit=self.files.get("part_unit", "mm"), **how)
+    def _body(self, **options: Any) -> Mesh:
+        return read_body(
+            self.locate(self.run.part), unit=self.files.get("part_unit", "mm"), **options
+        )
 
     def _options(self, stage: str, *without: str) -> Dict[str, Any]:
         options = self.run.options.get(stage, {})

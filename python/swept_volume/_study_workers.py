@@ -196,7 +196,7 @@ def _on_worker_with_files(task: Task, files: Dict[str, bytes]) -> Sent:
         return report, {name: (pathlib.Path(filled) / name).read_bytes() for name in names}
 
 
-def _same(data: bytes) -> bytes:
+def _identity(data: bytes) -> bytes:
     return data
 
 
@@ -226,7 +226,7 @@ def compute_on_cluster(
             for file in task.run.files():
                 if file not in sent:
                     data = pathlib.Path(file).read_bytes()
-                    sent[file] = client.submit(_same, data, pure=False)
+                    sent[file] = client.submit(_identity, data, pure=False)
             inputs = {file: sent[file] for file in task.run.files()}
             futures[client.submit(_on_worker_with_files, task, inputs, pure=False)] = task
         try:
@@ -262,7 +262,8 @@ def _as_they_end(
 
 def serve(threads: int) -> None:
     """Reads tasks from standard input and writes reports to standard output, until the input ends."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes; the study ends its workers
+    # Ctrl-C reaches all processes, but the study ends its workers itself.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     reports = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # other output goes to standard error, not between the reports
     while True:

@@ -67,7 +67,7 @@ def matrix(values: npt.ArrayLike, name: str) -> Floats:
     return frozen(values, np.float64, (4, 4), name)
 
 
-def way_out(extract: Union[float, Sequence[float], None]) -> Union[float, Floats, None]:
+def extraction_of(extract: Union[float, Sequence[float], None]) -> Union[float, Floats, None]:
     """Returns the argument `extract`, converted: a radius in mm, a direction (3,), or None."""
     if extract is None or np.ndim(extract) == 0:
         return extract if extract is None else float(extract)  # type: ignore[arg-type]

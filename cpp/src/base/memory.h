@@ -30,10 +30,10 @@ class MemoryWatch {
   std::uint64_t peakBytes() const;
 
  private:
-  void look();
+  void sample();
 
   std::uint64_t processPeak_;  ///< bytes, peak of the process at construction
-  std::atomic<std::uint64_t> most_;
+  std::atomic<std::uint64_t> largest_;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool ended_ = false;

@@ -23,7 +23,7 @@ class EdgeSources {
  public:
   EdgeSources(const TriMesh& body, const BodyTopology& topology, bool namedFaces)
       : faceOf_(body.faceOf), topology_(topology), sources_(topology.edges.size()) {
-    for (std::size_t e = 0; e < sources_.size(); ++e) sources_[e] = alone(topology.edges[e]);
+    for (std::size_t e = 0; e < sources_.size(); ++e) sources_[e] = ofEdge(topology.edges[e]);
     if (namedFaces) decideByChains();
   }
   const EdgeSource& operator[](std::size_t edge) const { return sources_[edge]; }
@@ -35,7 +35,7 @@ class EdgeSources {
         1.0));
   }
 
-  EdgeSource alone(const BodyEdge& edge) const {
+  EdgeSource ofEdge(const BodyEdge& edge) const {
     const std::int32_t left = faceOf_[edge.left];
     if (edge.right < 0) return {{left, -1}, SourceKind::Edge};
     const std::int32_t right = faceOf_[edge.right];
@@ -100,8 +100,8 @@ std::int32_t slidingFace(const SamplerInput& input, const SweptElement& patch,
   const Eigen::Matrix3d& rotation = input.motion.placements[patch.placement].rotation;
   for (const std::int32_t face : {edge.left, edge.right}) {
     if (face < 0) continue;
-    const Eigen::Vector3d there = rotation * input.topology.normals[face].cast<double>();
-    if (there.dot(normal.cast<double>()) > kInPlane) return input.body.faceOf[face];
+    const Eigen::Vector3d normalInWorld = rotation * input.topology.normals[face].cast<double>();
+    if (normalInWorld.dot(normal.cast<double>()) > kInPlane) return input.body.faceOf[face];
   }
   return -1;
 }

@@ -83,12 +83,12 @@ bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
 bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
                    const Eigen::Vector3d& half) {
   if (inBox(p, half) || inBox(q, half)) return true;
-  const Eigen::Vector3d middle = (p + q) / 2, way = (q - p) / 2;
-  const Eigen::Vector3d reach = way.cwiseAbs();
+  const Eigen::Vector3d middle = (p + q) / 2, direction = (q - p) / 2;
+  const Eigen::Vector3d reach = direction.cwiseAbs();
   if ((middle.cwiseAbs().array() > (half + reach).array()).any()) return false;
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const double across = middle[u] * way[v] - middle[v] * way[u];
+    const double across = middle[u] * direction[v] - middle[v] * direction[u];
     if (std::abs(across) > half[u] * reach[v] + half[v] * reach[u]) return false;
   }
   return true;
@@ -102,16 +102,16 @@ class ElementProbe::Directions {
  public:
   explicit Directions(const SamplerInput& input) : input_(input) {}
   int of(std::size_t face, std::size_t step) {
-    if (known_.empty()) known_.resize(kKnown);
+    if (cache_.empty()) cache_.resize(kCached);
     const std::uint64_t key = static_cast<std::uint64_t>(step) << 32 | face;
-    Known& known = known_[(key * 0x9e3779b97f4a7c15u >> 32) & (kKnown - 1)];
+    Cached& known = cache_[(key * 0x9e3779b97f4a7c15u >> 32) & (kCached - 1)];
     if (known.key != key) known = {key, directionOf(input_, at(step), face)};
     return known.direction;
   }
 
  private:
-  static constexpr std::size_t kKnown = 1024;  // a power of two
-  struct Known {
+  static constexpr std::size_t kCached = 1024;  // a power of two
+  struct Cached {
     std::uint64_t key = ~std::uint64_t{0};
     int direction = 0;
   };
@@ -126,7 +126,7 @@ class ElementProbe::Directions {
 
   const SamplerInput& input_;
   std::array<std::pair<std::size_t, std::optional<MotionStep>>, 64> slots_;
-  std::vector<Known> known_;
+  std::vector<Cached> cache_;
 };
 
 namespace {
@@ -261,7 +261,7 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
 /// lie on the envelope. A face is covered if it moves in the same direction (along its normal or
 /// against it) before and after its placement. A side patch is covered if the two faces beside its
 /// edge move in the same direction.
-bool ElementProbe::isPassed(const SweptElement& element, Directions& directions) const {
+bool ElementProbe::isCovered(const SweptElement& element, Directions& directions) const {
   const std::size_t k = element.placement;
   const auto directionIn = [&](std::size_t step, std::int32_t face) {
     return directions.of(static_cast<std::size_t>(face), step);
@@ -296,7 +296,7 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
         (!piece.isSidePatch || !intersectsBox(a - centre, c - centre, d - centre, half))) {
       return;
     }
-    if (pieces.size() >= kManyPieces && mayPass() && isPassed(element, directions)) return;
+    if (pieces.size() >= kManyPieces && maySkipCovered() && isCovered(element, directions)) return;
     waiting.emplace_back(element, pieces.size());
     pieces.push_back(piece);
   };

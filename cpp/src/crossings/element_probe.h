@@ -42,8 +42,8 @@ class ElementProbe : public SurfaceProbe {
     bool isSidePatch = false;
     double start = 0, end = 0;  // seconds
   };
-  bool mayPass() const { return input_.cull && input_.motion.continuous; }
-  bool isPassed(const SweptElement& element, Directions& directions) const;
+  bool maySkipCovered() const { return input_.cull && input_.motion.continuous; }
+  bool isCovered(const SweptElement& element, Directions& directions) const;
   Piece pieceOf(const SweptElement& element) const;
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
                             const std::vector<std::uint32_t>& crossings) const;

@@ -125,11 +125,11 @@ class BoxTree {
   template <class Visit>
   void forBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Visit& visit) const;
 
-  /// Calls look(place, reach) for every item whose box is within `reach` of p, nearest box first,
-  /// and perhaps for some slightly farther away. If the tree has only one item, always calls look()
-  /// for it. look() may lower `reach`, and ends the search by returning false.
-  template <class Look>
-  void searchNear(const Eigen::Vector3d& p, double reach, const Look& look) const;
+  /// Calls visit(place, reach) for every item whose box is within `reach` of p, nearest box first,
+  /// and perhaps for some slightly farther away. If the tree has only one item, always calls
+  /// visit() for it. visit() may lower `reach`, and ends the search by returning false.
+  template <class Visit>
+  void searchNear(const Eigen::Vector3d& p, double reach, const Visit& visit) const;
 
  private:
   struct Level {
@@ -190,17 +190,17 @@ void BoxTree::forBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
   }
 }
 
-template <class Look>
-void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& look) const {
+template <class Visit>
+void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Visit& visit) const {
   if (empty()) return;
   const Eigen::Vector3d local = p - middle_;
   const float at[3] = {static_cast<float>(local[0]), static_cast<float>(local[1]),
                        static_cast<float>(local[2])};
-  const double room = 1.2e-7 * local.norm();  // twice the rounding of `at`
+  const double margin = 1.2e-7 * local.norm();  // twice the rounding of `at`
   // Returns the squared limit, with a margin for the rounding of squares and sums. Beyond 1e18
   // there is no limit, because the square would exceed the range of float.
   const auto limitOf = [&](double r) {
-    const double most = std::max(r, 0.0) + room;
+    const double most = std::max(r, 0.0) + margin;
     return most < 1e18 ? static_cast<float>(most * most * 1.00001) : HUGE_VALF;
   };
   float limit = limitOf(reach);
@@ -212,7 +212,7 @@ void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& loo
   int top = 0;
   stack[top++] = {0, root()};
   if (root().isItem()) {
-    look(0u, reach);
+    visit(0u, reach);
     return;
   }
   while (top > 0) {
@@ -246,7 +246,7 @@ void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& loo
     for (int i = count; i-- > 0;) {
       if (squared[order[i]] > limit) break;
       const double before = reach;
-      if (!look(kWidth * item.node.index + order[i], reach)) return;
+      if (!visit(kWidth * item.node.index + order[i], reach)) return;
       if (reach < before) limit = limitOf(reach);
     }
   }

@@ -11,7 +11,7 @@ constexpr double kSine = 1e-9;
 
 /// Returns true only if the angle between w and x is certainly acute. The margin is far above
 /// rounding.
-bool leadsTo(const Eigen::Vector3d& w, const Eigen::Vector3d& x) {
+bool isCertainlyAcute(const Eigen::Vector3d& w, const Eigen::Vector3d& x) {
   const double along = w.dot(x);
   return along > 0 && along * along > kSine * kSine * w.squaredNorm() * x.squaredNorm();
 }
@@ -19,20 +19,22 @@ bool leadsTo(const Eigen::Vector3d& w, const Eigen::Vector3d& x) {
 /// Returns true if one of three planes through v separates the triangles (v, a, b) and (v, c, d);
 /// all corners are relative to v. The planes are perpendicular to (v, a, b): one along each edge at
 /// v, and one perpendicular to the bisector of a and b.
-bool partedAtVertex(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                    const Eigen::Vector3d& d) {
+bool separatedAtVertex(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                       const Eigen::Vector3d& d) {
   const Eigen::Vector3d normal = a.cross(b);
   const double a2 = a.squaredNorm(), b2 = b.squaredNorm();
   if (!(normal.squaredNorm() > kSine * kSine * a2 * b2)) return false;
-  const auto parts = [&](const Eigen::Vector3d& w) { return leadsTo(w, c) && leadsTo(w, d); };
-  return parts(a.cross(normal)) || parts(normal.cross(b)) ||
-         parts(-(std::sqrt(b2) * a + std::sqrt(a2) * b));
+  const auto separates = [&](const Eigen::Vector3d& w) {
+    return isCertainlyAcute(w, c) && isCertainlyAcute(w, d);
+  };
+  return separates(a.cross(normal)) || separates(normal.cross(b)) ||
+         separates(-(std::sqrt(b2) * a + std::sqrt(a2) * b));
 }
 
 /// Two triangles share the edge from the origin to e and have the third corners p and q. Returns
 /// whether they certainly lie on opposite sides of the edge.
-bool partedAtEdge(const Eigen::Vector3d& e, const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
-  return leadsTo(e.cross(p), -e.cross(q));
+bool separatedAtEdge(const Eigen::Vector3d& e, const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+  return isCertainlyAcute(e.cross(p), -e.cross(q));
 }
 
 }  // namespace
@@ -58,18 +60,19 @@ bool certainlyApart(const std::vector<Eigen::Vector3d>& vertices,
   if (common == 0) {
     // The plane of a triangle usually separates triangles of two sheets that lie on each other. A
     // plane through an edge usually separates neighbours in one sheet.
-    const TriedTriangle a(vertices, p), b(vertices, q);
-    return a.partedByNormal(b) || b.partedByNormal(a) || a.partedByEdge(b) || b.partedByEdge(a);
+    const TriangleSeparator a(vertices, p), b(vertices, q);
+    return a.separatedByPlane(b) || b.separatedByPlane(a) || a.separatedByEdge(b) ||
+           b.separatedByEdge(a);
   }
   const Eigen::Vector3d& v = at(p[i]);
   const Eigen::Vector3d a = at(p[(i + 1) % 3]) - v, b = at(p[(i + 2) % 3]) - v;
   const Eigen::Vector3d c = at(q[(j + 1) % 3]) - v, d = at(q[(j + 2) % 3]) - v;
-  if (common == 1) return partedAtVertex(a, b, c, d) || partedAtVertex(c, d, a, b);
+  if (common == 1) return separatedAtVertex(a, b, c, d) || separatedAtVertex(c, d, a, b);
   if (common == 3) return false;
   for (int m = 1; m < 3; ++m) {
     for (int n = 1; n < 3; ++n) {
       if (p[(i + m) % 3] == q[(j + n) % 3]) {
-        return partedAtEdge(m == 1 ? a : b, m == 1 ? b : a, n == 1 ? d : c);
+        return separatedAtEdge(m == 1 ? a : b, m == 1 ? b : a, n == 1 ? d : c);
       }
     }
   }

@@ -42,7 +42,7 @@ bool contains(const Polygon& polygon, const Point& p) {
 
 /// Returns whether two segments cross or an end of one lies on the other. Also returns true for all
 /// segments on one line, and false for segments with a common end.
-bool blocks(const Point& a, const Point& b, const Point& c, const Point& d) {
+bool segmentsCross(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (a == c || a == d || b == c || b == d) return false;
   const double c1 = turn(a, b, c), d1 = turn(a, b, d), a1 = turn(c, d, a), b1 = turn(c, d, b);
   return ((c1 >= 0) != (d1 > 0) || (c1 > 0) != (d1 >= 0)) &&
@@ -69,9 +69,9 @@ void joinHole(Polygon& polygon, const Polygon& hole) {
   });
   const auto isFree = [&](const Bridge& bridge) {
     const Point &a = polygon[bridge.outer].at, &b = hole[bridge.inner].at;
-    for (const Polygon* round : {static_cast<const Polygon*>(&polygon), &hole})
-      for (std::size_t i = 0; i < round->size(); ++i)
-        if (blocks(a, b, (*round)[i].at, (*round)[(i + 1) % round->size()].at)) return false;
+    for (const Polygon* loop : {static_cast<const Polygon*>(&polygon), &hole})
+      for (std::size_t i = 0; i < loop->size(); ++i)
+        if (segmentsCross(a, b, (*loop)[i].at, (*loop)[(i + 1) % loop->size()].at)) return false;
     // The line must lead from the polygon's corner into the polygon.
     const std::size_t n = polygon.size();
     const Point &before = polygon[(bridge.outer + n - 1) % n].at,
@@ -108,7 +108,7 @@ class EarClipper {
         ++tried;
         continue;
       }
-      if (tried >= left) at = bestOfNone(at, left);
+      if (tried >= left) at = flattestCorner(at, left);
       emit(at, triangles);
       next_[before_[at]] = next_[at];
       before_[next_[at]] = before_[at];
@@ -141,12 +141,12 @@ class EarClipper {
 
   /// Returns the corner with the smallest area, for a polygon in which rounding has left no ear.
   /// Cutting it off changes the polygon least.
-  std::size_t bestOfNone(std::size_t at, std::size_t left) const {
+  std::size_t flattestCorner(std::size_t at, std::size_t left) const {
     std::size_t best = at;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < left; ++k, at = next_[at])
-      if (const double bent = std::abs(area(at)); bent < least) {
-        least = bent;
+      if (const double size = std::abs(area(at)); size < least) {
+        least = size;
         best = at;
       }
     return best;
@@ -195,15 +195,15 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
   std::stable_sort(holes.begin(), holes.end(),
                    [&](const Polygon& a, const Polygon& b) { return right(a) > right(b); });
   for (const Polygon& hole : holes) {
-    std::size_t home = outer.size();
+    std::size_t container = outer.size();
     for (std::size_t k = 0; k < outer.size(); ++k)
       if (contains(outer[k], hole[0].at) &&
-          (home == outer.size() || areaOf(outer[k]) < areaOf(outer[home])))
-        home = k;
-    if (home == outer.size())
+          (container == outer.size() || areaOf(outer[k]) < areaOf(outer[container])))
+        container = k;
+    if (container == outer.size())
       outer.push_back(hole);  // a sliver whose orientation rounding has reversed
     else
-      joinHole(outer[home], hole);
+      joinHole(outer[container], hole);
   }
   for (const Polygon& polygon : outer)
     if (polygon.size() >= 3) EarClipper(polygon, kFlat * size).clip(triangles);

@@ -48,8 +48,8 @@ class NearestTriangle {
  private:
   /// Tests the triangles that are `depth` edges away from the triangle `at`. If a tested triangle
   /// is nearer than `best`, `best` and `hint` receive its squared distance and its index.
-  void lookAround(const Eigen::Vector3d& p, std::int32_t at, int depth, double limit, double& best,
-                  std::int32_t& hint) const;
+  void testNeighbours(const Eigen::Vector3d& p, std::int32_t at, int depth, double limit,
+                      double& best, std::int32_t& hint) const;
   double squaredDistanceTo(const Eigen::Vector3d& p, std::int32_t t) const {
     const auto& tri = triangles_[t];
     return squaredDistance(p, vertices_[tri[0]], vertices_[tri[1]], vertices_[tri[2]]);

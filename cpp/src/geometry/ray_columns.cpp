@@ -17,7 +17,7 @@ namespace {
 /// Projects the segment a-b to (y, z). Returns +1 or -1 if it crosses the ray from (y, z) towards
 /// +y, otherwise 0. The test is half-open in z, so each corner belongs to one of its two segments.
 /// The segment is evaluated from its lower end, so both triangles of an edge get the same result.
-int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double z) {
+int crossingSign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double z) {
   const bool aboveA = a.z() > z;
   const bool aboveB = b.z() > z;
   if (aboveA == aboveB) return 0;
@@ -86,17 +86,17 @@ void RayColumns::forRows(std::size_t triangle, const Use& use) const {
   const std::int32_t z0 = column(zLow, 2), z1 = column(zHigh, 2);
   const bool few = y1 - y0 < 2 || z1 - z0 < 2;
   // This margin is far above the rounding errors in the limits of a row and in a point on an edge.
-  const Eigen::Vector3d room = kColumnMargin * low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
+  const Eigen::Vector3d margin = kColumnMargin * low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
   const double row = (high_.z() - low_.z()) / columns_;
   for (std::int32_t z = z0; z <= z1; ++z) {
     if (few) {
       use(z, y0, y1);
       continue;
     }
-    const double from = z == z0 ? zLow : low_.z() + z * row - room.z();
-    const double to = z == z1 ? zHigh : low_.z() + (z + 1) * row + room.z();
+    const double from = z == z0 ? zLow : low_.z() + z * row - margin.z();
+    const double to = z == z1 ? zHigh : low_.z() + (z + 1) * row + margin.z();
     const auto [first, last] = between(corners, from, to);
-    if (first <= last) use(z, column(first - room.y(), 1), column(last + room.y(), 1));
+    if (first <= last) use(z, column(first - margin.y(), 1), column(last + margin.y(), 1));
   }
 }
 
@@ -147,7 +147,7 @@ void RayColumns::forCrossings(double y, double z, const Visit& visit) const {
     // If all corners have a smaller y, or all have a larger y, the line misses the triangle. In the
     // sum below, its sides would not cross the ray or would cancel each other.
     if (std::min({a.y(), b.y(), c.y()}) > y || std::max({a.y(), b.y(), c.y()}) < y) continue;
-    const int turn = passes(a, b, y, z) + passes(b, c, y, z) + passes(c, a, y, z);
+    const int turn = crossingSign(a, b, y, z) + crossingSign(b, c, y, z) + crossingSign(c, a, y, z);
     if (turn == 0) continue;
     const Eigen::Vector3d n = (b - a).cross(c - a);
     const double low = std::min({a.x(), b.x(), c.x()});

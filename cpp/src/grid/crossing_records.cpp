@@ -27,11 +27,11 @@ class ColumnEnds {
     }
     // Of several crossings at the same position, both ends keep the one whose element has the
     // smallest index.
-    const auto firstOf = [&](const CrossingRecord& other) {
+    const auto precedes = [&](const CrossingRecord& other) {
       return r.key == other.key && r.element < other.element;
     };
-    if (r.key < ends.low.key || firstOf(ends.low)) ends.low = r;
-    if (r.key > ends.high.key || firstOf(ends.high)) ends.high = r;
+    if (r.key < ends.low.key || precedes(ends.low)) ends.low = r;
+    if (r.key > ends.high.key || precedes(ends.high)) ends.high = r;
   }
   /// Calls use(k, low, high) for the crossed edges in ascending order of k, and removes them from
   /// this object.
@@ -140,16 +140,16 @@ void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid) {
   }
 }
 
-void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room) {
-  room.swap(chunk.records);
+void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& spare) {
+  spare.swap(chunk.records);
   chunk.records = {};
   chunk.layerStart = sortByBucket(
       static_cast<std::size_t>(grid.points[0]),
       [&](const auto& use) {
-        for (const auto& r : room) use(r);
+        for (const auto& r : spare) use(r);
       },
       [](const CrossingRecord& r) { return r.layer(); }, chunk.records);
-  room.clear();
+  spare.clear();
 }
 
 MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, RunContext& run) {
@@ -173,8 +173,8 @@ MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, 
   out.elements.resize(elementCount);
   parallelFor(chunks.size(), [&](std::size_t c) {
     RecordChunk& chunk = chunks[c];
-    std::vector<CrossingRecord> room;
-    if (chunk.layerStart.empty()) orderByLayer(chunk, grid, room);
+    std::vector<CrossingRecord> spare;
+    if (chunk.layerStart.empty()) orderByLayer(chunk, grid, spare);
     std::copy(chunk.elements.begin(), chunk.elements.end(), out.elements.begin() + elementBase[c]);
     std::vector<SweptElement>().swap(chunk.elements);
   });

@@ -61,7 +61,7 @@ struct RecordChunk {
 
 /// Orders the records by layer, in an array without spare capacity. `spare` receives the previous
 /// array of the chunk, emptied, so that the next chunk can use it again.
-void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room);
+void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& spare);
 
 /// Keeps only the records that sortRecords() would select on each lattice edge. The records may be
 /// in any order.

@@ -45,7 +45,7 @@ class OpenMeshCall {
   OpenMeshCall& operator=(const OpenMeshCall&) = delete;
 
   /// Returns the text that OpenMesh printed, on one line.
-  std::string said() const {
+  std::string printed() const {
     std::string text = text_.str();
     for (char& c : text) {
       if (c == '\n' || c == '\r') c = ' ';
@@ -150,7 +150,7 @@ PolygonList readStl(InputFile& file, const std::string& path) {
   // Calls the reader directly: OpenMesh's IO manager has no readers if OpenMesh is linked
   // statically.
   if (!OpenMesh::IO::STLReader().read(*file.stream, found, options)) {
-    badFile("'" + path + "' cannot be read: " + call.said());
+    badFile("'" + path + "' cannot be read: " + call.printed());
   }
   return std::move(found.list);
 }

@@ -26,7 +26,7 @@ struct Frame {
   Eigen::Matrix<double, 3, 4> columns;
 
   /// Returns the largest length of the eight corner vectors.
-  double atCorners() const {
+  double largestAtCorners() const {
     double most = 0;
     for (int corner = 0; corner < 4; ++corner) {
       const Eigen::Vector3d axes = columns.col(1) + (corner & 1 ? -1 : 1) * columns.col(2) +
@@ -57,17 +57,17 @@ class Merger {
   /// Returns the end of a merged step that starts at placement `begin`. Doubles the length of the
   /// step while the step fits, and then refines the length by halving. `bound` receives the bound
   /// of the merged step.
-  std::size_t farthestFrom(std::size_t begin, double& bound) const {
+  std::size_t endOfStep(std::size_t begin, double& bound) const {
     const std::size_t last = motion_.placements.size() - 1;
-    std::size_t end = begin + 1, reach = 1;
+    std::size_t end = begin + 1, stride = 1;
     bound = 0;
-    const auto tryTo = [&](std::size_t to) {
+    const auto tryEnd = [&](std::size_t to) {
       if (to > last || !fits(begin, to, bound)) return false;
       end = to;
       return true;
     };
-    while (tryTo(end + reach)) reach *= 2;
-    for (; reach > 0; reach /= 2) tryTo(end + reach);
+    while (tryEnd(end + stride)) stride *= 2;
+    for (; stride > 0; stride /= 2) tryEnd(end + stride);
     return end;
   }
 
@@ -86,8 +86,8 @@ class Merger {
     const Frame &from = frames_[begin], &to = frames_[end];
     for (std::size_t k = begin + 1; k < end; ++k) {
       const double s = (motion_.placements[k].timeSeconds - p.timeSeconds) / duration;
-      const Frame off{frames_[k].columns - (1 - s) * from.columns - s * to.columns};
-      farthest = std::max(farthest, off.atCorners());
+      const Frame deviation{frames_[k].columns - (1 - s) * from.columns - s * to.columns};
+      farthest = std::max(farthest, deviation.largestAtCorners());
       arc = std::max(arc, arcs_[k]);
       if (farthest > kDropFraction * chord_ || farthest + arc + warp > chord_) return false;
     }
@@ -131,9 +131,9 @@ Motion mergeSteps(Motion motion, const TriMesh& body, double chord, RunContext& 
   double bound = 0;  // of all merged steps
   while (kept.back() != last) {
     run.checkpoint(Phase::Motion, kept.back(), last);
-    double here;
-    kept.push_back(merger.farthestFrom(kept.back(), here));
-    bound = std::max(bound, here);
+    double stepBound;
+    kept.push_back(merger.endOfStep(kept.back(), stepBound));
+    bound = std::max(bound, stepBound);
     if (kept.size() > most + 1) return motion;
   }
   Motion merged;

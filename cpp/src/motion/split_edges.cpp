@@ -77,23 +77,23 @@ class SamplingCost {
   }
 
   /// Returns the estimated sampling time in ns, or infinity if there would be too many triangles.
-  double of(double longest, double chord) const {
+  double nanoseconds(double longest, double chord) const {
     const double count = triangles(longest);
     if (count > std::max(kMaxTriangles, static_cast<double>(extents_.size()))) {
       return std::numeric_limits<double>::infinity();
     }
     return placements(longest, chord) *
-           (count * kFaceCost + lengthLeft(longest) * kLengthCost + crossings_ * kCrossingCost);
+           (count * kFaceCost + unculledLength(longest) * kLengthCost + crossings_ * kCrossingCost);
   }
 
   /// Returns the edge length (mm) with the shortest time. `longest`: longest edge of the unsplit
   /// body.
   double bestEdge(double longest, double chord, double cell) const {
-    double best = longest, enough = of(longest, chord) / kGain;
+    double best = longest, limit = nanoseconds(longest, chord) / kGain;
     for (double edge = longest / 2; edge > cell; edge /= 2) {
-      const double now = of(edge, chord);
-      if (now >= enough) continue;
-      enough = now / kFurtherGain;
+      const double time = nanoseconds(edge, chord);
+      if (time >= limit) continue;
+      limit = time / kFurtherGain;
       best = edge;
     }
     return best;
@@ -109,7 +109,7 @@ class SamplingCost {
   /// Returns the total length, in cells, of the triangles of one copy that are not culled. A
   /// triangle is not culled if one part of it moves outward and another part inward. The longer the
   /// triangle is compared with the body, the more often this happens.
-  double lengthLeft(double longest) const {
+  double unculledLength(double longest) const {
     double sum = 0;
     for (const Extent& e : extents_) {
       const double side = std::min(e.side, longest);
