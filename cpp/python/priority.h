@@ -3,7 +3,7 @@
 // In Linux, the worker threads of the scheduler inherit the priority of the thread that starts
 // them. If lowerRunPriority() is called before the first run, all workers have the lower priority
 // until the process ends. A run loses no time if no other thread needs the processor. In other
-// systems, perhaps only the first thread of a run has the lower priority.
+// systems, only the first thread of a run is sure to have the lower priority.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

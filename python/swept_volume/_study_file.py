@@ -25,7 +25,7 @@ Table = Mapping[str, Any]
 
 STAGES = ("envelope", "solid", "clearance")
 _UNITS = ("mm", "cm", "m", "in")
-_MAX_LISTED = 12  # largest number that one message lists
+_MAX_LISTED = 12  # largest number of problems in one message
 
 
 @dataclasses.dataclass(frozen=True)

@@ -76,8 +76,8 @@ class Folder:
         return report if whole and same else None
 
     def take(self, run: Run, report: Report, filled: Optional[str]) -> None:
-        """Renames the folder `filled` by a run after the run, in place of an older folder. None: the
-        run has filled no folder, so a new one with the report is made."""
+        """Gives the folder `filled` the name of the run, in place of an older folder. If the run has filled
+        no folder (None), makes one with the report."""
         folder = self.path / run.name
         if filled is None:
             filled = partial_folder(str(self.path))

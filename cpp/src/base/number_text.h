@@ -9,7 +9,7 @@
 
 namespace swept {
 
-/// Number of significant digits with which a value close to a limit still differs visibly from it.
+/// Number of significant digits with which the text of a value differs from that of a close limit.
 constexpr int kTellingDigits = 12;
 
 /// Formats a number with at most `digits` significant digits, as %g does in the locale "C".

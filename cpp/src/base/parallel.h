@@ -1,6 +1,7 @@
-// Loops over all cores. The result is the same for any number of threads: the items of work do not
-// depend on the thread count, and each item writes only its own part of the output. A failure is
-// the same, too: the loop throws the exception of the failing item with the lowest index.
+// Loops whose items several threads execute. The result is the same for any number of threads: the
+// items of work do not depend on the thread count, and each item writes only its own part of the
+// output. A failure is the same, too: the loop throws the exception of the failing item with the
+// lowest index.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

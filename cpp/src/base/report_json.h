@@ -29,7 +29,7 @@ Json poseJson(const Pose& pose);
 /// Returns the whole report of a run. Keys that do not apply are absent.
 Json reportJson(const Report& report, const char* command = "envelope");
 
-/// Returns the text in UTF-8, with two blanks per level. It replaces invalid UTF-8 bytes and writes
+/// Returns the text in UTF-8, with two blanks per level. Replaces invalid UTF-8 bytes, and writes
 /// null for numbers that are not finite. The text is the same on every machine and in every locale.
 std::string jsonText(const Json& json);
 

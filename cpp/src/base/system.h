@@ -83,7 +83,8 @@ std::string nullDeviceName();
 bool isDeviceName(const std::string& name);
 bool isTerminal(std::FILE* stream);
 /// Calls handler(number) at each signal that asks the program to end (SIGINT, SIGTERM, SIGHUP),
-/// instead of ending it. Signals that were ignored when the program started (nohup) stay ignored.
+/// instead of ending it. If the program was started with nohup, SIGHUP stays ignored. In Windows,
+/// the third signal is SIGBREAK.
 void onInterrupt(void (*handler)(int));
 /// Ignores these signals from now on.
 void ignoreInterrupts();

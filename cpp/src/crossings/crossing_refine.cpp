@@ -7,7 +7,7 @@
 namespace swept {
 namespace {
 /// Smallest distance (cells) of crossings from lattice points, so that the crossings of all edges
-/// at one lattice point stay apart. It is ten times the margin of vertices in their cells
+/// at one lattice point stay apart. This is ten times the margin of vertices in their cells
 /// (kCellMargin).
 constexpr double kMinPointDistance = 1e-3;
 /// If Newton's method ends farther from the lattice line than this (cells), it has not converged.

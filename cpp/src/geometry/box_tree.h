@@ -11,7 +11,6 @@
 // Promise: the same tree for any number of threads. No search misses an item. Boxes are stored as
 // floats, relative to the centre of the box of all items, and rounded outward by less than 1e-6 of
 // the largest coordinate. Distances to boxes allow for the rounding of the point.
-// coordinate. Distances to boxes allow for the rounding of the point.
 // Source: J. Skilling, Programming the Hilbert curve (2004); I. Kamel and C. Faloutsos, Hilbert
 // R-tree (1994).
 // SPDX-License-Identifier: LGPL-2.1-or-later

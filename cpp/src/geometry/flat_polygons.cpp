@@ -57,7 +57,7 @@ void joinHole(Polygon& polygon, const Polygon& hole) {
     std::size_t outer, inner;
   };
   // Candidates: lines from the corner of the hole farthest towards +x to each corner of the
-  // polygon, nearest first.
+  // polygon, the shortest first.
   std::size_t start = 0;
   for (std::size_t k = 1; k < hole.size(); ++k)
     if (hole[k].at.x() > hole[start].at.x()) start = k;

@@ -1,7 +1,7 @@
 // Weighted quadratic error of planes: E(x) = sum w (n . (x - p))^2 (Garland and Heckbert 1997).
 //
 // Units: those of the points. Points should be relative to a nearby origin, because a distant
-// origin costs digits.
+// origin increases the rounding errors.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

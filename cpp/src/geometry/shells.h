@@ -4,7 +4,7 @@
 // of their first triangles. Units: mm.
 // Cost: O(n) for n triangles on all cores; a query about nesting takes one ray.
 // Promise: numbers and volumes do not depend on the number of threads. A volume is measured from a
-// vertex of its own shell, so that a distant origin costs no digits.
+// vertex of its own shell, so that a distant origin does not increase the rounding errors.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,10 +1,10 @@
 // Computes the distance between a point and a triangle, and between two triangles.
 //
 // In: corners, in any unit. Out: the nearest points. Cost: constant.
-// Promise: degenerate triangles (needles, points) are allowed: their edges still count. The
-// distance of a point is exact up to rounding; for needles, the error is at most 1e-8 of their
-// length. For two triangles with nearly parallel edges (common on machine parts), the error is at
-// most about 1e-8 of their length.
+// Promise: degenerate triangles are allowed; their edges still count. A needle is a triangle whose
+// corners lie nearly on a line. The distance of a point is exact up to rounding; for needles, the
+// error is at most 1e-8 of their length. For two triangles with nearly parallel edges (common on
+// machine parts), the error is at most about 1e-8 of their length.
 // Source: C. Ericson, Real-Time Collision Detection (2005), 5.1.5 and 5.1.9.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

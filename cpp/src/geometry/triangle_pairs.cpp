@@ -148,7 +148,7 @@ bool trianglesIntersect(const std::vector<Eigen::Vector3d>& vertices,
                         const std::array<std::int32_t, 3>& p,
                         const std::array<std::int32_t, 3>& q) {
   auto at = [&](std::int32_t v) -> const Eigen::Vector3d& { return vertices[v]; };
-  // Move the common corners to the front of both.
+  // Move the common corners to the front of both corner lists.
   int common = 0;
   std::array<std::int32_t, 3> a = p, b = q;
   for (int i = 0; i < 3; ++i) {

@@ -16,7 +16,7 @@
 
 namespace swept {
 
-/// Empty cells on each side of the sweep. With this odd fraction, axis-parallel faces of the sweep
+/// Empty cells on each side of the sweep. With this fraction, axis-parallel faces of the sweep
 /// seldom pass through lattice points.
 constexpr double kGridMarginCells = 1.37;
 

@@ -25,8 +25,8 @@ namespace swept {
 namespace detail {
 
 /// Breaks the tie for a line that lies exactly on an edge with the direction (du, dv) of a
-/// counterclockwise triangle. Returns whether the line lies on the inner side of the edge once it
-/// is shifted a little along u, and far less along v (see the top of this file).
+/// counter-clockwise triangle. Returns whether the line lies on the inner side of the edge once the
+/// line is shifted a little along u, and far less along v (see the top of this file).
 inline bool tieIsInside(std::int64_t du, std::int64_t dv) { return dv < 0 || (dv == 0 && du > 0); }
 
 /// Decides exactly whether a crossing lies above the shifted lattice point k of its line. `e`:
@@ -108,7 +108,7 @@ inline void rasteriseTriangle(const SnappedPoint& a, const SnappedPoint& b0, con
 
   for (std::int32_t v = v0; v <= v1; ++v) {
     std::int32_t first = u0, last = u1;
-    if (wide) {  // each edge limits the row, with a margin of one line; the exact test decides
+    if (wide) {  // each edge narrows first..last, with a margin of one line
       for (int i = 0; i < 3; ++i) {
         if (dv[i] == 0) continue;
         const double at = static_cast<double>(row[i]) * perRow[i];

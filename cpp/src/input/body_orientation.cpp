@@ -214,7 +214,7 @@ void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
 bool isWindingConsistent(const RayColumns& columns,
                          const std::vector<std::int32_t>& shellOfTriangle,
                          const std::vector<Shell>& shells) {
-  constexpr int kLines = 96;  // lines per side of the box
+  constexpr int kLines = 96;  // number of lines along each side of the box
   std::atomic<bool> consistent{true};
   const Eigen::Vector3d extent = columns.high() - columns.low();
   const double samePosition = 1e-9 * extent.norm();

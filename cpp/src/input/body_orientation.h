@@ -18,7 +18,7 @@ struct EdgeCounts {
   std::int64_t open = 0;                                  ///< edges with an odd number of triangles
   std::int64_t nonManifold = 0;                           ///< edges with more than two triangles
   std::vector<std::int64_t> firstOpen, firstNonManifold;  ///< lower vertex of each, at most 8
-  std::vector<std::uint8_t> openVertices;                 ///< per vertex: 1 if it ends an open edge
+  std::vector<std::uint8_t> openVertices;  ///< per vertex: 1 if an open edge ends there
 };
 EdgeCounts countEdges(const EdgeTable& edges);
 

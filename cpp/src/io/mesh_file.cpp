@@ -144,7 +144,8 @@ PolygonList readStl(InputFile& file, const std::string& path) {
   }
   file.stream->clear();
   file.stream->seekg(0);
-  const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // an element has a byte or more
+  // An element takes at least one byte.
+  const std::uint64_t limit = std::min(file.bytes, kMaxElements);
   ListImporter found(path, file.bytes, limit, 4 * limit);
   OpenMeshCall call;
   // Calls the reader directly: OpenMesh's IO manager has no readers if OpenMesh is linked

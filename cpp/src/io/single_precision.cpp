@@ -135,10 +135,11 @@ class Rounding {
   }
 
   const TriMesh& mesh_;
-  std::vector<std::size_t> positionOf_;  // per vertex
-  std::vector<Eigen::Vector3d> exact_;   // per position
-  std::vector<FloatPoint> points_;       // per position: its rounded position
+  std::vector<std::size_t> positionOf_;  // per vertex: index of its position
+  std::vector<Eigen::Vector3d> exact_;   // per position: its exact coordinates
+  std::vector<FloatPoint> points_;       // per position: its rounded coordinates
   std::unordered_set<FloatPoint, Hash> taken_;
+  // Positions whose rounded coordinates are those of an earlier position.
   std::vector<std::size_t> collided_;
 };
 

@@ -17,7 +17,8 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kChunk = 1U << 18U;  // bytes per call of the compressor
+// The text is compressed in pieces of at least this many bytes.
+constexpr std::size_t kChunk = 1U << 18U;
 // Upper bound of the characters in a line of the model: XML and three numbers of up to 25
 // characters.
 constexpr std::uint64_t kMaxLine = 110;

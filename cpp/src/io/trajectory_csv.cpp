@@ -266,7 +266,7 @@ class CsvReader {
   bool rowsBegun_ = false;
   bool fromComment_ = false;
   std::string headerLine_;
-  TrajectoryHeader columns_;  // without targets: columns as in kPoseColumns, or those of a matrix
+  TrajectoryHeader columns_;  // without targets: the columns of kPoseColumns, or of a matrix
   std::vector<std::string_view> fields_;
   std::vector<double> values_;
   std::vector<Pose> poses_;

@@ -16,8 +16,8 @@ constexpr std::size_t kMinPlacements = 256;
 /// A merge must save at least this fraction of the steps. A smaller saving would cost accuracy but
 /// save little time.
 constexpr double kMinSaved = 0.5;
-/// Fraction of the bound that the deviations at dropped placements may use. The rest is for arcs
-/// and warped patches.
+/// Fraction of `chord` that the deviations at dropped placements may use. The rest is for arcs and
+/// warped patches.
 constexpr double kDropFraction = 0.5;
 
 /// The bounding box of the body at a placement, or the difference of two such boxes. Columns:
@@ -25,13 +25,13 @@ constexpr double kDropFraction = 0.5;
 struct Frame {
   Eigen::Matrix<double, 3, 4> columns;
 
-  /// Returns the largest length of the eight corner vectors.
+  /// Returns the largest length of the vectors from the origin to the eight corners.
   double largestAtCorners() const {
     double most = 0;
     for (int corner = 0; corner < 4; ++corner) {
       const Eigen::Vector3d axes = columns.col(1) + (corner & 1 ? -1 : 1) * columns.col(2) +
                                    (corner & 2 ? -1 : 1) * columns.col(3);
-      // The opposite corner has the other sign.
+      // The opposite corner of the box has the negative half axes.
       most = std::max(
           {most, (columns.col(0) + axes).squaredNorm(), (columns.col(0) - axes).squaredNorm()});
     }

@@ -106,9 +106,9 @@ class SamplingCost {
     return e.side <= longest ? 1 : 2 * e.side / longest * std::max(1.0, e.height / longest);
   }
 
-  /// Returns the total length, in cells, of the triangles of one copy that are not culled. A
-  /// triangle is not culled if one part of it moves outward and another part inward. The longer the
-  /// triangle is compared with the body, the more often this happens.
+  /// Returns the total length, in cells, of the longest sides of the triangles of one copy that are
+  /// not culled. A triangle is not culled if one part of it moves outward and another part inward.
+  /// The longer the triangle is compared with the body, the more often this happens.
   double unculledLength(double longest) const {
     double sum = 0;
     for (const Extent& e : extents_) {

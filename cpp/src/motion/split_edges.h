@@ -15,7 +15,7 @@
 
 namespace swept {
 
-/// How to approximate a motion.
+/// The edge length and the chord with which a motion is approximated.
 struct Following {
   double longestEdge;  ///< mm; edges longer than this are to be split; infinite: none
   double chord;        ///< mm; larger than requested only if there would be too many copies

@@ -64,7 +64,7 @@ Pose StepPath::poseAt(double s) const {
   const Eigen::Quaterniond turned(Eigen::AngleAxisd(angle_ * s, axis_));
   pose.rotation = (from_.rotation * turned).normalized();
   if (screw_) {
-    // x -> c + R(s)(x - c) + s * pitch * axis, in the body frame at the first pose
+    // In the frame of the first pose: x -> c + R(s)(x - c) + s * pitch * axis.
     const Eigen::Vector3d local = axisPoint_ - turned * axisPoint_ + axis_ * (s * pitch_);
     pose.translation = from_.rotation * local + from_.translation;
   } else {

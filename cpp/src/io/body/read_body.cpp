@@ -75,7 +75,7 @@ double longestSide(const std::vector<ImportedSolid>& solids) {
 /// side of the box of its sweep is at least the longest side of the body divided by the square root
 /// of 3.
 double toleranceFromSize(const Read& read, int resolution) {
-  constexpr double kCoarse = 1;  // mm; or half a radian, whichever gives the finer mesh
+  constexpr double kCoarse = 1;  // mm, linear deflection; the angular deflection is half a radian
   const double side = longestSide(read(kCoarse, 0.5, nullptr));
   return kTessellationFraction * side / std::sqrt(3.0) / resolution;
 }
