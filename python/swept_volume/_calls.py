@@ -183,7 +183,7 @@ def compute(
     interpolation   between two poses: none, linear or screw; default: that of the motion
     accuracy        mm: how far the surface may lie from the exact one (accuracy_bound in the report).
                     Determines cell, tolerance and chord, so neither these nor resolution may be given
-    resolution      cells along the longest side of the grid (128); or give cell
+    resolution      cells along the longest side of the grid (default 128); or give cell
     cell            size of a cell, mm
     tolerance       mm, how far simplification may move the surface
     offset          mm, distance by which the envelope is grown
@@ -193,8 +193,8 @@ def compute(
     backend         auto, cpu or gpu
     cull            leave out faces that are provably enclosed
     position_filter mm; skips a pose if no point of the body has moved farther since the last pose used
-    chord           cells; largest deviation of the computed motion from the exact one (0.02)
-    weld            fraction of the box diagonal; joins closer vertices along open edges (1e-6)
+    chord           cells; largest deviation of the computed motion from the exact one (default 0.02)
+    weld            fraction of the box diagonal; joins closer vertices along open edges (default 1e-6)
     sources         record what made each triangle (Result.sources); not with offset or conservative
     threads         None: all cores
     memory_limit_mb None: three quarters of the free memory

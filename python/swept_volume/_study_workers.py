@@ -29,7 +29,7 @@ _SERVE = (
     "import sys; sys.path[:] = [p for p in sys.path if p]; "
     "from swept_volume import _study_workers; _study_workers.serve(int(sys.argv[1]))"
 )
-Done = Tuple[int, Report, Optional[str]]  # number of the run, its report, the folder it filled
+Done = Tuple[int, Report, Optional[str]]  # number of the run, its report, its folder if it has one
 
 
 class Task(NamedTuple):

@@ -204,8 +204,8 @@ ElementProbe::Piece ElementProbe::pieceOf(const SweptElement& element) const {
   return piece;
 }
 
-// Neighbouring pieces share an edge, a path or a face. A shared edge or path must pass through the
-// box.
+// Neighbouring pieces share an edge, the path of a vertex, or a face. inside() tests whether a
+// shared edge or path passes through the searched cell.
 template <class Inside, class Use>
 void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece,
                                  const Inside& inside, const Use& use) const {

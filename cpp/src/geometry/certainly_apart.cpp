@@ -48,7 +48,7 @@ bool hasNoArea(const std::vector<Eigen::Vector3d>& vertices,
 bool certainlyApart(const std::vector<Eigen::Vector3d>& vertices,
                     const std::array<std::int32_t, 3>& p, const std::array<std::int32_t, 3>& q) {
   const auto at = [&](std::int32_t v) -> const Eigen::Vector3d& { return vertices[v]; };
-  int common = 0, i = 0, j = 0;  // i, j: last common corner in p and q
+  int common = 0, i = 0, j = 0;  // i, j: index in p and in q of the last common corner
   for (int m = 0; m < 3; ++m) {
     for (int n = 0; n < 3; ++n) {
       if (p[m] != q[n]) continue;

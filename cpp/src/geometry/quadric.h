@@ -59,7 +59,7 @@ struct Quadric {
   /// directions that the planes do not determine, the result stays at `about`. About ten times as
   /// fast as minimise().
   Eigen::Vector3d dampedMinimiser(const Eigen::Vector3d& about) const {
-    // The damping outweighs the difference of planes whose angle is less than about 0.1 degrees.
+    // With this damping, planes at an angle below about 0.1 degrees act as one plane.
     constexpr double kDamping = 1e-6;
     Eigen::Matrix3d m = matrix();
     const Eigen::Vector3d g = b - m * about;

@@ -48,7 +48,7 @@ struct HermiteGrid {
   /// Per crossing: its time in double (s). Empty unless ExactTimes::Kept was requested.
   std::vector<double> exactSeconds;
   std::int64_t markedEdges = 0;
-  std::int64_t sheetEdges = 0;  ///< edges whose two crossings are the same point
+  std::int64_t sheetEdges = 0;  ///< edges that cross a sheet: both crossings are one point
 };
 
 }  // namespace swept
