@@ -73,8 +73,8 @@ T castOption(const std::string& name, const py::handle& value) {
   }
 }
 
-void takeOption(const std::string& name, const py::handle& value, Options& options,
-                RunContext& run) {
+void setOption(const std::string& name, const py::handle& value, Options& options,
+               RunContext& run) {
   if (name == "resolution")
     options.resolution = castOption<int>(name, value);
   else if (name == "cell")
@@ -114,7 +114,7 @@ void takeOption(const std::string& name, const py::handle& value, Options& optio
 Options optionsFrom(const py::kwargs& keywords, RunContext& run) {
   Options options;
   for (const auto& [name, value] : keywords) {
-    takeOption(name.cast<std::string>(), value, options, run);
+    setOption(name.cast<std::string>(), value, options, run);
   }
   return options;
 }

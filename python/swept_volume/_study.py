@@ -166,9 +166,9 @@ class _StudyState:
     def read_results(self) -> None:
         """Reads the results that an earlier call has left in the folder."""
         for number, (one, key) in enumerate(zip(self.study.runs, self.keys)):
-            self.take(number, self.folder.earlier(one, key))
+            self.store(number, self.folder.earlier(one, key))
 
-    def take(self, number: int, report: Optional[Report]) -> None:
+    def store(self, number: int, report: Optional[Report]) -> None:
         """Stores the report of a run (None: no report yet) and the row of the run."""
         self.reports[number] = report
         self.rows[number] = _row(self.study.runs[number], report, self.strict)
@@ -247,7 +247,7 @@ def run_study(
         try:
             for number, report, filled in _reports(todo, jobs, scheduler, send_files, context):
                 folder.take(study.runs[number], report, filled)
-                state.take(number, report)
+                state.store(number, report)
                 ended += 1
                 if progress is not None:
                     progress(ended, len(study.runs), state.rows[number])

@@ -171,14 +171,14 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
   int axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const bool turned = normal[axis] < 0;
+  const bool reversed = normal[axis] < 0;
   std::vector<Polygon> outer, holes;
   double size = 0;
   for (const Loop& loop : loops) {
     Polygon polygon;
     for (const std::int32_t i : loop) {
       const Eigen::Vector3d p = points[i] - points[loops[0][0]];
-      polygon.push_back({i, turned ? Point(p[v], p[u]) : Point(p[u], p[v])});
+      polygon.push_back({i, reversed ? Point(p[v], p[u]) : Point(p[u], p[v])});
       size = std::max(size, p.squaredNorm());
     }
     (areaOf(polygon) < 0 ? holes : outer).push_back(std::move(polygon));

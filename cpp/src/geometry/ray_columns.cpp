@@ -84,12 +84,12 @@ void RayColumns::forRows(std::size_t triangle, const Use& use) const {
   if (yHigh < low_.y() || yLow > high_.y() || zHigh < low_.z() || zLow > high_.z()) return;
   const std::int32_t y0 = column(yLow, 1), y1 = column(yHigh, 1);
   const std::int32_t z0 = column(zLow, 2), z1 = column(zHigh, 2);
-  const bool few = y1 - y0 < 2 || z1 - z0 < 2;
+  const bool isNarrow = y1 - y0 < 2 || z1 - z0 < 2;
   // This margin is far above the rounding errors in the limits of a row and in a point on an edge.
   const Eigen::Vector3d margin = kColumnMargin * low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
   const double row = (high_.z() - low_.z()) / columns_;
   for (std::int32_t z = z0; z <= z1; ++z) {
-    if (few) {
+    if (isNarrow) {
       use(z, y0, y1);
       continue;
     }

@@ -37,7 +37,7 @@ void refuseBadFaces(const TriMesh& body) {
 
 /// If `wanted`, keeps the given face of each triangle; without given faces, each triangle becomes a
 /// separate face. If not `wanted`, removes the faces.
-void takeFaces(CheckedBody& result, bool wanted) {
+void setFaces(CheckedBody& result, bool wanted) {
   std::vector<std::int32_t>& faceOf = result.mesh.faceOf;
   result.namedFaces = wanted && !faceOf.empty();
   if (result.namedFaces) {
@@ -171,7 +171,7 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
 
   CheckedBody result;
   result.mesh = body;
-  takeFaces(result, options.sources);
+  setFaces(result, options.sources);
   const std::int64_t joined = applyMap(exactWeld(body.vertices), result.mesh);
   run.checkpoint(Phase::Input);
   CleanCounts cleaned;

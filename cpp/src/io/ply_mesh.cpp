@@ -61,8 +61,8 @@ class PolygonBuilder {
   void value(Role role, double number) { point_[static_cast<int>(role) - 1] = number; }
   void corner(std::int64_t index) {
     // An index that does not fit into 32 bits becomes -1. The later index check refuses it.
-    const bool holds = index >= 0 && index <= static_cast<std::int64_t>(kMaxElements);
-    list.corners.push_back(holds ? static_cast<std::int32_t>(index) : -1);
+    const bool fits = index >= 0 && index <= static_cast<std::int64_t>(kMaxElements);
+    list.corners.push_back(fits ? static_cast<std::int32_t>(index) : -1);
   }
   void endOf(const PlyElement& element) {
     if (element.name == "vertex") list.vertices.push_back(point_);

@@ -51,7 +51,7 @@ class MovingSolid {
       return false;
     }
     for (std::size_t k = 0; k + 1 < n; ++k) {
-      if (inStep(world, k, 0, 1)) return true;
+      if (containsDuringStep(world, k, 0, 1)) return true;
     }
     return false;
   }
@@ -64,7 +64,7 @@ class MovingSolid {
   bool contains(const Vector3d& x) const {
     return isInside(x) || nearest_.query(x, squaredGrazing_, squaredGrazing_) < squaredGrazing_;
   }
-  bool inStep(const Vector3d& world, std::size_t k, double from, double to) const {
+  bool containsDuringStep(const Vector3d& world, std::size_t k, double from, double to) const {
     const Placement &p = motion_.placements[k], &q = motion_.placements[k + 1];
     const double shift = (q.translation - p.translation).norm();
     const double arm = std::max((world - p.translation).norm(), (world - q.translation).norm());
@@ -76,7 +76,7 @@ class MovingSolid {
     if (squared < squaredGrazing_) return true;
     if (isInside(x)) return true;
     const double middle = (from + to) / 2;
-    return inStep(world, k, from, middle) || inStep(world, k, middle, to);
+    return containsDuringStep(world, k, from, middle) || containsDuringStep(world, k, middle, to);
   }
 
   const Motion& motion_;
@@ -89,7 +89,7 @@ class MovingSolid {
 
 /// A lattice point of a component at which the component is tested.
 struct TestPoint {
-  std::int32_t length = 0;  ///< of the run; the point is in its middle
+  std::int32_t length = 0;  ///< of the run in whose middle the point lies
   std::array<std::int32_t, 3> point{0, 0, 0};
 };
 
