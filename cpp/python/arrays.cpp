@@ -70,7 +70,7 @@ std::vector<Pose> posesFromMatrices(const py::object& object, const double* time
 
 /// Fills in the triangles of a mesh that already has its vertices.
 template <class Index>
-void takeTriangles(const Index* indices, TriMesh& mesh) {
+void fillTriangles(const Index* indices, TriMesh& mesh) {
   const auto vertices = static_cast<std::int64_t>(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -101,7 +101,7 @@ TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles) 
     throw py::type_error("triangles must be an array of integers");
   }
   checkShape(any, "triangles", {-1, 3}, "(M, 3)");
-  // Arrays that came from the core are read in place, without a copy.
+  // Contiguous int32 arrays, such as those that the core has returned, are read without a copy.
   const bool plain = py::isinstance<py::array_t<std::int32_t, py::array::c_style>>(any);
   const Integers wide = plain ? Integers() : Integers::ensure(any);
   if (!wide) throw py::error_already_set();
@@ -111,9 +111,9 @@ TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles) 
   std::copy_n(points.data(), points.size(), reinterpret_cast<double*>(mesh.vertices.data()));
   mesh.triangles.resize(static_cast<std::size_t>(any.shape(0)));
   if (plain) {
-    takeTriangles(static_cast<const std::int32_t*>(any.data()), mesh);
+    fillTriangles(static_cast<const std::int32_t*>(any.data()), mesh);
   } else {
-    takeTriangles(wide.data(), mesh);
+    fillTriangles(wide.data(), mesh);
   }
   return mesh;
 }

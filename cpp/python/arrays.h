@@ -1,8 +1,9 @@
 // Converts numpy arrays to plain structs, and back.
-// In:   arrays of any layout and type that can be converted without loss; shapes are checked.
+// In:   arrays of any layout and type that can be converted without loss. Their shapes are checked.
 // Out:  copies for the core, which runs without the interpreter lock; for Python, read-only views
-//        that keep the memory of the result alive. Throws py::value_error for wrong shapes,
-//        py::type_error for wrong types, and Error(InvalidInput) for bad content.
+//       that keep the memory of the result alive.
+// Throws py::value_error for wrong shapes, py::type_error for wrong types, and Error(InvalidInput)
+// for bad content.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,11 +21,11 @@ namespace swept::python {
 namespace py = pybind11;
 
 TriMesh meshFromArrays(const py::object& vertices, const py::object& triangles);
-/// Returns TriMesh::faceOf for an integer array (M,).
+/// Converts an integer array (M,) to the form of TriMesh::faceOf.
 std::vector<std::int32_t> facesFromArray(const py::object& faces);
 
-/// Converts a motion. `motion`: (times, quaternions, translations), these three and a pivot,
-/// (times, matrices), or matrices (K, 4, 4).
+/// Converts a motion: (times, quaternions, translations), these three followed by a pivot, (times,
+/// matrices), or matrices (K, 4, 4).
 Trajectory trajectoryFromObject(const py::object& motion, const std::string& interpolation);
 py::tuple trajectoryToArrays(const Trajectory& trajectory);
 

@@ -69,7 +69,7 @@ constexpr const char* kMechanismDoc =
 Measures the smallest distances between parts that move at the same time. No approach between two poses is
 missed. Lengths are in mm, times in s.
 parts: list of (name, vertices, triangles, motion, interpolation, chord_error). motion is as in compute(), or
-None for a part that stands still in the place of its mesh. rules: list of (name, name, rule) for pairs of
+None for a part that stands still where its mesh is. rules: list of (name, name, rule) for pairs of
 parts, with rules as in clearance(). Returns the report (docs/clearance.md): summary, far_pairs, joined, and
 pairs, each with first, second and what clearance() returns for a neighbour; first takes the place of the
 body. Raises InvalidInput, Cancelled.)";
@@ -90,7 +90,7 @@ constexpr const char* kDistanceDoc =
 
 Returns the distance (mm) of each point (N, 3) from a mesh, negative for points inside a closed mesh.)";
 
-/// Returns a report as a dict. Raises if its run failed.
+/// Returns the report of a successful run as a dict. Raises an error if the run failed.
 template <class Report>
 py::object foundOf(const Report& report) {
   py::object found = parseJson(toJson(report));

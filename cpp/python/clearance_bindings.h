@@ -13,7 +13,7 @@ namespace swept::python {
 
 /// Converts neighbours. Each item is (name, vertices, triangles), optionally followed by the chord
 /// error (mm) and then by the rule: a number (mm), a text or None. `rules`: texts "NAME=RULE" for
-/// items without a rule of their own. Throws Error(InvalidInput, "BadRule").
+/// items without their own rule. Throws Error(InvalidInput, "BadRule").
 std::vector<ClearanceNeighbour> neighboursFrom(const pybind11::iterable& items,
                                                const std::vector<std::string>& rules);
 

@@ -1,4 +1,4 @@
-// Texts of help(_swept): shapes, dtypes, units, errors.
+// Texts of help(_swept), with shapes, dtypes, units and errors.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -32,7 +32,7 @@ inline constexpr const char* kSourcesDoc =
 Kinds: a "cap" is a face of the body in its place at one pose. An "edge" was swept by an edge of the
 body, where two faces meet at 8 degrees or more. A "graze" was swept by the inside of a face that
 touches the envelope along a curve, by a face that slides along itself, or by two faces that meet smoothly.
-A face number is that of the argument faces of compute(), or of a triangle of the body without it.
+Faces are numbered as in the argument faces of compute(). Without it, each triangle of the body is a face.
 If the envelope was simplified, a row describes what made the largest part of the area of the triangle.)";
 
 constexpr const char* kRecutDoc =
@@ -125,10 +125,10 @@ as one body. The triangles of a solid deviate from it by at most tolerance (mm).
 such a body. angle: largest angle (rad) between adjacent triangles of a curved face.
 Mesh.chord_error and Mesh.findings describe the result.
 
-reader: reads STEP and BREP files instead of the module's own OpenCASCADE: a function that takes path, linear
-deflection (mm) and angular deflection (rad) and returns (name, vertices, triangles, faces) for each solid, in
-mm; faces has the index of its face for each triangle, or is None. Mesh.shape is None then. A module without
-OpenCASCADE needs it for such files.)";
+reader: a function that reads STEP and BREP files in place of the module's own OpenCASCADE. It takes the path,
+the linear deflection (mm) and the angular deflection (rad), and returns (name, vertices, triangles, faces) for
+each solid, in mm. faces has the index of its face for each triangle, or is None. Mesh.shape is then None. A
+module without OpenCASCADE needs a reader for such files.)";
 
 constexpr const char* kReadPartsDoc =
     R"(read_parts(path, unit='mm', chord_error=0.0, deflection=0.05, run=None, reader=None)
@@ -142,7 +142,7 @@ read_body(). Raises InvalidInput, Cancelled.)";
 constexpr const char* kWriteMeshDoc =
     R"(write_mesh(path, vertices, triangles, no_clobber=False)
 
-Writes a PLY file (double precision), or an STL, OBJ, OFF or 3MF file (single precision), in mm. Replaces an
+Writes a PLY, OBJ, OFF or 3MF file (double precision) or an STL file (single precision), in mm. Replaces an
 existing file only after the new file is complete. With no_clobber=True, an existing file is never
 replaced. Raises ExportFailed.)";
 
@@ -159,7 +159,7 @@ constexpr const char* kWriteSolidDoc =
 
 Converts a closed mesh to a solid and writes it as a STEP (.step, .stp) or BREP (.brep, .brp) file. The new
 file is read back and checked before it replaces an existing one; with no_clobber=True, an existing file
-is never replaced. Returns what the key "solid" of the program's reports holds, and warnings. Raises
+is never replaced. Returns the contents of the key "solid" in the program's reports, and warnings. Raises
 ExportFailed, Cancelled.
 
 Options: tolerance (mm; 0: exact, unless a limit requires a tolerance), recognise=True, max_faces=20000,
@@ -169,10 +169,10 @@ envelope', author, organization, colour=(r, g, b), exact=False, strict=False. If
 solid exceeds a limit, the smallest tolerance that meets the limits is used; with exact=True, the solid is
 refused instead. strict=True refuses a solid that deviates from the mesh by more than the tolerance.
 
-reader: asked instead of the module's own OpenCASCADE, for STEP files only: a function that takes the text of
-a STEP file (bytes), reads it and returns a dict with solids, shells, faces and edges (counts), valid,
+reader: a function that checks the new file in place of the module's own OpenCASCADE, for STEP files only. It
+takes the text of the file (bytes), and returns a dict with solids, shells, faces and edges (counts), valid,
 complaint (text, empty if valid), volume (mm^3), edge_tolerance (mm, the largest) and bad_faces (indices of
-the faces that are not valid). A module without OpenCASCADE needs it.)";
+the faces that are not valid). A module without OpenCASCADE needs a reader.)";
 
 constexpr const char* kEstimateSolidDoc =
     R"(estimate_solid(vertices, triangles, run=None, format='step', quick=False, **options) -> dict
@@ -180,8 +180,9 @@ constexpr const char* kEstimateSolidDoc =
 Estimates the effort of write_solid() with the same options by a trial, which builds and writes the solid,
 but makes no file. Returns triangles, faces, megabytes (of a file of this format: 'step' or 'brep'), seconds
 (expected duration of write_solid), trial_seconds (the part of seconds that the trial took), tolerance and
-deviation (mm), and tried. quick=True only looks at the mesh, which takes microseconds for each triangle. Then tried is False,
-and faces, megabytes and seconds are upper bounds, far too large if surfaces can be recognised. Raises
-Cancelled, and ExportFailed if write_solid() would refuse the mesh or its options.)";
+deviation (mm), and tried (True). With quick=True there is no trial, and tried is False. This takes
+microseconds for each triangle, but faces, megabytes and seconds are then upper bounds, far too large if
+surfaces can be recognised. Raises Cancelled, and ExportFailed if write_solid() would refuse the mesh or its
+options.)";
 
 }  // namespace swept::python

@@ -11,7 +11,7 @@ namespace py = pybind11;
 
 constexpr int kStatusCount = static_cast<int>(Status::InternalError) + 1;
 
-// Returns the exception classes. They are kept until the process ends, because exceptions may be
+// Returns the exception classes, by status. They are never released, because exceptions may be
 // raised until the interpreter ends.
 std::array<PyObject*, kStatusCount>& classes() {
   static std::array<PyObject*, kStatusCount> table{};

@@ -10,7 +10,7 @@
 
 namespace swept::python {
 
-/// Creates the classes and translates swept::Error and std::bad_alloc to them.
+/// Creates the exception classes. Makes pybind11 translate swept::Error and std::bad_alloc to them.
 void bindErrors(pybind11::module_& module);
 
 /// Raises the class of `status` with .status, .code and .report (dict or None).

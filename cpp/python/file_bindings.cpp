@@ -162,13 +162,13 @@ StepOptions solidOptions(const py::dict& keywords) {
   return options;
 }
 
-/// Writes a solid. The reader of the caller checks it or, without a reader, the kernel of this
-/// module.
+/// Writes a solid. The `reader` of the caller checks the written file or, if `reader` is None, the
+/// OpenCASCADE of this module does.
 StepReport writeWith(const py::object& reader, const TriMesh& mesh, const std::string& name,
                      const StepOptions& options, RunContext& run) {
   if (!reader.is_none()) {
-    PythonStepReader judge(py::cast<py::function>(reader));
-    return runWithoutLock(run, [&] { return writeSolid(mesh, name, options, judge, run); });
+    PythonStepReader checker(py::cast<py::function>(reader));
+    return runWithoutLock(run, [&] { return writeSolid(mesh, name, options, checker, run); });
   }
   return runWithoutLock(run, [&] { return writeSolid(mesh, name, options, run); });
 }

@@ -1,6 +1,6 @@
-// Runs long calls. The core computes on a thread of its own, without the interpreter lock. The
-// calling thread lets Python handle its signals meanwhile, so Ctrl-C cancels the run at once.
-// Threads of runs may get a lower priority than the other threads of the process (priority.h).
+// Runs long calls. The core computes on a separate thread, without the interpreter lock. Meanwhile,
+// the calling thread lets Python handle signals, so Ctrl-C cancels the run at once. Threads of runs
+// may get a lower priority than the other threads of the process (priority.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -20,7 +20,7 @@ template <class Job>
 auto runWithoutLock(RunContext& run, Job job) -> decltype(job()) {
   namespace py = pybind11;
   auto done = std::async(std::launch::async, [job = std::move(job)]() mutable {
-    standBackIfAsked();
+    applyRunPriority();
     return job();
   });
   std::optional<py::error_already_set> interrupt;

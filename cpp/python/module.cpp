@@ -57,8 +57,8 @@ std::uint64_t bytesFromMegabytes(double megabytes) {
   return static_cast<std::uint64_t>(megabytes * 1048576.0);
 }
 
-// Converts one option of compute() or estimate(). Raises TypeError if the value is not a number,
-// name or flag as expected, and BadOption for a whole number too large for any option.
+// Converts one option of compute() or estimate(). Raises TypeError if the value has a wrong type,
+// and BadOption if the value is a whole number that T cannot hold.
 template <class T>
 T castOption(const std::string& name, const py::handle& value) {
   try {
@@ -73,8 +73,8 @@ T castOption(const std::string& name, const py::handle& value) {
   }
 }
 
-void takeOption(const std::string& name, const py::handle& value, Options& options,
-                RunContext& run) {
+void setOption(const std::string& name, const py::handle& value, Options& options,
+               RunContext& run) {
   if (name == "resolution")
     options.resolution = castOption<int>(name, value);
   else if (name == "cell")
@@ -114,7 +114,7 @@ void takeOption(const std::string& name, const py::handle& value, Options& optio
 Options optionsFrom(const py::kwargs& keywords, RunContext& run) {
   Options options;
   for (const auto& [name, value] : keywords) {
-    takeOption(name.cast<std::string>(), value, options, run);
+    setOption(name.cast<std::string>(), value, options, run);
   }
   return options;
 }
@@ -270,7 +270,7 @@ void bindFunctions(py::module_& module) {
       .def("release", &WarmMemory::release,
            "Gives the memory back to the heap. Call it in the thread that created the object.")
       .def_property_readonly("bytes", &WarmMemory::bytes, "Number of reserved bytes.");
-  module.def("stand_back", &standBack,
+  module.def("stand_back", &lowerRunPriority,
              "Gives later runs a lower priority than the other threads of this process. Call it "
              "before the first run.");
   module.def("compute", &pyCompute, kComputeDoc, py::arg("vertices"), py::arg("triangles"),

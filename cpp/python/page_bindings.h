@@ -1,4 +1,4 @@
-// Pages (swept/page.h) for Python. Reports are texts; meshes of parts are arrays.
+// HTML pages (swept/page.h) for Python. Reports are texts; meshes of parts are arrays.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -36,7 +36,7 @@ constexpr const char* kImproveDoc =
              more_clearance=False, clearance=0.0, release=0.0, translation_only=False, max_angle=None,
              tolerance=0.01, body_chord=0.0, budget=60.0, seed=1, run=None, rules=()) -> (dict, motion or None)
 
-Improves a motion. Sections that come closer to a neighbour than the clearance are led another way, if the
+Improves a motion. Sections that come closer to a neighbour than the clearance get another path, if the
 search finds one. All other sections become shorter and get fewer keys; with more_clearance=True they stay as
 far from the neighbours as possible instead. The ends, and the keys whose indices are in `locked`, do not
 change. Sections that cannot be improved, or that lie within `release` of the ends, are left unchanged
@@ -249,9 +249,9 @@ py::tuple pyFindSequence(const py::iterable& list, const py::iterable& still,
   const RunPointer context = runFromObject(run);
   std::vector<SequencePart> parts;
   for (const py::handle& item : list) parts.push_back(sequencePartFrom(item));
-  std::vector<StillPart> there;
+  std::vector<StillPart> stillParts;
   for (ClearanceNeighbour& part : neighboursFrom(still, {}))
-    there.push_back({std::move(part.name), std::move(part.mesh), part.chordError});
+    stillParts.push_back({std::move(part.name), std::move(part.mesh), part.chordError});
   SequenceOptions options;
   options.path = optionsFrom(clearance, release, translationOnly, maxAngle, tolerance, 0, budget,
                              seed, parseInterpolation(interpolation));
@@ -260,7 +260,7 @@ py::tuple pyFindSequence(const py::iterable& list, const py::iterable& still,
   for (const auto& [first, second, text] : rules)
     options.rules.push_back({first, second, parseRule(text)});
   const SequenceReport report = runWithoutLock(
-      *context, [&] { return findSequence(parts, there, options, *context, watch); });
+      *context, [&] { return findSequence(parts, stillParts, options, *context, watch); });
   const py::object found = parseJson(toJson(report));
   if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
   if (report.verdict != SequenceVerdict::Found) return py::make_tuple(found, py::none());

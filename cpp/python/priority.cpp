@@ -8,14 +8,14 @@
 namespace swept::python {
 namespace {
 
-std::atomic<bool> asked{false};
+std::atomic<bool> lowered{false};
 
 }  // namespace
 
-void standBack() { asked = true; }
+void lowerRunPriority() { lowered = true; }
 
-void standBackIfAsked() {
-  if (!asked) return;
+void applyRunPriority() {
+  if (!lowered) return;
   os::lowerThreadPriority();
 }
 

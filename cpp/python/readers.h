@@ -1,5 +1,5 @@
-// Functions of Python that read solids in place of the module's own OpenCASCADE. They are called in
-// the thread of a run, and take the interpreter lock for that time.
+// Python functions that read solids in place of the module's own OpenCASCADE. A run calls them in
+// its thread, and holds the interpreter lock during the call.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -15,24 +15,24 @@
 
 namespace swept::python {
 
-/// A reader of STEP files in Python: a function that takes the text (bytes) and returns a
-/// dictionary with the figures of check_solid() and "bad_faces".
+/// A reader of STEP files in Python: a function that takes the text (bytes) of a file and returns a
+/// dictionary with the members of SolidCheck and "bad_faces" (kWriteSolidDoc in docstrings.h).
 class PythonStepReader : public StepReader {
  public:
   explicit PythonStepReader(py::function read) : read_(std::move(read)) {}
   Answer read(const std::string& text) override {
     const py::gil_scoped_acquire acquire;
-    const py::dict said = read_(py::bytes(text));
+    const py::dict values = read_(py::bytes(text));
     Answer answer;
-    answer.badFaces = py::cast<std::vector<std::int32_t>>(said["bad_faces"]);
-    answer.check.solids = py::cast<std::int64_t>(said["solids"]);
-    answer.check.shells = py::cast<std::int64_t>(said["shells"]);
-    answer.check.faces = py::cast<std::int64_t>(said["faces"]);
-    answer.check.edges = py::cast<std::int64_t>(said["edges"]);
-    answer.check.valid = py::cast<bool>(said["valid"]);
-    answer.check.complaint = py::cast<std::string>(said["complaint"]);
-    answer.check.volume = py::cast<double>(said["volume"]);
-    answer.check.edgeTolerance = py::cast<double>(said["edge_tolerance"]);
+    answer.badFaces = py::cast<std::vector<std::int32_t>>(values["bad_faces"]);
+    answer.check.solids = py::cast<std::int64_t>(values["solids"]);
+    answer.check.shells = py::cast<std::int64_t>(values["shells"]);
+    answer.check.faces = py::cast<std::int64_t>(values["faces"]);
+    answer.check.edges = py::cast<std::int64_t>(values["edges"]);
+    answer.check.valid = py::cast<bool>(values["valid"]);
+    answer.check.complaint = py::cast<std::string>(values["complaint"]);
+    answer.check.volume = py::cast<double>(values["volume"]);
+    answer.check.edgeTolerance = py::cast<double>(values["edge_tolerance"]);
     for (const std::int32_t face : answer.badFaces) {
       if (face < 0 || face >= answer.check.faces)
         throw py::value_error("bad_faces of the reader names face " + std::to_string(face) +

@@ -16,8 +16,8 @@ namespace {
 
 namespace py = pybind11;
 
-/// Returns an array with `width` numbers for each triangle. take(row, to) writes the numbers of a
-/// triangle whose source is known; for the others all numbers are `none`.
+/// Returns an array with `width` numbers for each triangle. take(row, to) writes the numbers for a
+/// triangle with a known source. For the other triangles, all numbers are `none`.
 template <class T, class Take>
 py::array_t<T> byTriangle(const Sources& sources, py::ssize_t width, T none, const Take& take) {
   std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(sources.of.size())};

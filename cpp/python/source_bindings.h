@@ -1,4 +1,4 @@
-// What made each triangle of an envelope, as numpy arrays with one row for each triangle.
+// The sources of the triangles of an envelope, as numpy arrays with one row for each triangle.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,4 +1,5 @@
-// Values that several parts of the module return to Python: meshes without a copy, runs.
+// Values that several parts of the module return to Python (meshes without a copy) or receive
+// (runs).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -34,7 +35,7 @@ struct Mesh {
   }
 };
 
-/// Returns an int32 array (M,), or None if the faces are not known.
+/// Returns the face of each triangle as an int32 array (M,), or None if the faces are not known.
 inline py::object facesOf(const Mesh& mesh) {
   if (mesh.data->faceOf.empty()) return py::none();
   return readOnlyView(mesh.data->faceOf.data(),

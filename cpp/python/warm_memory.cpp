@@ -8,14 +8,14 @@
 namespace swept::python {
 namespace {
 
-/// Smaller reservations save too little time.
+/// A smaller reservation (bytes) would save too little time.
 constexpr std::size_t kMin = std::size_t{8} << 20, kPage = 4096;
 
 }  // namespace
 
 WarmMemory::WarmMemory(std::size_t bytes) {
-  // OneHeap: malloc takes the memory from the heap. A separate block would go back to the system
-  // with free(). KeepFree: free() does not return the end of the heap to the system.
+  // OneHeap: malloc takes the memory from the heap. A block outside the heap would go back to the
+  // system with free(). KeepFree: free() does not return the end of the heap to the system.
   if (bytes < kMin || !os::setHeap(os::HeapSetting::OneHeap)) return;
   memory_ = std::malloc(bytes);
   os::setHeap(os::HeapSetting::KeepFree);
@@ -24,8 +24,8 @@ WarmMemory::WarmMemory(std::size_t bytes) {
 
 WarmMemory::~WarmMemory() {
   release();
-  // With the usual setting, unused memory at the end of the heap goes back to the system as soon as
-  // the next block there is freed.
+  // With the usual setting, unused memory at the end of the heap goes back to the system when the
+  // next block there is freed.
   if (bytes_ > 0) os::setHeap(os::HeapSetting::Usual);
 }
 

@@ -1,8 +1,8 @@
 // Reserves memory and fetches its pages before a large copy needs them.
 // A program that allocates and fills a hundred megabytes spends two thirds of the time in the
-// kernel, which provides fresh pages one by one. Before a window copies a large mesh, another
-// thread can fetch the pages. Order of calls: the constructor in the window's thread, whose heap
-// provides the memory; touch() in any other thread; release() in the window's thread directly
+// operating system, which provides fresh pages one by one. Before a window copies a large mesh,
+// another thread can fetch the pages. Order of calls: the constructor in the window's thread, whose
+// heap provides the memory; touch() in any other thread; release() in the window's thread directly
 // before the copy, which then gets this memory. Until the object is destroyed, the heap keeps free
 // memory at its end. Units: bytes. GNU C library only; no effect elsewhere.
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -68,15 +68,15 @@ def _line(row: Row) -> str:
     return text + (f": {row['message']}" if "message" in row else "")
 
 
-def _show(done: int, all_runs: int, row: Row) -> None:
+def _print_progress(done: int, all_runs: int, row: Row) -> None:
     print(f"{done}/{all_runs} {_line(row)}", file=sys.stderr)
 
 
-def _tell(done: int, all_runs: int, row: Row) -> None:
+def _print_row(done: int, all_runs: int, row: Row) -> None:
     print(json.dumps({"done": done, "runs": all_runs, "row": row}), flush=True)
 
 
-def _tell_kept(rows: Sequence[Row]) -> None:
+def _print_kept_rows(rows: Sequence[Row]) -> None:
     for row in rows:
         print(json.dumps({"row": row}), flush=True)
 
@@ -132,8 +132,8 @@ def _study(options: argparse.Namespace) -> int:
         again=options.again,
         page=options.page,
         strict=options.strict,
-        progress=_tell if options.rows else None if options.quiet else _show,
-        kept=_tell_kept if options.rows else None,
+        progress=_print_row if options.rows else None if options.quiet else _print_progress,
+        kept=_print_kept_rows if options.rows else None,
         run=context,
     )
     if options.report:
@@ -161,8 +161,8 @@ def main(words: List[str]) -> int:
     except OSError as error:
         if isinstance(error, BrokenPipeError):
             silence_output()
-        place = f"'{error.filename}': " if error.filename else ""
-        print(f"swept: {place}{error.strerror or error}", file=sys.stderr)
+        file_name = f"'{error.filename}': " if error.filename else ""
+        print(f"swept: {file_name}{error.strerror or error}", file=sys.stderr)
         return FAILED
 
 

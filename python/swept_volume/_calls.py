@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs: options by name, results that can be pickled, findings in the log."""
+"""Computes envelopes and solids. Options have names, results can be pickled, findings go to the log."""
 from __future__ import annotations
 
 import logging
@@ -33,8 +33,8 @@ Report = Dict[str, Any]
 
 class RunContext(_core.RunContext):
     """Watches and cancels one run, from any thread: cancel(), cancelled, progress (0 to 1), phase.
-    threads: None for all cores; memory_limit_mb: None for three quarters of the free memory. Used in a
-    with statement, it cancels the run if the block is left early."""
+    threads: None for all cores; memory_limit_mb: None for three quarters of the free memory. In a with
+    statement, the run is cancelled if an exception leaves the block."""
 
     def __init__(
         self, threads: Optional[int] = None, memory_limit_mb: Optional[float] = None
@@ -95,7 +95,7 @@ class Result:
 
     @property
     def sources(self) -> Optional[Sources]:
-        """Returns what made each triangle, if requested; the arrays are made at the first call."""
+        """Returns what made each triangle; None unless requested. The first call makes the arrays."""
         if self._sources is None and self._core is not None and self._core.sources is not None:
             self._sources = Sources._of_core(self._core.sources)
         return self._sources
@@ -113,7 +113,7 @@ class Result:
     def recut(self, tolerance: float, *, run: Optional[RunContext] = None) -> Result:
         """Returns the same envelope, simplified with another tolerance (mm; 0: no simplification), without
         sampling again. The result must have been computed with a tolerance. A pickled copy cannot be
-        recut, because it has no surface before simplification."""
+        recut, because it lacks the surface before simplification."""
         if self._core is None:
             raise bad_option(
                 "a pickled copy of a result cannot be simplified again with recut(); compute the result again"
@@ -181,20 +181,20 @@ def compute(
     """Computes the envelope of a body that moves along a motion.
 
     interpolation   between two poses: none, linear or screw; default: that of the motion
-    accuracy        mm: how far the surface may lie from the true one (accuracy_bound in the report).
-                    It chooses cell, tolerance and chord, and takes the place of them and of resolution
-    resolution      cells along the longest side of the swept volume (128), or
+    accuracy        mm: how far the surface may lie from the exact one (accuracy_bound in the report).
+                    Determines cell, tolerance and chord, so neither these nor resolution may be given
+    resolution      cells along the longest side of the grid (default 128); or give cell
     cell            size of a cell, mm
     tolerance       mm, how far simplification may move the surface
     offset          mm, distance by which the envelope is grown
-    conservative    the envelope provably contains the swept volume
-    keep_cavities   enclosed cavities are kept as inner shells
-    components      for research; only consistent guarantees a closed manifold
+    conservative    make an envelope that provably contains the swept volume
+    keep_cavities   keep enclosed cavities as inner shells
+    components      method of contouring, for research; only 'consistent' guarantees a closed manifold
     backend         auto, cpu or gpu
     cull            leave out faces that are provably enclosed
     position_filter mm; skips a pose if no point of the body has moved farther since the last pose used
-    chord           cells; largest deviation of the computed motion from the true one (0.02)
-    weld            fraction of the box diagonal; closer vertices along open edges are joined (1e-6)
+    chord           cells; largest deviation of the computed motion from the exact one (default 0.02)
+    weld            fraction of the box diagonal; joins closer vertices along open edges (default 1e-6)
     sources         record what made each triangle (Result.sources); not with offset or conservative
     threads         None: all cores
     memory_limit_mb None: three quarters of the free memory
@@ -202,7 +202,7 @@ def compute(
 
     Raises Error with .status, .code and .report; TypeError and ValueError for wrong types and shapes.
     """
-    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    body, trajectory = mesh_of(mesh), motion_of(motion, interpolation)
     options = _given(
         accuracy=accuracy,
         resolution=resolution,
@@ -224,8 +224,8 @@ def compute(
     core = _core.compute(
         body.vertices,
         body.triangles,
-        way._arrays(),
-        way.interpolation,
+        trajectory._arrays(),
+        trajectory.interpolation,
         run,
         body.faces if sources else None,
         **options,
@@ -249,13 +249,19 @@ def estimate(
 ) -> Dict[str, Any]:
     """Estimates compute() with the same options. Returns grid (3 ints), cell (mm), memory_bytes,
     seconds and triangles. Also returns useful_filter (mm) if a position_filter of this length would
-    leave out most poses and change the result by no more than the chord error. trial: samples some
-    steps, which takes up to a second. Without it, memory, seconds and triangles are rough figures.
+    leave out most poses and change the result by no more than the chord error. trial=True samples
+    some steps, which takes up to a second. Without a trial, memory, seconds and triangles are rough.
     """
-    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    body, trajectory = mesh_of(mesh), motion_of(motion, interpolation)
     given = _given(resolution=resolution, cell=cell, **options)
     return _core.estimate(
-        body.vertices, body.triangles, way._arrays(), way.interpolation, trial, run, **given
+        body.vertices,
+        body.triangles,
+        trajectory._arrays(),
+        trajectory.interpolation,
+        trial,
+        run,
+        **given,
     )
 
 
@@ -284,14 +290,17 @@ class PreviewSession:
         sketch: bool = False,
         run: Optional[RunContext] = None,
     ) -> Result:
-        """Like compute(); call it from one thread at a time. sketch: only the surface, neither repaired nor
-        checked (finding NotChecked), for drawing; takes half the time."""
-        way = motion_of(motion, interpolation)
-        return Result._of_core(self._session.compute(way._arrays(), way.interpolation, run, sketch))
+        """Does the same as the function compute(). Only one thread may call it at a time. sketch=True, for
+        drawing, neither repairs nor checks the surface (finding NotChecked), and takes half the time.
+        """
+        trajectory = motion_of(motion, interpolation)
+        return Result._of_core(
+            self._session.compute(trajectory._arrays(), trajectory.interpolation, run, sketch)
+        )
 
 
 def check_mesh(mesh: MeshLike, *, run: Optional[RunContext] = None) -> Dict[str, Any]:
-    """Checks a mesh: passes, closed, manifold, oriented, self_intersections, volume (mm^3) ..."""
+    """Checks a mesh. Returns passes, closed, manifold, oriented, self_intersections, volume (mm^3) ..."""
     body = mesh_of(mesh)
     return _core.check_mesh(body.vertices, body.triangles, run)
 
@@ -316,19 +325,19 @@ def write_solid(
     run: Optional[RunContext] = None,
     origin: Optional[Tuple[Result, Mesh, MotionLike]] = None,
 ) -> Dict[str, Any]:
-    """Converts a closed mesh to a solid in a STEP (.step, .stp) or BREP (.brep, .brp) file. The file is
-    read back and checked before it replaces an old one; no_clobber never replaces a file. tolerance: mm,
-    0 for an exact solid unless a limit requires a tolerance; strict refuses a solid that deviates more.
-    Returns solids, faces, faces_by_kind, valid, tolerance, deviation, volume, warnings ...; see "solid"
-    in docs/report.md.
+    """Converts a closed mesh to a solid in a STEP (.step, .stp) or BREP (.brep, .brp) file. The new file
+    is read back and checked before it replaces an old one. With no_clobber=True, an old file is never
+    replaced. tolerance: mm; 0 for an exact solid, unless a limit requires a tolerance. strict=True
+    refuses a solid that deviates by more than the tolerance. Returns solids, faces, faces_by_kind,
+    valid, tolerance, deviation, volume, warnings ...; see "solid" in docs/report.md.
 
-    reader: checks the text of a STEP file in place of OpenCASCADE, which a core from a wheel does not
-    have; help(_swept.write_solid) says what it returns.
+    reader: a function that checks the text of a STEP file in place of OpenCASCADE. A core from a wheel
+    has no OpenCASCADE and needs it. help(_swept.write_solid) says what it must return.
 
-    origin: (result, body, motion) of the mesh. With a tolerance, the solid then gets the faces that
-    the body really sweeps on straight steps. result: computed with sources=True; body: from read_body()
-    of a STEP or BREP file; motion: that of the result, with all its poses. Raises ExportFailed
-    (BadOption) if they do not belong together."""
+    origin: (result, body, motion) of the mesh. With a tolerance, the solid then gets the exact faces
+    that the body sweeps on straight steps. result: computed with sources=True; body: from
+    read_body() of a STEP or BREP file; motion: the motion of the result, with all its poses. Raises
+    ExportFailed (BadOption) if the three do not belong together."""
     body = mesh_of(mesh)
     report = _core.write_solid(
         path,
@@ -355,15 +364,15 @@ def write_solid(
 
 
 def _origin_of(result: Result, body: Mesh, motion: MotionLike) -> Tuple[Any, ...]:
-    """Returns the origin of a solid in the form of the core."""
+    """Returns the argument `origin` of write_solid() in the form that the core expects."""
     sources = result._core.sources if result._core is not None else None
     if sources is None:
         raise bad_option("the result has no sources: compute it with sources=True")
     if body.shape is None:
         raise bad_option("the body has no faces: read it with read_body() from a STEP or BREP file")
-    way = motion_of(motion)
-    poses = way.times, way.quaternions, way.translations
-    return sources, poses, way.interpolation, body.shape, body.chord_error
+    trajectory = motion_of(motion)
+    poses = trajectory.times, trajectory.quaternions, trajectory.translations
+    return sources, poses, trajectory.interpolation, body.shape, body.chord_error
 
 
 def estimate_solid(
@@ -374,12 +383,12 @@ def estimate_solid(
     quick: bool = False,
     **options: Any,
 ) -> Dict[str, Any]:
-    """Estimates write_solid() with the same options. Builds the solid, but writes no file. Returns
-    triangles, faces, megabytes (of a 'step' or 'brep' file), seconds (elapsed), tolerance and deviation
-    (mm), tried.
+    """Estimates write_solid() with the same options by a trial, which builds the solid but makes no file.
+    Returns triangles, faces, megabytes (of a 'step' or 'brep' file), seconds (expected duration of
+    write_solid()), tolerance and deviation (mm), tried (True).
 
-    quick: uses only the mesh, which takes microseconds for each triangle. Then tried is False, and
-    faces, megabytes and seconds are upper bounds, far too large if surfaces are recognised. Raises
-    ExportFailed if write_solid() would refuse the mesh or its options, Cancelled."""
+    quick=True makes no trial (tried is False) and takes microseconds for each triangle. Then faces,
+    megabytes and seconds are upper bounds, far too large if surfaces are recognised. Raises ExportFailed
+    if write_solid() would refuse the mesh or its options, Cancelled."""
     body = mesh_of(mesh)
     return _core.estimate_solid(body.vertices, body.triangles, run, format, quick, **options)

@@ -12,12 +12,12 @@ from ._calls import RunContext, _log
 from ._values import Floats, Integers, MeshLike, MotionLike, frozen, mesh_of, motion_of
 
 Neighbour = Union[Tuple[str, MeshLike], Tuple[str, MeshLike, float]]
-#: Name of neighbours (* and ? stand for characters) -> distance in mm, "contact", "contact:MM", "ignore".
+#: Names of neighbours, with wildcards * and ? -> distance in mm, "contact", "contact:MM" or "ignore".
 Rules = Mapping[str, Union[float, str]]
 
 
 def rule_texts(rules: Optional[Rules]) -> List[str]:
-    """Returns the rules in the form of the core. Raises TypeError."""
+    """Returns the rules as texts "NAME=RULE" for the core. Raises TypeError."""
     texts = []
     for name, rule in (rules or {}).items():
         if isinstance(rule, bool) or not isinstance(rule, (str, int, float, np.number)):
@@ -55,16 +55,16 @@ def clearance(
 ) -> Dict[str, Any]:
     """Measures the smallest distance of a moving body from each neighbour over the whole motion. No
     approach between two poses is missed. neighbours: (name, mesh) or (name, mesh, chord error). Lengths
-    in mm; a chord error that is not given is that of the mesh. rules: for neighbours that do not follow
-    the common required distance: {"bolt*": "contact:0.1", "cover": 5.0, "hose": "ignore"}. Returns the
-    report (docs/clearance.md)."""
-    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    in mm. The default of a chord error is the chord_error of the mesh. rules: for neighbours with
+    another rule than the distance `required`: {"bolt*": "contact:0.1", "cover": 5.0, "hose": "ignore"}.
+    Returns the report (docs/clearance.md)."""
+    body, trajectory = mesh_of(mesh), motion_of(motion, interpolation)
     report: Dict[str, Any] = _core.clearance(
         body.vertices,
         body.triangles,
-        way._arrays(),
+        trajectory._arrays(),
         [_neighbour(item) for item in neighbours],
-        way.interpolation,
+        trajectory.interpolation,
         required,
         tolerance,
         body.chord_error if body_chord is None else body_chord,
@@ -91,20 +91,21 @@ def first_contacts(
     """Returns the contacts of the body at the first pose of its motion, as rules for clearance() that
     allow them: {"flange": "contact", "bearing": "contact:0.09"}. Remove contacts that are not intended.
     The arguments are those of clearance()."""
-    body, way = mesh_of(mesh), motion_of(motion, interpolation)
+    body, trajectory = mesh_of(mesh), motion_of(motion, interpolation)
     parts = [_neighbour(item) for item in neighbours]
     texts = _core.first_contacts(
         body.vertices,
         body.triangles,
-        way._arrays(),
+        trajectory._arrays(),
         parts,
-        way.interpolation,
+        trajectory.interpolation,
         tolerance,
         body.chord_error if body_chord is None else body_chord,
         run,
     )
     found: Dict[str, str] = {}
-    for (name, *_), text in zip(parts, texts):  # neighbours with the same name: the deepest contact
+    # Of several neighbours with the same name, the deepest contact counts.
+    for (name, *_), text in zip(parts, texts):
         depth = [float(t.partition(":")[2] or 0) for t in (text, found.get(name, ""))]
         if text and (name not in found or depth[0] > depth[1]):
             found[name] = text

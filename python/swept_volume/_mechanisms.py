@@ -20,8 +20,8 @@ def _part(item: MechanismPart) -> Tuple[Any, ...]:
     mesh = mesh_of(parts[1])
     motion = None if parts[2] is None else motion_of(parts[2], None)
     chord = float(parts[3]) if len(parts) == 4 else mesh.chord_error
-    way = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
-    return (parts[0], mesh.vertices, mesh.triangles, *way, chord)
+    arrays = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
+    return (parts[0], mesh.vertices, mesh.triangles, *arrays, chord)
 
 
 def mechanism(
@@ -37,10 +37,10 @@ def mechanism(
     rules: Iterable[Tuple[str, str, Union[str, float]]] = (),
     run: Optional[RunContext] = None,
 ) -> Dict[str, Any]:
-    """Measures the smallest distance between each two parts over the time that all motions share.
-    No approach between two poses is missed. parts: (name, mesh, motion) or (name, mesh, motion,
-    chord error); motion None: the part stands still where its mesh is. Times in s, lengths in mm.
-    Pairs that come closer than `range` (0: a tenth of the median size of the parts) are measured
+    """Measures the smallest distance of every pair of parts over the time interval that all motions
+    have in common. No approach between two poses is missed. parts: (name, mesh, motion) or (name, mesh,
+    motion, chord error). A part with the motion None stands still where its mesh is. Times in s, lengths
+    in mm. Pairs that come closer than `range` (0: a tenth of the median size of the parts) are measured
     and listed.
     ignored: pairs of names that are not checked. rules: (name, name, rule) for single pairs, with rules
     as for clearance() (mm, 'contact', 'contact:MM', 'ignore'). Returns the report (docs/clearance.md).

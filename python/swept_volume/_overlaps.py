@@ -28,11 +28,12 @@ def overlap(
     shared: bool = True,
     run: Optional[RunContext] = None,
 ) -> Tuple[Dict[str, Any], List[Optional[Mesh]]]:
-    """Measures, for each two of some parts that stand still, the smallest distance, or the depth of the
-    overlap and the shared volume. parts: (name, mesh) or (name, mesh, chord error in mm), such as
-    envelopes and other reserved spaces. Lengths in mm, volumes in mm^3. Returns the report
-    (docs/overlap.md), and for each of its pairs the mesh of the shared volume; None if there is none, or
-    if shared=False. Raises InvalidInput (NoParts, PartTwice), Cancelled.
+    """Compares every pair of parts that stand still. Measures their smallest distance or, if they
+    overlap, the depth of the overlap and the shared volume. parts: (name, mesh) or (name, mesh, chord
+    error in mm), such as envelopes and other reserved spaces. Lengths in mm, volumes in mm^3. Returns
+    the report (docs/overlap.md), and for each pair of the report the mesh of the shared volume. A mesh
+    is None if there is no shared volume, or with shared=False. Raises InvalidInput (NoParts,
+    PartTwice), Cancelled.
     """
     report, found = _core.overlap([_part(item) for item in parts], required, tolerance, shared, run)
     _log(report["warnings"])

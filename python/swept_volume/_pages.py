@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pages: a report as one HTML file for people."""
+"""Shows a report to people, as one HTML file."""
 from __future__ import annotations
 
 import json
@@ -9,10 +9,11 @@ from . import _core
 from ._calls import RunContext
 from ._values import MeshLike, MotionLike, mesh_of, motion_of
 
-#: (name, mesh) stands still, (name, mesh, motion) moves; motion None: shown where the report tells.
+#: A part that stands still: (name, mesh). A part that moves: (name, mesh, motion); with the motion None,
+#: the page shows the part only at the poses in the report.
 PagePart = Union[Tuple[str, MeshLike], Tuple[str, MeshLike, Optional[MotionLike]]]
-#: (role, name, detail, SHA-256 in hexadecimal or ""); roles "body", "motion", "neighbour" and "rules" are
-#: translated.
+#: (role, name, detail, SHA-256 in hexadecimal or ""). The page translates the roles "body", "motion",
+#: "neighbour" and "rules".
 PageInput = Tuple[str, str, str, str]
 #: (caption, "image/png" or another type, bytes of the file)
 PagePicture = Tuple[str, str, bytes]
@@ -25,8 +26,8 @@ def _part(item: PagePart) -> Tuple[Any, ...]:
     mesh = mesh_of(parts[1])
     moves = len(parts) == 3
     motion = motion_of(parts[2], None) if moves and parts[2] is not None else None
-    way = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
-    return (parts[0], mesh.vertices, mesh.triangles, *way, moves, False)
+    arrays = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
+    return (parts[0], mesh.vertices, mesh.triangles, *arrays, moves, False)
 
 
 def report_page(
@@ -43,8 +44,8 @@ def report_page(
     view_triangles: int = 50000,
     run: Optional[RunContext] = None,
 ) -> str:
-    """Returns one HTML file, as text, that shows a report of clearance() or mechanism(). It needs no
-    other file and no network. parts and envelope (translucent) are shown in a 3D view, with about
+    """Returns the text of an HTML file that shows a report of clearance() or mechanism(). The file needs
+    no other file and no network. parts and envelope (translucent) are shown in a 3D view, with about
     view_triangles triangles. language: en or de; date: free text; template: text with {{placeholders}}
     in place of page_template(). Raises InvalidInput (BadReport, BadTemplate, BadOption), Cancelled.
     """

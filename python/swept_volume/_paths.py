@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Installation paths: searches for a path, and improves one."""
+"""Installation paths: the search for a path, and the improvement of a given path."""
 from __future__ import annotations
 
 from typing import Any, Dict, Iterable, Optional, Sequence, Tuple, Union
@@ -9,7 +9,7 @@ import numpy.typing as npt
 from . import _core
 from ._calls import RunContext, _log
 from ._clearance import Neighbour, Rules, _neighbour, rule_texts
-from ._values import MeshLike, Motion, MotionLike, matrix, mesh_of, motion_of, way_out
+from ._values import MeshLike, Motion, MotionLike, extraction_of, matrix, mesh_of, motion_of
 
 
 def find_path(
@@ -37,7 +37,7 @@ def find_path(
     start: a radius in mm or a direction (x, y, z). Contact is allowed while every point of the part
     is within `release` (mm) of its position at the start or at the goal. rules: as for clearance(),
     but without contact. max_angle in rad, budget in s. Returns the report (docs/paths.md) and the
-    motion; None if none was found.
+    motion, or None in place of the motion if none was found.
     """
     body = mesh_of(mesh)
     report, arrays = _core.find_path(
@@ -46,7 +46,7 @@ def find_path(
         matrix(goal, "goal"),
         [_neighbour(item) for item in neighbours],
         None if start is None else matrix(start, "start"),
-        way_out(extract),
+        extraction_of(extract),
         [matrix(place, "via") for place in via],
         clearance,
         release,
@@ -84,12 +84,12 @@ def improve_path(
     rules: Optional[Rules] = None,
     run: Optional[RunContext] = None,
 ) -> Tuple[Dict[str, Any], Optional[Motion]]:
-    """Improves a motion. Sections that are closer to a neighbour than the clearance (mm) get
-    another path if one is found; the rest becomes shorter, with fewer keys. With more_clearance,
-    the distance from the neighbours becomes as large as possible. The ends and the keys in `locked`
-    (indices from 0) do not change. Sections within `release` (mm) of the ends may be closer and do
-    not change. Returns the report (docs/paths.md) and the motion; None if nothing keeps the
-    clearance."""
+    """Improves a motion. Sections that are closer to a neighbour than the clearance (mm) get another
+    path if the search finds one. All other sections become shorter and get fewer keys. With
+    more_clearance=True, their distance from the neighbours becomes as large as possible instead. The
+    ends and the keys in `locked` (indices from 0) do not change. Sections within `release` (mm) of the
+    ends may be closer and do not change. Returns the report (docs/paths.md) and the motion, or None in
+    place of the motion if no motion was found that keeps the clearance."""
     body, path = mesh_of(mesh), motion_of(motion, interpolation)
     report, arrays = _core.improve_path(
         body.vertices,

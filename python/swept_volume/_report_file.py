@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The file with the report of a command. It is never an input or another output, and is written completely
-or not at all. "-" is standard output.
+"""Writes the report of a command to a file, completely or not at all. The file must be neither an input
+nor another output of the command. The name "-" stands for standard output.
 """
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def _print(text: str) -> None:
 
 
 def write_report(path: str, text: str) -> None:
-    """Replaces an old file by the complete new one, which gets its permissions. Raises ExportFailed."""
+    """Replaces an old file only by the complete new one, and keeps its permissions. Raises ExportFailed."""
     if path == "-":
         _print(text)
         return
@@ -94,7 +94,7 @@ def write_report(path: str, text: str) -> None:
 
 
 def _mode(target: str) -> int:
-    """Returns the permissions of the old file, or those of a new file."""
+    """Returns the permissions of the old file; if there is none, those that new files usually get."""
     if os.path.exists(target):
         return stat.S_IMODE(os.stat(target).st_mode)
     mask = os.umask(0)

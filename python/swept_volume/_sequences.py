@@ -10,14 +10,14 @@ import numpy.typing as npt
 from . import _core
 from ._calls import RunContext, _log
 from ._clearance import Neighbour, _neighbour
-from ._values import MeshLike, Motion, MotionLike, matrix, mesh_of, motion_of, way_out
+from ._values import MeshLike, Motion, MotionLike, extraction_of, matrix, mesh_of, motion_of
 
 
 @dataclass(frozen=True)
 class SequencePart:
-    """A part, its installed position, and how it gets there. goal, start, via: matrices (4, 4);
-    without a goal, the part is installed where its mesh is. extract, in place of a start: a radius
-    in mm or a direction (x, y, z). motion, in place of all these: a motion that ends in the
+    """A part, its installed position, and how the part gets there. goal, start, via: matrices (4, 4).
+    Without a goal, the part is installed where its mesh is. extract, in place of a start: a radius in mm
+    or a direction (x, y, z). motion, in place of goal, start, via and extract: a motion that ends in the
     installed position. chord_error in mm; default: that of the mesh."""
 
     name: str
@@ -33,12 +33,12 @@ class SequencePart:
         mesh = mesh_of(self.mesh)
         chord = mesh.chord_error if self.chord_error is None else self.chord_error
         motion = None if self.motion is None else motion_of(self.motion, None)
-        way = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
+        arrays = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
         ends = ((self.goal, "goal"), (self.start, "start"))
         goal, start = (None if end is None else matrix(end, name) for end, name in ends)
         via = [matrix(place, "via") for place in self.via]
-        places = (goal, start, way_out(self.extract), via)
-        return (self.name, mesh.vertices, mesh.triangles, chord, *places, *way)
+        ends_and_via = (goal, start, extraction_of(self.extract), via)
+        return (self.name, mesh.vertices, mesh.triangles, chord, *ends_and_via, *arrays)
 
 
 def find_sequence(
@@ -60,13 +60,14 @@ def find_sequence(
     run: Optional[RunContext] = None,
 ) -> Tuple[Dict[str, Any], Optional[Dict[str, Motion]]]:
     """Searches for motions of parts that are installed one after the other. Each part keeps its distance
-    from the neighbours and from the parts already in place. The order is the given one; with order="find",
-    it is found by taking the parts out. rules: (name, name, rule) for single pairs: a required distance
-    (mm), or "ignore" (like `ignored`). The budget (s) is for all searches together. most_moves limits the
-    moves of a search with turns; the result is then the same on every machine. The other arguments are
-    those of find_path(). Returns the report (docs/paths.md) and, by name, the motion of each part on a
-    common time axis; None if not all parts have a path. Raises InvalidInput (NoParts, PartTwice,
-    PartsIntersect, PartsTooNear, ... and the codes of find_path()), Cancelled."""
+    from the neighbours and from the parts already installed. order: "given", or "find" to search for an
+    order by taking the parts out. rules: (name, name, rule) for single pairs. A rule is a required
+    distance (mm), or "ignore" (as for the pairs in `ignored`). The budget (s) is for all searches
+    together. most_moves limits the moves of a search with turns; the result is then the same on every
+    machine. The other arguments are those of find_path(). Returns the report (docs/paths.md), and a dict
+    with the motion of each part on a common time axis, or None if not all parts have a path. Raises
+    InvalidInput (NoParts, PartTwice, PartsIntersect, PartsTooNear, ... and the codes of find_path()),
+    Cancelled."""
     given: List[SequencePart] = list(parts)
     report, arrays = _core.find_sequence(
         [part._tuple() for part in given],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made each triangle of an envelope, as values that can be pickled."""
+"""The sources of the triangles of an envelope, as arrays that can be pickled."""
 from __future__ import annotations
 
 from typing import Any, Tuple
@@ -18,7 +18,8 @@ class Sources:
     kind    int8 (M,): index into KINDS; -1: unknown
     faces   int32 (M, 2): for a cap or graze, the face and -1; for an edge, or for a graze between faces
             that meet smoothly, the two faces, the lower number first
-    step    int32 (M,): pose of a cap; pose at which the step of an edge or graze begins; counted from 0
+    step    int32 (M,): index (from 0) of the pose of a cap, or of the pose at which the motion step of
+            an edge or graze begins
     time    float64 (M,), s; nan: unknown
     point   float64 (M, 3), mm: a point of the exact surface near the triangle, through which the face
             or edge passes at that time; nan: unknown

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Studies: many runs from one file, with one table and a folder that keeps their results."""
+"""Studies: many runs that one file describes, with one table and one folder for their results."""
 from __future__ import annotations
 
 import csv
@@ -51,8 +51,8 @@ Row = Dict[str, Any]
 
 
 def _worst_neighbour(report: Report) -> Optional[Row]:
-    """Returns the row of the neighbour to show for a run. Neighbours that break their rule come
-    first, then those without a contact rule, then the nearest, then the deepest."""
+    """Returns the neighbour of a run that the table shows: first one that breaks its rule; among
+    these, one without a contact rule; among these, the nearest; at equal distance, the deepest."""
     rows: List[Row] = report.get("clearance", {}).get("neighbours", [])
 
     def order(row: Row) -> Tuple[bool, bool, float, float]:
@@ -63,7 +63,7 @@ def _worst_neighbour(report: Report) -> Optional[Row]:
 
 
 def _row(run: Run, report: Optional[Report], strict: bool = False) -> Row:
-    """Returns the row of a run. strict: a finding that costs accuracy is a failure."""
+    """Returns the row of a run. With strict=True, a finding that costs accuracy is a failure."""
     row: Row = {"run": run.name, "state": NOT_RUN}
     if report is None:
         return row
@@ -91,9 +91,9 @@ def _row(run: Run, report: Optional[Report], strict: bool = False) -> Row:
 
 
 def worst_first(rows: Sequence[Row]) -> List[int]:
-    """Returns the indices of the rows: failures, then rows that are not clear (the deepest clash
-    first, then the nearest), then runs that were not computed, then runs that are done, the nearest
-    first."""
+    """Returns the indices of the rows in this order: failures; rows that are not clear (the deepest
+    clash first, then the smallest distance); runs that were not computed; runs that are done (the
+    smallest distance first)."""
 
     def order(number: int) -> Tuple[int, float, float]:
         row = rows[number]
@@ -150,8 +150,8 @@ def _reports(
     return compute_here(tasks, jobs or cores(), lambda: context.cancelled)
 
 
-class _Looked:
-    """A study file that was read, the hashes of its files, and the results in its folder."""
+class _StudyState:
+    """The content of a study file, the hashes of its files, and the results in its folder."""
 
     def __init__(self, path: Path, output: Optional[Path], strict: bool = False) -> None:
         self.strict = strict
@@ -163,18 +163,18 @@ class _Looked:
         self.reports: List[Optional[Report]] = [None] * len(self.keys)
         self.rows = [_row(one, None) for one in self.study.runs]
 
-    def look(self) -> None:
-        """Takes over the results of an earlier study."""
+    def read_results(self) -> None:
+        """Reads the results that an earlier call has left in the folder."""
         for number, (one, key) in enumerate(zip(self.study.runs, self.keys)):
-            self.take(number, self.folder.earlier(one, key))
+            self.store(number, self.folder.earlier(one, key))
 
-    def take(self, number: int, report: Optional[Report]) -> None:
-        """Keeps the report of a run (None: there is none yet), and its row."""
+    def store(self, number: int, report: Optional[Report]) -> None:
+        """Stores the report of a run (None: no report yet) and the row of the run."""
         self.reports[number] = report
         self.rows[number] = _row(self.study.runs[number], report, self.strict)
 
     def tasks(self) -> List[Task]:
-        """Returns the runs that are not done."""
+        """Returns a task for each run without a report."""
         found = []
         for number, (one, key) in enumerate(zip(self.study.runs, self.keys)):
             if self.reports[number] is None:
@@ -205,61 +205,62 @@ def run_study(
     kept: Optional[Callable[[Sequence[Row]], None]] = None,
     run: Optional[RunContext] = None,
 ) -> Report:
-    """Computes all runs of a study file (docs/studies.md) into a folder, and a table of them.
+    """Computes all runs of a study file (docs/studies.md). Writes their results and a table to a folder.
 
-    output          folder for the results, in place of the one that the file names
+    output          folder for the results, in place of the folder that the file names
     jobs            number of runs at the same time on this machine (None: one for each core). The
-                    results do not depend on it
-    scheduler       address of a dask scheduler (tcp://host:8786): its workers compute the runs
-    send_files      send the files through the scheduler. Without it, all machines must have access to
-                    the same folders
-    again           also compute runs whose results exist, for the same input and options
-    page            also write study.html, a page for people, even if the file does not ask for it
-    strict          a run counts as failed if it has a finding that costs accuracy
+                    results do not depend on this number
+    scheduler       address of a dask scheduler (tcp://host:8786), whose workers compute the runs
+    send_files      send the files through the scheduler. Without this option, all machines must have
+                    access to the same folders
+    again           also compute runs for which results with the same input and options exist
+    page            also write study.html, a page for people, even if the file does not request it
+    strict          count a run as failed if it has a finding that costs accuracy
                     (docs/command_line.md, "--strict"). Its results are written and kept
-    progress        function(ended, all, row), called after each run: numbers of runs, row of this run
+    progress        function(ended, all, row), called after each run: the number of runs that have
+                    ended, the number of all runs, and the row of this run
     kept            function(rows), called first, with the rows of runs whose results exist
     run             RunContext with which another thread can cancel the study
 
-    Returns the report of the study: `runs` are the rows of the table, `worst` names the run to look at
-    first. If a run fails, its row says so, and the other runs go on. After a cancelled call, the next
-    call computes the runs that are missing. Raises InvalidInput (BadStudy, BadOption, FolderInUse) and
+    Returns the report of the study. `runs` are the rows of the table, and `worst` names the run that
+    needs attention first. If a run fails, its row says so, and the other runs go on. After a cancelled
+    call, the next call computes the missing runs. Raises InvalidInput (BadStudy, BadOption, FolderInUse) and
     FileNotFoundError. Raises OSError if the scheduler does not answer or results cannot be written.
     """
     if jobs is not None and jobs < 1:
         raise bad_option(f"jobs is {jobs}; it must be 1 or more")
     if send_files and scheduler is None:
         raise bad_option("send_files is for a scheduler; name its address")
-    looked, context, began = _Looked(path, output, strict), run or RunContext(), time.monotonic()
-    study, folder = looked.study, looked.folder
+    state, context, began = _StudyState(path, output, strict), run or RunContext(), time.monotonic()
+    study, folder = state.study, state.folder
     if page or study.page:
         page_date()  # raises an error for a wrong date before anything is computed
-    with folder.filled_alone():
+    with folder.locked():
         if not again:
-            looked.look()
-        todo = looked.tasks()
+            state.read_results()
+        todo = state.tasks()
         ended = len(study.runs) - len(todo)
-        there = ended
+        kept_count = ended
         if kept is not None:
             left = {task.number for task in todo}
-            kept([row for number, row in enumerate(looked.rows) if number not in left])
+            kept([row for number, row in enumerate(state.rows) if number not in left])
         try:
             for number, report, filled in _reports(todo, jobs, scheduler, send_files, context):
                 folder.take(study.runs[number], report, filled)
-                looked.take(number, report)
+                state.store(number, report)
                 ended += 1
                 if progress is not None:
-                    progress(ended, len(study.runs), looked.rows[number])
+                    progress(ended, len(study.runs), state.rows[number])
         finally:
             folder.remove_partial()
-            found = looked.summary()
-            folder.write(TABLE, _table(looked.rows))
+            found = state.summary()
+            folder.write(TABLE, _table(state.rows))
             folder.write(STUDY_REPORT, json_text(found))
             if page or study.page:
-                folder.write(STUDY_PAGE, looked.page())
-    found["kept"] = there
+                folder.write(STUDY_PAGE, state.page())
+    found["kept"] = kept_count
     found["seconds"] = {"total": round(time.monotonic() - began, 3)}
-    logger.info("%s: %d runs, %d of them kept", study.name, len(study.runs), there)
+    logger.info("%s: %d runs, %d of them kept", study.name, len(study.runs), kept_count)
     return found
 
 
@@ -271,14 +272,14 @@ def study_page(
     template: Optional[str] = None,
     run: Optional[RunContext] = None,
 ) -> str:
-    """Returns one HTML file, as text, about all runs of a study file, from the results in its
-    folder. Nothing is computed: runs without results, or with results of other input, are shown as
-    "not run". output: another folder than the file names. folder: path from the page to the folder
-    of results, such as "results/"; with it, the page links to the pages of single runs. template:
-    text, in place of that of the file. Raises InvalidInput (BadStudy, BadTemplate),
+    """Returns the text of an HTML file about all runs of a study file, from the results in its folder.
+    Computes nothing: runs without results, or with results of other input, are shown as "not run".
+    output: folder for the results, in place of the folder that the file names. folder: path from the
+    page to the folder of results, such as "results/", for links to the pages of single runs.
+    template: text, in place of the template that the file names. Raises InvalidInput (BadStudy, BadTemplate),
     FileNotFoundError, Cancelled."""
-    looked = _Looked(path, output)
+    state = _StudyState(path, output)
     if template is not None:
-        looked.study = dataclasses.replace(looked.study, template=template)
-    looked.look()
-    return looked.page(folder, run)
+        state.study = dataclasses.replace(state.study, template=template)
+    state.read_results()
+    return state.page(folder, run)

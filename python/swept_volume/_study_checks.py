@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Checks of the runs of a study other than those of single keys: names, files, roles, rules,
-template. Each check adds problems to a list.
+"""Checks of the runs of a study: names, files, roles, rules, template. Each check adds problems to a
+list. (_study_file.py checks single keys.)
 """
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 #: Files in the folder for results, beside the folders of the runs.
 RESERVED = ("study.csv", "study.json", "study.html")
-_EXACT = (".step", ".stp", ".brep", ".brp")  # files whose solids have names of their own
+_EXACT = (".step", ".stp", ".brep", ".brp")  # files in which each solid has a name
 
 
 def check_names(runs: Sequence[Run], problems: List[str]) -> None:
-    """Names of runs become names of folders, also on systems that do not distinguish A from a."""
+    """Refuses names of runs that cannot be names of folders, or that differ only in upper and lower case."""
     seen: Dict[str, str] = {}
     for run in runs:
         if not re.fullmatch(r"[\w()+=,@ .-]{1,120}", run.name) or run.name.strip(" .") != run.name:
@@ -51,8 +51,9 @@ def check_roles(runs: Sequence[Run], problems: List[str]) -> None:
 
 
 def check_rules(runs: Sequence[Run], problems: List[str]) -> None:
-    """Refuses rules that clearance() would refuse. The names in a STEP or BREP file are known only when
-    it is read; with such neighbours, only kinds and lengths are checked."""
+    """Refuses rules that clearance() would refuse. The names of the solids in a STEP or BREP file are
+    unknown until the file is read. With such neighbours, only the texts of the rules are checked.
+    """
     seen = set()
     for run in runs:
         rules = rule_texts(run.rules)
@@ -69,7 +70,7 @@ def check_rules(runs: Sequence[Run], problems: List[str]) -> None:
 
 
 def read_template(name: str, folder: pathlib.Path, problems: List[str]) -> str:
-    """Returns the text of a template for pages; "" for none."""
+    """Returns the text of a template for pages; "" without a name, or if there is a problem."""
     if not name:
         return ""
     try:
@@ -87,7 +88,7 @@ def read_template(name: str, folder: pathlib.Path, problems: List[str]) -> str:
 
 def check_files(runs: Sequence[Run], output: pathlib.Path, problems: List[str]) -> None:
     inside = os.path.join(os.path.realpath(output), "")
-    folders: Dict[str, str] = {}  # remembers folders: thousands of files may lie in a few
+    folders: Dict[str, str] = {}  # real path by folder; many files may lie in one folder
     for file in dict.fromkeys(file for run in runs for file in run.files()):
         folder, name = os.path.split(file)
         if folder not in folders:

@@ -25,13 +25,13 @@ Table = Mapping[str, Any]
 
 STAGES = ("envelope", "solid", "clearance")
 _UNITS = ("mm", "cm", "m", "in")
-_KNOWN_PROBLEMS = 12  # largest number that one message lists
+_MAX_LISTED = 12  # largest number of problems in one message
 
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """One run of a study: files as absolute paths; options: {stage: options}, with "" for the
-    options of the files."""
+    """One run of a study. Files are absolute paths. options: a table for each stage, and a table with
+    the key "" for the options of the files."""
 
     name: str
     part: str
@@ -48,9 +48,9 @@ class Run:
 
 @dataclasses.dataclass(frozen=True)
 class Study:
-    """A study file that was read: its path, its name, the folder for results, its runs in their
-    order; whether a page is made of it; language and template of all its pages. template: text, ""
-    for the built-in template."""
+    """The content of a study file. file: its path. output: the folder for results. runs: in the order
+    of the file. page: whether a page about the study is written. language and template apply to all
+    its pages; template is a text, or "" for the built-in template."""
 
     file: pathlib.Path
     name: str
@@ -119,7 +119,7 @@ _RUN_KEYS: Dict[str, Check] = {
     "rules": _RULES,
     "compute": _STAGES,
 }
-#: Options of the files ("") and of each stage, named like the arguments of the functions here.
+#: Options of the files ("") and of each stage. Most are arguments of compute(), write_solid() or clearance().
 _OPTIONS: Dict[str, Dict[str, Check]] = {
     "": {
         "part_unit": _one_of(*_UNITS),
@@ -167,7 +167,7 @@ _OPTIONS: Dict[str, Dict[str, Check]] = {
 
 
 class _Problems(List[str]):
-    """The problems of a file, each with the place in the file."""
+    """The problems of a file, each with its position in the file."""
 
     def unknown(self, where: str, key: str, known: Sequence[str]) -> None:
         near = difflib.get_close_matches(key, known, 1)
@@ -183,8 +183,8 @@ class _Problems(List[str]):
 
 
 def _bad_study(path: pathlib.Path, problems: Sequence[str]) -> _core.InvalidInput:
-    more = len(problems) - _KNOWN_PROBLEMS
-    lines = list(problems[:_KNOWN_PROBLEMS]) + ([f"and {more} more"] if more > 0 else [])
+    more = len(problems) - _MAX_LISTED
+    lines = list(problems[:_MAX_LISTED]) + ([f"and {more} more"] if more > 0 else [])
     error = _core.InvalidInput(f"'{path}': " + "\n  ".join(lines))
     error.status, error.code, error.report = "InvalidInput", "BadStudy", None
     return error
@@ -242,7 +242,7 @@ def _merged(defaults: Table, table: Table) -> Dict[str, Any]:
     for stage in STAGES:
         merged[stage] = {**defaults.get(stage, {}), **table.get(stage, {})}
         given = table.get(stage, {})
-        # An option of a run removes those options of [defaults] that it excludes.
+        # An option of a run removes the options of [defaults] that it excludes.
         for key in _EXCLUDES:
             if key in given and stage == "envelope":
                 for other in _EXCLUDES[key] - set(given):
@@ -279,7 +279,7 @@ def _combinations(
     if "solid" in stages and not _core.HAS_SOLIDS:
         problems.append(f"{where}: this build has no OpenCASCADE and cannot make solids")
     neighbours = tuple(_joined(folder, name) for name in table.get("neighbours", ()))
-    used = {*stages, "envelope"} if "solid" in stages else {*stages}  # a solid needs one
+    used = {*stages, "envelope"} if "solid" in stages else {*stages}  # a solid needs an envelope
     options: Dict[str, Table] = {s: table[s] for s in STAGES if s in used}
     options[""] = {key: table[key] for key in _OPTIONS[""] if key in table}
     pattern = table.get("name", "{part} {motion}")
@@ -299,7 +299,7 @@ def _with_pages(run: Run, language: str, template: str) -> Run:
 
 
 def read_study(path: Path, output: Optional[Path] = None) -> Study:
-    """Reads and checks a study file. output: folder for the results, in place of the one that the
+    """Reads and checks a study file. output: folder for the results, in place of the folder that the
     file names. Relative paths start at the folder of the file. Raises InvalidInput (BadStudy) with
     all problems of the file, and FileNotFoundError."""
     file = pathlib.Path(os.fsdecode(path))

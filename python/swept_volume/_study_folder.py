@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The folder of a study's results: a folder for each run with its report, the table, the page."""
+"""The folder with the results of a study: the table, the page, and for each run a folder with its report."""
 from __future__ import annotations
 
 import contextlib
@@ -36,16 +36,16 @@ def _in_use(path: pathlib.Path) -> _core.InvalidInput:
 
 
 class Folder:
-    """The folder of results. Results are moved into place when they are complete."""
+    """The folder of results. Results get their final names only when they are complete."""
 
     def __init__(self, path: pathlib.Path) -> None:
         self.path = path
 
     @contextlib.contextmanager
-    def filled_alone(self) -> Iterator[None]:
-        """Allows only one study at a time to fill a folder. The lock belongs to the process and is free when
-        the process has ended, in whatever way. The empty file remains. Raises InvalidInput (FolderInUse),
-        OSError. Windows has no such lock."""
+    def locked(self) -> Iterator[None]:
+        """Locks the folder, so that only one study at a time writes to it. The system removes the lock when
+        the process ends, for whatever reason. The empty lock file remains. Raises InvalidInput
+        (FolderInUse), OSError. There is no lock in Windows."""
         self.path.mkdir(parents=True, exist_ok=True)
         handle = os.open(self.path / _LOCK, os.O_RDWR | os.O_CREAT, 0o666)
         try:
@@ -60,7 +60,7 @@ class Folder:
             os.close(handle)
 
     def remove_partial(self) -> None:
-        """Removes what a stopped study has left."""
+        """Removes the incomplete folders that a stopped study has left."""
         for left in self.path.glob(PARTIAL + "*"):
             shutil.rmtree(left, ignore_errors=True)
 
@@ -76,8 +76,8 @@ class Folder:
         return report if whole and same else None
 
     def take(self, run: Run, report: Report, filled: Optional[str]) -> None:
-        """Gives the folder that a run has filled the name of the run. It replaces an older
-        folder."""
+        """Gives the folder `filled` the name of the run, in place of an older folder. If the run has filled
+        no folder (None), makes one with the report."""
         folder = self.path / run.name
         if filled is None:
             filled = partial_folder(str(self.path))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One page for all runs of a study."""
+"""Makes one page about all runs of a study."""
 from __future__ import annotations
 
 import os
@@ -16,8 +16,9 @@ from ._values import bad_option
 
 
 def page_date() -> str:
-    """Returns the time for a page: now, or that of the environment variable SOURCE_DATE_EPOCH (seconds
-    since 1970). Raises InvalidInput (BadOption)."""
+    """Returns the time that a page shows: the value of the environment variable SOURCE_DATE_EPOCH
+    (seconds since 1970) if it is set, otherwise the current time. Raises InvalidInput (BadOption).
+    """
     given = os.environ.get("SOURCE_DATE_EPOCH")
     try:
         now = time.gmtime(int(given)) if given else time.gmtime()

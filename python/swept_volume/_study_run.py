@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One run of a study: reads its files, computes its stages, writes the results into a folder."""
+"""Computes one run of a study: reads its files, computes its stages, writes the results to a folder."""
 from __future__ import annotations
 
 import hashlib
@@ -21,7 +21,7 @@ Report = Dict[str, Any]
 
 REPORT_FILE = "report.json"
 PAGE_FILE = "clearance.html"
-PARTIAL = ".partial-"  # begins the name of a folder that is being filled
+PARTIAL = ".partial-"  # prefix of the names of incomplete folders and files
 DONE, NOT_CLEAR, FAILED = "done", "not clear", "failed"
 _SUFFIXES = {"envelope": "ply", "solid": "step"}  # unless the study file names a format
 
@@ -32,7 +32,7 @@ def json_text(report: Mapping[str, Any]) -> str:
 
 
 def partial_folder(output: str) -> str:
-    """Makes a new folder below output, to be filled."""
+    """Makes a new folder in `output` for the results of one run."""
     folder = os.path.join(output, PARTIAL + uuid.uuid4().hex)
     os.mkdir(folder)
     return folder
@@ -48,8 +48,9 @@ def file_hash(path: str) -> str:
 
 
 def run_key(run: Run, hashes: Mapping[str, str]) -> str:
-    """Returns one hash of all that the results of a run depend on: the version of the core, the bytes of the
-    files with the names that appear in reports, rules and options."""
+    """Returns one hash of everything on which the results of a run depend: the version of the core, the
+    names (without folders), contents and roles of the files, the rules, the stages and the options.
+    """
     files = [[pathlib.PurePath(file).name, hashes[file]] for file in run.files()]
     roles = [run.part, run.motion, *run.neighbours]
     order = [run.files().index(file) for file in roles]
@@ -58,7 +59,7 @@ def run_key(run: Run, hashes: Mapping[str, str]) -> str:
 
 
 def output_name(run: Run, stage: str) -> str:
-    """Returns the file name of a stage's result. A clearance has none besides the report."""
+    """Returns the name of the file that the stage "envelope" or "solid" writes."""
     suffix = run.options[stage].get("format", _SUFFIXES[stage])
     return f"{stage}.{suffix}"
 
@@ -70,7 +71,7 @@ def output_names(run: Run) -> List[str]:
 
 
 class _Stages:
-    """The stages of one run. What several stages need is read or computed only once."""
+    """The stages of one run. The motion and the envelope are read or computed only once."""
 
     def __init__(
         self,
@@ -90,8 +91,10 @@ class _Stages:
         self.warnings: List[Dict[str, Any]] = []  # findings of the stage solid
         self._result: Optional[Result] = None
 
-    def _body(self, **how: Any) -> Mesh:
-        return read_body(self.locate(self.run.part), unit=self.files.get("part_unit", "mm"), **how)
+    def _body(self, **options: Any) -> Mesh:
+        return read_body(
+            self.locate(self.run.part), unit=self.files.get("part_unit", "mm"), **options
+        )
 
     def _options(self, stage: str, *without: str) -> Dict[str, Any]:
         options = self.run.options.get(stage, {})
@@ -190,7 +193,7 @@ def failed(run: Run, key: str, status: str, code: str, message: str) -> Report:
 
 
 def state_of(report: Mapping[str, Any]) -> str:
-    """Returns done, not clear (a neighbour does not meet its rule) or failed."""
+    """Returns DONE, NOT_CLEAR (a neighbour does not meet its rule) or FAILED."""
     if report["status"] != "Ok":
         return FAILED
     rows = report.get("clearance", {}).get("neighbours", ())
@@ -205,9 +208,9 @@ def execute(
     threads: int,
     locate: Optional[Callable[[str], str]] = None,
 ) -> Tuple[Report, str]:
-    """Computes a run into a new folder below output. Returns its report, which is also written there,
-    and the folder. Never raises: a failure is in the report. hashes: of the files of the run, for its
-    page. locate: returns the path of a file of the run on this machine."""
+    """Computes a run and writes its results and its report to a new folder in `output`. Returns the
+    report and the folder. An error of the run is not raised; the report describes it. hashes: SHA-256
+    of the files, for the page of the run. locate: returns the path of a file on this machine."""
     began = time.monotonic()
     folder = partial_folder(output)
     report = failed(run, key, "Ok", "", "")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The workers of a study: processes of this machine, or the workers of a dask cluster.
 
-A process of this machine reads tasks from its standard input and writes their reports, both pickled
-(serve()). If it dies, its run has failed, and a new process takes its place.
+A process of this machine (serve()) reads pickled tasks from its standard input and writes pickled
+reports. If a process dies, its run has failed, and a new process computes the next run.
 """
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ from ._study_file import Run
 from ._study_run import REPORT_FILE, Report, execute, failed, output_names, partial_folder
 from ._values import bad_option
 
-_POLL = 0.1  # s between two checks whether the study was cancelled
+_POLL = 0.1  # time (s) between two checks whether the study was cancelled
 #: Removes the current folder from the module path, because it may contain modules of any name.
 _SERVE = (
     "import sys; sys.path[:] = [p for p in sys.path if p]; "
     "from swept_volume import _study_workers; _study_workers.serve(int(sys.argv[1]))"
 )
-Done = Tuple[int, Report, Optional[str]]  # number of the run, its report, the folder it filled
+Done = Tuple[int, Report, Optional[str]]  # number of the run, its report, its folder if it has one
 
 
 class Task(NamedTuple):
-    """The data that a worker needs for one run."""
+    """The data that a worker needs to compute one run."""
 
     number: int
     run: Run
     key: str
     output: str
-    hashes: Mapping[str, str]  # of its files
+    hashes: Mapping[str, str]  # SHA-256 of each file of the run
 
 
 def cores() -> int:
@@ -57,7 +57,7 @@ def _ended(code: int) -> str:
 
 
 class _Process:
-    """One process of this machine; it is started again after it has died."""
+    """One worker process of this machine. If the process dies, the next task starts a new one."""
 
     def __init__(self, threads: int) -> None:
         self._threads = threads
@@ -102,7 +102,7 @@ class _Process:
             return task.number, report, None
 
     def stop(self) -> None:
-        """Stops the process and gives up its run. Any thread may call it."""
+        """Ends the process, without the result of its run. Any thread may call this."""
         with self._lock:
             self._stopped = True
             child = self._child
@@ -112,8 +112,8 @@ class _Process:
 
 
 def compute_here(tasks: Sequence[Task], jobs: int, cancelled: Callable[[], bool]) -> Iterator[Done]:
-    """Computes tasks in processes of this machine, `jobs` at once; yields them as they end. Ends early
-    when cancelled."""
+    """Computes tasks in `jobs` processes of this machine. Yields the results in the order in which the
+    runs end. Ends early if cancelled() returns True."""
     jobs = min(jobs, len(tasks))
     todo: queue.SimpleQueue[Task] = queue.SimpleQueue()
     results: queue.SimpleQueue[Optional[Done]] = queue.SimpleQueue()
@@ -168,7 +168,7 @@ def _threads_of_worker() -> int:
 
 
 def _on_worker(task: Task) -> Tuple[Report, Optional[str]]:
-    """Computes a task on a machine that shares the folders."""
+    """Computes a task on a machine that has access to the folders of the study."""
     return execute(task.run, task.key, task.output, task.hashes, _threads_of_worker())
 
 
@@ -176,8 +176,8 @@ Sent = Tuple[Report, Dict[str, bytes]]
 
 
 def _on_worker_with_files(task: Task, files: Dict[str, bytes]) -> Sent:
-    """Computes a task on a machine that shares no folder: the inputs come with the task, and the results
-    go back with its report."""
+    """Computes a task on a machine without access to the folders of the study. `files`: the contents of
+    the input files. Returns the report and the contents of the result files."""
     with tempfile.TemporaryDirectory(prefix="swept-study-") as place:
         where = {}
         for number, (name, data) in enumerate(files.items()):
@@ -185,7 +185,7 @@ def _on_worker_with_files(task: Task, files: Dict[str, bytes]) -> Sent:
             folder.mkdir()
             where[name] = (
                 folder / pathlib.PurePath(name).name
-            )  # reports name parts after their file
+            )  # the report names a part after its file
             where[name].write_bytes(data)
         locate = {name: str(path) for name, path in where.items()}
         report, filled = execute(
@@ -196,7 +196,7 @@ def _on_worker_with_files(task: Task, files: Dict[str, bytes]) -> Sent:
         return report, {name: (pathlib.Path(filled) / name).read_bytes() for name in names}
 
 
-def _same(data: bytes) -> bytes:
+def _identity(data: bytes) -> bytes:
     return data
 
 
@@ -211,13 +211,13 @@ def _received(task: Task, sent: Sent) -> Tuple[Report, str]:
 def compute_on_cluster(
     tasks: Sequence[Task], address: str, send_files: bool, cancelled: Callable[[], bool]
 ) -> Iterator[Done]:
-    """Computes tasks on the workers of the dask scheduler at an address; yields them as they end. A
-    worker that is lost costs nothing but time: the scheduler gives its runs to another one.
-    send_files: inputs and results go through the scheduler; otherwise all machines must share the
-    same folders."""
+    """Computes tasks on the workers of the dask scheduler at `address`. Yields the results in the order
+    in which the runs end. If a worker is lost, the scheduler gives its runs to another worker. With
+    send_files=True, inputs and results go through the scheduler; otherwise all machines must have
+    access to the same folders."""
     client = _distributed().Client(address, timeout=20, set_as_default=False)
     with client, client.as_current():
-        sent: Dict[str, Any] = {}  # the bytes of a file travel once and can be sent again
+        sent: Dict[str, Any] = {}  # the content of each file, sent to the cluster only once
         futures: Dict[Any, Task] = {}
         for task in tasks:
             if not send_files:
@@ -226,7 +226,7 @@ def compute_on_cluster(
             for file in task.run.files():
                 if file not in sent:
                     data = pathlib.Path(file).read_bytes()
-                    sent[file] = client.submit(_same, data, pure=False)
+                    sent[file] = client.submit(_identity, data, pure=False)
             inputs = {file: sent[file] for file in task.run.files()}
             futures[client.submit(_on_worker_with_files, task, inputs, pure=False)] = task
         try:
@@ -244,7 +244,7 @@ def _as_they_end(
         if not ended:
             time.sleep(_POLL / 10)
         for future in ended:
-            if future.status in ("pending", "lost"):  # its worker died, so another one computes it
+            if future.status in ("pending", "lost"):  # its worker died; another worker computes it
                 ends.add(future)
                 continue
             task = futures[future]
@@ -262,9 +262,10 @@ def _as_they_end(
 
 def serve(threads: int) -> None:
     """Reads tasks from standard input and writes reports to standard output, until the input ends."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the study tells its processes when to end
+    # Ctrl-C reaches all processes, but the study ends its workers itself.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     reports = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # so that nothing else is written between the reports
+    os.dup2(2, 1)  # other output goes to standard error, not between the reports
     while True:
         try:
             task: Task = pickle.load(sys.stdin.buffer)

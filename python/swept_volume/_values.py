@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Meshes and motions: values that are checked once, cannot be changed, and can be pickled."""
+"""Meshes and motions. Their arrays are checked once and read-only. Both can be pickled."""
 from __future__ import annotations
 
 import os
@@ -17,7 +17,7 @@ Integers = npt.NDArray[np.int32]
 
 
 def core_error(kind: Type[Failure], code: str, message: str) -> Failure:
-    """Returns an error of the kind that the core raises."""
+    """Returns an error of the class `kind` with the attributes that the core gives to its errors."""
     error = kind(message)
     error.status, error.code, error.report = kind.__name__, code, None
     return error
@@ -29,7 +29,7 @@ def bad_option(message: str) -> _core.InvalidInput:
 
 
 def refuse_both(resolution: Optional[int], cell: Optional[float]) -> None:
-    """Raises InvalidInput if both are given."""
+    """Raises InvalidInput (BadOption) if both are given."""
     if resolution is not None and cell is not None:
         raise bad_option("resolution and cell exclude one another; give only one of them")
 
@@ -41,7 +41,8 @@ def require_file(path: Path) -> None:
 
 
 def frozen(values: Any, dtype: Any, shape: Tuple[int, ...], name: str) -> npt.NDArray[Any]:
-    """Returns a read-only copy. -1 in the shape stands for any length."""
+    """Returns a read-only copy of an array with this shape, in which -1 stands for any length. Raises
+    TypeError, ValueError."""
     if isinstance(values, np.ma.MaskedArray):
         raise TypeError(f"{name} is a masked array: fill or remove the masked entries first")
     given = np.asarray(values)
@@ -62,24 +63,24 @@ def frozen(values: Any, dtype: Any, shape: Tuple[int, ...], name: str) -> npt.ND
 
 
 def matrix(values: npt.ArrayLike, name: str) -> Floats:
-    """Returns a placement as a matrix (4, 4)."""
+    """Returns a placement as a read-only matrix (4, 4)."""
     return frozen(values, np.float64, (4, 4), name)
 
 
-def way_out(extract: Union[float, Sequence[float], None]) -> Union[float, Floats, None]:
-    """Returns a radius in mm or a direction (3,)."""
+def extraction_of(extract: Union[float, Sequence[float], None]) -> Union[float, Floats, None]:
+    """Returns the argument `extract`, converted: a radius in mm, a direction (3,), or None."""
     if extract is None or np.ndim(extract) == 0:
         return extract if extract is None else float(extract)  # type: ignore[arg-type]
     return frozen(extract, np.float64, (3,), "extract")
 
 
 class Mesh:
-    """Triangles: vertices float64 (N, 3) in mm, triangles int32 (M, 3), counter-clockwise seen from
-    outside. Both are read-only. chord_error: how far the triangles of a tessellated solid may
-    deviate from its surface, mm; findings: from reading the file, as in a report's warnings. faces
-    int32 (M,): for each triangle, the number of the solid's face on which it lies, in the file's
-    order; None: not known. shape: the faces and edges of the solid, for write_solid(); None for a
-    mesh, and after unpickling."""
+    """A triangle mesh. vertices: float64 (N, 3) in mm. triangles: int32 (M, 3), counter-clockwise seen
+    from outside. Both are read-only. chord_error: how far (mm) the triangles of a tessellated solid may
+    deviate from its surface. findings: the findings from reading the file, as in the warnings of a
+    report. faces: int32 (M,), for each triangle the index of its face of the solid, in the order of the
+    file; None if the faces are not known. shape: the faces and edges of the solid, for write_solid();
+    None if the file was a mesh, and after unpickling."""
 
     __slots__ = ("vertices", "triangles", "chord_error", "findings", "faces", "shape")
     vertices: Floats
@@ -108,7 +109,7 @@ class Mesh:
 
     @classmethod
     def _of_core(cls, mesh: _core.Mesh) -> Mesh:
-        """Returns a view of the arrays of the core, which are read-only, without a copy."""
+        """Returns a mesh with the read-only arrays of the core, without a copy."""
         made = cls.__new__(cls)
         made.vertices, made.triangles = mesh.vertices, mesh.triangles
         made.chord_error, made.findings = mesh.chord_error, list(mesh.findings)
@@ -117,13 +118,13 @@ class Mesh:
 
     @classmethod
     def read(cls, path: Path, *, unit: str = "mm") -> Mesh:
-        """Reads PLY, STL, OBJ or OFF; unit: of the numbers in the file (mm, cm, m, in)."""
+        """Reads PLY, STL, OBJ or OFF. unit: unit of the numbers in the file (mm, cm, m, in)."""
         require_file(path)
         return cls._of_core(_core.read_mesh(path, unit))
 
     def write(self, path: Path, *, no_clobber: bool = False) -> None:
-        """Writes PLY (double precision), STL, OBJ, OFF or 3MF; an old file is replaced only when the
-        new one is complete, and not at all with no_clobber."""
+        """Writes PLY, OBJ, OFF or 3MF (double precision), or STL (single precision). Replaces an old file
+        only when the new file is complete, and not at all with no_clobber=True."""
         _core.write_mesh(path, self.vertices, self.triangles, no_clobber)
 
     def __reduce__(self) -> Tuple[Any, ...]:
@@ -163,11 +164,11 @@ def _mesh_again(
 
 
 class Motion:
-    """Poses in the order of time: times float64 (K,) in s, quaternions float64 (K, 4) in the order
-    x, y, z, w, translations float64 (K, 3) in mm; x_world = R x + t. All are read-only.
-    interpolation says what the body does between two poses: "linear" (straight line and slerp),
-    "screw", or "none" (nothing: the poses are a union of posed copies). pivot float64 (3,), mm, in the
-    body's coordinates: the point that moves straight where the interpolation is linear."""
+    """Poses in the order of time. times: float64 (K,) in s. quaternions: float64 (K, 4) in the order
+    x, y, z, w. translations: float64 (K, 3) in mm; x_world = R x + t. All are read-only. interpolation:
+    how the body moves between two poses: "linear" (straight line and slerp), "screw", or "none" (the
+    body does not move; it is copied to each pose). pivot: float64 (3,), mm, in coordinates of the body:
+    the point that moves along a straight line if the interpolation is linear."""
 
     __slots__ = ("times", "quaternions", "translations", "interpolation", "pivot")
     times: Floats
@@ -220,7 +221,7 @@ class Motion:
         interpolation: str = "linear",
         pivot: npt.ArrayLike = (0.0, 0.0, 0.0),
     ) -> Motion:
-        """Reads a table of poses, plain or packed with gzip or xz; unit: of its translations."""
+        """Reads a table of poses, which may be compressed with gzip or xz. unit: unit of the translations."""
         require_file(path)
         arrays = _core.read_trajectory_csv(path, unit)
         return cls(*arrays, interpolation=interpolation, pivot=pivot)
@@ -232,7 +233,7 @@ class Motion:
         return Motion(*arrays, interpolation=self.interpolation, pivot=pivot)
 
     def _arrays(self) -> Tuple[Floats, Floats, Floats, Floats]:
-        """Returns the motion in the form of the core."""
+        """Returns the motion as arrays for the core."""
         return self.times, self.quaternions, self.translations, self.pivot
 
     def __len__(self) -> int:
@@ -282,7 +283,7 @@ MotionLike = Union[
 
 
 def mesh_of(mesh: MeshLike) -> Mesh:
-    """Returns a Mesh: the given one, or one made of a pair of arrays."""
+    """Returns the given Mesh, or makes one of a pair of arrays. Raises TypeError, ValueError."""
     if isinstance(mesh, Mesh):
         return mesh
     if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
@@ -291,7 +292,8 @@ def mesh_of(mesh: MeshLike) -> Mesh:
 
 
 def motion_of(motion: MotionLike, interpolation: Optional[str] = None) -> Motion:
-    """Returns a Motion: the given one, or one made of arrays. interpolation: replaces that of the motion."""
+    """Returns the given Motion, or makes one of arrays. interpolation, if given, replaces the
+    interpolation of the motion."""
     parts: Sequence[Any] = motion if isinstance(motion, (tuple, list)) else ()
     if isinstance(motion, Motion):
         made = motion
@@ -315,12 +317,12 @@ def motion_of(motion: MotionLike, interpolation: Optional[str] = None) -> Motion
 
 
 def read_mesh(path: Path, *, unit: str = "mm") -> Mesh:
-    """Reads a mesh file, as Mesh.read()."""
+    """Reads a mesh file, as Mesh.read() does."""
     return Mesh.read(path, unit=unit)
 
 
 def write_mesh(path: Path, mesh: MeshLike, *, no_clobber: bool = False) -> None:
-    """Writes a mesh file, as Mesh.write()."""
+    """Writes a mesh file, as Mesh.write() does."""
     mesh_of(mesh).write(path, no_clobber=no_clobber)
 
 
@@ -331,7 +333,7 @@ def read_motion(
     interpolation: str = "linear",
     pivot: npt.ArrayLike = (0.0, 0.0, 0.0),
 ) -> Motion:
-    """Reads a table of poses, as Motion.read()."""
+    """Reads a table of poses, as Motion.read() does."""
     return Motion.read(path, unit=unit, interpolation=interpolation, pivot=pivot)
 
 
@@ -346,13 +348,13 @@ def read_body(
     angle: float = 0.2,
     reader: Optional["_core.SolidReader"] = None,
 ) -> Mesh:
-    """Reads a moving part: a mesh file as read_mesh(), or all solids of a STEP or BREP file as one
+    """Reads a moving part: a mesh file as read_mesh() does, or all solids of a STEP or BREP file as one
     body. Solids are approximated by triangles, with a deviation of at most tolerance (mm). Without a
-    tolerance, give accuracy (mm), cell (mm) or resolution of the envelope that will be computed: the
-    deviation is then 0.01 of the accuracy, 0.02 of the cell, or 0.02 of the smallest cell that the
-    resolution (default 128) can give. angle: largest angle (rad) between neighbouring triangles. reader:
-    reads STEP and BREP files in place of OpenCASCADE, which a core from a wheel does not have
-    (help(swept_volume._core.read_body))."""
+    tolerance, give accuracy (mm), cell (mm) or resolution of the envelope that will be computed. The
+    deviation is then at most 0.01 of the accuracy, 0.02 of the cell, or 0.02 of the smallest cell that
+    the resolution (default 128) can give. angle: largest angle (rad) between adjacent triangles. reader:
+    a function that reads STEP and BREP files in place of OpenCASCADE. A core from a wheel has no
+    OpenCASCADE and needs it (help(swept_volume._core.read_body))."""
     refuse_both(resolution, cell)
     require_file(path)
     if tolerance is None and accuracy is not None:
@@ -371,10 +373,10 @@ def read_parts(
     deflection: float = 0.05,
     reader: Optional["_core.SolidReader"] = None,
 ) -> List[Tuple[str, Mesh]]:
-    """Reads parts that keep their names, as neighbours of clearance(). A mesh file is one part,
-    named after the file. Each solid of a STEP or BREP file is one part, named after its product and
-    tessellated within deflection (mm). chord_error: mm, how far a mesh file deviates from its exact
-    surface. reader: as for read_body()."""
+    """Reads parts with their names, for example as neighbours for clearance(). A mesh file is one part,
+    named after the file. Each solid of a STEP or BREP file is one part, named after its product. Its
+    triangles deviate from it by at most deflection (mm). chord_error: how far (mm) the triangles of a
+    mesh file deviate from the exact surface. reader: as for read_body()."""
     require_file(path)
     parts = _core.read_parts(path, unit, chord_error, deflection, reader=reader)
     return [(name, Mesh._of_core(mesh)) for name, mesh in parts]

@@ -11,9 +11,9 @@
 namespace swept {
 namespace {
 
-/// Every triangle of the surface lies in the four cells around a grid edge that crosses the true
-/// surface. No point of these cells is farther from this edge's crossing than the diagonal of a
-/// cell.
+/// Every triangle of the surface lies in the four cells around a grid edge that meets the true
+/// surface. The crossing is the point where they meet. No point of the four cells is farther from
+/// the crossing than the diagonal of a cell.
 constexpr double kDiagonal = std::numbers::sqrt3;
 /// Cell and tolerance as fractions of the accuracy, and the chord tolerance as a fraction of the
 /// cell. The diagonal of a cell takes 0.87 of the accuracy, the tolerance 0.1, the chords 0.02, and

@@ -5,8 +5,8 @@
 
 namespace swept {
 
-/// Names a cell size (mm) in a message, and the accuracy whose cells have this size, because users
-/// give one or the other: "2.5 mm (an accuracy of 5 mm)".
+/// Returns the text of a cell size (mm) and of the accuracy whose cells have this size: "2.5 mm (an
+/// accuracy of 5 mm)". Users set either of them.
 std::string cellOrAccuracy(double cell);
 
 }  // namespace swept

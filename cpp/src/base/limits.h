@@ -10,8 +10,8 @@ namespace swept {
 constexpr double kMaxLength = 1e9;
 /// Largest number of vertices or of triangles: their indices have 32 bits.
 constexpr std::uint64_t kMaxElements = 2147483647;
-/// Largest error of a rotation: of the length of a quaternion, or of a product of the columns of a
-/// matrix. A larger error is no rounding error.
+/// Largest error of a rotation: deviation of the length of its quaternion from 1, or of an entry of
+/// R^T R from the identity for its matrix R. Rounding cannot explain a larger error.
 constexpr double kRigidLimit = 1e-4;
 /// Largest number of threads that a user may give to a run.
 constexpr int kMaxThreads = 4096;

@@ -1,7 +1,7 @@
-// Values grouped by a small integer key. All cores fill the lists.
-// In:    a function that visits all (key, value) pairs. It runs twice and may run in parallel.
-// Out:   the values of each key, sorted on request. The order of the pairs does not matter.
-// Cost:  per key 4 bytes, per value its own size.
+// Values grouped by an integer key. Several threads may fill the lists at once.
+// In:     a function that visits all (key, value) pairs. The constructor calls it twice.
+// Out:    the values of each key, sorted on request. The order of the pairs does not matter.
+// Memory: 4 bytes per key; per value its own size.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,7 +19,8 @@ template <class Value = std::uint32_t>
 class ListsByKey {
  public:
   ListsByKey() = default;
-  /// forAll(use) calls use(key, value) for every pair, with keys in [0, keys).
+  /// forAll(use) calls use(key, value) for every pair, with keys in [0, keys), in any order and
+  /// from any threads. Both calls must give the same pairs.
   template <class ForAll>
   ListsByKey(std::size_t keys, const ForAll& forAll) : start_(keys + 1, 0) {
     forAll([&](std::size_t key, const Value&) {
@@ -44,8 +45,8 @@ class ListsByKey {
     std::sort(list.begin(), list.end());
     return list;
   }
-  /// Returns the values of a key without sorting: ascending if of() was called before, else in any
-  /// order.
+  /// Returns the values of a key without sorting them. They are in ascending order if of() was
+  /// called for this key, otherwise in any order.
   std::span<const Value> asTheyStand(std::size_t key) const {
     return {values_.data() + start_[key], start_[key + 1] - start_[key]};
   }

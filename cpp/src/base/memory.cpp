@@ -11,9 +11,9 @@ namespace swept {
 
 std::uint64_t residentMemoryBytes() { return os::residentMemory(); }
 
-MemoryWatch::MemoryWatch() : processPeak_(os::peakMemory()), most_(residentMemoryBytes()) {
+MemoryWatch::MemoryWatch() : processPeak_(os::peakMemory()), largest_(residentMemoryBytes()) {
   try {
-    thread_ = std::thread([this] { look(); });
+    thread_ = std::thread([this] { sample(); });
   } catch (const std::exception&) {  // no more threads available: the peak is then less exact
   }
 }
@@ -27,17 +27,17 @@ MemoryWatch::~MemoryWatch() {
   if (thread_.joinable()) thread_.join();
 }
 
-void MemoryWatch::look() {
+void MemoryWatch::sample() {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, std::chrono::milliseconds(kMemoryMilliseconds),
                          [this] { return ended_; })) {
-    most_ = std::max(most_.load(), residentMemoryBytes());
+    largest_ = std::max(largest_.load(), residentMemoryBytes());
   }
 }
 
 std::uint64_t MemoryWatch::peakBytes() const {
   const std::uint64_t peak = os::peakMemory();
-  return peak > processPeak_ ? peak : std::max(most_.load(), residentMemoryBytes());
+  return peak > processPeak_ ? peak : std::max(largest_.load(), residentMemoryBytes());
 }
 
 void returnFreeMemory() { os::returnFreeMemory(); }

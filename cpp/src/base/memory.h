@@ -17,9 +17,9 @@ namespace swept {
 std::uint64_t residentMemoryBytes();
 
 /// Measures the largest resident size of the process during the life of this object, whatever part
-/// of the process uses the memory. Several watches may run at once: they do not reset the peak of
-/// the process. If the process grows beyond its earlier peak, the result is the new peak. Otherwise
-/// it is the largest of the sizes that a thread reads every kMemoryMilliseconds.
+/// of the process uses the memory. Several watches may run at once, so a watch does not reset the
+/// peak that the system keeps. If this peak rises during the life of the watch, it is the result.
+/// Otherwise the result is the largest of the sizes that a thread reads every kMemoryMilliseconds.
 class MemoryWatch {
  public:
   MemoryWatch();
@@ -30,10 +30,10 @@ class MemoryWatch {
   std::uint64_t peakBytes() const;
 
  private:
-  void look();
+  void sample();
 
-  std::uint64_t processPeak_;  ///< bytes, at construction
-  std::atomic<std::uint64_t> most_;
+  std::uint64_t processPeak_;  ///< bytes, peak of the process at construction
+  std::atomic<std::uint64_t> largest_;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool ended_ = false;

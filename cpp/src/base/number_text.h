@@ -9,7 +9,7 @@
 
 namespace swept {
 
-/// Enough digits to show that a value breaks a limit to which it is close.
+/// Number of significant digits with which the text of a value differs from that of a close limit.
 constexpr int kTellingDigits = 12;
 
 /// Formats a number with at most `digits` significant digits, as %g does in the locale "C".
@@ -17,8 +17,8 @@ std::string numberText(double value, int digits = 6);
 /// Formats a number with `decimals` digits after the point, as %.nf does in the locale "C".
 std::string fixedText(double value, int decimals);
 
-/// Returns a count with its noun: "1 edge", "2 edges". `one` and `many` may go on after the noun;
-/// without `many`, the plural is `one` and an s.
+/// Returns a count with its noun: "1 edge", "2 edges". `one` and `many` may contain further words,
+/// such as "edge is". Without `many`, the plural is `one` followed by an s.
 std::string counted(std::int64_t count, std::string_view one, std::string_view many = {});
 
 /// Joins texts and numbers. Floating-point numbers are formatted by numberText(number, digits).

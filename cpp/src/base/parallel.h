@@ -1,6 +1,7 @@
-// Loops over all cores. The result is the same for any number of threads: the items of work do not
-// depend on the thread count, and each item writes only its own part of the output. A failure is
-// the same, too: the loop throws the exception of the failing item with the lowest index.
+// Loops whose items several threads execute. The result is the same for any number of threads: the
+// items of work do not depend on the thread count, and each item writes only its own part of the
+// output. A failure is the same, too: the loop throws the exception of the failing item with the
+// lowest index.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,8 +20,8 @@
 namespace swept {
 
 /// Calls body(i) for i in [0, n), one task per item. Use it for items that take microseconds or
-/// more. An exception of an item leaves the loop only after all tasks have ended. If it left its
-/// task at once, it would cancel the nested loops in the other tasks. A cancelled loop returns
+/// more. An exception of an item leaves the loop only after all tasks have ended. An exception that
+/// left its task at once would cancel the nested loops in the other tasks. A cancelled loop returns
 /// early without an error, and the code after it would read incomplete results.
 template <class Body>
 void parallelFor(std::size_t n, const Body& body) {
@@ -56,7 +57,7 @@ void parallelBlocks(std::size_t n, std::size_t block, const Body& body) {
 }
 
 /// Calls use(n, list) for each n in [0, count); `use` appends values to `list`. Returns all values
-/// in the order of n. Each list serves `block` successive calls.
+/// in the order of n. The values of `block` successive calls go to one list.
 template <class T, class Use>
 std::vector<T> gather(std::size_t count, std::size_t block, const Use& use) {
   std::vector<std::vector<T>> parts(count / block + 1);

@@ -1,5 +1,5 @@
-// Array of plain values that is not cleared when it is created. The threads that fill it touch its
-// memory pages first, in parallel.
+// Array of plain values that are not initialised. So the threads that fill the array are the first
+// to write its memory pages, in parallel.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,5 +1,5 @@
-// Reports as JSON, for callers that add their own fields to the same object.
-// Keys stand in the order in which they are added. docs/report.schema.json describes them.
+// Reports as JSON objects, to which callers may add fields of their own. Keys appear in the order
+// in which they are added. docs/report.schema.json describes them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -29,7 +29,7 @@ Json poseJson(const Pose& pose);
 /// Returns the whole report of a run. Keys that do not apply are absent.
 Json reportJson(const Report& report, const char* command = "envelope");
 
-/// Returns the text in UTF-8, with two blanks per level. It replaces invalid UTF-8 bytes and writes
+/// Returns the text in UTF-8, with two blanks per level. Replaces invalid UTF-8 bytes, and writes
 /// null for numbers that are not finite. The text is the same on every machine and in every locale.
 std::string jsonText(const Json& json);
 

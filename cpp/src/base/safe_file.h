@@ -1,7 +1,8 @@
-// Writes files so that no half-written file ever remains: into a temporary file beside the target,
-// then a rename.
+// Writes files so that no half-written file ever remains. The data go to a temporary file beside
+// the target, which is then renamed.
 // In:   target path (UTF-8). Out: the finished file; or, after a failure, the old file unchanged.
-// Links are followed. An old file keeps its mode. Only the owner can read the temporary file.
+// If the target is a link, the file behind it is replaced. The new file gets the access mode of the
+// old one. Only the owner can read the temporary file.
 // Throws Error(ExportFailed, "BadTarget" | "MissingFolder" | "ReadOnly" | "WriteFailed") that
 // names the file or folder and the cause.
 // SPDX-License-Identifier: LGPL-2.1-or-later

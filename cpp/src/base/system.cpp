@@ -139,9 +139,9 @@ std::uint64_t availableMemory() { return lineOf("/proc/meminfo", "MemAvailable:"
 std::uint64_t residentMemory() {
   mach_task_basic_info info{};
   mach_msg_type_number_t count = MACH_TASK_BASIC_INFO_COUNT;
-  const kern_return_t asked = task_info(mach_task_self(), MACH_TASK_BASIC_INFO,
-                                        reinterpret_cast<task_info_t>(&info), &count);
-  return asked == KERN_SUCCESS ? info.resident_size : 0;
+  const kern_return_t status = task_info(mach_task_self(), MACH_TASK_BASIC_INFO,
+                                         reinterpret_cast<task_info_t>(&info), &count);
+  return status == KERN_SUCCESS ? info.resident_size : 0;
 }
 std::uint64_t peakMemory() {
   struct rusage usage {};
@@ -150,9 +150,9 @@ std::uint64_t peakMemory() {
 std::uint64_t availableMemory() {
   vm_statistics64 pages{};
   mach_msg_type_number_t count = HOST_VM_INFO64_COUNT;
-  const kern_return_t asked = host_statistics64(mach_host_self(), HOST_VM_INFO64,
-                                                reinterpret_cast<host_info64_t>(&pages), &count);
-  if (asked != KERN_SUCCESS) return 0;
+  const kern_return_t status = host_statistics64(mach_host_self(), HOST_VM_INFO64,
+                                                 reinterpret_cast<host_info64_t>(&pages), &count);
+  if (status != KERN_SUCCESS) return 0;
   const std::uint64_t unused =
       std::uint64_t{pages.free_count} + pages.inactive_count + pages.purgeable_count;
   return unused * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
@@ -171,8 +171,8 @@ void returnFreeMemory() {
 
 #ifdef __GLIBC__
 bool setHeap(HeapSetting setting) {
-  // Upper bound to which the GNU C library raises its threshold for returning free memory at the
-  // end of the heap, and its default for the largest number of blocks outside the heap.
+  // kUsualTrim is the largest value to which the GNU C library itself raises M_TRIM_THRESHOLD.
+  // kUsualMaps is its default for M_MMAP_MAX, the largest number of blocks outside the heap.
   constexpr int kUsualTrim = 64 << 20, kUsualMaps = 65536, kNoTrim = 1 << 30;
   mallopt(M_TRIM_THRESHOLD, setting == HeapSetting::Usual ? kUsualTrim : kNoTrim);
   mallopt(M_MMAP_MAX, setting == HeapSetting::OneHeap ? 0 : kUsualMaps);

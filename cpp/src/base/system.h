@@ -23,9 +23,9 @@ std::uint64_t peakMemory();
 std::uint64_t availableMemory();
 /// Returns free memory to the system, if the C library has a call for that.
 void returnFreeMemory();
-/// Where malloc() takes memory from. OneHeap: only from the end of its heap, where free space
-/// stays. KeepFree: from anywhere, but free space at the end of the heap still stays. Usual: the
-/// defaults.
+/// Where malloc() takes memory from. OneHeap: only from the heap; free memory at its end is not
+/// returned to the system. KeepFree: from anywhere; free memory at the end of the heap is still not
+/// returned. Usual: the defaults of the C library.
 enum class HeapSetting { OneHeap, KeepFree, Usual };
 /// Returns false if the C library has no such settings.
 bool setHeap(HeapSetting setting);
@@ -39,7 +39,7 @@ bool setHeap(HeapSetting setting);
 unsigned createPrivate(const std::filesystem::path& file);
 /// Flushes the file to the disk, because some systems report a full disk only then. Returns 0, or
 /// the errno if the data could not be written. Also returns 0 if the file cannot be opened again,
-/// or is of a kind that cannot be flushed.
+/// or if its file system cannot flush.
 int flushToDisk(const std::filesystem::path& file);
 /// Returns whether the user may write to an existing file or read it. Sets errno if not.
 bool mayWrite(const std::filesystem::path& file);
@@ -83,7 +83,8 @@ std::string nullDeviceName();
 bool isDeviceName(const std::string& name);
 bool isTerminal(std::FILE* stream);
 /// Calls handler(number) at each signal that asks the program to end (SIGINT, SIGTERM, SIGHUP),
-/// instead of ending it. Signals that were ignored when the program started (nohup) stay ignored.
+/// instead of ending it. If the program was started with nohup, SIGHUP stays ignored. In Windows,
+/// the third signal is SIGBREAK.
 void onInterrupt(void (*handler)(int));
 /// Ignores these signals from now on.
 void ignoreInterrupts();
@@ -92,14 +93,15 @@ void ignoreInterrupts();
 void ignoreWriteSignals();
 /// Returns the file of the running program; empty if not known.
 std::filesystem::path programPath();
-/// Replaces this program by another one, or runs it and ends with its status. Returns only after a
-/// failure: its errno.
+/// Replaces this program by another one. In Windows, runs the other program and then ends with its
+/// exit status. Returns only after a failure, with the errno.
 int becomeProgram(const std::vector<std::string>& words);
 std::uint64_t processId();
 
 // --- the calling thread, and libraries
 
-/// Gives other threads of the machine precedence. Has no effect if the system refuses.
+/// Lowers the priority of the calling thread below that of other threads. Has no effect if the
+/// system refuses.
 void lowerThreadPriority();
 /// Loads a library for the rest of the process. Returns null and the reason if that fails.
 void* openLibrary(const std::string& name, std::string& why);

@@ -4,7 +4,7 @@
 #include <io.h>
 #include <process.h>
 #include <windows.h>
-// After windows.h, whose types they use.
+// These headers use types of windows.h, so they come after it.
 #include <psapi.h>
 #include <shellapi.h>
 
@@ -38,8 +38,8 @@ constexpr std::array<int, 3> kInterrupts{SIGINT, SIGTERM, SIGBREAK};
 
 void (*interruptHandler)(int) = nullptr;
 
-// Calls the handler of onInterrupt(). The system forgets a handler when it calls it, so it is
-// installed again.
+// Calls the handler of onInterrupt(). Windows resets a signal to its default action before it calls
+// the handler, so onSignal() installs itself again.
 void onSignal(int number) {
   std::signal(number, onSignal);
   if (interruptHandler != nullptr) interruptHandler(number);
@@ -158,7 +158,8 @@ fs::path programPath() {
   return name;
 }
 
-// A program cannot be replaced in Windows: this one waits for the other and ends as it does.
+// Windows cannot replace a program by another one. So this program waits for the other one, and
+// ends with the same status.
 int becomeProgram(const std::vector<std::string>& words) {
   std::vector<std::wstring> wide;
   std::vector<const wchar_t*> arguments;

@@ -1,4 +1,4 @@
-// Wall-clock time for stages, and processor time for trials.
+// Wall-clock time for the stages of a run, and processor time for trial runs.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

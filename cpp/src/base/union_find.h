@@ -1,6 +1,6 @@
-// Union-find on which many threads may work at once (Anderson, Woll 1991; path halving).
-// Each set is a tree whose links lead to smaller indices. Its root is its smallest member, in
-// whatever order the sets were united. Members are numbered from 0.
+// Union-find on which many threads may work at once (Anderson, Woll 1991; path halving). Each set
+// is a tree whose links lead to smaller indices. Its root is its smallest member, regardless of the
+// order in which the sets were united. Members are numbered from 0.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -31,7 +31,7 @@ Number findRoot(std::vector<Number>& parent, Number i) {
   }
 }
 
-/// Unites two sets. The larger root gets the smaller root as its parent, so the final roots do not
+/// Unites two sets. The larger root becomes a child of the smaller root, so the final roots do not
 /// depend on the order of the calls.
 template <class Number>
 void unite(std::vector<Number>& parent, Number a, Number b) {

@@ -7,7 +7,7 @@
 namespace swept {
 namespace {
 /// Smallest distance (cells) of crossings from lattice points, so that the crossings of all edges
-/// at one lattice point stay apart. It is ten times the margin of vertices in their cells
+/// at one lattice point stay apart. This is ten times the margin of vertices in their cells
 /// (kCellMargin).
 constexpr double kMinPointDistance = 1e-3;
 /// If Newton's method ends farther from the lattice line than this (cells), it has not converged.
@@ -81,8 +81,8 @@ struct LineSearch {
     return std::max(std::abs(at.x[u] - line[u]), std::abs(at.x[v] - line[v]));
   }
 
-  /// Improves (r, s) by Newton's method. If the method does not converge, the result is not on the
-  /// line.
+  /// Improves (r, s) by Newton's method. If the method does not converge, the resulting point is
+  /// not on the line.
   void newton(double& r, double& s) const {
     for (int iteration = 0; iteration < 4; ++iteration) {
       const CurvedPatch::At at = patch.at(r, s);
@@ -101,18 +101,18 @@ struct LineSearch {
 
   /// Finds the point of the patch nearest to the line. Starts at the best of several points, and
   /// damps the steps until they reduce the distance (Levenberg 1944, Marquardt 1963). This is for
-  /// edges that move along themselves: they sweep hardly any area, and the steps of newton() leave
+  /// edges that slide along themselves: they sweep hardly any area, and the steps of newton() leave
   /// the patch.
   void nearest(double& r, double& s) const {
     const auto square = [&](double x, double y) {
       const CurvedPatch::At at = patch.at(x, y);
       return Eigen::Vector2d(at.x[u] - line[u], at.x[v] - line[v]).squaredNorm();
     };
-    constexpr int kPlaces = 4, kSteps = 40;
+    constexpr int kSamples = 4, kSteps = 40;
     double best = square(r, s);
-    for (int i = 0; i <= kPlaces; ++i) {
-      for (int j = 0; j <= kPlaces; ++j) {
-        const double x = static_cast<double>(i) / kPlaces, y = static_cast<double>(j) / kPlaces;
+    for (int i = 0; i <= kSamples; ++i) {
+      for (int j = 0; j <= kSamples; ++j) {
+        const double x = static_cast<double>(i) / kSamples, y = static_cast<double>(j) / kSamples;
         const double here = square(x, y);
         if (here >= best) continue;
         best = here;
@@ -176,21 +176,22 @@ double CrossingRefiner::nearestTime(const SweptElement& element,
                           input_.body.vertices[edge.b]);
   const auto distance = [&](double s) {
     const CurvedPatch::At at = patch.at(0, s);
-    const Eigen::Vector3d& way = at.alongEdge;
-    const double along = std::clamp((point - at.x).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    return (point - at.x - along * way).squaredNorm();
+    const Eigen::Vector3d& direction = at.alongEdge;
+    const double along =
+        std::clamp((point - at.x).dot(direction) / direction.squaredNorm(), 0.0, 1.0);
+    return (point - at.x - along * direction).squaredNorm();
   };
-  // A few samples find the region of the minimum, because the step is short. Then a search with
+  // A few samples find the interval of the minimum, because the step is short. Then a search with
   // halved widths finds the minimum.
-  constexpr int kLooks = 16, kHalvings = 30;
+  constexpr int kSamples = 16, kHalvings = 30;
   int nearest = 0;
-  for (int look = 1; look <= kLooks; ++look) {
-    if (distance(static_cast<double>(look) / kLooks) <
-        distance(static_cast<double>(nearest) / kLooks)) {
-      nearest = look;
+  for (int sample = 1; sample <= kSamples; ++sample) {
+    if (distance(static_cast<double>(sample) / kSamples) <
+        distance(static_cast<double>(nearest) / kSamples)) {
+      nearest = sample;
     }
   }
-  double best = static_cast<double>(nearest) / kLooks, width = 1.0 / kLooks;
+  double best = static_cast<double>(nearest) / kSamples, width = 1.0 / kSamples;
   for (int halving = 0; halving < kHalvings; ++halving, width /= 2) {
     const double now = best;
     for (const double s : {std::max(now - width, 0.0), std::min(now + width, 1.0)}) {

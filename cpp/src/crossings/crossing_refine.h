@@ -9,8 +9,9 @@
 // placement. A crossing on a side patch is found by Newton's method. The motion in the step is
 // approximated by the chord plus a quadratic term through the exact midpoint:
 //   x(s) = (1-s) p + s q + 4 s (1-s) m,  m = x_mid - (p + q) / 2.
-// The error of x(s) is of third order in the turn of the step. If Newton's method ends beside the
-// line, damped steps search for the nearest point of the patch (Levenberg 1944, Marquardt 1963).
+// The error of x(s) is of third order in the angle by which the body turns during the step. If
+// Newton's method ends beside the line, damped steps search for the nearest point of the patch
+// (Levenberg 1944, Marquardt 1963).
 // The normal is edge x velocity.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -24,9 +25,9 @@ namespace swept {
 class CrossingRefiner {
  public:
   CrossingRefiner(const SamplerInput& input, const MarkedEdges& marked);
-  /// Refines a crossing of the lattice edge (axis, i, j, k). `fraction`: position that the sampler
-  /// found. `low`: true if the crossing is seen from the low end. `exactSeconds`, if given,
-  /// receives the time in double.
+  /// Refines a crossing of the lattice edge (axis, i, j, k). `fraction`: position on the edge that
+  /// the sampler found. `low`: true if the crossing is seen from the low end. `exactSeconds`, if
+  /// given, receives the time in double.
   Crossing refine(int axis, std::int32_t i, std::int32_t j, std::int32_t k, float fraction,
                   std::uint32_t element, bool low, double* exactSeconds = nullptr) const;
 
@@ -35,7 +36,7 @@ class CrossingRefiner {
     double along;
     Eigen::Vector3d normal;
     double timeSeconds;
-    /// For a side patch: distance (cells) from the line at which Newton's method ended.
+    /// For a side patch: distance (cells) between the lattice line and the point found.
     double offLine = 0;
   };
   Hit onFace(const SweptElement& element, int axis, const Eigen::Vector3d& line) const;

@@ -23,7 +23,7 @@ class EdgeSources {
  public:
   EdgeSources(const TriMesh& body, const BodyTopology& topology, bool namedFaces)
       : faceOf_(body.faceOf), topology_(topology), sources_(topology.edges.size()) {
-    for (std::size_t e = 0; e < sources_.size(); ++e) sources_[e] = alone(topology.edges[e]);
+    for (std::size_t e = 0; e < sources_.size(); ++e) sources_[e] = ofEdge(topology.edges[e]);
     if (namedFaces) decideByChains();
   }
   const EdgeSource& operator[](std::size_t edge) const { return sources_[edge]; }
@@ -35,7 +35,7 @@ class EdgeSources {
         1.0));
   }
 
-  EdgeSource alone(const BodyEdge& edge) const {
+  EdgeSource ofEdge(const BodyEdge& edge) const {
     const std::int32_t left = faceOf_[edge.left];
     if (edge.right < 0) return {{left, -1}, SourceKind::Edge};
     const std::int32_t right = faceOf_[edge.right];
@@ -45,8 +45,8 @@ class EdgeSources {
             smooth ? SourceKind::Graze : SourceKind::Edge};
   }
 
-  /// Gives all connected edges between the same two faces one kind, which follows from the median
-  /// of their angles.
+  /// Gives all connected edges between the same two faces one kind. The median of their angles
+  /// decides.
   void decideByChains() {
     std::vector<std::uint32_t> border;
     for (std::uint32_t e = 0; e < sources_.size(); ++e) {
@@ -92,22 +92,22 @@ class EdgeSources {
 /// exceeds this (2e-3 rad).
 constexpr double kInPlane = 1 - 2e-6;
 
-/// An edge of the body has swept a patch with this normal. If a face beside the edge slides along
-/// itself in the plane of the patch, returns this face, otherwise -1.
+/// `patch` is the side patch of an edge, and `normal` its normal at a crossing. If a face beside
+/// the edge slides along itself in the plane of the patch, returns this face, otherwise -1.
 std::int32_t slidingFace(const SamplerInput& input, const SweptElement& patch,
                          const Eigen::Vector3f& normal) {
   const BodyEdge& edge = input.topology.edges[patch.index()];
   const Eigen::Matrix3d& rotation = input.motion.placements[patch.placement].rotation;
   for (const std::int32_t face : {edge.left, edge.right}) {
     if (face < 0) continue;
-    const Eigen::Vector3d there = rotation * input.topology.normals[face].cast<double>();
-    if (there.dot(normal.cast<double>()) > kInPlane) return input.body.faceOf[face];
+    const Eigen::Vector3d normalInWorld = rotation * input.topology.normals[face].cast<double>();
+    if (normalInWorld.dot(normal.cast<double>()) > kInPlane) return input.body.faceOf[face];
   }
   return -1;
 }
 
-/// Returns the last pose at or before a time within the step that starts at a placement. A merged
-/// step has several poses.
+/// Returns the last pose at or before a time. The time lies within the step that starts at the
+/// placement. A merged step has several poses.
 std::size_t lastPose(const Motion& motion, const Trajectory& trajectory, std::uint32_t placement,
                      double seconds) {
   const auto [first, end] = std::equal_range(motion.poses.begin(), motion.poses.end(), placement);

@@ -11,13 +11,13 @@
 namespace swept {
 namespace {
 
-/// In a cell with more pieces (element_probe.h) than this, the probe finds no hits. Such a cell
+/// In a cell with more pieces (element_probe.h) than this, the probe reports no hits. Such a cell
 /// contains more than a single wall, and the search would take too long.
 constexpr std::size_t kMaxPieces = 20000;
-/// After this many pieces in a cell, the search leaves out pieces for which isPassed() is true.
-/// Measured on a gripper along 16 keys with cells of 30 mm, and limits of 100, 300, 1,000 and none:
-/// the mean deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cells. Contouring takes 0.3, 0.5 and 1.2
-/// s with the first three limits.
+/// After this many pieces in a cell, the search leaves out pieces for which isCovered() is true.
+/// Measured on a gripper along 16 keys with cells of 30 mm. With limits of 100, 300, 1,000 and
+/// none, the mean deviation is 0.0374, 0.0365, 0.0356 and 0.0357 cells. Contouring takes 0.3, 0.5
+/// and 1.2 s with the first three limits.
 constexpr std::size_t kManyPieces = 300;
 /// Pieces within this distance (cells) of the cell count as touching it, so that the search can
 /// pass around the corners of the cell.
@@ -83,12 +83,12 @@ bool intersectsBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
 bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
                    const Eigen::Vector3d& half) {
   if (inBox(p, half) || inBox(q, half)) return true;
-  const Eigen::Vector3d middle = (p + q) / 2, way = (q - p) / 2;
-  const Eigen::Vector3d reach = way.cwiseAbs();
+  const Eigen::Vector3d middle = (p + q) / 2, direction = (q - p) / 2;
+  const Eigen::Vector3d reach = direction.cwiseAbs();
   if ((middle.cwiseAbs().array() > (half + reach).array()).any()) return false;
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const double across = middle[u] * way[v] - middle[v] * way[u];
+    const double across = middle[u] * direction[v] - middle[v] * direction[u];
     if (std::abs(across) > half[u] * reach[v] + half[v] * reach[u]) return false;
   }
   return true;
@@ -96,21 +96,22 @@ bool intersectsBox(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
 
 }  // namespace
 
-/// Directions of faces during steps of the motion. Caches the steps and directions used last.
+/// Directions of faces during steps of the motion, as directionOf() returns them. Keeps the steps
+/// and directions used last.
 class ElementProbe::Directions {
  public:
   explicit Directions(const SamplerInput& input) : input_(input) {}
   int of(std::size_t face, std::size_t step) {
-    if (known_.empty()) known_.resize(kKnown);
+    if (cache_.empty()) cache_.resize(kCached);
     const std::uint64_t key = static_cast<std::uint64_t>(step) << 32 | face;
-    Known& known = known_[(key * 0x9e3779b97f4a7c15u >> 32) & (kKnown - 1)];
+    Cached& known = cache_[(key * 0x9e3779b97f4a7c15u >> 32) & (kCached - 1)];
     if (known.key != key) known = {key, directionOf(input_, at(step), face)};
     return known.direction;
   }
 
  private:
-  static constexpr std::size_t kKnown = 1024;  // a power of two
-  struct Known {
+  static constexpr std::size_t kCached = 1024;  // a power of two
+  struct Cached {
     std::uint64_t key = ~std::uint64_t{0};
     int direction = 0;
   };
@@ -125,7 +126,7 @@ class ElementProbe::Directions {
 
   const SamplerInput& input_;
   std::array<std::pair<std::size_t, std::optional<MotionStep>>, 64> slots_;
-  std::vector<Known> known_;
+  std::vector<Cached> cache_;
 };
 
 namespace {
@@ -141,7 +142,7 @@ class SeenElements {
   }
 
  private:
-  static constexpr std::uint64_t kFree = ~std::uint64_t{0};  // no step has this number
+  static constexpr std::uint64_t kFree = ~std::uint64_t{0};  // no element has this key
   bool put(std::uint64_t key) {
     const std::size_t mask = slots_.size() - 1;
     std::size_t at = (key * 0x9e3779b97f4a7c15u >> 32) & mask;
@@ -203,8 +204,8 @@ ElementProbe::Piece ElementProbe::pieceOf(const SweptElement& element) const {
   return piece;
 }
 
-// Two neighbouring pieces share an edge, a path or a face. A shared edge or path must pass through
-// the box.
+// Neighbouring pieces share an edge, the path of a vertex, or a face. inside() tests whether a
+// shared edge or path passes through the searched cell.
 template <class Inside, class Use>
 void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece,
                                  const Inside& inside, const Use& use) const {
@@ -257,10 +258,10 @@ void ElementProbe::forNeighbours(const SweptElement& element, const Piece& piece
 }
 
 /// Returns whether the pieces before and after this one in the motion cover it, so that it does not
-/// lie on the envelope. This is so for a face that moves in the same direction (along its normal or
-/// against it) before and after its placement. It is also so for a side patch between two faces
-/// that move in the same direction.
-bool ElementProbe::isPassed(const SweptElement& element, Directions& directions) const {
+/// lie on the envelope. A face is covered if it moves in the same direction (along its normal or
+/// against it) before and after its placement. A side patch is covered if the two faces beside its
+/// edge move in the same direction.
+bool ElementProbe::isCovered(const SweptElement& element, Directions& directions) const {
   const std::size_t k = element.placement;
   const auto directionIn = [&](std::size_t step, std::int32_t face) {
     return directions.of(static_cast<std::size_t>(face), step);
@@ -295,7 +296,7 @@ std::vector<ElementProbe::Piece> ElementProbe::gather(
         (!piece.isSidePatch || !intersectsBox(a - centre, c - centre, d - centre, half))) {
       return;
     }
-    if (pieces.size() >= kManyPieces && mayPass() && isPassed(element, directions)) return;
+    if (pieces.size() >= kManyPieces && maySkipCovered() && isCovered(element, directions)) return;
     waiting.emplace_back(element, pieces.size());
     pieces.push_back(piece);
   };
@@ -340,7 +341,7 @@ void ElementProbe::cast(const Eigen::AlignedBox3d& region,
     const auto& [a, b, c, d] = piece.corner;
     const Eigen::Vector3d n = (b - a).cross(c - a);
     // A line wholly above or below the piece cannot hit it. Heights are measured from the plane of
-    // the first triangle; the fourth corner of a side patch need not lie in this plane.
+    // the first triangle. The fourth corner of a side patch need not lie in this plane.
     const double fourth = n.dot(d - a);
     const double low = std::min(0.0, fourth), high = std::max(0.0, fourth);
     const double slack = kEdgeSlack * n.norm();

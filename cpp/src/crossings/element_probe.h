@@ -5,11 +5,11 @@
 //
 // A piece is a swept element in grid coordinates: a face at one placement, or the side patch that
 // an edge sweeps in one step. The search starts at the given elements and continues to their
-// neighbours: across shared edges and paths of vertices, and to the steps before and after. It
-// crosses an edge or a path only if this edge or path passes through the cell. In a cell with many
-// pieces, the search leaves out further pieces that the steps before and after cover. Nearly all
-// pieces of such a cell are covered, and the others are connected without them. The search uses no
-// other data, so the result does not depend on the sampler that found the crossings.
+// neighbours: across shared edges and paths of vertices, and to the steps before and after. The
+// search crosses an edge or a path only where the edge or path passes through the cell. In a cell
+// with many pieces, the search leaves out further pieces that the steps before and after cover.
+// Nearly all pieces of such a cell are covered, and the others are connected without them. The
+// search uses no other data, so the result does not depend on the sampler that found the crossings.
 // Source: own method; docs/contouring.md, "Rims".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -35,21 +35,21 @@ class ElementProbe : public SurfaceProbe {
 
  private:
   class Directions;
-  /// Corners of a face (the last one twice), or of a side patch in ring order: a, b at the start of
-  /// the step, then b, a at its end.
+  /// Corners of a face (the last one twice), or of a side patch in ring order: the ends a and b of
+  /// its edge at the start of the step, then b and a at the end of the step.
   struct Piece {
     std::array<Eigen::Vector3d, 4> corner;
     bool isSidePatch = false;
     double start = 0, end = 0;  // seconds
   };
-  bool mayPass() const { return input_.cull && input_.motion.continuous; }
-  bool isPassed(const SweptElement& element, Directions& directions) const;
+  bool maySkipCovered() const { return input_.cull && input_.motion.continuous; }
+  bool isCovered(const SweptElement& element, Directions& directions) const;
   Piece pieceOf(const SweptElement& element) const;
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
                             const std::vector<std::uint32_t>& crossings) const;
-  /// Calls use(other) for the neighbours of an element. A neighbour shares with it an edge or the
-  /// path of a vertex for which inside(p, q) is true (p, q: ends of the shared segment), or is a
-  /// copy of the same face at the placement before or after.
+  /// Calls use(other) for the neighbours of an element. A neighbour shares an edge or the path of a
+  /// vertex with the element, or is a copy of the same face at the placement before or after.
+  /// inside(p, q) must be true for the ends p and q of a shared edge or path.
   template <class Inside, class Use>
   void forNeighbours(const SweptElement& element, const Piece& piece, const Inside& inside,
                      const Use& use) const;

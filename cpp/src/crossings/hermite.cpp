@@ -12,8 +12,8 @@ namespace swept {
 namespace {
 
 /// Smallest distance (cells) between the two crossings of an edge, so that a sheet without
-/// thickness still has two sides. It is twice kMinPointDistance (crossing_refine.cpp), the distance
-/// that crossings keep from the ends of an edge.
+/// thickness still has two sides. This is twice kMinPointDistance (crossing_refine.cpp), the
+/// distance of crossings from the ends of an edge.
 constexpr float kMinWall = 2e-3f;
 
 void separate(Crossing& low, Crossing& high) {

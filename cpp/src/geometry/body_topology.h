@@ -1,4 +1,4 @@
-// Finds the edges of a body, and the normals and heights of its faces.
+// Finds the edges of a body, and the normals and heights of its faces. Here a face is a triangle.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,7 +13,7 @@ namespace swept {
 struct BodyEdge {
   std::int32_t a = 0, b = 0;           ///< vertices, a < b
   std::int32_t left = -1, right = -1;  ///< faces; right is -1 unless the edge has two faces
-  bool opposed = false;                ///< the two faces disagree in orientation
+  bool opposed = false;                ///< the two faces have opposite orientations
 };
 
 struct BodyTopology {

@@ -77,8 +77,8 @@ void sortByKey(Keys& keys) {
   }
 }
 
-/// Converts to float and subtracts a few units in the last place. So neither this conversion nor
-/// the rounding of the difference that a caller passes can make a box smaller.
+/// Converts to float and subtracts a few units in the last place. `value` is a rounded difference.
+/// So neither its rounding nor the conversion can make a box smaller.
 float roundedDown(double value) {
   const auto f = static_cast<float>(value);
   return f - std::abs(f) * 3e-7f - std::numeric_limits<float>::min();
@@ -132,7 +132,7 @@ Keys makeKeys(const Boxes& boxes, double extent) {
 template <class Boxes>
 void sortByMedians(const Boxes& boxes, std::int32_t* first, std::int32_t* last,
                    std::size_t capacity) {
-  constexpr std::size_t kAlone = 4096;  // shorter lists are sorted in the current task
+  constexpr std::size_t kSequential = 4096;  // shorter lists are sorted in the current task
   if (static_cast<std::size_t>(last - first) <= capacity) {
     if (capacity > 1) sortByMedians(boxes, first, last, capacity / 2);
     return;
@@ -160,7 +160,7 @@ void sortByMedians(const Boxes& boxes, std::int32_t* first, std::int32_t* last,
   const auto lower = [&] { sortByMedians(boxes, first, middle, capacity / 2); };
   const auto upper = [&] { sortByMedians(boxes, middle, last, capacity / 2); };
   if (capacity < 2) return;
-  if (static_cast<std::size_t>(last - first) > kAlone) {
+  if (static_cast<std::size_t>(last - first) > kSequential) {
     parallelActions(lower, upper);
   } else {
     lower();

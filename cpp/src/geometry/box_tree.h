@@ -1,15 +1,16 @@
 // Bounding volume hierarchy: a tree of boxes with four children per node, in flat arrays.
 //
-// In: the box of each item, finite. The tree reorders the items, so that near items lie side by
-// side. A place (0 .. size() - 1) is an index into this order. Searches return places; item()
+// In: the finite box of each item. The tree reorders the items, so that near items are next to each
+// other. A place (0 .. size() - 1) is an index into this order. Searches return places; item()
 // returns the item at a place.
-// Out: items near a point or a box, nearest first; boxes of nodes for searches over pairs.
+// Out: the items whose boxes intersect a box, in any order; the items near a point, nearest box
+// first; the boxes of nodes, for searches over pairs.
 // Units: any one unit of length.
 // Cost: for n items, O(n) to build along a curve and O(n log n) by medians, in parallel; 36 bytes
 // per item. O(log n) for a search that ends near its start.
 // Promise: the same tree for any number of threads. No search misses an item. Boxes are stored as
-// floats, relative to the middle of all items, and rounded outward by less than 1e-6 of the largest
-// coordinate. Distances to boxes allow for the rounding of the point.
+// floats, relative to the centre of the box of all items, and rounded outward by less than 1e-6 of
+// the largest coordinate. Distances to boxes allow for the rounding of the point.
 // Source: J. Skilling, Programming the Hilbert curve (2004); I. Kamel and C. Faloutsos, Hilbert
 // R-tree (1994).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -59,7 +60,7 @@ class BoxTree {
       return {{low[0][lane], low[1][lane], low[2][lane]},
               {high[0][lane], high[1][lane], high[2][lane]}};
     }
-    /// Returns, per lane, whether its box intersects the other box (0: no). Has no branches, so
+    /// Returns for each lane whether its box intersects the other box (0: no). Has no branches, so
     /// that the compiler can test all four lanes at once.
     std::array<std::int32_t, kWidth> intersecting(const FloatBox& other) const {
       alignas(16) std::array<std::int32_t, kWidth> hit;
@@ -84,8 +85,9 @@ class BoxTree {
   /// then neighbours in space, and large items do not enlarge the boxes of small ones. Best for few
   /// searches, or for one search over all pairs.
   /// Medians: by repeated halving along the axis on which the centres of the boxes spread most.
-  /// Takes twice as long to build. Time of a search near the items, relative to Curve: 0.5 to 1 for
-  /// balls and tori of 82,000 and 300,000 triangles, 0.6 to 1.4 for a machine part of 32,000.
+  /// Takes twice as long to build as Curve. The time of a search near the items, relative to Curve,
+  /// is 0.5 to 1 for balls and tori of 82,000 and 300,000 triangles, and 0.6 to 1.4 for a machine
+  /// part of 32,000 triangles.
   enum class Order { Curve, Medians };
 
   BoxTree() = default;
@@ -117,14 +119,16 @@ class BoxTree {
     return groups_[levels_[node.level].firstGroup + node.index / kWidth];
   }
 
-  /// Calls visit(place) for every item whose box intersects the box [low, high].
+  /// Calls visit(place) for every item whose box intersects the box [low, high], and perhaps for
+  /// some whose box is just outside.
   template <class Visit>
   void forBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Visit& visit) const;
 
-  /// Calls look(place, reach) for every item whose box is within `reach` of p, nearest box first.
-  /// look() may lower `reach`, and ends the search by returning false.
-  template <class Look>
-  void searchNear(const Eigen::Vector3d& p, double reach, const Look& look) const;
+  /// Calls visit(place, reach) for every item whose box is within `reach` of p, nearest box first,
+  /// and perhaps for some slightly farther away. If the tree has only one item, always calls
+  /// visit() for it. visit() may lower `reach`, and ends the search by returning false.
+  template <class Visit>
+  void searchNear(const Eigen::Vector3d& p, double reach, const Visit& visit) const;
 
  private:
   struct Level {
@@ -185,17 +189,17 @@ void BoxTree::forBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
   }
 }
 
-template <class Look>
-void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& look) const {
+template <class Visit>
+void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Visit& visit) const {
   if (empty()) return;
   const Eigen::Vector3d local = p - middle_;
   const float at[3] = {static_cast<float>(local[0]), static_cast<float>(local[1]),
                        static_cast<float>(local[2])};
-  const double room = 1.2e-7 * local.norm();  // twice the rounding of `at`
+  const double margin = 1.2e-7 * local.norm();  // twice the rounding of `at`
   // Returns the squared limit, with a margin for the rounding of squares and sums. Beyond 1e18
   // there is no limit, because the square would exceed the range of float.
   const auto limitOf = [&](double r) {
-    const double most = std::max(r, 0.0) + room;
+    const double most = std::max(r, 0.0) + margin;
     return most < 1e18 ? static_cast<float>(most * most * 1.00001) : HUGE_VALF;
   };
   float limit = limitOf(reach);
@@ -207,7 +211,7 @@ void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& loo
   int top = 0;
   stack[top++] = {0, root()};
   if (root().isItem()) {
-    look(0u, reach);
+    visit(0u, reach);
     return;
   }
   while (top > 0) {
@@ -241,7 +245,7 @@ void BoxTree::searchNear(const Eigen::Vector3d& p, double reach, const Look& loo
     for (int i = count; i-- > 0;) {
       if (squared[order[i]] > limit) break;
       const double before = reach;
-      if (!look(kWidth * item.node.index + order[i], reach)) return;
+      if (!visit(kWidth * item.node.index + order[i], reach)) return;
       if (reach < before) limit = limitOf(reach);
     }
   }

@@ -1,7 +1,7 @@
 // Cheap tests whether two triangles of a mesh certainly do not intersect.
 //
-// In: triangles of one mesh. Out: true only if they certainly do not intersect: margins are far
-// above rounding. If the result is false, the triangles may intersect; triangle_pairs.h then
+// In: triangles of one mesh. Out: true only if they certainly do not intersect; the margins are far
+// above rounding errors. If the result is false, the triangles may intersect; triangle_pairs.h then
 // decides. Cost: about ten nanoseconds, even where the exact predicates are slow (coplanar
 // triangles).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -18,13 +18,13 @@
 
 namespace swept {
 
-/// A triangle with the directions that most often separate it from others.
-class TriedTriangle {
+/// A triangle and the normals of the planes that most often separate it from other triangles.
+class TriangleSeparator {
  public:
-  TriedTriangle(const TriMesh& mesh, std::int32_t t)
-      : TriedTriangle(mesh.vertices, mesh.triangles[t]) {}
-  TriedTriangle(const std::vector<Eigen::Vector3d>& vertices,
-                const std::array<std::int32_t, 3>& tri) {
+  TriangleSeparator(const TriMesh& mesh, std::int32_t t)
+      : TriangleSeparator(mesh.vertices, mesh.triangles[t]) {}
+  TriangleSeparator(const std::vector<Eigen::Vector3d>& vertices,
+                    const std::array<std::int32_t, 3>& tri) {
     for (int i = 0; i < 3; ++i) corner_[i] = vertices[tri[i]];
     edge_ = {corner_[1] - corner_[0], corner_[2] - corner_[1], corner_[0] - corner_[2]};
     normal_ = edge_[0].cross(edge_[1]);
@@ -34,19 +34,21 @@ class TriedTriangle {
   const std::array<Eigen::Vector3d, 3>& corners() const { return corner_; }
 
   /// Returns true only if the other triangle certainly lies on one side of this triangle's plane.
-  bool partedByNormal(const TriedTriangle& other) const { return parted(normal_, 0, true, other); }
+  bool separatedByPlane(const TriangleSeparator& other) const {
+    return separated(normal_, 0, true, other);
+  }
   /// Returns true only if the other triangle certainly lies beyond an edge of this one. The test
   /// plane contains the edge and is perpendicular to this triangle.
-  bool partedByEdge(const TriedTriangle& other) const {
+  bool separatedByEdge(const TriangleSeparator& other) const {
     for (int i = 0; i < 3; ++i) {
-      if (parted(edge_[i].cross(normal_), i, false, other)) return true;
+      if (separated(edge_[i].cross(normal_), i, false, other)) return true;
     }
     return false;
   }
 
  private:
-  bool parted(const Eigen::Vector3d& axis, int origin, bool bothSides,
-              const TriedTriangle& other) const {
+  bool separated(const Eigen::Vector3d& axis, int origin, bool bothSides,
+                 const TriangleSeparator& other) const {
     constexpr double kMargin = 2e-14;  // about fifty times the rounding error
     double lowest = HUGE_VAL, highest = -HUGE_VAL, reach = size_;
     for (const Eigen::Vector3d& point : other.corner_) {

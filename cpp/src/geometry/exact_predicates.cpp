@@ -53,7 +53,7 @@ Exact3 exactDifference(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return {difference(a.x(), b.x()), difference(a.y(), b.y()), difference(a.z(), b.z())};
 }
 
-/// Adds sign * x * y * z, where each factor has two parts.
+/// Adds sign * x * y * z. The factors x, y and z are sums of two doubles each.
 template <int kCapacity>
 void addTriple(Expansion<kCapacity>& sum, const std::array<double, 2>& x,
                const std::array<double, 2>& y, const std::array<double, 2>& z, double sign) {

@@ -40,24 +40,24 @@ bool contains(const Polygon& polygon, const Point& p) {
   return inside;
 }
 
-/// Returns whether two segments without a common end cross, or one passes through an end of the
-/// other.
-bool blocks(const Point& a, const Point& b, const Point& c, const Point& d) {
+/// Returns whether two segments cross or an end of one lies on the other. Also returns true for all
+/// segments on one line, and false for segments with a common end.
+bool segmentsCross(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (a == c || a == d || b == c || b == d) return false;
   const double c1 = turn(a, b, c), d1 = turn(a, b, d), a1 = turn(c, d, a), b1 = turn(c, d, b);
   return ((c1 >= 0) != (d1 > 0) || (c1 > 0) != (d1 >= 0)) &&
          ((a1 >= 0) != (b1 > 0) || (a1 > 0) != (b1 >= 0));
 }
 
-/// Joins a hole to its polygon along the shortest of some lines that crosses neither the hole nor
-/// the polygon.
+/// Joins a hole to its polygon along the shortest candidate line that crosses neither of them. If
+/// there is no such line, takes the shortest candidate.
 void joinHole(Polygon& polygon, const Polygon& hole) {
   struct Bridge {
     double length;
     std::size_t outer, inner;
   };
   // Candidates: lines from the corner of the hole farthest towards +x to each corner of the
-  // polygon, nearest first.
+  // polygon, the shortest first.
   std::size_t start = 0;
   for (std::size_t k = 1; k < hole.size(); ++k)
     if (hole[k].at.x() > hole[start].at.x()) start = k;
@@ -69,9 +69,9 @@ void joinHole(Polygon& polygon, const Polygon& hole) {
   });
   const auto isFree = [&](const Bridge& bridge) {
     const Point &a = polygon[bridge.outer].at, &b = hole[bridge.inner].at;
-    for (const Polygon* round : {static_cast<const Polygon*>(&polygon), &hole})
-      for (std::size_t i = 0; i < round->size(); ++i)
-        if (blocks(a, b, (*round)[i].at, (*round)[(i + 1) % round->size()].at)) return false;
+    for (const Polygon* loop : {static_cast<const Polygon*>(&polygon), &hole})
+      for (std::size_t i = 0; i < loop->size(); ++i)
+        if (segmentsCross(a, b, (*loop)[i].at, (*loop)[(i + 1) % loop->size()].at)) return false;
     // The line must lead from the polygon's corner into the polygon.
     const std::size_t n = polygon.size();
     const Point &before = polygon[(bridge.outer + n - 1) % n].at,
@@ -108,7 +108,7 @@ class EarClipper {
         ++tried;
         continue;
       }
-      if (tried >= left) at = bestOfNone(at, left);
+      if (tried >= left) at = flattestCorner(at, left);
       emit(at, triangles);
       next_[before_[at]] = next_[at];
       before_[next_[at]] = before_[at];
@@ -139,14 +139,14 @@ class EarClipper {
     return true;
   }
 
-  /// If rounding left no ear, returns the corner with the least area, because cutting it off
-  /// changes the polygon least.
-  std::size_t bestOfNone(std::size_t at, std::size_t left) const {
+  /// Returns the corner with the smallest area, for a polygon in which rounding has left no ear.
+  /// Cutting it off changes the polygon least.
+  std::size_t flattestCorner(std::size_t at, std::size_t left) const {
     std::size_t best = at;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < left; ++k, at = next_[at])
-      if (const double bent = std::abs(area(at)); bent < least) {
-        least = bent;
+      if (const double size = std::abs(area(at)); size < least) {
+        least = size;
         best = at;
       }
     return best;
@@ -171,20 +171,21 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
   int axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const bool turned = normal[axis] < 0;
+  const bool reversed = normal[axis] < 0;
   std::vector<Polygon> outer, holes;
   double size = 0;
   for (const Loop& loop : loops) {
     Polygon polygon;
     for (const std::int32_t i : loop) {
       const Eigen::Vector3d p = points[i] - points[loops[0][0]];
-      polygon.push_back({i, turned ? Point(p[v], p[u]) : Point(p[u], p[v])});
+      polygon.push_back({i, reversed ? Point(p[v], p[u]) : Point(p[u], p[v])});
       size = std::max(size, p.squaredNorm());
     }
     (areaOf(polygon) < 0 ? holes : outer).push_back(std::move(polygon));
   }
   constexpr double kFlat = 1e-14;
-  if (outer.empty()) outer.swap(holes);  // the loops are slivers that rounding has turned over
+  // Without an outer loop, the loops are slivers whose orientation rounding has reversed.
+  if (outer.empty()) outer.swap(holes);
   // Joins the holes from right to left, so that a hole can be joined to a hole farther right.
   const auto right = [](const Polygon& polygon) {
     double most = -std::numeric_limits<double>::infinity();
@@ -194,15 +195,15 @@ void cutIntoTriangles(const std::vector<Loop>& loops, const std::vector<Eigen::V
   std::stable_sort(holes.begin(), holes.end(),
                    [&](const Polygon& a, const Polygon& b) { return right(a) > right(b); });
   for (const Polygon& hole : holes) {
-    std::size_t home = outer.size();
+    std::size_t container = outer.size();
     for (std::size_t k = 0; k < outer.size(); ++k)
       if (contains(outer[k], hole[0].at) &&
-          (home == outer.size() || areaOf(outer[k]) < areaOf(outer[home])))
-        home = k;
-    if (home == outer.size())
-      outer.push_back(hole);  // a sliver that rounding has turned over
+          (container == outer.size() || areaOf(outer[k]) < areaOf(outer[container])))
+        container = k;
+    if (container == outer.size())
+      outer.push_back(hole);  // a sliver whose orientation rounding has reversed
     else
-      joinHole(outer[home], hole);
+      joinHole(outer[container], hole);
   }
   for (const Polygon& polygon : outer)
     if (polygon.size() >= 3) EarClipper(polygon, kFlat * size).clip(triangles);

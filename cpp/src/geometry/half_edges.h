@@ -3,10 +3,10 @@
 // In: triangles with indices inside [0, vertexCount), in any condition: open, non-manifold,
 // misoriented. Half-edge h = 3 * triangle + k runs from corner k to corner k + 1 (mod 3).
 // Out: EdgeTable: one 64-bit record per half-edge, grouped by its smaller vertex, sorted within the
-// group. Adjacency: the half-edge on the other side of each half-edge, and the numbers of all
-// faults.
+// group. Adjacency: the half-edge on the other side of each half-edge, and the number of faults of
+// each kind.
 // Cost: O(n) time for n triangles; 8 bytes per half-edge and 4 per vertex for the table, 4 per
-// half-edge for the neighbours. A counting sort on all cores, without hashing.
+// half-edge for the neighbours. Method: a counting sort by several threads, without hashing.
 // Promise: the order depends on the triangles alone, never on threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

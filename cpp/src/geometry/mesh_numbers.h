@@ -15,7 +15,7 @@ namespace swept {
 
 struct BadIndex {
   std::int64_t triangle = 0;
-  std::int32_t vertex = 0;  ///< the index, for which there is no vertex
+  std::int32_t vertex = 0;  ///< an index for which there is no vertex
 };
 
 /// Returns the first triangle corner with a bad index, if any.
@@ -26,7 +26,7 @@ std::string badIndexText(const BadIndex& bad, const TriMesh& mesh);
 
 struct Coordinates {
   std::int64_t nonFinite = 0;                ///< vertices with a coordinate that is not finite
-  std::vector<std::int64_t> firstNonFinite;  ///< the first 8 of these at most
+  std::vector<std::int64_t> firstNonFinite;  ///< indices of the first of these, at most 8
   double largest = 0;          ///< mm, largest absolute coordinate of the finite vertices
   std::int64_t farthest = -1;  ///< the first vertex with that coordinate
 };

@@ -20,8 +20,8 @@ inline Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
 }
 
 /// Appends a triangle of `from` to `mesh`, and those of its vertices that `mesh` lacks. `number`:
-/// for each vertex of `from`, its index in `mesh`, or -1 if `mesh` lacks it. The function updates
-/// it.
+/// for each vertex of `from`, its index in `mesh`, or -1 if `mesh` lacks it; the function updates
+/// `number`.
 inline void takeTriangle(const TriMesh& from, std::size_t triangle,
                          std::vector<std::int32_t>& number, TriMesh& mesh) {
   std::array<std::int32_t, 3> corners = from.triangles[triangle];

@@ -8,7 +8,7 @@
 
 namespace swept {
 
-/// Spreads the lowest 21 bits, with two zero bits between any two.
+/// Spreads the lowest 21 bits, with two zero bits between neighbouring bits.
 constexpr std::uint64_t spreadBits(std::uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffffull;

@@ -17,7 +17,7 @@ double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double eno
   double best = limit;
   // True only after a triangle was found: `limit` alone may already be below `enough`.
   bool isEnough = false;
-  const auto look = [&](std::int32_t t) {
+  const auto test = [&](std::int32_t t) {
     const double d = squaredDistanceTo(p, t);
     if (d >= best) return false;
     best = d;
@@ -25,23 +25,23 @@ double NearestTriangle::query(const Eigen::Vector3d& p, double limit, double eno
     isEnough = d <= enough;
     return true;
   };
-  if (hint >= 0) look(hint);
+  if (hint >= 0) test(hint);
   if (isEnough) return best;
   tree_.searchNear(p, std::sqrt(best), [&](std::uint32_t place, double& reach) {
-    if (look(tree_.item(place))) reach = std::sqrt(best);
+    if (test(tree_.item(place))) reach = std::sqrt(best);
     return !isEnough;
   });
   return best;
 }
 
-void NearestTriangle::lookAround(const Eigen::Vector3d& p, std::int32_t at, int depth, double limit,
-                                 double& best, std::int32_t& hint) const {
+void NearestTriangle::testNeighbours(const Eigen::Vector3d& p, std::int32_t at, int depth,
+                                     double limit, double& best, std::int32_t& hint) const {
   for (int k = 0; k < 3 && best > limit; ++k) {
     const std::uint32_t other = across_[3 * static_cast<std::size_t>(at) + k];
     if (other == kNoNeighbour) continue;
     const auto next = static_cast<std::int32_t>(other / 3);
     if (depth > 1) {
-      lookAround(p, next, depth - 1, limit, best, hint);
+      testNeighbours(p, next, depth - 1, limit, best, hint);
       continue;
     }
     const double d = squaredDistanceTo(p, next);
@@ -56,8 +56,8 @@ bool NearestTriangle::isNear(const Eigen::Vector3d& p, double limit, std::int32_
     double best = squaredDistanceTo(p, hint);
     while (best > limit) {
       const std::int32_t at = hint;
-      lookAround(p, at, 1, limit, best, hint);
-      if (hint == at) lookAround(p, at, 2, limit, best, hint);
+      testNeighbours(p, at, 1, limit, best, hint);
+      if (hint == at) testNeighbours(p, at, 2, limit, best, hint);
       if (hint == at) break;
     }
     if (best <= limit) return true;

@@ -24,7 +24,7 @@ class NearestTriangle {
   using Triangles = std::vector<std::array<std::int32_t, 3>>;
   /// Whether isNear() may walk from triangle to triangle, which takes 12 more bytes per triangle.
   enum class Walks { No, Yes };
-  /// Keeps references to `vertices` and `triangles`; they must outlive the tree.
+  /// Keeps references to `vertices` and `triangles`; they must outlive this object.
   NearestTriangle(const std::vector<Eigen::Vector3d>& vertices, const Triangles& triangles,
                   Walks walks = Walks::No);
 
@@ -35,8 +35,8 @@ class NearestTriangle {
     return query(p, limit, enough, hint);
   }
   /// Does the same for a series of nearby points. `hint` is the triangle found for the previous
-  /// point (-1: none). It is tested first, and is the only one tested if it lies within `enough`.
-  /// `hint` receives the triangle found.
+  /// point (-1: none). This triangle is tested first. If it lies within `enough`, no other triangle
+  /// is tested. `hint` receives the triangle found.
   double query(const Eigen::Vector3d& p, double limit, double enough, std::int32_t& hint) const;
 
   /// Returns whether a triangle lies within the squared distance `limit` of p, as query(p,
@@ -46,10 +46,10 @@ class NearestTriangle {
   bool isNear(const Eigen::Vector3d& p, double limit, std::int32_t& hint) const;
 
  private:
-  /// Tests the triangles that are `depth` edges away from the triangle `at`. `best` and `hint`
-  /// receive the squared distance and the index of a nearer one.
-  void lookAround(const Eigen::Vector3d& p, std::int32_t at, int depth, double limit, double& best,
-                  std::int32_t& hint) const;
+  /// Tests the triangles that are `depth` edges away from the triangle `at`. If a tested triangle
+  /// is nearer than `best`, `best` and `hint` receive its squared distance and its index.
+  void testNeighbours(const Eigen::Vector3d& p, std::int32_t at, int depth, double limit,
+                      double& best, std::int32_t& hint) const;
   double squaredDistanceTo(const Eigen::Vector3d& p, std::int32_t t) const {
     const auto& tri = triangles_[t];
     return squaredDistance(p, vertices_[tri[0]], vertices_[tri[1]], vertices_[tri[2]]);

@@ -1,7 +1,7 @@
 // Weighted quadratic error of planes: E(x) = sum w (n . (x - p))^2 (Garland and Heckbert 1997).
 //
 // Units: those of the points. Points should be relative to a nearby origin, because a distant
-// origin costs digits.
+// origin increases the rounding errors.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -55,11 +55,12 @@ struct Quadric {
   }
   /// Returns the mean squared distance of x from the planes.
   double mean(const Eigen::Vector3d& x) const { return weight > 0 ? error(x) / weight : 0; }
-  /// Returns the minimiser, with a small damping (a millionth of the planes' weight) that pulls
-  /// it towards `about`. In directions that the planes do not determine, the result stays at
-  /// `about`. About ten times as fast as minimise().
+  /// Returns the minimiser of error() plus a small damping term, which pulls it towards `about`. In
+  /// directions that the planes do not determine, the result stays at `about`. About ten times as
+  /// fast as minimise().
   Eigen::Vector3d dampedMinimiser(const Eigen::Vector3d& about) const {
-    constexpr double kDamping = 1e-6;  // as strong as planes that differ by a tenth of a degree
+    // With this damping, planes at an angle below about 0.1 degrees act as one plane.
+    constexpr double kDamping = 1e-6;
     Eigen::Matrix3d m = matrix();
     const Eigen::Vector3d g = b - m * about;
     m.diagonal().array() += kDamping * (a[0] + a[3] + a[5]);

@@ -16,8 +16,8 @@ namespace {
 
 /// Projects the segment a-b to (y, z). Returns +1 or -1 if it crosses the ray from (y, z) towards
 /// +y, otherwise 0. The test is half-open in z, so each corner belongs to one of its two segments.
-/// The segment is evaluated from its lower end, so both triangles of an edge get the same answer.
-int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double z) {
+/// The segment is evaluated from its lower end, so both triangles of an edge get the same result.
+int crossingSign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double z) {
   const bool aboveA = a.z() > z;
   const bool aboveB = b.z() > z;
   if (aboveA == aboveB) return 0;
@@ -28,7 +28,7 @@ int passes(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, double 
 }
 
 /// Limits of the mean number of columns per triangle, and of the total number of pairs (triangle,
-/// column). The pairs are numbered with 32 bits. If a limit is exceeded, the columns become wider.
+/// column), which are numbered with 32 bits. If a limit is exceeded, the columns become wider.
 constexpr double kMaxColumns = 256, kMaxPairs = 4e9;
 constexpr std::size_t kColumnBlock = 1 << 13;
 constexpr double kColumnMargin = 1e-12;  ///< margin as a fraction of the largest coordinate
@@ -84,19 +84,19 @@ void RayColumns::forRows(std::size_t triangle, const Use& use) const {
   if (yHigh < low_.y() || yLow > high_.y() || zHigh < low_.z() || zLow > high_.z()) return;
   const std::int32_t y0 = column(yLow, 1), y1 = column(yHigh, 1);
   const std::int32_t z0 = column(zLow, 2), z1 = column(zHigh, 2);
-  const bool few = y1 - y0 < 2 || z1 - z0 < 2;
-  // This margin is far above the rounding of the limits of a row and of a point on an edge.
-  const Eigen::Vector3d room = kColumnMargin * low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
+  const bool isNarrow = y1 - y0 < 2 || z1 - z0 < 2;
+  // This margin is far above the rounding errors in the limits of a row and in a point on an edge.
+  const Eigen::Vector3d margin = kColumnMargin * low_.cwiseAbs().cwiseMax(high_.cwiseAbs());
   const double row = (high_.z() - low_.z()) / columns_;
   for (std::int32_t z = z0; z <= z1; ++z) {
-    if (few) {
+    if (isNarrow) {
       use(z, y0, y1);
       continue;
     }
-    const double from = z == z0 ? zLow : low_.z() + z * row - room.z();
-    const double to = z == z1 ? zHigh : low_.z() + (z + 1) * row + room.z();
+    const double from = z == z0 ? zLow : low_.z() + z * row - margin.z();
+    const double to = z == z1 ? zHigh : low_.z() + (z + 1) * row + margin.z();
     const auto [first, last] = between(corners, from, to);
-    if (first <= last) use(z, column(first - room.y(), 1), column(last + room.y(), 1));
+    if (first <= last) use(z, column(first - margin.y(), 1), column(last + margin.y(), 1));
   }
 }
 
@@ -144,10 +144,10 @@ void RayColumns::forCrossings(double y, double z, const Visit& visit) const {
     const auto& tri = mesh_.triangles[t];
     const auto &a = mesh_.vertices[tri[0]], &b = mesh_.vertices[tri[1]],
                &c = mesh_.vertices[tri[2]];
-    // If the whole triangle lies beside the line in y, its sides cancel each other or do not cross
-    // the ray.
+    // If all corners have a smaller y, or all have a larger y, the line misses the triangle. In the
+    // sum below, its sides would not cross the ray or would cancel each other.
     if (std::min({a.y(), b.y(), c.y()}) > y || std::max({a.y(), b.y(), c.y()}) < y) continue;
-    const int turn = passes(a, b, y, z) + passes(b, c, y, z) + passes(c, a, y, z);
+    const int turn = crossingSign(a, b, y, z) + crossingSign(b, c, y, z) + crossingSign(c, a, y, z);
     if (turn == 0) continue;
     const Eigen::Vector3d n = (b - a).cross(c - a);
     const double low = std::min({a.x(), b.x(), c.x()});

@@ -2,10 +2,11 @@
 //
 // In: triangles. Out: winding numbers; for a line (y, z), its crossings in ascending x with their
 // directions. Units: any one unit of length.
-// Cost: O(n) to build for n triangles; one column of triangles per line. A triangle is listed in
-// the columns that it covers, not in all columns of its box, because CAD parts have long triangles.
-// With a BoxTree, the same rays take 0.75 to 6 times as long, mostly three times (a machine part, a
-// ball, a torus; 32,000 to 300,000 triangles; points in the box and near the surface).
+// Cost: O(n) to build for n triangles; a query tests the triangles of one column. A triangle is
+// listed in the columns that it covers, not in all columns of its box, because CAD parts have long
+// triangles. With a BoxTree, the same rays take 0.75 to 6 times as long, mostly three times (a
+// machine part, a ball, a torus; 32,000 to 300,000 triangles; points in the box and near the
+// surface).
 // Promise: a line through a shared edge or vertex crosses a closed surface consistently, even if
 // the triangles at an edge have equal but separate vertices. For this, the projected corners follow
 // a half-open rule, and each edge is evaluated in one direction.

@@ -69,7 +69,7 @@ class PairSearch {
 
   void search(std::int32_t level, std::uint32_t a, std::uint32_t b, Found& found) const {
     if (level == 1) {
-      meetGroups(a, b, found);
+      intersectGroups(a, b, found);
       return;
     }
     forEachChildPair(level, a, b,
@@ -94,10 +94,10 @@ class PairSearch {
     }
   }
 
-  void meetGroups(std::uint32_t a, std::uint32_t b, Found& found) const {
+  void intersectGroups(std::uint32_t a, std::uint32_t b, Found& found) const {
     const BoxTree::Group &p = tree_.childBoxes({1, a}), &q = tree_.childBoxes({1, b});
     const GroupVertices &u = vertices_[a], &v = vertices_[b];
-    std::optional<TriedTriangle> first;
+    std::optional<TriangleSeparator> first;
     for (int i = 0; i < kWidth; ++i) {
       auto hit = q.intersecting(p.box(i));
       for (int k = 0; k < 3; ++k) {
@@ -111,16 +111,16 @@ class PairSearch {
         if (hit[j] == 0) continue;
         const std::int32_t t = tree_.item(kWidth * a + i);
         if (!first) first.emplace(mesh_, t);
-        meetTriangles(*first, t, tree_.item(kWidth * b + j), found);
+        intersectTriangles(*first, t, tree_.item(kWidth * b + j), found);
       }
     }
   }
 
-  void meetTriangles(const TriedTriangle& first, std::int32_t a, std::int32_t b,
-                     Found& found) const {
-    const TriedTriangle second(mesh_, b);
-    if (first.partedByEdge(second) || first.partedByNormal(second) || second.partedByEdge(first) ||
-        second.partedByNormal(first)) {
+  void intersectTriangles(const TriangleSeparator& first, std::int32_t a, std::int32_t b,
+                          Found& found) const {
+    const TriangleSeparator second(mesh_, b);
+    if (first.separatedByEdge(second) || first.separatedByPlane(second) ||
+        second.separatedByEdge(first) || second.separatedByPlane(first)) {
       return;
     }
     if (hasNoArea(mesh_, a) || hasNoArea(mesh_, b)) return;

@@ -20,8 +20,8 @@ namespace swept {
 struct SelfIntersections {
   std::int64_t count = 0;
   /// Each pair has the smaller triangle index first; pairs are in ascending order. The list is
-  /// complete unless a part of the mesh has more than a million pairs; further pairs are only
-  /// counted.
+  /// complete unless a part of the mesh has more than a million pairs. Further pairs are then only
+  /// counted; further pairs with a common corner are not even counted.
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
 };
 

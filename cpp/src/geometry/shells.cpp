@@ -13,23 +13,23 @@ namespace {
 
 constexpr std::size_t kShellBlock = 1 << 14;
 
-/// The shells within one block of triangles, in the order of their first triangles.
+/// The extents of the shells within one block of triangles, in the order of their first triangles.
 using Parts = std::vector<std::pair<std::int32_t, ShellExtent>>;
 
 Parts measureBlock(const TriMesh& mesh, const Shells& shells,
                    const std::vector<Eigen::Vector3d>& origins, std::size_t begin,
                    std::size_t end) {
   Parts parts;
-  std::unordered_map<std::int32_t, std::size_t> places;
-  std::size_t place = 0;
+  std::unordered_map<std::int32_t, std::size_t> indexOfShell;
+  std::size_t index = 0;
   for (std::size_t t = begin; t < end; ++t) {
     const std::int32_t s = shells.ofTriangle[t];
-    if (parts.empty() || parts[place].first != s) {
-      const auto [it, fresh] = places.try_emplace(s, parts.size());
+    if (parts.empty() || parts[index].first != s) {
+      const auto [it, fresh] = indexOfShell.try_emplace(s, parts.size());
       if (fresh) parts.emplace_back(s, ShellExtent{});
-      place = it->second;
+      index = it->second;
     }
-    ShellExtent& part = parts[place].second;
+    ShellExtent& part = parts[index].second;
     if (part.first < 0) part.first = static_cast<std::int32_t>(t);
     part.last = static_cast<std::int32_t>(t);
     const auto& tri = mesh.triangles[t];

@@ -4,7 +4,7 @@
 // of their first triangles. Units: mm.
 // Cost: O(n) for n triangles on all cores; a query about nesting takes one ray.
 // Promise: numbers and volumes do not depend on the number of threads. A volume is measured from a
-// vertex of its own shell, so that a distant origin costs no digits.
+// vertex of its own shell, so that a distant origin does not increase the rounding errors.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -42,8 +42,8 @@ std::vector<ShellExtent> measureShells(const TriMesh& mesh, const Shells& shells
 /// Returns whether the inner box lies inside the outer box without touching its sides.
 bool liesStrictlyInside(const Eigen::AlignedBox3d& inner, const Eigen::AlignedBox3d& outer);
 
-/// Returns a point inside a triangle, away from symmetric positions (its weights are no simple
-/// fractions).
+/// Returns a point inside a triangle. Its barycentric coordinates are no simple fractions, so it
+/// seldom lies in a plane of symmetry of the body.
 Eigen::Vector3d pointOnTriangle(const TriMesh& mesh, std::int32_t triangle);
 
 /// Finds the shells that contain a point of the mesh, by the parity of a ray's crossings with each

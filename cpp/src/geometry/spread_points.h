@@ -9,8 +9,8 @@
 
 namespace swept {
 
-/// Calls stop(point) for points at most about `spacing` apart. Each point is a neighbour of the
-/// previous one. Triangles larger than 32 times the spacing get 32 steps, so their points are
+/// Calls stop(point) for points at most about `spacing` apart. Successive points are neighbours. If
+/// a triangle is larger than 32 times the spacing, its sides get 32 steps, so the points are
 /// farther apart. Returns true as soon as stop() returns true.
 template <class Stop>
 bool spreadPoints(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,

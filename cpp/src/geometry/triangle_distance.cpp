@@ -43,7 +43,7 @@ void nearestOnSegments(const Vector3d& p, const Vector3d& u, const Vector3d& q, 
 struct Face {
   const Triangle3d& c;
   Vector3d normal;
-  double squared;  // of the normal; 0 for needles, whose normal is inexact; their edges suffice
+  double squared;  // of the normal; 0 for needles: their normal is inexact, and their edges suffice
   explicit Face(const Triangle3d& corners)
       : c(corners), normal((c[1] - c[0]).cross(c[2] - c[0])), squared(normal.squaredNorm()) {
     const double edge = std::max((c[1] - c[0]).squaredNorm(), (c[2] - c[0]).squaredNorm());
@@ -63,7 +63,7 @@ void faceCandidates(const Face& face, const Triangle3d& other, bool swapped, Nea
   if (!(face.squared > 0)) return;
   const std::array<double, 3> h{face.height(other[0]), face.height(other[1]),
                                 face.height(other[2])};
-  const auto keep = [&](double squared, const Vector3d& onFace, const Vector3d& onOther) {
+  const auto update = [&](double squared, const Vector3d& onFace, const Vector3d& onOther) {
     if (squared >= best.squared) return;
     best.squared = squared;
     best.a = swapped ? onOther : onFace;
@@ -72,11 +72,11 @@ void faceCandidates(const Face& face, const Triangle3d& other, bool swapped, Nea
   for (int k = 0; k < 3; ++k) {
     const double squared = h[k] * h[k] / face.squared;
     if (squared < best.squared && face.covers(other[k]))
-      keep(squared, other[k] - face.normal * (h[k] / face.squared), other[k]);
+      update(squared, other[k] - face.normal * (h[k] / face.squared), other[k]);
     const int l = (k + 1) % 3;
     if ((h[k] < 0) != (h[l] < 0)) {
       const Vector3d x = other[k] + (other[l] - other[k]) * (h[k] / (h[k] - h[l]));
-      if (face.covers(x)) keep(0.0, x, x);
+      if (face.covers(x)) update(0.0, x, x);
     }
   }
 }

@@ -1,10 +1,10 @@
 // Computes the distance between a point and a triangle, and between two triangles.
 //
 // In: corners, in any unit. Out: the nearest points. Cost: constant.
-// Promise: degenerate triangles (needles, points) are allowed: their edges still count. The
-// distance of a point is exact up to rounding; for needles, the error is at most 1e-8 of their
-// length. For two triangles with nearly parallel edges (common on machine parts), the error is at
-// most about 1e-8 of their length.
+// Promise: degenerate triangles are allowed; their edges still count. A needle is a triangle whose
+// corners lie nearly on a line. The distance of a point is exact up to rounding; for needles, the
+// error is at most 1e-8 of their length. For two triangles with nearly parallel edges (common on
+// machine parts), the error is at most about 1e-8 of their length.
 // Source: C. Ericson, Real-Time Collision Detection (2005), 5.1.5 and 5.1.9.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -27,10 +27,10 @@ struct Foot {
 };
 
 namespace detail {
-/// Finds the foot from the plane and the edges: slower than footOnTriangle(), but also right for
+/// Finds the foot from the plane and the edges. Slower than footOnTriangle(), but also accurate for
 /// needles.
 Foot footOnNeedle(const Eigen::Vector3d& p, const Triangle3d& triangle);
-/// Returns part / whole, and 0 if an edge has no extent.
+/// Returns part / whole, or 0 if `part` is not positive (then an edge may have length 0).
 inline double fractionOf(double part, double whole) { return part > 0 ? part / whole : 0; }
 }  // namespace detail
 
@@ -38,8 +38,8 @@ inline double fractionOf(double part, double whole) { return part > 0 ? part / w
 inline Foot footOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                            const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   // A triangle is a needle if its squared area is below this fraction of that of a right-angled
-  // triangle with equally long edges. Its barycentric coordinates are then mostly rounding: their
-  // error is about 1e-16 times the fourth power of the edge length.
+  // triangle with equally long edges ab and ac. Its barycentric coordinates are then mostly
+  // rounding: their error is about 1e-16 times the fourth power of the edge length.
   constexpr double kNeedle = 1e-8;
   const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);

@@ -118,8 +118,8 @@ bool trianglesMeet(const Corners& p, const Corners& q) {
 
 bool meetBeyondVertex(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                       const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
-  // Near v, both triangles are cones over arcs (a, b) and (c, d) of a sphere round v. They share
-  // more than v exactly if the arcs intersect.
+  // Near v, the triangles are cones over the arcs (a, b) and (c, d) of a sphere around v. They
+  // share more than v exactly if the arcs intersect.
   const int sc = orientation3d(v, a, b, c), sd = orientation3d(v, a, b, d);
   if (sc * sd > 0) return false;
   const int sa = orientation3d(v, c, d, a), sb = orientation3d(v, c, d, b);
@@ -132,7 +132,8 @@ bool meetBeyondVertex(const Eigen::Vector3d& v, const Eigen::Vector3d& a, const 
   if (sd == 0) return wedgeContains(v, a, b, d);
   if (sa == 0) return wedgeContains(v, c, d, a);
   if (sb == 0) return wedgeContains(v, c, d, b);
-  // If this is false, each arc crosses the other's plane at the opposite point.
+  // Each arc crosses the line in which the two planes intersect. The arcs intersect if they cross
+  // it on the same side of v.
   return sc == sb && sd == sa;
 }
 
@@ -147,7 +148,7 @@ bool trianglesIntersect(const std::vector<Eigen::Vector3d>& vertices,
                         const std::array<std::int32_t, 3>& p,
                         const std::array<std::int32_t, 3>& q) {
   auto at = [&](std::int32_t v) -> const Eigen::Vector3d& { return vertices[v]; };
-  // Move the common corners to the front of both.
+  // Move the common corners to the front of both corner lists.
   int common = 0;
   std::array<std::int32_t, 3> a = p, b = q;
   for (int i = 0; i < 3; ++i) {

@@ -10,8 +10,8 @@
 namespace swept {
 namespace {
 
-/// Collects the crossings of one column. Keeps, for each lattice edge, the crossings nearest to its
-/// two ends. A bit set marks the crossed edges, so no sorting is needed.
+/// Collects the crossings of one column. For each lattice edge, keeps the crossing nearest to each
+/// of its two ends. A bit set marks the crossed edges, so no sorting is needed.
 class ColumnEnds {
  public:
   explicit ColumnEnds(std::size_t points) : ends_(points), crossed_(points / 64 + 1, 0) {}
@@ -25,12 +25,13 @@ class ColumnEnds {
       ends = {r, r};
       return;
     }
-    // Of several crossings at the same position, both ends keep the one with the smallest element.
-    const auto firstOf = [&](const CrossingRecord& other) {
+    // Of several crossings at the same position, both ends keep the one whose element has the
+    // smallest index.
+    const auto precedes = [&](const CrossingRecord& other) {
       return r.key == other.key && r.element < other.element;
     };
-    if (r.key < ends.low.key || firstOf(ends.low)) ends.low = r;
-    if (r.key > ends.high.key || firstOf(ends.high)) ends.high = r;
+    if (r.key < ends.low.key || precedes(ends.low)) ends.low = r;
+    if (r.key > ends.high.key || precedes(ends.high)) ends.high = r;
   }
   /// Calls use(k, low, high) for the crossed edges in ascending order of k, and removes them from
   /// this object.
@@ -139,16 +140,16 @@ void keepEnds(std::vector<CrossingRecord>& records, const GridPlan& grid) {
   }
 }
 
-void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room) {
-  room.swap(chunk.records);
+void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& spare) {
+  spare.swap(chunk.records);
   chunk.records = {};
   chunk.layerStart = sortByBucket(
       static_cast<std::size_t>(grid.points[0]),
       [&](const auto& use) {
-        for (const auto& r : room) use(r);
+        for (const auto& r : spare) use(r);
       },
       [](const CrossingRecord& r) { return r.layer(); }, chunk.records);
-  room.clear();
+  spare.clear();
 }
 
 MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, RunContext& run) {
@@ -172,8 +173,8 @@ MarkedEdges sortRecords(std::vector<RecordChunk>& chunks, const GridPlan& grid, 
   out.elements.resize(elementCount);
   parallelFor(chunks.size(), [&](std::size_t c) {
     RecordChunk& chunk = chunks[c];
-    std::vector<CrossingRecord> room;
-    if (chunk.layerStart.empty()) orderByLayer(chunk, grid, room);
+    std::vector<CrossingRecord> spare;
+    if (chunk.layerStart.empty()) orderByLayer(chunk, grid, spare);
     std::copy(chunk.elements.begin(), chunk.elements.end(), out.elements.begin() + elementBase[c]);
     std::vector<SweptElement>().swap(chunk.elements);
   });

@@ -1,8 +1,8 @@
 // Sorts the raw crossings of any sampler into marked edges, layer by layer.
 //
 // In: chunks of records, in any order. Out: marked edges that depend only on the contents of the
-// chunks. Cost: O(crossings) time; 12 bytes per crossing, and another 12 bytes per crossing of one
-// work item.
+// chunks. Cost: O(crossings) time; 12 bytes per crossing, and another 12 bytes for each crossing of
+// the chunks that are being sorted.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -39,7 +39,7 @@ struct __attribute__((packed, aligned(4))) CrossingRecord {
 };
 static_assert(sizeof(CrossingRecord) == 12);
 
-/// The crossings of one work item, and the elements to which they refer by index within the item.
+/// The crossings of one work item. A crossing refers to its element by the index in `elements`.
 struct RecordChunk {
   std::vector<CrossingRecord> records;
   std::vector<SweptElement> elements;
@@ -59,9 +59,9 @@ struct RecordChunk {
   }
 };
 
-/// Orders the records by layer, in an array without spare capacity. `room` receives the chunk's old
-/// array, emptied, for reuse by the next chunk.
-void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& room);
+/// Orders the records by layer, in an array without spare capacity. `spare` receives the previous
+/// array of the chunk, emptied, so that the next chunk can use it again.
+void orderByLayer(RecordChunk& chunk, const GridPlan& grid, std::vector<CrossingRecord>& spare);
 
 /// Keeps only the records that sortRecords() would select on each lattice edge. The records may be
 /// in any order.

@@ -11,8 +11,8 @@
 
 namespace swept {
 
-/// 13 bits per index and 17 bits within a cell (snap.h) make 30 bits, so that differences fit into
-/// 32 bits.
+/// 13 bits for an index and 17 bits for the position within a cell (snap.h) make 30 bits, so that
+/// differences fit into 32 bits.
 constexpr int kMaxPointsPerSide = 8191;
 
 struct GridPlan {
@@ -23,8 +23,8 @@ struct GridPlan {
   std::array<std::int64_t, 3> cells() const {
     return {points[0] - 1, points[1] - 1, points[2] - 1};
   }
-  /// Returns the placement in grid coordinates: applied to a point in mm, it gives cells from the
-  /// origin.
+  /// Returns the placement that maps a point of the body (mm) to grid coordinates (cells from the
+  /// origin).
   Placement toGrid(const Placement& p) const {
     return {p.rotation / cell, (p.translation - origin) / cell, p.timeSeconds};
   }

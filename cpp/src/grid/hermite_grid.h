@@ -1,5 +1,6 @@
-// Two-sided Hermite data of the envelope. For every end of a lattice edge that lies outside, it has
-// the first crossing on the edge, starting at this end (the crossing "seen" from this end).
+// Two-sided Hermite data of the envelope. For each end of a lattice edge that lies outside, the
+// grid has the first crossing on the edge, counted from this end (the crossing "seen" from this
+// end).
 //
 // Memory: 8 bytes per edge, 24 bytes per crossing.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -26,7 +27,7 @@ struct HermiteEdge {
   /// the high end. If the edge has both, their indices are successive.
   std::uint32_t first = 0;
   std::uint16_t k = 0;
-  /// Bits kLow and kHigh: a bit is set if this end of the edge lies outside. Then there is a
+  /// Bits kLow and kHigh. A bit is set if this end of the edge lies outside. There is then a
   /// crossing seen from this end.
   std::uint8_t sides = 0;
 };
@@ -47,7 +48,7 @@ struct HermiteGrid {
   /// Per crossing: its time in double (s). Empty unless ExactTimes::Kept was requested.
   std::vector<double> exactSeconds;
   std::int64_t markedEdges = 0;
-  std::int64_t sheetEdges = 0;  ///< edges whose two crossings are the same point
+  std::int64_t sheetEdges = 0;  ///< edges that cross a sheet: both crossings are one point
 };
 
 }  // namespace swept

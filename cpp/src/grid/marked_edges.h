@@ -1,5 +1,5 @@
-// The output of every sampler. For each lattice edge that the swept surface crosses, it has the
-// first crossing from each of its two ends (the crossing "seen" from this end).
+// The output of every sampler: for each lattice edge that the swept surface crosses, the first
+// crossing from each of the two ends (the crossing "seen" from this end).
 //
 // Memory: 20 bytes per edge. The size grows with the area of the surface.
 // SPDX-License-Identifier: LGPL-2.1-or-later

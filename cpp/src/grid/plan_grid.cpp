@@ -13,10 +13,10 @@ namespace swept {
 namespace {
 
 /// Returns the vertices that can be the farthest along a world axis at any placement. In
-/// coordinates of the body, the axis has a direction d at each placement, which differs from the
-/// first d by at most `turn`. So the lead of one vertex over another changes by at most 2 * radius
-/// * turn. A vertex that lies farther behind than this at the first placement can never become the
-/// farthest.
+/// coordinates of the body, the axis has a unit direction at each placement. These directions
+/// differ from the first one, d, by vectors of length `turn` or less. So the distance of one vertex
+/// ahead of another along the axis changes by at most 2 * radius * turn. A vertex that lies farther
+/// behind than this at the first placement can never become the farthest.
 std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& centre,
                                    const Motion& motion, int axis, double side) {
   const Eigen::RowVector3d d = side * motion.placements.front().rotation.row(axis);
@@ -37,8 +37,9 @@ std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& c
   return out;
 }
 
-/// Returns the bounding box of the body in many similar placements. Returns an empty box if they
-/// differ so much that, along one of the axes, foremost() leaves more than 1/16 of the vertices.
+/// Returns the bounding box of the body in many similar placements. Returns an empty box if the
+/// placements differ so much that, along one of the axes, foremost() returns more than 1/16 of the
+/// vertices.
 Eigen::AlignedBox3d boxOfSimilarPlacements(const TriMesh& body, const Eigen::Vector3d& centre,
                                            const Motion& motion) {
   Eigen::AlignedBox3d box;

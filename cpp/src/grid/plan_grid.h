@@ -1,8 +1,8 @@
-// Chooses extent and cell of the grid before large arrays are allocated.
+// Chooses the extent and the cell size of the grid before large arrays are allocated.
 //
 // In: body, motion, options. Out: the grid, with at least one empty cell on every side of the
-// sweep. Units: mm. Cost: O(placements + a few times the vertices), because most placements are
-// skipped: the posed box of the body lies within the box found so far.
+// sweep. Units: mm. Cost: O(placements + a few times the vertices). Most placements are skipped,
+// because the box of the body at the placement lies within the box found so far.
 // Source: own method.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -16,8 +16,8 @@
 
 namespace swept {
 
-/// Empty cells on each side of the sweep. The odd fraction makes axis-parallel planes miss lattice
-/// points.
+/// Empty cells on each side of the sweep. With this fraction, axis-parallel faces of the sweep
+/// seldom pass through lattice points.
 constexpr double kGridMarginCells = 1.37;
 
 /// Returns the exact bounding box (mm) of the body's vertices in all placements.

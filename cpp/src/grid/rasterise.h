@@ -7,9 +7,9 @@
 // Source: simulation of simplicity (Edelsbrunner and Muecke 1990).
 //
 // Vertices are odd integers in units of 2^-17 cell, and lattice lines lie at multiples of 2^17. So
-// no vertex ever lies on the row or column of a line. A line may still lie exactly on an edge, or a
-// lattice point exactly on a plane. Then the lattice is treated as shifted by (e, e^2, e^3), where
-// e tends to 0. The shift is the same for all axes.
+// a vertex never has a coordinate in common with a lattice line. A line may still meet an edge
+// exactly, or a lattice point may lie exactly on a plane. Then the lattice is treated as shifted by
+// (e, e^2, e^3), where e tends to 0. The shift is the same for all axes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -25,12 +25,14 @@ namespace swept {
 namespace detail {
 
 /// Breaks the tie for a line that lies exactly on an edge with the direction (du, dv) of a
-/// counterclockwise triangle. Returns whether the line lies on the inner side of the edge once it
-/// is shifted a little along u, and far less along v (see the top of this file).
+/// counter-clockwise triangle. Returns whether the line lies on the inner side of the edge once the
+/// line is shifted a little along u, and far less along v (see the top of this file).
 inline bool tieIsInside(std::int64_t du, std::int64_t dv) { return dv < 0 || (dv == 0 && du > 0); }
 
-/// Decides exactly whether a crossing lies above the shifted lattice point k of its line. Used for
-/// crossings so near to this point that a rounded position cannot decide.
+/// Decides exactly whether a crossing lies above the shifted lattice point k of its line. `e`:
+/// barycentric coordinates of the line in the triangle, times area2. `w`: coordinates of the
+/// corners along the line. Used for crossings so near to the lattice point that a rounded position
+/// cannot decide.
 template <int W>
 bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std::int64_t, 3>& w,
                      std::int64_t area2, std::int64_t k, const SnappedPoint& a,
@@ -40,9 +42,10 @@ bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std:
                              static_cast<__int128>(e[2]) * w[2];
   const __int128 point = static_cast<__int128>(area2) * (k * static_cast<std::int64_t>(kSubUnits));
   if (numerator != point) return numerator > point;
-  // The lattice point lies on the plane. Decide as if it moved slightly along the first axis with a
-  // non-zero component of the normal. Along an axis other than W, the height of the surface then
-  // changes by -n_axis / n_W. Along W, the lattice point itself moves up, above the crossing.
+  // The lattice point lies on the plane of the triangle. Decide as if it moved slightly along the
+  // first axis with a non-zero component of the normal. Along an axis other than W, the height of
+  // the plane then changes by -n_axis / n_W. Along W, the lattice point itself moves up, above the
+  // crossing.
   const auto component = [&](int axis) {
     const int p = (axis + 1) % 3, q = (axis + 2) % 3;
     const std::int64_t bp = b[p] - a[p], bq = b[q] - a[q], cp = c[p] - a[p], cq = c[q] - a[q];
@@ -105,7 +108,7 @@ inline void rasteriseTriangle(const SnappedPoint& a, const SnappedPoint& b0, con
 
   for (std::int32_t v = v0; v <= v1; ++v) {
     std::int32_t first = u0, last = u1;
-    if (wide) {  // each edge limits the row, with a margin of one line; the exact test decides
+    if (wide) {  // each edge narrows first..last, with a margin of one line
       for (int i = 0; i < 3; ++i) {
         if (dv[i] == 0) continue;
         const double at = static_cast<double>(row[i]) * perRow[i];

@@ -1,6 +1,6 @@
 // Snaps vertices to the fine lattice on which all samplers decide exactly.
 //
-// The order of the additions is fixed, so that a shader with the same order gets the same bits.
+// The order of the additions is fixed, so that a shader with the same order computes the same bits.
 // Source: own method; docs/pipeline.md, "Sampling".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -35,9 +35,9 @@ void refuseBadFaces(const TriMesh& body) {
                         " (triangles are counted from 0); face numbers begin at 0");
 }
 
-/// If faces are wanted, keeps the given face of each triangle; without given faces, each triangle
-/// becomes a separate face. If faces are not wanted, removes them.
-void takeFaces(CheckedBody& result, bool wanted) {
+/// If `wanted`, keeps the given face of each triangle; without given faces, each triangle becomes a
+/// separate face. If not `wanted`, removes the faces.
+void setFaces(CheckedBody& result, bool wanted) {
   std::vector<std::int32_t>& faceOf = result.mesh.faceOf;
   result.namedFaces = wanted && !faceOf.empty();
   if (result.namedFaces) {
@@ -171,13 +171,13 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
 
   CheckedBody result;
   result.mesh = body;
-  takeFaces(result, options.sources);
+  setFaces(result, options.sources);
   const std::int64_t joined = applyMap(exactWeld(body.vertices), result.mesh);
   run.checkpoint(Phase::Input);
   CleanCounts cleaned;
   // A thin part may be modelled as a sheet with two coincident sides. The sheet has no volume, but
-  // the real part contains it. So a conservative envelope, which must contain the whole part, keeps
-  // it.
+  // it belongs to the real part. A conservative envelope must contain the whole part, so the sheet
+  // is kept for it.
   const bool keepSheets = options.conservative;
   EdgeTable table = cleanTriangles(result.mesh, cleaned, keepSheets);
   const std::string before = std::to_string(body.vertices.size());

@@ -16,12 +16,12 @@
 namespace swept {
 namespace {
 
-/// Groups of triangles that are connected by edges with exactly two triangles.
+/// Groups of triangles that are connected across edges with exactly two triangles.
 struct Patches {
   std::vector<std::int32_t> ofTriangle;
   std::vector<std::uint8_t> flip;               ///< per triangle: 1 if it must be reversed
   std::vector<std::uint8_t> mixed, consistent;  ///< per patch; mixed: some triangles are reversed
-  std::int64_t turned = 0;
+  std::int64_t reversed = 0;
   std::int32_t count() const { return static_cast<std::int32_t>(mixed.size()); }
 };
 
@@ -54,8 +54,8 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
         const std::uint32_t h = 3 * static_cast<std::uint32_t>(t) + k, g = across[h];
         if (g == kNoNeighbour) continue;
         const auto other = static_cast<std::int32_t>(g / 3);
-        const bool sameWay = originOf(h) == originOf(g);
-        const std::uint8_t wanted = (patches.flip[t] != 0) != sameWay ? 1 : 0;
+        const bool sameDirection = originOf(h) == originOf(g);
+        const std::uint8_t wanted = (patches.flip[t] != 0) != sameDirection ? 1 : 0;
         if (patches.ofTriangle[other] < 0) {
           patches.ofTriangle[other] = patch;
           patches.flip[other] = wanted;
@@ -73,7 +73,7 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
     for (const std::int32_t t : stack) {
       patches.flip[t] = consistent && (patches.flip[t] != 0) != other ? 1 : 0;
     }
-    if (consistent) patches.turned += std::min(flips, stack.size() - flips);
+    if (consistent) patches.reversed += std::min(flips, stack.size() - flips);
     patches.mixed.push_back(consistent && flips > 0);
     patches.consistent.push_back(consistent);
   }
@@ -81,7 +81,7 @@ Patches findPatches(const TriMesh& mesh, const EdgeTable& edges) {
 }
 
 /// Joins patches at edges that do not have exactly two triangles. A patch is balanced at an edge if
-/// its triangles run along this edge equally often in both directions. Patches that are not
+/// equally many of its triangles run along the edge in each direction. Patches that are not
 /// balanced at an edge are joined there. Returns the shell of each patch.
 std::vector<std::int32_t> joinPatches(const EdgeTable& edges, const Patches& patches,
                                       std::vector<Shell>& shells) {
@@ -211,16 +211,17 @@ void decideShells(std::vector<Shell>& shells, OrientationResult& result) {
 
 /// Returns true if sample lines never enter a shell from its wrong side. A shell that intersects
 /// itself can have parts that are inside out although its volume is positive.
-bool windingHolds(const RayColumns& columns, const std::vector<std::int32_t>& shellOfTriangle,
-                  const std::vector<Shell>& shells) {
-  constexpr int kLines = 96;  // lines per side of the box
-  std::atomic<bool> holds{true};
+bool isWindingConsistent(const RayColumns& columns,
+                         const std::vector<std::int32_t>& shellOfTriangle,
+                         const std::vector<Shell>& shells) {
+  constexpr int kLines = 96;  // number of lines along each side of the box
+  std::atomic<bool> consistent{true};
   const Eigen::Vector3d extent = columns.high() - columns.low();
-  const double samePlace = 1e-9 * extent.norm();
+  const double samePosition = 1e-9 * extent.norm();
   tbb::parallel_for(0, kLines, [&](int row) {
     std::vector<RayColumns::Crossing> line;
     std::vector<std::pair<std::int32_t, int>> sums;
-    for (int i = 0; i < kLines && holds.load(std::memory_order_relaxed); ++i) {
+    for (int i = 0; i < kLines && consistent.load(std::memory_order_relaxed); ++i) {
       const double y = columns.low().y() + extent.y() * (i + 0.4831) / kLines;
       const double z = columns.low().z() + extent.z() * (row + 0.5173) / kLines;
       columns.crossings(y, z, line);
@@ -229,18 +230,19 @@ bool windingHolds(const RayColumns& columns, const std::vector<std::int32_t>& sh
         const std::int32_t s = shellOfTriangle[crossing.triangle];
         auto it = std::find_if(sums.begin(), sums.end(), [&](auto& e) { return e.first == s; });
         if (it == sums.end()) it = sums.insert(sums.end(), {s, 0});
-        // A cavity counts with the opposite sign. Crossings at one position may come in any order.
+        // A cavity counts with the opposite sign. Crossings at one position may come in any order,
+        // so the sums are tested only after the last of them.
         it->second += shells[s].winding < 1 ? -crossing.direction : crossing.direction;
-        const bool last = &crossing == &line.back() || (&crossing)[1].x > crossing.x + samePlace;
+        const bool last = &crossing == &line.back() || (&crossing)[1].x > crossing.x + samePosition;
         if (last) {
           for (const auto& e : sums) {
-            if (e.second < 0) holds.store(false, std::memory_order_relaxed);
+            if (e.second < 0) consistent.store(false, std::memory_order_relaxed);
           }
         }
       }
     }
   });
-  return holds.load();
+  return consistent.load();
 }
 
 }  // namespace
@@ -272,7 +274,7 @@ OrientationResult orientShells(TriMesh& mesh, const EdgeTable& edges, bool close
   run.checkpoint(Phase::Input);
   const Patches patches = findPatches(mesh, edges);
   OrientationResult result;
-  result.mixed = patches.turned;
+  result.mixed = patches.reversed;
   std::vector<Shell> shells;
   const std::vector<std::int32_t> shellOfPatch = joinPatches(edges, patches, shells);
   Shells numbers{std::vector<std::int32_t>(mesh.triangles.size()),
@@ -290,21 +292,21 @@ OrientationResult orientShells(TriMesh& mesh, const EdgeTable& edges, bool close
   run.checkpoint(Phase::Input);
   findContainers(ShellNesting(mesh, numbers, columns), sampleShells(numbers), shells, run);
   decideShells(shells, result);
-  bool sound = closed;
+  bool valid = closed;
   for (const Shell& shell : shells) {
     if (!shell.consistent) ++result.inconsistent;
     const double size = shell.extent.box.diagonal().norm();
     if (!shell.closed || !shell.consistent ||
         std::abs(shell.extent.volume) <= 1e-13 * size * size * size) {
-      sound = false;
+      valid = false;
     }
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (shells[numbers.ofTriangle[t]].invert) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
   run.checkpoint(Phase::Input);
-  if (sound) result.insideOut = !windingHolds(columns, numbers.ofTriangle, shells);
-  result.orientable = sound && !result.insideOut;
+  if (valid) result.insideOut = !isWindingConsistent(columns, numbers.ofTriangle, shells);
+  result.orientable = valid && !result.insideOut;
   return result;
 }
 

@@ -1,4 +1,4 @@
-// Orients the generator (the moving part). This is the second half of the body check.
+// Orients the generator (the moving part). This is the second half of checkBody().
 // In:    welded triangles without duplicates. Out: the same triangles, some of them reversed.
 // Cost:  O(n) for n triangles, plus one ray per sample if shells lie inside the bounding boxes of
 //        others.
@@ -18,7 +18,7 @@ struct EdgeCounts {
   std::int64_t open = 0;                                  ///< edges with an odd number of triangles
   std::int64_t nonManifold = 0;                           ///< edges with more than two triangles
   std::vector<std::int64_t> firstOpen, firstNonManifold;  ///< lower vertex of each, at most 8
-  std::vector<std::uint8_t> openVertices;                 ///< per vertex: 1 if it ends an open edge
+  std::vector<std::uint8_t> openVertices;  ///< per vertex: 1 if an open edge ends there
 };
 EdgeCounts countEdges(const EdgeTable& edges);
 

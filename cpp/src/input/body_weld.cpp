@@ -57,23 +57,23 @@ void note(std::vector<std::int64_t>& list, std::size_t index) {
 }
 
 template <class T>
-void keepLiving(std::vector<T>& list, const std::vector<std::uint8_t>& dead) {
+void eraseMarked(std::vector<T>& list, const std::vector<std::uint8_t>& removed) {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < list.size(); ++t) {
-    if (dead[t] == 0) list[kept++] = list[t];
+    if (removed[t] == 0) list[kept++] = list[t];
   }
   list.resize(kept);
 }
 
-void dropTriangles(TriMesh& mesh, const std::vector<std::uint8_t>& dead) {
-  keepLiving(mesh.triangles, dead);
-  keepLiving(mesh.faceOf, dead);
+void dropTriangles(TriMesh& mesh, const std::vector<std::uint8_t>& removed) {
+  eraseMarked(mesh.triangles, removed);
+  eraseMarked(mesh.faceOf, removed);
 }
 
-/// Marks the triangles to remove in `dead`. `group`: all triangles with the same three corners, in
-/// ascending order.
+/// Marks the triangles to remove in `removed`. `group`: all triangles with the same three corners,
+/// in ascending order.
 void markGroup(const TriMesh& mesh, const std::vector<std::int64_t>& group, bool keepSheets,
-               std::vector<std::uint8_t>& dead, CleanCounts& counts) {
+               std::vector<std::uint8_t>& removed, CleanCounts& counts) {
   std::int64_t firstOf[2] = {-1, -1};
   for (const std::int64_t t : group) {
     std::int64_t& first = firstOf[isEven(mesh.triangles[t]) ? 1 : 0];
@@ -81,12 +81,12 @@ void markGroup(const TriMesh& mesh, const std::vector<std::int64_t>& group, bool
       first = t;
       continue;
     }
-    dead[t] = 1;
+    removed[t] = 1;
     ++counts.repeated;
     note(counts.firstDuplicate, static_cast<std::size_t>(t));
   }
   if (firstOf[0] >= 0 && firstOf[1] >= 0 && !keepSheets) {
-    dead[firstOf[0]] = dead[firstOf[1]] = 1;
+    removed[firstOf[0]] = removed[firstOf[1]] = 1;
     counts.opposite += 2;
     note(counts.firstDuplicate, static_cast<std::size_t>(std::min(firstOf[0], firstOf[1])));
   }
@@ -178,23 +178,23 @@ std::int64_t applyMap(const std::vector<std::int32_t>& map, TriMesh& mesh) {
 }
 
 EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets) {
-  std::vector<std::uint8_t> dead(mesh.triangles.size(), 0);
+  std::vector<std::uint8_t> removed(mesh.triangles.size(), 0);
   bool any = false;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!hasNoArea(mesh, mesh.triangles[t])) continue;
-    dead[t] = 1;
+    removed[t] = 1;
     any = true;
     ++counts.degenerate;
     note(counts.firstDegenerate, t);
   }
-  if (any) dropTriangles(mesh, dead);
+  if (any) dropTriangles(mesh, removed);
 
   // Find duplicates: triangles with the same three corners. They share all three edges, so it
   // suffices to compare triangles at the edge between their two lowest corners. Duplicates have the
   // same third corner there.
   dropUnused(mesh);
   EdgeTable edges(mesh);
-  dead.assign(mesh.triangles.size(), 0);
+  removed.assign(mesh.triangles.size(), 0);
   any = false;
   std::vector<std::pair<std::int32_t, std::int64_t>> thirds;
   std::vector<std::int64_t> group;
@@ -216,14 +216,14 @@ EdgeTable cleanTriangles(TriMesh& mesh, CleanCounts& counts, bool keepSheets) {
             group.push_back(thirds[j].second);
           }
           if (group.size() > 1) {
-            markGroup(mesh, group, keepSheets, dead, counts);
+            markGroup(mesh, group, keepSheets, removed, counts);
             any = true;
           }
           i = j;
         }
       });
   if (!any) return edges;
-  dropTriangles(mesh, dead);
+  dropTriangles(mesh, removed);
   dropUnused(mesh);
   return EdgeTable(mesh);
 }

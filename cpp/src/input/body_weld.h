@@ -1,4 +1,4 @@
-// Welds and cleans the generator (the moving part). This is the first half of the body check.
+// Welds and cleans the generator (the moving part). This is the first half of checkBody().
 // In:    triangles with valid indices and finite vertices.
 // Out:   the same surface with shared vertices.
 // Units: mm. Cost: O(n) for n triangles.

@@ -11,7 +11,7 @@ namespace swept {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kMendNote = 1e-9;  // smaller deviations are corrected without a finding
+constexpr double kReportedDeviation = 1e-9;  // smaller deviations are corrected without a finding
 constexpr double kAmbiguousDegrees = 1.0;
 
 // Messages count poses from 1, like the rows of a table.
@@ -97,7 +97,7 @@ void requireLength(const char* name, double value) {
 
 }  // namespace
 
-CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses waits) {
+CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses repeats) {
   if (trajectory.poses.empty()) {
     throw Error(Status::InvalidInput, "EmptyTrajectory",
                 "the motion has no poses; give at least one (with a single pose, the envelope is "
@@ -117,7 +117,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
     checkFinite(pose, i);
     const double deviation = checkNorm(pose, i);
     largest = std::max(largest, deviation);
-    if (deviation > kMendNote) addFirst(mended, i);
+    if (deviation > kReportedDeviation) addFirst(mended, i);
     if (i > 0 && pose.timeSeconds == trajectory.poses[i - 1].timeSeconds) addFirst(equal, i);
     if (i > 0 && pose.timeSeconds < trajectory.poses[i - 1].timeSeconds) {
       throw Error(Status::InvalidInput, "BadPose",
@@ -131,7 +131,7 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses wa
       // Adjacent quaternions get the same sign, so that interpolation takes the shorter rotation.
       if (poses.back().rotation.dot(pose.rotation) < 0) pose.rotation.coeffs() *= -1;
       const bool later = pose.timeSeconds > poses.back().timeSeconds;
-      if (samePlacement(poses.back(), pose) && !(waits == RepeatedPoses::Keep && later)) {
+      if (samePlacement(poses.back(), pose) && !(repeats == RepeatedPoses::Keep && later)) {
         addFirst(repeated, i);
         continue;
       }

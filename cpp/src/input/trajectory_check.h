@@ -28,7 +28,7 @@ struct CheckedTrajectory {
 /// BadPose, NotRigid or AmbiguousTurn. AmbiguousTurn occurs only if poses are interpolated: within
 /// 1 degree of 180, the rotation between two poses has no unique shortest direction.
 CheckedTrajectory checkTrajectory(const Trajectory& trajectory,
-                                  RepeatedPoses repeated = RepeatedPoses::Drop);
+                                  RepeatedPoses repeats = RepeatedPoses::Drop);
 
 /// Checks the options. Throws Error(InvalidInput, "BadOption") with the name, the value and the
 /// allowed range (row 16 of docs/bad_input.md).

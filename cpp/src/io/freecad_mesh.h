@@ -1,4 +1,4 @@
-// The bytes of a FreeCAD mesh file (.bms).
+// Returns the content of a FreeCAD mesh file (.bms).
 // In:   a triangle mesh (mm).
 // Out:  single precision coordinates and the neighbours of each triangle, so that FreeCAD need not
 //       compute them. Cost: O(n).

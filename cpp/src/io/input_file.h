@@ -1,5 +1,5 @@
-// Opens files of any kind for reading. Files on a disk are read in place. Pipes, standard input and
-// devices, which cannot be read twice, are read into memory as a whole.
+// Opens files of any kind for reading. Ordinary files are read from the disk. Pipes, standard input
+// and devices, which cannot be read twice, are read into memory as a whole.
 // Throws Error(InvalidInput, "BadFile") that names the file and the cause, or
 // Error(ResourceLimit, "FileTooLarge") if a pipe delivers too much.
 // SPDX-License-Identifier: LGPL-2.1-or-later

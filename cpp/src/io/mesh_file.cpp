@@ -30,10 +30,11 @@ namespace {
 constexpr std::size_t kMaxPolygonCorners = 20000;
 
 // OpenMesh's readers keep state between calls, so only one call may run at a time. They also print
-// errors; this class catches that text for the error message instead.
+// errors; this class catches the printed text for the error message.
 class OpenMeshCall {
  public:
-  // Exchanges the stream buffers: OpenMesh's own connect() and disconnect() leak with every call.
+  // Exchanges the stream buffers, because OpenMesh's connect() and disconnect() leak memory with
+  // every call.
   OpenMeshCall()
       : lock_(mutex()), errors_(omerr().rdbuf(text_.rdbuf())), log_(omlog().rdbuf(&silence_)) {}
   ~OpenMeshCall() {
@@ -44,7 +45,7 @@ class OpenMeshCall {
   OpenMeshCall& operator=(const OpenMeshCall&) = delete;
 
   /// Returns the text that OpenMesh printed, on one line.
-  std::string said() const {
+  std::string printed() const {
     std::string text = text_.str();
     for (char& c : text) {
       if (c == '\n' || c == '\r') c = ' ';
@@ -143,13 +144,14 @@ PolygonList readStl(InputFile& file, const std::string& path) {
   }
   file.stream->clear();
   file.stream->seekg(0);
-  const std::uint64_t limit = std::min(file.bytes, kMaxElements);  // an element has a byte or more
+  // An element takes at least one byte.
+  const std::uint64_t limit = std::min(file.bytes, kMaxElements);
   ListImporter found(path, file.bytes, limit, 4 * limit);
   OpenMeshCall call;
   // Calls the reader directly: OpenMesh's IO manager has no readers if OpenMesh is linked
   // statically.
   if (!OpenMesh::IO::STLReader().read(*file.stream, found, options)) {
-    badFile("'" + path + "' cannot be read: " + call.said());
+    badFile("'" + path + "' cannot be read: " + call.printed());
   }
   return std::move(found.list);
 }

@@ -44,8 +44,8 @@ class Block {
   std::string text_;
 };
 
-/// Writes rows "HEAD x y z" for vertices and "HEAD a b c" for triangles. Vertex numbers start at
-/// `first`.
+/// Writes a row "HEAD x y z" per vertex and a row "HEAD a b c" per triangle. The first vertex has
+/// the number `first`.
 void addRows(const TriMesh& mesh, const char* vertexHead, const char* triangleHead,
              std::int32_t first, Block& block) {
   const auto add = [&](const char* head, const auto& row, auto plus) {

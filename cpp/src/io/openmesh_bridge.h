@@ -1,5 +1,5 @@
 // Connects OpenMesh's readers to the project's plain triangle lists. OpenMesh's own mesh classes
-// refuse non-manifold faces; this class keeps every face unchanged.
+// refuse non-manifold faces; ListImporter keeps every face unchanged.
 // In:   faces with any number of corners.
 // Out:  vertices and corner lists in file order. Nothing is welded, dropped or reversed.
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -55,14 +55,14 @@ void requireRoles(const PlyHeader& header, const std::string& path) {
   }
 }
 
-/// The mesh so far. The readers add one value after another.
-class Growing {
+/// The mesh read so far, to which the readers add one value after another.
+class PolygonBuilder {
  public:
   void value(Role role, double number) { point_[static_cast<int>(role) - 1] = number; }
   void corner(std::int64_t index) {
     // An index that does not fit into 32 bits becomes -1. The later index check refuses it.
-    const bool holds = index >= 0 && index <= static_cast<std::int64_t>(kMaxElements);
-    list.corners.push_back(holds ? static_cast<std::int32_t>(index) : -1);
+    const bool fits = index >= 0 && index <= static_cast<std::int64_t>(kMaxElements);
+    list.corners.push_back(fits ? static_cast<std::int32_t>(index) : -1);
   }
   void endOf(const PlyElement& element) {
     if (element.name == "vertex") list.vertices.push_back(point_);
@@ -133,7 +133,7 @@ double numberOf(std::uint64_t bits, const PlyProperty& property) {
   return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
 }
 
-void readBinaryElement(BinaryRows& rows, const PlyElement& element, Growing& mesh,
+void readBinaryElement(BinaryRows& rows, const PlyElement& element, PolygonBuilder& mesh,
                        const std::string& path) {
   const std::vector<Role> roles = rolesOf(element);
   std::uint64_t i = 0;
@@ -167,7 +167,7 @@ void readBinaryElement(BinaryRows& rows, const PlyElement& element, Growing& mes
 }
 
 void readTextElement(TextScanner& scan, std::size_t textBytes, const PlyElement& element,
-                     Growing& mesh) {
+                     PolygonBuilder& mesh) {
   const std::vector<Role> roles = rolesOf(element);
   for (std::uint64_t i = 0; i < element.count; ++i) {
     for (std::size_t k = 0; k < roles.size(); ++k) {
@@ -198,7 +198,7 @@ void readTextElement(TextScanner& scan, std::size_t textBytes, const PlyElement&
 PolygonList readPlyMesh(std::istream& stream, const PlyHeader& header, std::uint64_t fileBytes,
                         const std::string& path) {
   requireRoles(header, path);
-  Growing mesh;
+  PolygonBuilder mesh;
   const auto each = [&](const auto& read) {
     for (const PlyElement& element : header.elements) {
       if (!element.properties.empty()) read(element);

@@ -1,10 +1,10 @@
 // Reads PLY files, text and binary, in double precision. The files may have additional properties.
 // OpenMesh's reader is not used: it rounds to single precision, never stops on a header that it
 // does not understand, and its version 11 crashes on unknown properties.
-// In:   stream, its header and size.
+// In:   stream, header and size of the file.
 // Out:  vertices and faces in file order. The indices are not checked yet.
-// Throws Error(InvalidInput, "BadFile") with the place of the error.
-// Cost: one pass, O(file size). Text files are held in memory during the reading.
+// Throws Error(InvalidInput, "BadFile"); the message gives the position of the error.
+// Cost: one pass, O(file size). A text file is read into memory as a whole.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

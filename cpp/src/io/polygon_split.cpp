@@ -80,7 +80,8 @@ void splitPolygon(const std::vector<Eigen::Vector3d>& vertices,
       ear = (ear + 1) % n;
       ++tried;
     }
-    // No ear is left: the rest is degenerate or crosses itself. Clipping anyway keeps the boundary.
+    // No ear is left, so the rest is degenerate or intersects itself. Clipping a corner
+    // nevertheless keeps the boundary.
     if (tried == n) ear = start % n;
     triangles.push_back(
         {corners[ring[(ear + n - 1) % n]], corners[ring[ear]], corners[ring[(ear + 1) % n]]});

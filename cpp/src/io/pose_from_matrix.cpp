@@ -19,8 +19,8 @@ namespace {
   refuse(index, what + "; export poses that only rotate and translate");
 }
 
-// Says why a matrix is not a rotation and by how much: its columns are not perpendicular, or do not
-// have length 1.
+// Returns a text that says why a matrix is not a rotation, and by how much. Its columns are not
+// perpendicular, or do not have length 1.
 std::string describe(const Eigen::Matrix3d& m) {
   const Eigen::Vector3d lengths = m.colwise().norm();
   const double spread = lengths.maxCoeff() - lengths.minCoeff();

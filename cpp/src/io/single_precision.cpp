@@ -37,53 +37,54 @@ float stepped(float value, int steps) {
   return value + 0.0F;
 }
 
-/// Rounds a mesh. Works on places (distinct positions), so vertices at one place stay together.
+/// Rounds a mesh. Works on distinct positions, so vertices with equal coordinates stay equal.
 class Rounding {
  public:
   explicit Rounding(const TriMesh& mesh) : mesh_(mesh) {
-    std::unordered_map<Eigen::Vector3d, std::size_t, Hash> places;
-    places.reserve(mesh.vertices.size());
+    std::unordered_map<Eigen::Vector3d, std::size_t, Hash> indexOf;
+    indexOf.reserve(mesh.vertices.size());
     taken_.reserve(mesh.vertices.size());
     for (const Eigen::Vector3d& vertex : mesh.vertices) {
       const Eigen::Vector3d exact = vertex + Eigen::Vector3d::Zero();
-      const auto [at, isNew] = places.try_emplace(exact, exact_.size());
-      placeOf_.push_back(at->second);
+      const auto [at, isNew] = indexOf.try_emplace(exact, exact_.size());
+      positionOf_.push_back(at->second);
       if (!isNew) continue;
       exact_.push_back(exact);
       points_.push_back(rounded(exact));
-      if (!taken_.insert(points_.back()).second) joined_.push_back(at->second);
+      if (!taken_.insert(points_.back()).second) collided_.push_back(at->second);
     }
   }
 
   void keepVerticesApart() {
-    for (const std::size_t place : joined_) move(place, [](const FloatPoint&) { return true; });
+    for (const std::size_t position : collided_)
+      move(position, [](const FloatPoint&) { return true; });
   }
 
   void keepAreas() {
     std::vector<std::size_t> flat;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const auto [a, b, c] = placesOf(t);
+      const auto [a, b, c] = positionsOf(t);
       if (isFlat(t) && !collinear(exact_[a], exact_[b], exact_[c])) flat.push_back(t);
     }
     if (flat.empty()) return;
     std::unordered_map<std::size_t, std::vector<std::size_t>> around;
     for (const std::size_t t : flat)
-      for (const std::size_t place : placesOf(t)) around[place];
+      for (const std::size_t position : positionsOf(t)) around[position];
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      for (const std::size_t place : placesOf(t)) {
-        if (const auto at = around.find(place); at != around.end()) at->second.push_back(t);
+      for (const std::size_t position : positionsOf(t)) {
+        if (const auto at = around.find(position); at != around.end()) at->second.push_back(t);
       }
     }
     for (const std::size_t t : flat) {
-      for (const std::size_t place : placesOf(t)) {
+      for (const std::size_t position : positionsOf(t)) {
         if (!isFlat(t)) break;
-        move(place, [&](const FloatPoint& to) {
-          const FloatPoint old = std::exchange(points_[place], to);
-          const std::vector<std::size_t>& fan = around[place];
-          const bool fine =
+        move(position, [&](const FloatPoint& to) {
+          const FloatPoint old = std::exchange(points_[position], to);
+          const std::vector<std::size_t>& fan = around[position];
+          const bool allHaveArea =
               std::none_of(fan.begin(), fan.end(), [&](std::size_t near) { return isFlat(near); });
-          points_[place] = old;
-          return fine;
+          points_[position] = old;
+          return allHaveArea;
         });
       }
     }
@@ -92,35 +93,35 @@ class Rounding {
   TriMesh mesh() const {
     TriMesh out;
     out.triangles = mesh_.triangles;
-    out.vertices.reserve(placeOf_.size());
-    for (const std::size_t place : placeOf_)
-      out.vertices.emplace_back(points_[place].cast<double>());
+    out.vertices.reserve(positionOf_.size());
+    for (const std::size_t position : positionOf_)
+      out.vertices.emplace_back(points_[position].cast<double>());
     return out;
   }
 
  private:
-  std::array<std::size_t, 3> placesOf(std::size_t triangle) const {
+  std::array<std::size_t, 3> positionsOf(std::size_t triangle) const {
     const auto& t = mesh_.triangles[triangle];
-    return {placeOf_[t[0]], placeOf_[t[1]], placeOf_[t[2]]};
+    return {positionOf_[t[0]], positionOf_[t[1]], positionOf_[t[2]]};
   }
   bool isFlat(std::size_t triangle) const {
-    const auto [a, b, c] = placesOf(triangle);
+    const auto [a, b, c] = positionsOf(triangle);
     return collinear(points_[a].cast<double>(), points_[b].cast<double>(),
                      points_[c].cast<double>());
   }
 
-  /// Moves a place to the nearest free point for which suits() is true. Leaves the place unchanged
-  /// if there is no such point.
+  /// Moves a position to the nearest free point for which suits() is true. Leaves the position
+  /// unchanged if there is no such point.
   template <class Suits>
-  void move(std::size_t place, const Suits& suits) {
+  void move(std::size_t position, const Suits& suits) {
     constexpr int kReach = 2;
     std::vector<std::pair<double, FloatPoint>> points;
-    const FloatPoint centre = rounded(exact_[place]);
+    const FloatPoint centre = rounded(exact_[position]);
     for (int x = -kReach; x <= kReach; ++x) {
       for (int y = -kReach; y <= kReach; ++y) {
         for (int z = -kReach; z <= kReach; ++z) {
           const FloatPoint to(stepped(centre[0], x), stepped(centre[1], y), stepped(centre[2], z));
-          points.emplace_back((to.cast<double>() - exact_[place]).squaredNorm(), to);
+          points.emplace_back((to.cast<double>() - exact_[position]).squaredNorm(), to);
         }
       }
     }
@@ -128,17 +129,18 @@ class Rounding {
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [distance, to] : points) {
       if (taken_.count(to) != 0 || !suits(to)) continue;
-      taken_.insert(points_[place] = to);
+      taken_.insert(points_[position] = to);
       return;
     }
   }
 
   const TriMesh& mesh_;
-  std::vector<std::size_t> placeOf_;    // per vertex
-  std::vector<Eigen::Vector3d> exact_;  // per place
-  std::vector<FloatPoint> points_;      // per place: its rounded position
+  std::vector<std::size_t> positionOf_;  // per vertex: index of its position
+  std::vector<Eigen::Vector3d> exact_;   // per position: its exact coordinates
+  std::vector<FloatPoint> points_;       // per position: its rounded coordinates
   std::unordered_set<FloatPoint, Hash> taken_;
-  std::vector<std::size_t> joined_;
+  // Positions whose rounded coordinates are those of an earlier position.
+  std::vector<std::size_t> collided_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Rounds the coordinates of a mesh to single precision, the precision of STL, without damaging the
-// mesh. Plain rounding can put two vertices in one place, which a reader then joins, and can leave
-// a triangle without area.
+// mesh. Plain rounding can give two vertices the same coordinates, so that a reader joins them. It
+// can also leave a triangle without area.
 // In:    mesh, mm.
 // Out:   the same triangles. Every vertex gets the nearest coordinates in single precision. If two
 //        vertices would coincide or a triangle would lose its area, a vertex gets one of the next

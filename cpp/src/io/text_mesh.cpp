@@ -29,7 +29,7 @@ void checkCount(std::size_t count, const char* what, const TextScanner& scan) {
   scan.bad("too many " + std::string(what) + "; the limit is " + std::to_string(kMaxElements));
 }
 
-// Completes a face, which consists of all corners that were added since the last face.
+// Completes a face from all corners that were added since the last face.
 void endFace(PolygonList& list, const TextScanner& scan) {
   const std::size_t corners = list.corners.size() - list.faceStart.back();
   if (corners < 3) scan.bad("a face needs 3 corners, but this face has " + std::to_string(corners));
@@ -138,7 +138,7 @@ PolygonList readOff(std::istream& stream, const std::string& path) {
     }
     return word;
   };
-  // Colours, normals and texture after the position are skipped.
+  // The colours, normals and texture that follow a position are ignored.
   const std::string_view kind = nextFilledLine();
   static const std::vector<std::string_view> kinds{"OFF",   "COFF",   "NOFF",   "CNOFF",  "NCOFF",
                                                    "STOFF", "STCOFF", "STNOFF", "STCNOFF"};

@@ -1,10 +1,10 @@
 // Reads OBJ and OFF files in double precision and file order, and checks STL files before OpenMesh
-// reads them. OpenMesh silently skips text that is not a number, and it welds vertices by value,
-// which NaN would disturb. Its readers for OBJ and OFF are not used: they round to single precision
-// and crash on missing texture indices.
+// reads them. OpenMesh silently skips text that is not a number. It also compares vertices to weld
+// them, which fails for NaN. Its readers for OBJ and OFF are not used: they round to single
+// precision and crash on missing texture indices.
 // In:   stream at the start of the file. Out: vertices and faces.
 // Throws Error(InvalidInput, "BadFile") with the line and column of the error.
-// Cost: one pass, O(file size). Text files are held in memory during the reading.
+// Cost: one pass, O(file size). A text file is read into memory as a whole.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -19,10 +19,11 @@
 
 namespace swept {
 
-/// Read vertices and faces, skip normals, colours and texture, and check that every index exists.
+/// Read vertices and faces, ignore normals, colours and texture, and check that every index exists.
 PolygonList readObj(std::istream& stream, const std::string& path);
 PolygonList readOff(std::istream& stream, const std::string& path);
-/// Check that all values are finite numbers; throw if not.
+/// Check that all coordinates are finite numbers; throw Error(InvalidInput, "NonFiniteVertex") if
+/// not.
 void checkTextStl(std::istream& stream, const std::string& path);
 void checkBinaryStl(std::istream& stream, const std::string& path);
 

@@ -1,5 +1,6 @@
 // Splits the text of a file into words, and keeps track of their lines and columns for messages.
-// In:   the whole text. Out: words as views of the text, which must outlive them; line numbers.
+// In:   the whole text, which must outlive the words. Out: words, which are views of the text; line
+// numbers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -17,11 +17,13 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kChunk = 1U << 18U;  // bytes per call of the compressor
-// Largest number of characters in a line of the model: XML and three numbers of 25 characters.
+// The text is compressed in pieces of at least this many bytes.
+constexpr std::size_t kChunk = 1U << 18U;
+// Upper bound of the characters in a line of the model: XML and three numbers of up to 25
+// characters.
 constexpr std::uint64_t kMaxLine = 110;
 
-// Writes a ZIP file through minizip: several entries, one after another, each compressed.
+// Writes a ZIP file through minizip: several compressed entries, one after another.
 class Package {
  public:
   explicit Package(const std::string& path) {

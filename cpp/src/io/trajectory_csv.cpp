@@ -35,7 +35,7 @@ class CsvReader {
       const std::string_view text = trim(line);
       if (text.empty()) continue;
       if (text.front() == '#') {
-        if (poses_.empty()) takeComment(text);
+        if (poses_.empty()) readComment(text);
         continue;
       }
       if (!rowsBegun_) chooseSeparator(line);
@@ -43,9 +43,9 @@ class CsvReader {
       split(line);
       if (isBlank()) continue;
       if (isHeader()) {
-        takeHeader(line);
+        readHeader(line);
       } else {
-        takeRow();
+        readRow();
       }
     }
     if (poses_.empty()) {
@@ -117,7 +117,7 @@ class CsvReader {
 
   // Recordings often name their columns in a comment. Such a comment counts as a header if it names
   // all eight columns of a pose.
-  void takeComment(std::string_view text) {
+  void readComment(std::string_view text) {
     const char rows = separator_;
     chooseSeparator(text);
     split(text.substr(text.find_first_not_of("# \t") == std::string_view::npos
@@ -131,7 +131,7 @@ class CsvReader {
     columns_ = std::move(header);
   }
 
-  void takeHeader(const std::string& line) {
+  void readHeader(const std::string& line) {
     if (line == headerLine_) return;  // concatenated recordings repeat the header
     if (width_ != 0 && !fromComment_) notANumber(0);
     headerLine_ = line;
@@ -162,7 +162,7 @@ class CsvReader {
     values_.resize(width);
   }
 
-  void takeRow() {
+  void readRow() {
     if (width_ == 0) {
       if (fields_.size() != kPoseColumns.size() && !isMatrix(fields_.size())) {
         bad(0,
@@ -266,7 +266,7 @@ class CsvReader {
   bool rowsBegun_ = false;
   bool fromComment_ = false;
   std::string headerLine_;
-  TrajectoryHeader columns_;  // without targets: columns as in kPoseColumns, or those of a matrix
+  TrajectoryHeader columns_;  // without targets: the columns of kPoseColumns, or of a matrix
   std::vector<std::string_view> fields_;
   std::vector<double> values_;
   std::vector<Pose> poses_;

@@ -1,7 +1,7 @@
 // Finds the meaning of the columns in a table of poses from the header line.
 // In: the fields of the line. Out: for each column, which of the eight numbers of a pose it holds.
-// Knows the names of this project, of ROS and of the EuRoC data sets. Ignores case, quotes, a
-// leading # and units in brackets.
+// Knows the column names of this project, of ROS and of the EuRoC data sets. Ignores case, quotes,
+// a leading # and units in brackets.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -13,24 +13,25 @@ namespace {
 
 /// Motions with fewer placements are not changed, because their runs are short anyway.
 constexpr std::size_t kMinPlacements = 256;
-/// A merge must save at least this fraction of the steps. Otherwise it would cost accuracy for
-/// hardly any time.
+/// A merge must save at least this fraction of the steps. A smaller saving would cost accuracy but
+/// save little time.
 constexpr double kMinSaved = 0.5;
-/// Fraction of the bound that dropped placements may use. The rest is for arcs and warped patches.
+/// Fraction of `chord` that the deviations at dropped placements may use. The rest is for arcs and
+/// warped patches.
 constexpr double kDropFraction = 0.5;
 
-/// A placement, or a difference of placements, applied to the bounding box of the body. Columns:
+/// The bounding box of the body at a placement, or the difference of two such boxes. Columns:
 /// position of the centre, and the three half axes.
 struct Frame {
   Eigen::Matrix<double, 3, 4> columns;
 
-  /// Returns the largest length over the corners of the box.
-  double atCorners() const {
+  /// Returns the largest length of the vectors from the origin to the eight corners.
+  double largestAtCorners() const {
     double most = 0;
     for (int corner = 0; corner < 4; ++corner) {
       const Eigen::Vector3d axes = columns.col(1) + (corner & 1 ? -1 : 1) * columns.col(2) +
                                    (corner & 2 ? -1 : 1) * columns.col(3);
-      // The opposite corner has the other sign.
+      // The opposite corner of the box has the negative half axes.
       most = std::max(
           {most, (columns.col(0) + axes).squaredNorm(), (columns.col(0) - axes).squaredNorm()});
     }
@@ -53,29 +54,31 @@ class Merger {
     for (std::size_t k = 0; k < motion.steps(); ++k) arcs_.push_back(arcOf(motion, k, box));
   }
 
-  /// Returns the last placement up to which the steps from `begin` on can be merged. `bound`
-  /// receives the bound of the merged step.
-  std::size_t farthestFrom(std::size_t begin, double& bound) const {
+  /// Returns the end of a merged step that starts at placement `begin`. Doubles the length of the
+  /// step while the step fits, and then refines the length by halving. `bound` receives the bound
+  /// of the merged step.
+  std::size_t endOfStep(std::size_t begin, double& bound) const {
     const std::size_t last = motion_.placements.size() - 1;
-    std::size_t end = begin + 1, reach = 1;
+    std::size_t end = begin + 1, stride = 1;
     bound = 0;
-    const auto tryTo = [&](std::size_t to) {
+    const auto tryEnd = [&](std::size_t to) {
       if (to > last || !fits(begin, to, bound)) return false;
       end = to;
       return true;
     };
-    while (tryTo(end + reach)) reach *= 2;
-    for (; reach > 0; reach /= 2) tryTo(end + reach);
+    while (tryEnd(end + stride)) stride *= 2;
+    for (; stride > 0; stride /= 2) tryEnd(end + stride);
     return end;
   }
 
  private:
-  /// Returns whether the steps from `begin` to `end` can become one step, and then sets `bound`.
+  /// Returns whether the steps from `begin` to `end` can become one step. If so, sets `bound`.
   bool fits(std::size_t begin, std::size_t end, double& bound) const {
     const Placement &p = motion_.placements[begin], &q = motion_.placements[end];
     const double duration = q.timeSeconds - p.timeSeconds;
     if (!(duration > 0)) return false;
-    // |R - S| = 2 sqrt(2) sin(turn / 2) in the Frobenius norm.
+    // |R - S| = 2 sqrt(2) sin(turn / 2) in the Frobenius norm, where `turn` is the angle between R
+    // and S.
     const double sine = (p.rotation - q.rotation).norm() / (2 * std::sqrt(2.0));
     const double warp = warpOf(2 * std::asin(std::min(1.0, sine)), longest_);
     if (warp > chord_) return false;
@@ -83,8 +86,8 @@ class Merger {
     const Frame &from = frames_[begin], &to = frames_[end];
     for (std::size_t k = begin + 1; k < end; ++k) {
       const double s = (motion_.placements[k].timeSeconds - p.timeSeconds) / duration;
-      const Frame off{frames_[k].columns - (1 - s) * from.columns - s * to.columns};
-      farthest = std::max(farthest, off.atCorners());
+      const Frame deviation{frames_[k].columns - (1 - s) * from.columns - s * to.columns};
+      farthest = std::max(farthest, deviation.largestAtCorners());
       arc = std::max(arc, arcs_[k]);
       if (farthest > kDropFraction * chord_ || farthest + arc + warp > chord_) return false;
     }
@@ -109,7 +112,7 @@ Placement middleOf(const Motion& motion, std::size_t begin, std::size_t end) {
   const auto first = motion.placements.begin() + static_cast<std::ptrdiff_t>(begin);
   const auto last = motion.placements.begin() + static_cast<std::ptrdiff_t>(end);
   const double time = (first->timeSeconds + last->timeSeconds) / 2;
-  // The first placement at or after this time, without both ends.
+  // The first inner placement at or after this time; the end if there is none.
   const auto after = std::lower_bound(
       first + 1, last, time, [](const Placement& p, double at) { return p.timeSeconds < at; });
   const Placement &p = *(after - 1), &q = *after;
@@ -128,9 +131,9 @@ Motion mergeSteps(Motion motion, const TriMesh& body, double chord, RunContext& 
   double bound = 0;  // of all merged steps
   while (kept.back() != last) {
     run.checkpoint(Phase::Motion, kept.back(), last);
-    double here;
-    kept.push_back(merger.farthestFrom(kept.back(), here));
-    bound = std::max(bound, here);
+    double stepBound;
+    kept.push_back(merger.endOfStep(kept.back(), stepBound));
+    bound = std::max(bound, stepBound);
     if (kept.size() > most + 1) return motion;
   }
   Motion merged;

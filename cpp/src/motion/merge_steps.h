@@ -1,11 +1,11 @@
 // Merges successive steps of a motion if every point moves nearly along one chord. A recording has
 // many more poses than the accuracy of the chords requires.
 //
-// In:    a motion as refineMotion() made it, and the body. Units: mm, s.
-// Out:   the same motion with fewer placements; it keeps the first and the last one.
+// In:    a motion from refineMotion(), and the body. Units: mm, s.
+// Out:   the same motion with fewer placements. The first and the last placement remain.
 // Cost:  O(n log n) for n placements.
 // Promise: at every time, every point of the body is within Motion::chordError of its position in
-//        the true motion. Merged steps keep within the bound that is given for them.
+//        the true motion. A merged step deviates by at most `chord`.
 // Source: own method; the greedy search for long pieces is that of Imai and Iri, 1986.
 //
 // A merged step moves each point at constant speed along the chord between two kept placements. The

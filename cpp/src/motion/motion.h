@@ -1,5 +1,5 @@
-// The motion in the form that samplers use: placements so close together that a straight chord can
-// replace the path of every point between two of them.
+// The motion in the form that samplers use. Its placements are so close together that between two
+// of them a straight chord can replace the path of every point.
 // Units: mm, s.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -25,7 +25,7 @@ struct Motion {
   /// placements are separate copies of the body.
   bool continuous = false;
   /// Exact placement in the middle (in time) of each step; only if continuous. The distance of a
-  /// point there from its chord shows how far the true path deviates.
+  /// point at this placement from the middle of its chord shows how far the true path deviates.
   std::vector<Placement> midpoints;
   /// Per pose of the trajectory: index of its placement. If the pose lies inside a merged step
   /// (merge_steps.h), index of the placement at the start of this step.

@@ -1,7 +1,7 @@
 // The pivot of a trajectory: the body point that moves along a straight line between two poses. Let
-// S be the translation to the pivot. The poses P S with the body S^-1 x give the same motion as the
-// poses P with the body x. The origin of the moved body is then the pivot, so no other part of the
-// core needs to know the pivot. Units: mm. Cost: O(vertices), O(poses).
+// S be the translation by the pivot. The poses P S with the body points S^-1 x give the same motion
+// as the poses P with the body points x. The origin of the moved body is then the pivot, so no
+// other part of the core needs to know the pivot. Units: mm. Cost: O(vertices), O(poses).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace swept {
 
-/// Returns the pivot, or zero unless the interpolation is linear, because copies and screw motions
-/// do not depend on it. Throws Error(InvalidInput, "BadOption") if it is not finite or too far
-/// away.
+/// Returns the pivot if the interpolation is linear, otherwise zero: copies and screw motions do
+/// not depend on the pivot. Throws Error(InvalidInput, "BadOption") if the pivot is not finite or
+/// too far away.
 Eigen::Vector3d pivotOf(const Trajectory& trajectory);
 
 /// Returns the body in coordinates whose origin is the pivot.

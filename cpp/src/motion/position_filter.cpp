@@ -42,8 +42,8 @@ FilteredTrajectory filterPositions(const Trajectory& trajectory, const Eigen::Al
   Corners last = cornersAt(poses.front(), body);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Corners here = cornersAt(poses[i], body);
-    const bool end = i + 1 == poses.size();
-    bool keep = i == 0 || (continuous && end);
+    const bool isLast = i + 1 == poses.size();
+    bool keep = i == 0 || (continuous && isLast);
     if (!keep) {
       const double moved = farthest(here, last);
       keep =

@@ -4,10 +4,10 @@
 //        distance of any point of the box between a dropped pose and the kept pose before it. The
 //        filter always keeps the first pose and, if poses are interpolated, the last one.
 // Units: mm. Cost: O(poses).
-// Promise: at a dropped pose the body stays within `distance` of its copy at a kept pose. So the
-//        envelope is too small by at most this depth. If poses are interpolated, the filter also
-//        keeps a pose if the turn between its kept neighbours would otherwise reach 90 degrees. So
-//        the interpolated path stays unique.
+// Promise: at a dropped pose, every point of the body is within `distance` of its position at the
+//        kept pose before. So the envelope is too small by at most this depth. If poses are
+//        interpolated, the filter also keeps a pose if the turn between its kept neighbours would
+//        otherwise reach 90 degrees. So the shortest rotation between kept poses stays unique.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

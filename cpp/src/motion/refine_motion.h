@@ -1,8 +1,8 @@
 // Converts a trajectory into a motion whose chords stay within a given distance of the true paths.
 // Cost: O(placements).
-// Source: the error bound is the sagitta of a circular arc, r (1 - cos(angle / 2)). Here r is the
-// largest distance of a body point from the centre of rotation: the origin of the body for linear
-// interpolation, the screw axis for screw interpolation.
+// Source: the error bound is the sagitta of a circular arc, r (1 - cos(angle / 2)). Here r bounds
+// the distance of all body points from the axis of rotation. For linear interpolation, r is their
+// largest distance from the origin of the body; for screw interpolation, that from the screw axis.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

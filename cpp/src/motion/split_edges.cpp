@@ -19,8 +19,9 @@ constexpr double kFaceCost = 70, kLengthCost = 28, kCrossingCost = 7;
 /// Largest number of triangles after splitting. The body must not need more memory than the
 /// envelope.
 constexpr double kMaxTriangles = 2e6;
-/// Required ratio of the estimated time before to that after: for the first split, and for each
-/// further halving. Smaller gains are within the uncertainty of the estimates.
+/// Required ratio of the estimated time before to the time after: for splitting at all, and for
+/// each further reduction of the edge length. Smaller gains are within the uncertainty of the
+/// estimates.
 constexpr double kGain = 2, kFurtherGain = 1.2;
 
 struct Step {
@@ -32,7 +33,7 @@ struct Extent {
   double side, height;
 };
 
-/// Estimates the work of a run if all edges are at most `longest` mm long.
+/// Estimates the sampling time if all edges are at most `longest` mm long.
 class SamplingCost {
  public:
   SamplingCost(const TriMesh& body, const Trajectory& trajectory, double cell, RunContext& run) {
@@ -54,7 +55,7 @@ class SamplingCost {
       extents_.push_back({side, twice / side});
       area += twice / 2;
     }
-    constexpr double kThreeAxes = 1.5;  // crossings per cell of area, averaged over all directions
+    constexpr double kThreeAxes = 1.5;  // crossings per square cell, averaged over all directions
     crossings_ = kThreeAxes * area / (cell * cell);
   }
 
@@ -75,24 +76,24 @@ class SamplingCost {
     return triangles(longest) * placements(longest, chord);
   }
 
-  /// Returns the estimated sampling time in ns. Returns infinity if there would be too many
-  /// triangles.
-  double of(double longest, double chord) const {
+  /// Returns the estimated sampling time in ns, or infinity if there would be too many triangles.
+  double nanoseconds(double longest, double chord) const {
     const double count = triangles(longest);
     if (count > std::max(kMaxTriangles, static_cast<double>(extents_.size()))) {
       return std::numeric_limits<double>::infinity();
     }
     return placements(longest, chord) *
-           (count * kFaceCost + lengthLeft(longest) * kLengthCost + crossings_ * kCrossingCost);
+           (count * kFaceCost + unculledLength(longest) * kLengthCost + crossings_ * kCrossingCost);
   }
 
-  /// Returns the edge length with the shortest time. `longest`: longest edge of the unsplit body.
+  /// Returns the edge length (mm) with the shortest time. `longest`: longest edge of the unsplit
+  /// body.
   double bestEdge(double longest, double chord, double cell) const {
-    double best = longest, enough = of(longest, chord) / kGain;
+    double best = longest, limit = nanoseconds(longest, chord) / kGain;
     for (double edge = longest / 2; edge > cell; edge /= 2) {
-      const double now = of(edge, chord);
-      if (now >= enough) continue;
-      enough = now / kFurtherGain;
+      const double time = nanoseconds(edge, chord);
+      if (time >= limit) continue;
+      limit = time / kFurtherGain;
       best = edge;
     }
     return best;
@@ -105,10 +106,10 @@ class SamplingCost {
     return e.side <= longest ? 1 : 2 * e.side / longest * std::max(1.0, e.height / longest);
   }
 
-  /// Returns the total length, in cells, of the triangles of one copy that are not culled. A
-  /// triangle is not culled if one part of it moves outward and another part inward. The longer the
-  /// triangle is compared with the body, the more often this happens.
-  double lengthLeft(double longest) const {
+  /// Returns the total length, in cells, of the longest sides of the triangles of one copy that are
+  /// not culled. A triangle is not culled if one part of it moves outward and another part inward.
+  /// The longer the triangle is compared with the body, the more often this happens.
+  double unculledLength(double longest) const {
     double sum = 0;
     for (const Extent& e : extents_) {
       const double side = std::min(e.side, longest);

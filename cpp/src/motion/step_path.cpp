@@ -9,10 +9,10 @@
 namespace swept {
 namespace {
 
-// A step with a smaller turn than this is treated as straight. A screw of length d and angle a
-// turns about a point up to d / a away, so rounding (eps) displaces its points by eps d / a. A
-// straight line instead of the screw deviates by d a / 8. Both errors are equal, about 5e-9 d, at a
-// = sqrt(8 eps).
+// A step that turns by less than this angle (rad) is treated as straight. A screw of length d and
+// angle a turns about a point up to d / a away, so rounding (eps) displaces its points by eps d /
+// a. A straight line instead of the screw deviates by d a / 8. Both errors are equal, about 5e-9 d,
+// at a = sqrt(8 eps).
 constexpr double kMinScrewAngle = 4e-8;
 
 }  // namespace
@@ -64,7 +64,7 @@ Pose StepPath::poseAt(double s) const {
   const Eigen::Quaterniond turned(Eigen::AngleAxisd(angle_ * s, axis_));
   pose.rotation = (from_.rotation * turned).normalized();
   if (screw_) {
-    // x -> c + R(s)(x - c) + s * pitch * axis, in the body frame at the first pose
+    // In the frame of the first pose: x -> c + R(s)(x - c) + s * pitch * axis.
     const Eigen::Vector3d local = axisPoint_ - turned * axisPoint_ + axis_ * (s * pitch_);
     pose.translation = from_.rotation * local + from_.translation;
   } else {

@@ -1,5 +1,5 @@
 // The motion of a body from one pose to the next, and the number of chords that approximate it. All
-// code that moves a body between poses uses this class, so that the path is the same everywhere.
+// code that moves a body between poses uses StepPath, so that the path is the same everywhere.
 // Units: mm, rad, s. Cost: O(1) per query; the sphere and the longest edge take O(n).
 // Sources: slerp, Shoemake 1985; the screw axis of a rigid motion, Chasles 1830.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -36,7 +36,7 @@ class StepPath {
   Pose poseAt(double s) const;
   Placement at(double s) const;
 
-  /// Angle of the whole step, 0 to pi.
+  /// Angle by which the body turns during the whole step, 0 to pi.
   double angle() const { return angle_; }
   /// True if all points turn about one fixed axis and slide along it. Otherwise the origin of the
   /// body moves along a straight line, and the body turns about its origin.
@@ -47,7 +47,7 @@ class StepPath {
   Eigen::Vector3d axis() const { return from_.rotation * axis_; }
   /// A point on the axis of a screw, in world coordinates.
   Eigen::Vector3d axisPoint() const { return from_.rotation * axisPoint_ + from_.translation; }
-  /// Distance of a point (in the body frame) from the axis of rotation.
+  /// Distance (mm) of a point in body coordinates from the axis of rotation.
   double radius(const Eigen::Vector3d& point) const;
   /// Upper bound of radius() for all points of the sphere.
   double radius(const Sphere& body) const;
@@ -75,20 +75,20 @@ class StepPath {
 
 double longestEdge(const TriMesh& body);
 
-/// An edge of length `edge` sweeps a warped patch during a turn by `turn` (rad). Returns an upper
+/// An edge of length `edge` sweeps a warped patch while it turns by `turn` (rad). Returns an upper
 /// bound of the distance of this patch from the two triangles that replace it. Bounds on the chords
-/// of points do not include this deviation.
+/// of points do not include this distance.
 inline double warpOf(double turn, double edge) { return edge * turn / 4; }
 
-/// Returns how far (mm) the true motion deviates from the chords during a step, for all points of
-/// the box. Up to terms of fourth order, for which 2 % are added, a point moves on an arc of
-/// constant curvature. So it is farthest from its chord in the middle of the step.
+/// Returns how far (mm) the points of the box deviate from their chords during a step. A point
+/// moves on an arc of nearly constant curvature, so it is farthest from its chord in the middle of
+/// the step. The result includes 2 % for terms of fourth order.
 double arcOf(const Motion& motion, std::size_t step, const Eigen::AlignedBox3d& box);
 
-/// Returns the number of chords per step, not rounded. With this number, chords of points and side
-/// patches together deviate from the true motion by at most `chord`. With n chords, they deviate by
-/// r a^2 / (8 n^2) (slightly more than the exact sagitta), and the patches by warpOf(a, longest) /
-/// n.
+/// Returns the number of chords per step, not rounded, for which the chords of points and the side
+/// patches together deviate from the true motion by at most `chord`. With n chords, a point at
+/// radius r deviates by at most r a^2 / (8 n^2), where a is the angle of the step. The patches
+/// deviate by warpOf(a, longest) / n.
 double piecesOf(double radius, double angle, double longest, double chord);
 
 }  // namespace swept

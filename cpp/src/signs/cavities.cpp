@@ -51,7 +51,7 @@ class MovingSolid {
       return false;
     }
     for (std::size_t k = 0; k + 1 < n; ++k) {
-      if (inStep(world, k, 0, 1)) return true;
+      if (containsDuringStep(world, k, 0, 1)) return true;
     }
     return false;
   }
@@ -64,19 +64,19 @@ class MovingSolid {
   bool contains(const Vector3d& x) const {
     return isInside(x) || nearest_.query(x, squaredGrazing_, squaredGrazing_) < squaredGrazing_;
   }
-  bool inStep(const Vector3d& world, std::size_t k, double from, double to) const {
+  bool containsDuringStep(const Vector3d& world, std::size_t k, double from, double to) const {
     const Placement &p = motion_.placements[k], &q = motion_.placements[k + 1];
     const double shift = (q.translation - p.translation).norm();
     const double arm = std::max((world - p.translation).norm(), (world - q.translation).norm());
     const double reach = (shift + steps_[k].angle() * arm) * (to - from) / 2 * (1 + 1e-9);
     const Vector3d x = inBody(world, steps_[k].at((from + to) / 2));
-    const double clear = std::max(reach, 0.0) + grazing_;
-    const double squared = nearest_.query(x, clear * clear, squaredGrazing_);
-    if (squared >= clear * clear) return isInside(x);
+    const double limit = std::max(reach, 0.0) + grazing_;
+    const double squared = nearest_.query(x, limit * limit, squaredGrazing_);
+    if (squared >= limit * limit) return isInside(x);
     if (squared < squaredGrazing_) return true;
     if (isInside(x)) return true;
     const double middle = (from + to) / 2;
-    return inStep(world, k, from, middle) || inStep(world, k, middle, to);
+    return containsDuringStep(world, k, from, middle) || containsDuringStep(world, k, middle, to);
   }
 
   const Motion& motion_;
@@ -87,9 +87,9 @@ class MovingSolid {
   double grazing_;
 };
 
-/// A lattice point of a component to test.
-struct Queried {
-  std::int32_t length = 0;  ///< of the run; the point is in its middle
+/// A lattice point of a component at which the component is tested.
+struct TestPoint {
+  std::int32_t length = 0;  ///< of the run in whose middle the point lies
   std::array<std::int32_t, 3> point{0, 0, 0};
 };
 
@@ -98,9 +98,9 @@ struct Queried {
 std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& component,
                           const MarkedEdges& marked, const GridPlan& grid, const TriMesh& body,
                           const Motion& motion, const SolidPoint& isSolid, RunContext& run) {
-  std::vector<std::uint32_t> names;
-  std::vector<std::vector<Queried>> queried;
-  std::unordered_map<std::uint32_t, std::size_t> place;
+  std::vector<std::uint32_t> numbers;
+  std::vector<std::vector<TestPoint>> testPoints;
+  std::unordered_map<std::uint32_t, std::size_t> indexOf;
   for (std::int32_t i = 0; i < grid.points[0]; ++i) {
     const LayerEdges& layer = marked.layers[i];
     for (std::int32_t j = 0; j < grid.points[1]; ++j) {
@@ -110,16 +110,16 @@ std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& com
       for (std::uint32_t e = begin; e <= end; ++e, ++r) {
         const std::int32_t high = e < end ? layer.edges[2][e].k : grid.points[2] - 1;
         const std::int32_t length = high - low + 1;
-        const Queried one{length, {i, j, low + length / 2}};
+        const TestPoint candidate{length, {i, j, low + length / 2}};
         low = high + 1;
         if (signs.outside[r] != 0) continue;
-        const auto [it, fresh] = place.try_emplace(component[r], names.size());
+        const auto [it, fresh] = indexOf.try_emplace(component[r], numbers.size());
         if (fresh) {
-          names.push_back(component[r]);
-          queried.emplace_back();
+          numbers.push_back(component[r]);
+          testPoints.emplace_back();
         }
-        auto& points = queried[it->second];
-        points.push_back(one);
+        auto& points = testPoints[it->second];
+        points.push_back(candidate);
         for (std::size_t at = points.size(); at-- > 1 && points[at - 1].length < length;) {
           std::swap(points[at - 1], points[at]);
         }
@@ -128,11 +128,11 @@ std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& com
     }
   }
   const MovingSolid solid(body, motion, kGrazing * grid.cell);
-  std::vector<std::uint8_t> hollow(names.size(), 0);
-  parallelBlocks(names.size(), 16, [&](std::size_t begin, std::size_t end) {
-    run.checkpoint(Phase::Signs, begin, names.size());
+  std::vector<std::uint8_t> hollow(numbers.size(), 0);
+  parallelBlocks(numbers.size(), 16, [&](std::size_t begin, std::size_t end) {
+    run.checkpoint(Phase::Signs, begin, numbers.size());
     for (std::size_t c = begin; c < end; ++c) {
-      hollow[c] = std::none_of(queried[c].begin(), queried[c].end(), [&](const Queried& a) {
+      hollow[c] = std::none_of(testPoints[c].begin(), testPoints[c].end(), [&](const TestPoint& a) {
         if (isSolid && isSolid(a.point[0], a.point[1], a.point[2])) return true;
         return solid.everContains(grid.origin +
                                   grid.cell * Vector3d(a.point[0], a.point[1], a.point[2]));
@@ -140,7 +140,7 @@ std::int64_t openCavities(SignRuns& signs, const std::vector<std::uint32_t>& com
     }
   });
   for (std::size_t r = 0; r < signs.outside.size(); ++r) {
-    if (signs.outside[r] == 0) signs.outside[r] = hollow[place.at(component[r])];
+    if (signs.outside[r] == 0) signs.outside[r] = hollow[indexOf.at(component[r])];
   }
   return std::count(hollow.begin(), hollow.end(), 1);
 }

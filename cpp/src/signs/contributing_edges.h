@@ -10,8 +10,7 @@
 
 namespace swept {
 
-/// Finds out which points of a lattice line lie outside. outside(k) must be called with ascending
-/// k.
+/// Tells which points of a lattice line lie outside. outside(k) must be called with ascending k.
 class LineReader {
  public:
   LineReader(const MarkedEdges& marked, const SignRuns& signs, std::int32_t i, std::int32_t j)

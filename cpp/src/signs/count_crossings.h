@@ -14,7 +14,7 @@ namespace swept {
 
 struct CrossingCounts {
   std::int64_t crossings = 0;  ///< one for each outside end of an edge
-  std::int64_t walls = 0;      ///< edges with both ends outside: a wall thinner than a cell
+  std::int64_t walls = 0;      ///< edges with both ends outside, on two sides of a thin wall
 };
 
 CrossingCounts countCrossings(const MarkedEdges& marked, const GridPlan& grid, RunContext& run);

@@ -21,8 +21,9 @@ Edges columnEdges(const LayerEdges& layer, int axis, std::int32_t j) {
 
 using Runs = std::vector<std::uint32_t>;
 
-/// Joins the runs of two neighbouring lines. `a` and `b` are their marked z edges, `between` the
-/// marked edges that lead from a to b, and n the number of lattice points along z.
+/// Joins the runs of two neighbouring lines. `a` and `b`: the marked z edges of the lines.
+/// `between`: the marked edges that lead from the first line to the second. n: the number of
+/// lattice points along z.
 void joinLines(Edges a, std::uint32_t runA, Edges b, std::uint32_t runB, Edges between,
                std::int32_t n, Runs& parent) {
   std::size_t ia = 0, ib = 0, im = 0;

@@ -22,8 +22,8 @@ bool isOneOf(const std::string& suffix, const std::array<const char*, N>& known)
   return std::find(known.begin(), known.end(), suffix) != known.end();
 }
 
-/// Returns true if the file begins like a STEP file (with the number of the standard) or a BREP
-/// file (with the name of the kernel or of its shape).
+/// Returns true if the file begins like a STEP file ("ISO-10303-21") or like a BREP file of
+/// OpenCASCADE.
 bool beginsLikeSolid(const std::string& path) {
   std::ifstream file(pathFromUtf8(path), std::ios::binary);
   std::string head(256, '\0');
@@ -36,8 +36,8 @@ bool beginsLikeSolid(const std::string& path) {
          head.find("CASCADE Topology V") != std::string::npos;
 }
 
-// Reads the solids of a file with a linear (mm) and an angular deflection (rad), by the kernel or
-// by the caller. `shape` may be null.
+// A function that reads the solids of a file with a linear (mm) and an angular deflection (rad).
+// Either the geometry kernel reads them, or a SolidReader of the caller. `shape` may be null.
 using Shape = std::shared_ptr<const BodyShape>;
 using Read = std::function<std::vector<ImportedSolid>(double linear, double angular, Shape* shape)>;
 
@@ -70,11 +70,12 @@ double longestSide(const std::vector<ImportedSolid>& solids) {
   return box.sizes().maxCoeff();
 }
 
-/// Returns the tessellation tolerance for a run whose cell is not known yet. Derives it from the
-/// size of the body, measured on coarse triangles. However the body is turned, the longest side of
-/// the box of its sweep is at least the longest side of the body divided by the square root of 3.
+/// Returns the tessellation tolerance (mm) for a run whose cell size is not known yet. Derives it
+/// from the size of the body, measured on coarse triangles. However the body is turned, the longest
+/// side of the box of its sweep is at least the longest side of the body divided by the square root
+/// of 3.
 double toleranceFromSize(const Read& read, int resolution) {
-  constexpr double kCoarse = 1;  // mm; or half a radian, whichever gives the finer mesh
+  constexpr double kCoarse = 1;  // mm, linear deflection; the angular deflection is half a radian
   const double side = longestSide(read(kCoarse, 0.5, nullptr));
   return kTessellationFraction * side / std::sqrt(3.0) / resolution;
 }
