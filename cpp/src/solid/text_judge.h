@@ -19,8 +19,8 @@ class TextJudge : public Judge {
  public:
   explicit TextJudge(StepReader& reader) : reader_(reader) {}
 
-  std::vector<std::int32_t> take(const Model& model, RunContext& run) override;
-  std::vector<EdgeCut> findUnheldEdges(const Model& model) override;
+  std::vector<std::int32_t> setModel(const Model& model, RunContext& run) override;
+  std::vector<EdgeCut> findEdgesOffFaces(const Model& model) override;
   std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) override;
   std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
                                            RunContext& run) override;

@@ -166,9 +166,9 @@ std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, do
     if (*least >= kEven * *most) {
       // Uses equal spans. An estimate from fewer than three spans is too high, so only 80 % of it
       // is used.
-      const double share = wanted.size() < 3 ? 0.8 : 1;
+      const double fraction = wanted.size() < 3 ? 0.8 : 1;
       const auto count = static_cast<double>(wanted.size());
-      const double next = std::max(count + 1, std::ceil(share * *most * count));
+      const double next = std::max(count + 1, std::ceil(fraction * *most * count));
       knots = finer(Knots(degree, {range.from, range.to}), {static_cast<int>(next)});
       continue;
     }

@@ -19,8 +19,8 @@ namespace swept::step {
 struct Range {
   double from = 0, to = 1;
   double length() const { return to - from; }
-  double at(double share) const { return from + share * (to - from); }
-  Range grown(double share) const { return {at(-share), at(1 + share)}; }
+  double at(double fraction) const { return from + fraction * (to - from); }
+  Range grown(double fraction) const { return {at(-fraction), at(1 + fraction)}; }
 };
 
 class Knots {

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-double largestOff(const Vector3d& p, const std::vector<const Carrier*>& surfaces) {
+double largestDistance(const Vector3d& p, const std::vector<const Carrier*>& surfaces) {
   double largest = 0;
   for (const Carrier* s : surfaces) largest = std::max(largest, std::abs(s->distance(p)));
   return largest;
@@ -71,7 +71,8 @@ std::optional<Vector3d> onCurve(const Curve& curve, const Vector3d& from,
     t = *found;
   }
   const Vector3d p = curve.at(t);
-  if (!((p - from).norm() <= reach) || largestOff(p, surfaces) > kOnCarrier) return std::nullopt;
+  if (!((p - from).norm() <= reach) || largestDistance(p, surfaces) > kOnCarrier)
+    return std::nullopt;
   return p;
 }
 
@@ -84,7 +85,7 @@ void forTraces(const std::vector<const Carrier*>& surfaces, const Use& use) {
 
 }  // namespace
 
-std::optional<Vector3d> knownPlace(const Vector3d& from,
+std::optional<Vector3d> knownPoint(const Vector3d& from,
                                    const std::vector<const Carrier*>& surfaces, double reach) {
   std::optional<Vector3d> best;
   double smallest = reach;
@@ -96,7 +97,7 @@ std::optional<Vector3d> knownPlace(const Vector3d& from,
   };
   forTraces(surfaces, [&](const Traces& traces) {
     for (const Vector3d& p : traces.points) {
-      if ((p - from).norm() < smallest && largestOff(p, surfaces) <= kOnCarrier) take(p);
+      if ((p - from).norm() < smallest && largestDistance(p, surfaces) <= kOnCarrier) take(p);
     }
   });
   if (best) return best;

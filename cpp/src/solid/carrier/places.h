@@ -17,7 +17,7 @@
 namespace swept::step {
 
 /// Returns a point on all surfaces that a trace gives, within `reach` of `from`.
-std::optional<Eigen::Vector3d> knownPlace(const Eigen::Vector3d& from,
+std::optional<Eigen::Vector3d> knownPoint(const Eigen::Vector3d& from,
                                           const std::vector<const Carrier*>& surfaces,
                                           double reach);
 

@@ -57,7 +57,7 @@ class Sheet {
 
   Knots u_, t_;
   std::vector<Eigen::Vector3d> poles_;
-  Range roomU_, roomT_;  // ranges of the parameters, including the continuation
+  Range extendedU_, extendedT_;  // ranges of the parameters, including the continuation
   std::vector<double> sampleU_, sampleT_;
   std::vector<Eigen::Vector3d> samples_;
   double spacing_ = 0;  // mm, approximate distance between samples

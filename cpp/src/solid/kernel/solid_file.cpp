@@ -39,9 +39,9 @@ namespace swept::step {
 namespace {
 
 [[noreturn]] void fail(const char* code, const std::string& what, const KernelSession* kernel) {
-  const std::string said = kernel != nullptr ? kernel->messages() : std::string();
+  const std::string messages = kernel != nullptr ? kernel->messages() : std::string();
   throw Error(Status::ExportFailed, code,
-              said.empty() ? what : what + " (OpenCASCADE: " + said + ")");
+              messages.empty() ? what : what + " (OpenCASCADE: " + messages + ")");
 }
 
 std::string systemReason(int error) {

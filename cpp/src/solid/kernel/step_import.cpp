@@ -27,10 +27,10 @@ void appendFace(const TopoDS_Face& face, std::int32_t number, TriMesh& mesh) {
   TopLoc_Location location;
   const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, location);
   if (part.IsNull()) return;
-  const gp_Trsf& place = location.Transformation();
+  const gp_Trsf& transform = location.Transformation();
   const auto first = static_cast<std::int32_t>(mesh.vertices.size());
   for (int i = 1; i <= part->NbNodes(); ++i) {
-    const gp_Pnt p = part->Node(i).Transformed(place);
+    const gp_Pnt p = part->Node(i).Transformed(transform);
     mesh.vertices.emplace_back(p.X(), p.Y(), p.Z());
   }
   const bool turned = face.Orientation() == TopAbs_REVERSED;

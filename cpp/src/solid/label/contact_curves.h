@@ -14,16 +14,16 @@
 
 namespace swept::step {
 
-/// Returns whether the surface slides along itself when it moves in the direction `way`.
-bool slidesAlong(const Carrier& surface, const Eigen::Vector3d& way);
+/// Returns whether the surface slides along itself when it moves in the direction `direction`.
+bool slidesAlong(const Carrier& surface, const Eigen::Vector3d& direction);
 
 /// Returns the contact curves of the face. Straight ones extend beyond it. Empty if the surface
 /// slides along itself, or if there is no formula for its kind.
 std::vector<Curve> contactCurves(const BodyShape& body, std::int32_t face,
-                                 const Eigen::Vector3d& way);
+                                 const Eigen::Vector3d& direction);
 
 /// Returns the contact points of the surface that lie on this curve. The curve lies on the surface.
 std::vector<Eigen::Vector3d> contactPoints(const Curve& curve, const Carrier& surface,
-                                           const Eigen::Vector3d& way);
+                                           const Eigen::Vector3d& direction);
 
 }  // namespace swept::step

@@ -106,7 +106,7 @@ Partition labelFaces(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double
     const bool tidied = tidyRegions(labels), mended = mendCorners(labels);
     if (!tidied && !mended) break;
   }
-  if (!open.empty()) openGround(open, labels);
+  if (!open.empty()) makeFacets(open, labels);
   Partition partition = Parts(labels).make(labels);
   cutRoundPatches(mesh, partition);
   return partition;

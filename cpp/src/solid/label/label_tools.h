@@ -81,7 +81,7 @@ class LabelTools {
   std::vector<std::int32_t> chainFrom(std::int32_t h) const {
     const std::int32_t left = of_[h / 3], right = of_[mesh_.opposite[h] / 3];
     std::vector<std::int32_t> chain{h};
-    while (chain.size() <= kLongestCover) {
+    while (chain.size() <= kMaxShortBorder) {
       std::int32_t n = HalfEdgeMesh::next(chain.back());
       while (!isBorder(n)) n = HalfEdgeMesh::next(mesh_.opposite[n]);
       if (of_[n / 3] != left || of_[mesh_.opposite[n] / 3] != right || n == h) break;
@@ -90,12 +90,12 @@ class LabelTools {
     return chain;
   }
 
-  static constexpr std::size_t kLongestCover = 24;
+  static constexpr std::size_t kMaxShortBorder = 24;
 
   bool meetAll(const Vector3d& near, const std::vector<std::int32_t>& around) const {
     std::vector<const Carrier*> all;
     for (const std::int32_t n : around) all.push_back(&carrier(n));
-    if (knownPlace(near, all, 4 * spacing_)) return true;
+    if (knownPoint(near, all, 4 * spacing_)) return true;
     const Vector3d p = meetingPoint(near, all);
     if (!((p - near).norm() <= 6 * spacing_)) return false;
     return std::all_of(all.begin(), all.end(),

@@ -62,10 +62,11 @@ class Splitter {
     if (onEdge && (label_[back / 3] >= 0 || taken_[back / 3])) return false;
     const auto vertex = static_cast<std::int32_t>(points_.size());
     points_.push_back(violation.point);
-    std::vector<std::int32_t> fresh;
-    fan(t, onEdge ? edge : -1, vertex, fresh);
-    if (onEdge) fan(back / 3, back, vertex, fresh);
-    hand(onEdge ? std::vector<std::int32_t>{t, back / 3} : std::vector<std::int32_t>{t}, fresh);
+    std::vector<std::int32_t> added;
+    fan(t, onEdge ? edge : -1, vertex, added);
+    if (onEdge) fan(back / 3, back, vertex, added);
+    attachToNearest(onEdge ? std::vector<std::int32_t>{t, back / 3} : std::vector<std::int32_t>{t},
+                    added);
     return true;
   }
 
@@ -83,7 +84,7 @@ class Splitter {
   // Replaces triangle t by triangles that connect `vertex` with each edge of t except `without`.
   // The first new triangle gets the index of the old one.
   void fan(std::int32_t t, std::int32_t without, std::int32_t vertex,
-           std::vector<std::int32_t>& fresh) {
+           std::vector<std::int32_t>& added) {
     bool first = true;
     taken_[t] = 1;
     for (int k = 0; k < 3; ++k) {
@@ -93,9 +94,9 @@ class Splitter {
                                                 vertex};
       if (first) {
         triangles_[t] = corners;
-        fresh.push_back(t);
+        added.push_back(t);
       } else {
-        fresh.push_back(static_cast<std::int32_t>(triangles_.size()));
+        added.push_back(static_cast<std::int32_t>(triangles_.size()));
         triangles_.push_back(corners);
         label_.push_back(label_[t]);
         attached_.emplace_back();
@@ -105,7 +106,8 @@ class Splitter {
     }
   }
 
-  void hand(const std::vector<std::int32_t>& old, const std::vector<std::int32_t>& fresh) {
+  void attachToNearest(const std::vector<std::int32_t>& old,
+                       const std::vector<std::int32_t>& added) {
     std::vector<Vector3d> points;
     for (const std::int32_t t : old) {
       points.insert(points.end(), attached_[t].begin(), attached_[t].end());
@@ -113,8 +115,8 @@ class Splitter {
     }
     for (const Vector3d& p : points) {
       double smallest = 1e300;
-      std::int32_t home = fresh.front();
-      for (const std::int32_t t : fresh) {
+      std::int32_t home = added.front();
+      for (const std::int32_t t : added) {
         const auto& tri = triangles_[t];
         const double d = squaredDistance(p, points_[tri[0]], points_[tri[1]], points_[tri[2]]);
         if (d >= smallest) continue;

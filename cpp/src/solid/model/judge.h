@@ -28,11 +28,11 @@ class Judge {
 
   /// Takes a model, to which the next four functions refer. Returns the faces that the kernel
   /// cannot make.
-  virtual std::vector<std::int32_t> take(const Model& model, RunContext& run) = 0;
+  virtual std::vector<std::int32_t> setModel(const Model& model, RunContext& run) = 0;
   /// Returns "unheld" edges: edges of curved faces that are farther from one of their faces than a
   /// reader of the file would assume. Each entry has the curve parameter at which the distance is
   /// largest.
-  virtual std::vector<EdgeCut> findUnheldEdges(const Model& model) = 0;
+  virtual std::vector<EdgeCut> findEdgesOffFaces(const Model& model) = 0;
   /// Returns faces that are not valid. `from` and `to`: progress of the export (0 to 1).
   virtual std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) = 0;
   /// Returns curved faces that are not valid after the text of the file was read back.

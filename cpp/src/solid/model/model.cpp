@@ -78,8 +78,8 @@ class Builder {
       // line of intersection.
       const double limit = isFacetCorner_[v] ? kCornerFraction * tolerance_
                                              : std::max(10 * tolerance_, 4 * reach[v]);
-      const auto known = knownPlace(mesh_.points[v], at[v], limit);
-      const Vector3d moved = known ? *known : meetingPoint(mesh_.points[v], at[v]);
+      const auto traced = knownPoint(mesh_.points[v], at[v], limit);
+      const Vector3d moved = traced ? *traced : meetingPoint(mesh_.points[v], at[v]);
       if ((moved - mesh_.points[v]).norm() <= limit) position_[v] = moved;
     }
   }
@@ -156,7 +156,7 @@ class Builder {
     }
     const double strays = 3 * tolerance_ + 2 * reach;
     const Carrier &a = *chain.surfaces[0], &b = *chain.surfaces[1];
-    if (const auto known = knownCurve(along, a, b, kOnCarrier, 2 * strays)) return known;
+    if (const auto traced = knownCurve(along, a, b, kOnCarrier, 2 * strays)) return traced;
     const auto curve = sectionCurve(along, chain.closed, a, b, strays);
     return curve && isNear(*curve, along, chain, strays) ? curve : std::nullopt;
   }

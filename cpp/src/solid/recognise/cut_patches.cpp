@@ -31,7 +31,7 @@ double largestGap(std::vector<double> angles, double& middle) {
   return gap;
 }
 
-constexpr double kWantedGap = 1.2;  // rad: least gap in which the seam lies outside the face
+constexpr double kMinGap = 1.2;  // rad: least gap in which the seam lies outside the face
 
 class Cutter {
  public:
@@ -72,10 +72,10 @@ class Cutter {
       }
     }
     double middle = 0;
-    bool fits = largestGap(turn, middle) > kWantedGap;
+    bool fits = largestGap(turn, middle) > kMinGap;
     s.xdir = std::cos(middle) * x + std::sin(middle) * y;
     if (s.kind == CarrierKind::Torus) {
-      fits = fits && largestGap(tube, middle) > kWantedGap;
+      fits = fits && largestGap(tube, middle) > kMinGap;
       s.tubeMid = middle + M_PI;
     }
     return fits;
@@ -95,9 +95,9 @@ class Cutter {
     }
     double middle = 0;
     const double gap = largestGap(turn, middle);
-    if (gap <= kWantedGap) return false;
+    if (gap <= kMinGap) return false;
     // Part of the gap stays unused, so that the ends do not meet.
-    const double left = std::max(0.15 * gap, gap / 2 - kWantedGap / 2);
+    const double left = std::max(0.15 * gap, gap / 2 - kMinGap / 2);
     const auto inPeriod = [&](double angle) {
       const double turns = angle / (2 * M_PI);
       return from + period * (turns - std::floor(turns));
@@ -135,7 +135,7 @@ class Cutter {
     std::vector<double> turn;
     for (const Vector3d& d : directions) turn.push_back(angle(d, x, y));
     double middle = 0;
-    const bool fits = largestGap(turn, middle) > kWantedGap && best < 0.97;
+    const bool fits = largestGap(turn, middle) > kMinGap && best < 0.97;
     s.xdir = std::cos(middle) * x + std::sin(middle) * y;
     return fits;
   }

@@ -37,7 +37,7 @@ double angleOf(const HalfEdgeMesh& mesh, const Patch& patch) {
   return 2 * std::acos(std::max(-1.0, smallest));
 }
 
-double bendAt(const Profile& profile, double t) {
+double curvatureAt(const Profile& profile, double t) {
   Vector2d first, second;
   profile.derivatives(t, first, second);
   return std::abs(first.x() * second.y() - first.y() * second.x()) / std::pow(first.norm(), 3);
@@ -51,14 +51,14 @@ double savedByProfile(const HalfEdgeMesh& mesh, const Patch& patch, double toler
   const double from = profile.nodes().front().knot, step = profile.length() / kSteps;
   double strips = 0, facets = 0;
   for (int i = 0; i < kSteps; ++i)
-    strips += step * std::sqrt(bendAt(profile, from + (i + 0.5) * step) / tolerance);
+    strips += step * std::sqrt(curvatureAt(profile, from + (i + 0.5) * step) / tolerance);
   if (patch.surface.kind == CarrierKind::Extrusion) return strips;
   for (const std::int32_t t : patch.triangles) {
     const Vector2d q = patch.surface.inProfile(mesh.points[mesh.triangles[t][0]]);
     const Profile::Foot foot = profile.foot(q);
     const double across = std::abs(foot.tangent.y()) / std::max(q.x(), tolerance);
     const double area = 0.5 * mesh.areaVector(t).norm();
-    facets += area * std::sqrt(bendAt(profile, foot.t) * across) / (kAreaPerFacet * tolerance);
+    facets += area * std::sqrt(curvatureAt(profile, foot.t) * across) / (kAreaPerFacet * tolerance);
   }
   return std::max(strips, facets);
 }

@@ -139,12 +139,12 @@ double improveAxis(const Samples& samples, const Vector3d& mean, double size, Ca
     const Vector3d outward = s.normal(p), d = p - s.point;
     const double along = d.dot(s.axis) - middle, up = outward.dot(s.axis);
     const Vector3d radial = d - d.dot(s.axis) * s.axis;
-    const bool pushed = s.kind == CarrierKind::Extrusion;
+    const bool isExtrusion = s.kind == CarrierKind::Extrusion;
     Eigen::Vector4d row;
     row[0] = -outward.dot(e1);
     row[1] = -outward.dot(e2);
-    row[2] = (-along * outward.dot(e1) + (pushed ? 0 : up * radial.dot(e1))) / size;
-    row[3] = (-along * outward.dot(e2) + (pushed ? 0 : up * radial.dot(e2))) / size;
+    row[2] = (-along * outward.dot(e1) + (isExtrusion ? 0 : up * radial.dot(e1))) / size;
+    row[3] = (-along * outward.dot(e2) + (isExtrusion ? 0 : up * radial.dot(e2))) / size;
     moments.normal += row * row.transpose();
     moments.right -= row * s.distance(p);
   }

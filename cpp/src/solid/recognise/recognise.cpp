@@ -54,7 +54,7 @@ class Recogniser {
       if (!isOpen(seeds[i])) continue;
       if (found[i].best && isTaken(found[i].best->region))
         found[i] = seekers_[i].seek(seeds[i], tried_[seeds[i]]);
-      note(found[i]);
+      record(found[i]);
     }
   }
 
@@ -63,7 +63,7 @@ class Recogniser {
                        [&](std::int32_t t) { return partition_.patchOf[t] >= 0; });
   }
 
-  void note(Found& found) {
+  void record(Found& found) {
     for (const auto& [kind, region] : found.tried) {
       for (const std::int32_t t : region) tried_[t] = static_cast<char>(tried_[t] | bitOf(kind));
     }

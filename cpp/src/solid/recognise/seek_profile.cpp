@@ -148,11 +148,11 @@ class ProfileSeeker {
   std::vector<std::int32_t> withinLean(const Carrier& surface, std::int32_t seed) {
     return flood(seed, mesh_.triangles.size(), [&](std::int32_t t) {
       if (isByThePole(surface, t)) return false;
-      const double maxCount = shapes_.thin[t] ? 3 * kMaxLean : kMaxLean;
+      const double maxSine = shapes_.thin[t] ? 3 * kMaxLean : kMaxLean;
       const Vector3d& n = shapes_.normal[t];
-      if (surface.kind == CarrierKind::Extrusion) return std::abs(n.dot(surface.axis)) < maxCount;
+      if (surface.kind == CarrierKind::Extrusion) return std::abs(n.dot(surface.axis)) < maxSine;
       const Vector3d out = mesh_.points[mesh_.triangles[t][0]] - surface.point;
-      return std::abs(surface.axis.cross(out).normalized().dot(n)) < maxCount;
+      return std::abs(surface.axis.cross(out).normalized().dot(n)) < maxSine;
     });
   }
 

@@ -105,8 +105,8 @@ std::optional<Candidate> SurfaceSeeker::tryKind(CarrierKind kind, std::int32_t s
     refineSurface(samples, candidate.surface);
     candidate.median = residuals(samples, candidate.surface).median;
     if (candidate.median > 2 * kExactFraction * tolerance_) break;
-    candidate.region =
-        grow(seed, candidate.surface, tightOf(candidate.median), candidate.region.size() * 5 / 4);
+    candidate.region = grow(seed, candidate.surface, tightTolerance(candidate.median),
+                            candidate.region.size() * 5 / 4);
   }
   // No seed in this region needs to try this kind again.
   found_.tried.emplace_back(kind, candidate.region);
@@ -120,7 +120,7 @@ std::optional<Candidate> SurfaceSeeker::tryKind(CarrierKind kind, std::int32_t s
   return candidate;
 }
 
-double SurfaceSeeker::tightOf(double median) const {
+double SurfaceSeeker::tightTolerance(double median) const {
   return std::clamp(8 * median, kMinFraction * tolerance_, tolerance_);
 }
 

@@ -44,19 +44,19 @@ class ContactMap {
                     Eigen::Vector2d& where);
   /// Returns the parameter v of the contact at (w, s) in the range that was followed. NaN if there
   /// is none.
-  double placeAt(double w, double s) const;
+  double parameterAt(double w, double s) const;
 
  private:
   static constexpr int kNodes = 24;  // intervals in each direction
-  double& node(int i, int j) { return places_[i * (kNodes + 1) + j]; }
-  double node(int i, int j) const { return places_[i * (kNodes + 1) + j]; }
+  double& node(int i, int j) { return parameters_[i * (kNodes + 1) + j]; }
+  double node(int i, int j) const { return parameters_[i * (kNodes + 1) + j]; }
   double lengthPer(double w, double v, bool alongRail) const;
 
   const Rails& rails_;
   const StepPath& path_;
   double size_;
   Range w_, s_;
-  std::vector<double> places_;
+  std::vector<double> parameters_;
 };
 
 }  // namespace swept::step

@@ -49,7 +49,7 @@ Samples sampled(const ExactSurface& exact, Range u, Range t) {
 }
 
 // Returns whether all points lie on the carrier. Turns its outward side to that of the samples.
-bool holds(Carrier& carrier, const Samples& samples, double bound) {
+bool containsAll(Carrier& carrier, const Samples& samples, double bound) {
   for (const Vector3d& p : samples.points) {
     if (!(std::abs(carrier.distance(p)) <= bound)) return false;
   }
@@ -106,29 +106,29 @@ std::optional<Carrier> turnedGuess(const Samples& samples, const FixedAxis& axis
   const Vector2d a = along(0), b = along(kTests / 2), c = along(kTests - 1);
   Carrier round = ofKind(CarrierKind::Cylinder, axis.point, axis.direction);
   round.radius = b.x();
-  if (holds(round, samples, bound)) return round;
+  if (containsAll(round, samples, bound)) return round;
   if (a.x() != c.x()) {
     round.kind = CarrierKind::Cone;
-    const double way = c.y() >= a.y() ? 1 : -1;
-    round.setHalfAngle(std::atan2(way * (c.x() - a.x()), way * (c.y() - a.y())));
+    const double sign = c.y() >= a.y() ? 1 : -1;
+    round.setHalfAngle(std::atan2(sign * (c.x() - a.x()), sign * (c.y() - a.y())));
     round.point = axis.point + b.y() * axis.direction;
     double nearest = 1e300;
     for (const Vector2d& q : flat) nearest = std::min(nearest, q.x());
     if (std::abs(round.cosine) > kTiny && nearest > kNearAxis * samples.size &&
-        holds(round, samples, bound))
+        containsAll(round, samples, bound))
       return round;
   }
   const auto circle = circleOf(a, b, c);
   if (!circle) return std::nullopt;
   round = ofKind(CarrierKind::Sphere, axis.point + circle->y() * axis.direction, axis.direction);
   round.radius = circle->z();
-  if (holds(round, samples, bound)) return round;
+  if (containsAll(round, samples, bound)) return round;
   round.kind = CarrierKind::Torus;
   round.radius = std::abs(circle->x());
   round.minor = circle->z();
   round.tubeMid = std::atan2(b.y() - circle->y(), b.x() - circle->x());
   // A torus that intersects itself would consist of two surfaces.
-  if (round.minor < round.radius && holds(round, samples, bound)) return round;
+  if (round.minor < round.radius && containsAll(round, samples, bound)) return round;
   return std::nullopt;
 }
 
@@ -172,7 +172,7 @@ std::optional<Carrier> withProfile(Carrier carrier, const ExactCurve& generator,
     }
     // The profile is accurate now. If points lie off its surface, more nodes would not help.
     if (error <= 0.5 * bound)
-      return holds(carrier, samples, bound) ? std::optional(carrier) : std::nullopt;
+      return containsAll(carrier, samples, bound) ? std::optional(carrier) : std::nullopt;
   }
   return std::nullopt;
 }
@@ -215,7 +215,7 @@ std::optional<Carrier> extrusion(const ExactSurface& exact, Range u, Range t,
     if (const auto circle = circleThrough(flat, false, bound)) {
       Carrier round = ofKind(CarrierKind::Cylinder, circle->start, carrier.axis);
       round.radius = circle->radius;
-      if (holds(round, samples, bound)) return round;
+      if (containsAll(round, samples, bound)) return round;
     }
     if (auto made = withProfile(carrier, generator, range, samples, bound)) return made;
   }
@@ -250,9 +250,9 @@ std::optional<Carrier> revolution(const ExactSurface& exact, Range u, Range t,
 
 std::optional<FixedAxis> fixedAxis(const StepPath& path) {
   if (path.isScrew()) return FixedAxis{path.axisPoint(), path.axis()};
-  const Vector3d from = path.poseAt(0).translation, way = path.poseAt(1).translation - from;
+  const Vector3d from = path.poseAt(0).translation, shift = path.poseAt(1).translation - from;
   const Vector3d axis = path.axis();
-  if (!(path.angle() > 0) || way.cross(axis).norm() > kTiny * way.norm()) return std::nullopt;
+  if (!(path.angle() > 0) || shift.cross(axis).norm() > kTiny * shift.norm()) return std::nullopt;
   return FixedAxis{from, axis};
 }
 
@@ -263,7 +263,7 @@ std::optional<Carrier> exactKind(const ExactSurface& exact, Range u, Range t, co
     if (!p.allFinite()) return std::nullopt;
   }
   Carrier plane = planeGuess(samples);
-  if (holds(plane, samples, bound)) return plane;
+  if (containsAll(plane, samples, bound)) return plane;
   const auto axis = fixedAxis(path);
   if (axis) {
     if (auto made = turnedGuess(samples, *axis, bound)) return made;

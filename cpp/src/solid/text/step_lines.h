@@ -143,14 +143,14 @@ class FileSections {
   /// Writes the product. `representation`: the keyword of its shape, which consists of `items`. The
   /// items in `coloured` get the colour of the options.
   void product(const char* representation, const std::vector<Id>& items,
-               const std::vector<Id>& coloured, Id where);
+               const std::vector<Id>& coloured, Id contextId);
   void end();
 
  private:
   using Words = std::initializer_list<std::string>;
   bool is242() const { return options_.schema != StepSchema::Ap214; }
   Id plain(const char* keyword, Words arguments);
-  void colour(const std::vector<Id>& items, Id where);
+  void colour(const std::vector<Id>& items, Id contextId);
 
   Lines& lines_;
   const StepOptions& options_;
