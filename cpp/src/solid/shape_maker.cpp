@@ -202,7 +202,7 @@ class ShapeMaker {
   }
 
  private:
-  // Records where open ground is needed: along edges that lie off these faces, or on whole faces.
+  // Records where facets are needed: along edges that lie off these faces, or on whole faces.
   void recordFacetPoints(const std::vector<std::int32_t>& bad, const Model& model, bool isLoose) {
     for (const std::int32_t f : bad) {
       const ModelFace& face = model.faces[f];
@@ -277,8 +277,8 @@ class ShapeMaker {
     }
   }
 
-  // Returns the faces that are loose or that the judge refuses. After the call, the judge has taken
-  // the model if no face is loose.
+  // Returns the faces that are loose or that the judge refuses. If no face is loose, the judge has
+  // received the model.
   std::vector<std::int32_t> findUnsound(Model& model) {
     if (options_.tolerance > 0) {
       std::vector<std::int32_t> loose = findLooseFaces(model, recognisedCount_, options_.tolerance);
@@ -327,7 +327,7 @@ class ShapeMaker {
   std::optional<Built> tryMesh(Decimated base, std::int64_t& faces) {
     const double tolerance = std::max(options_.planarTolerance, options_.tolerance);
     const bool exact = options_.tolerance <= 0;
-    // Mesh vertices whose distance the last repair may have changed.
+    // Mesh vertices whose distance from the solid the last repair may have changed.
     std::vector<Eigen::Vector3d> affected;
     for (int repairs = 0;; ++repairs) {
       Decimated small{base.mesh, base.partition, {}, {}, base.deviation};
@@ -368,7 +368,7 @@ class ShapeMaker {
   bool isLabelled_ = false, isLoose_ = false;
   const std::vector<Eigen::Vector3d>* points_ = &whole_.points;  // must be near the solid
   const Partition* labelled_ = nullptr;       // the labelled patches of this round
-  std::vector<Eigen::Vector3d> facetPoints_;  // where open ground is needed in the next round
+  std::vector<Eigen::Vector3d> facetPoints_;  // become facets in the next round
 };
 
 }  // namespace

@@ -13,8 +13,9 @@
 namespace swept::step {
 
 /// Checks with the reader whether curved faces are valid after reading, and whether the finished
-/// file contains the solid. Cannot find faces that intersect. Finds edges off their faces only at
-/// the points at which the reader measures the distance. `reader` must outlive the judge.
+/// file contains the solid. Cannot find faces that intersect. Finds edges off their faces only in
+/// the finished file, at the points at which the reader measures the distance. `reader` must
+/// outlive the judge.
 class TextJudge : public Judge {
  public:
   explicit TextJudge(StepReader& reader) : reader_(reader) {}

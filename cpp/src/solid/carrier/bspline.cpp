@@ -69,7 +69,7 @@ Knots::Basis Knots::basis(double t) const {
   result.first = span - p;
   for (int r = 0; r <= p; ++r) {
     result.value[0][r] = ndu[r][p];
-    // First and second differences of basis functions of lower degree.
+    // Basis functions of degree p - order, and reciprocals of knot differences.
     const auto lower = [&](int order, int i) {
       return i < 0 || i > p - order ? 0.0 : ndu[i][p - order];
     };

@@ -1,8 +1,8 @@
 // Finds curves for edges, and points where carrier surfaces intersect.
 // In:      points in order, or carriers.
 // Out:     the simplest curve within a tolerance.
-// Units:   mm, rad. Ranges of parameters: Line 0 to length, Circle 0 to its angle, Spline 0 to
-// `last`.
+// Units:   mm, rad. Ranges of parameters: a line has 0 to its length, a circle 0 to its angle, a
+//          spline 0 to `last`.
 // Cost:    O(points).
 // Source:  circles by linear least squares (Kasa 1976); cubic B-splines (Piegl and Tiller, "The
 //          NURBS Book"); polylines (Douglas and Peucker 1973).
@@ -63,8 +63,8 @@ Curve curveThrough(std::vector<Eigen::Vector3d> points, bool closed, double eps,
 std::size_t farthestPoint(const std::vector<Eigen::Vector3d>& points, std::size_t from,
                           std::size_t to, double& distance);
 
-/// Marks the points within the spans that a polyline needs to stay within the tolerance. The ends
-/// of the spans are not marked.
+/// Marks the points that a polyline must keep to stay within the tolerance of all points. Each span
+/// has the indices of its ends, which are not marked.
 void keepBends(const std::vector<Eigen::Vector3d>& points,
                std::vector<std::pair<std::size_t, std::size_t>> spans, double tolerance,
                std::vector<char>& kept);

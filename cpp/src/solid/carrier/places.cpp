@@ -17,7 +17,8 @@ double largestDistance(const Vector3d& p, const std::vector<const Carrier*>& sur
   return largest;
 }
 
-// Returns the parameter, near t, of the curve point on the surface.
+// Returns a parameter at which the curve meets the surface. The search starts at t and stays within
+// `reach` (mm) of the point at t.
 std::optional<double> meet(const Curve& curve, const Carrier& surface, double t, double reach) {
   const bool closed = isClosed(curve);
   const auto inRange = [&](double s) {

@@ -31,7 +31,7 @@ std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const C
     p -= ((da - c * db) * na + (db - c * da) * nb) / sine2;
     if (!((p - q).norm() <= strays)) return std::nullopt;
   }
-  // Far from the origin, rounding exceeds the target of the iteration. Then a larger distance is
+  // Far from the origin, rounding errors exceed the limit of 1e-11. Then a larger distance is
   // accepted.
   const bool isOn = std::max(std::abs(a.distance(p)), std::abs(b.distance(p))) < 0.1 * kOnCarrier;
   return isOn ? std::optional<Vector3d>(p) : std::nullopt;
@@ -59,9 +59,9 @@ bool isOnBoth(const Curve& curve, const Carrier& a, const Carrier& b) {
 }
 
 // Returns the direction of the intersection at a point where the carriers touch and two branches of
-// the intersection cross. To second order, the distance between the carriers there is a quadratic
-// form of the direction. It is zero along the branches. Returns nothing if no branch is near the
-// direction `chord`.
+// the intersection cross. To second order, the difference of the distances from the carriers is a
+// quadratic form of the direction. It is zero along the branches. Returns nothing if no branch is
+// near the direction `chord`.
 std::optional<Vector3d> branchTangent(const Vector3d& p, const Vector3d& chord, double step,
                                       const Carrier& a, const Carrier& b) {
   const Vector3d normal = a.normal(p), x = (chord - chord.dot(normal) * normal).normalized();
@@ -120,7 +120,7 @@ std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& poi
 // profile and is computed span by span.
 std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrier& extrusion,
                                 const Carrier& plane) {
-  // The angle between plane and direction is at least 3 degrees.
+  // The angle between the plane and the direction of extrusion is at least 3 degrees.
   constexpr double kMinCosine = 0.05;
   const double slope = extrusion.axis.dot(plane.axis);
   const Profile& profile = *extrusion.profile;
@@ -165,7 +165,8 @@ std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrie
   return curve;
 }
 
-// Returns the point on both carriers in the plane dir.(x - base) = height, near p.
+// Returns the point near p that lies on both carriers and in the plane dir.(x - base) = height.
+// Returns NaN if the iteration does not converge.
 Vector3d pointInSlice(Vector3d p, const Carrier& a, const Carrier& b, const Vector3d& dir,
                       const Vector3d& base, double height) {
   for (int round = 0; round < 20; ++round) {

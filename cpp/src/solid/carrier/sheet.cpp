@@ -157,7 +157,8 @@ Sheet::Foot Sheet::foot(const Vector3d& p, double u, double t) const {
     }
     const double det = std::max(a * c - b * b, 1e-12 * a * c);
     double du = -(c * gu - b * gt) / det, dt = -(a * gt - b * gu) / det;
-    // A parameter that would leave its range is kept, and the step of the other is computed alone.
+    // A parameter that would leave its range keeps its value, and the step of the other is computed
+    // alone.
     const bool fixU = isBlocked(extendedU_, u, du) || isBlocked(extendedU_, u, -gu);
     if (fixU) {
       du = 0;

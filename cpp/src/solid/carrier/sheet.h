@@ -1,9 +1,9 @@
-// Sheet: a free-form surface S(u, t), a tensor product of B-splines. It carries faces that lie on
-// no plane, cylinder or other simple surface: surfaces that an edge sweeps, and surfaces in which a
-// face grazes the envelope (solid/sweep/swept_surface.h).
+// Sheet: a free-form surface S(u, t), a tensor product of B-splines, with partial derivatives S_u
+// and S_t. It carries faces that lie on no plane, cylinder or other simple surface: surfaces that
+// an edge sweeps, and surfaces in which a face grazes the envelope (solid/sweep/swept_surface.h).
 // Units:   mm. Distances are exact. The surface is continued a little beyond its borders, so that
 // borders of faces do not lie at its end.
-// Cost:    O(samples) for a distance without a start, O(1) with one.
+// Cost:    O(samples) for a distance, O(1) if the parameters of a nearby point are known.
 // Source:  foot points by Newton's method with a damped step (Piegl and Tiller, section 6.1).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

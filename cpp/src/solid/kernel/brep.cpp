@@ -190,8 +190,8 @@ class BrepBuilder {
     return reversed ? TopoDS::Face(made.Reversed()) : made;
   }
 
-  // Adds the curve of an edge in the parameters of the surface. Shifts it to the period in which
-  // the face lies.
+  // Adds the curve of an edge in the parameter plane of the surface. Shifts it to the period in
+  // which the face lies.
   void addParameterCurve(std::int32_t e, const Carrier& surface, const TopoDS_Face& face) {
     const Curve& curve = model_.edges[e].curve;
     const Handle(Geom_Surface) geometry = BRep_Tool::Surface(face);

@@ -59,9 +59,9 @@ class Collector : public Message_Printer {
 };
 
 #if OCC_VERSION_HEX < 0x070900
-// Switches healing off for shapes that its own thread reads. The kernel still heals what other
-// threads read. The template passes on all arguments after the shape, because their number depends
-// on the version of the kernel.
+// Switches healing off for shapes that the thread of its creation reads. The kernel still heals
+// what other threads read. The template passes on all arguments after the shape, because their
+// number depends on the version of the kernel.
 class NoHealing : public XSAlgo_AlgoContainer {
   using Base = XSAlgo_AlgoContainer;
   using Real = Standard_Real;

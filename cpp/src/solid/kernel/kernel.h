@@ -1,7 +1,7 @@
 // Gives one thread at a time access to the OpenCASCADE kernel, because its STEP settings and
 // messages are process-wide. A KernelSession holds the lock and makes the settings. It collects the
-// kernel's messages of its thread. Messages of other threads are passed on as before. The
-// destructor restores everything.
+// messages of kernel calls in its thread, and passes on messages of other threads as before. The
+// destructor restores the settings and the output of messages.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -97,7 +97,7 @@ TopoDS_Shape shapeOf(STEPControl_Reader& reader, const KernelSession& kernel, Ru
 
 ProductNames productNames(const STEPControl_Reader& reader) {
   ProductNames names;
-  // Number of solids in the smallest product found so far that contains the solid.
+  // For each solid: number of solids in the smallest product found so far that contains it.
   std::unordered_map<const TopoDS_TShape*, int> sizes;
   const Handle(StepData_StepModel) model = reader.StepModel();
   const Handle(Transfer_TransientProcess) transfers =

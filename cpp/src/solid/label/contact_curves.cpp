@@ -9,7 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A surface slides along itself if the sine of its angle to the motion is below this.
+/// Sine of the angle at which a motion counts as parallel to the axis of a surface, or as
+/// perpendicular to it.
 constexpr double kAlignedSine = 1e-9;
 constexpr double kCurveError = 1e-8;  // mm
 
@@ -68,7 +69,9 @@ Curve circleOf(const Vector3d& centre, const Vector3d& axis, double radius) {
   return circle;
 }
 
-// Normal of the torus: cos(tube) * out(turn) + sin(tube) * axis.
+// With the angles `turn` about the axis and `tube` about the centre circle, the normal of a torus
+// is cos(tube) * out(turn) + sin(tube) * axis. On contact curves, it is perpendicular to the
+// motion.
 std::vector<Curve> torusCurves(const Carrier& s, const Vector3d& direction) {
   const Vector3d x = anyOrthogonal(s.axis), y = s.axis.cross(x);
   const double up = s.axis.dot(direction);

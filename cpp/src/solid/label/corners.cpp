@@ -12,8 +12,8 @@ class Corners : LabelTools {
   using LabelTools::LabelTools;
 
   // The carriers of three regions that meet at a vertex of the mesh should have a common point. If
-  // they have none, the true surface has no border between two of the regions: the shortest of the
-  // three borders is an error of the labels. Gives the triangles along it to the third region.
+  // they have none, two of the exact faces have no common border, and the shortest of the three
+  // borders is an error of the labels. Gives the triangles along this border to the third region.
   bool removeShortBorders() {
     return anyVertex([this](std::int32_t h) { return removeShortBorderAt(h); });
   }
@@ -56,8 +56,8 @@ class Corners : LabelTools {
   }
 
   // Four regions rarely meet at one point. If their carriers have no common point, two opposite
-  // regions must be neighbours there. Joins that pair whose carriers have a common point with the
-  // carrier of each of the other two regions.
+  // regions must be neighbours there. Makes neighbours of the pair whose carriers have a common
+  // point with the carrier of each of the other two regions.
   bool separateAt(const std::vector<std::int32_t>& borders) {
     std::vector<std::int32_t> around;
     for (const std::int32_t h : borders) around.push_back(of_[h / 3]);
@@ -78,7 +78,7 @@ class Corners : LabelTools {
   }
 
   // Removes the labels around vertices at which the carriers of the regions have no common point.
-  // These triangles are open ground: they become facets.
+  // These triangles become facets.
   void unlabelBadCorners() {
     std::vector<char> bad(mesh_.points.size(), 0), seen(mesh_.points.size(), 0);
     for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {

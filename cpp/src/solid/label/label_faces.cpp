@@ -12,7 +12,7 @@
 namespace swept::step {
 namespace {
 
-// Returns the mean length of the edges of triangles.
+// Returns the approximate mean length of the edges of the triangles.
 double spacingOf(const HalfEdgeMesh& mesh) {
   return std::sqrt(2 * mesh.area / static_cast<double>(mesh.triangles.size()));
 }

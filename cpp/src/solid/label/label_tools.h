@@ -1,5 +1,6 @@
-// What all steps of the labelling share: the mesh, the carrier of each triangle, and questions
-// about borders between regions of equal carriers. Units:   mm.
+// Data and queries that all steps of the labelling use: the mesh, the carrier of each triangle, and
+// the borders between regions of equal carriers.
+// Units:   mm.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -51,7 +52,7 @@ class LabelTools {
 
   bool isBorder(std::int32_t h) const { return of_[h / 3] != of_[mesh_.opposite[h] / 3]; }
 
-  // Calls visit(half-edge that starts there) for each vertex of the mesh. Returns whether one of
+  // Calls visit() with one half-edge that starts at each vertex of the mesh. Returns whether one of
   // the calls returned true.
   template <class Visit>
   bool anyVertex(const Visit& visit) const {
@@ -77,7 +78,8 @@ class LabelTools {
     return fan;
   }
 
-  // Returns the half-edges of the border between the two regions at h: h and those after it.
+  // Returns the half-edges of the border between the two regions at h: h and those after it, until
+  // other regions follow or the limit of the length is exceeded.
   std::vector<std::int32_t> chainFrom(std::int32_t h) const {
     const std::int32_t left = of_[h / 3], right = of_[mesh_.opposite[h] / 3];
     std::vector<std::int32_t> chain{h};

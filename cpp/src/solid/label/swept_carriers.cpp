@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 /// Sine of the angle below which two directions count as parallel.
 constexpr double kParallel = 1e-9;
-/// mm: surfaces that differ by less are one.
+/// mm: surfaces that differ by less are treated as one.
 constexpr double kSame = 1e-6;
 /// mm: accuracy of a profile.
 constexpr double kProfileError = 1e-8;

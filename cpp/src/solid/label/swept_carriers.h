@@ -1,6 +1,6 @@
-// The surfaces that the faces and edges of a body make while it moves in straight lines, without
-// turning: the body's faces at each pose, the surfaces that its edges sweep, and those that contact
-// curves sweep. A contact curve is where the normal of a face is perpendicular to the motion.
+// Makes the surfaces of the sweep of a body that moves in straight lines, without turning: the
+// body's faces at each pose, the surfaces that its edges sweep, and those that contact curves
+// sweep. A contact curve is where the normal of a face is perpendicular to the motion.
 // In:      BodyShape, trajectory.
 // Out:     carriers, each with the curves and points where others meet it: edges and corners of the
 //          body at poses, contact curves at poses, paths of points.
@@ -26,8 +26,8 @@ class SweptCarriers {
   /// `extension` (mm): a surface that an edge sweeps is extended by this length at its borders.
   SweptCarriers(const BodyShape& body, const Trajectory& trajectory, double extension);
 
-  /// Makes the carriers that may explain this source. Returns their numbers; none if no carrier of
-  /// a known kind does.
+  /// Returns the numbers of the carriers on which triangles of this source may lie, and makes them
+  /// if needed. Returns none if no carrier of a known kind is possible.
   const std::vector<std::int32_t>& carriersOf(const SurfaceSource& source);
 
   /// Carriers by number. Their traces are complete only after finish().

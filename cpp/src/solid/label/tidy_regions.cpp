@@ -16,7 +16,7 @@ class Tidier : LabelTools {
   }
 
  private:
-  // Gives small regions to the neighbour that explains their points best, smallest first.
+  // Gives small regions to the neighbour whose carrier is nearest to their points, smallest first.
   bool joinSmall() {
     const Regions all = regions();
     std::vector<std::int32_t> order(all.triangles.size());
@@ -46,7 +46,8 @@ class Tidier : LabelTools {
     }
     sortUnique(beside);
     std::int32_t best = kNone;
-    // An island within another region is noise if that region explains it.
+    // A region with a single neighbour is noise if its points lie within the tolerance of the
+    // neighbour's carrier.
     if (beside.size() == 1 && own >= 0 && largestResidual(members, beside[0]) <= tolerance_)
       best = beside[0];
     double smallest = own < 0 && members.size() <= kSpeck ? 1e300 : joinLimit();
@@ -68,9 +69,9 @@ class Tidier : LabelTools {
   double joinLimit() const { return std::min(0.5 * tolerance_, 0.3 * spacing_); }
 
   // A region can touch itself at a vertex: around this vertex, the region has two separate fans of
-  // triangles, with fans of other regions between them. Of the fans between that lie near the
-  // region's carrier, the smallest joins the region. Afterwards narrow strips are connected, and no
-  // border touches itself.
+  // triangles, with fans of other regions between them. Of these other fans, those near the
+  // region's carrier are candidates, and the smallest candidate joins the region. Afterwards narrow
+  // strips are connected, and no border touches itself.
   bool removeSelfContacts() {
     return anyVertex([this](std::int32_t h) { return removeSelfContactAt(h); });
   }

@@ -54,8 +54,8 @@ void checkNumbers(const TriMesh& mesh) {
 }
 
 /// Returns a text with a position: the middle of the first edge for which isBad(ascending,
-/// descending) is true. The arguments are the numbers of its half-edges in both directions. There
-/// must be such an edge.
+/// descending) is true. The arguments are the numbers of half-edges that run from its lower to its
+/// higher vertex index, and back. There must be such an edge.
 template <class IsBad>
 std::string firstPosition(const TriMesh& mesh, const IsBad& isBad) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();

@@ -48,8 +48,8 @@ struct PlaneGrower {
   double tolerance;
   Partition& partition;
   const TriangleShapes& shapes;
-  std::vector<std::int32_t> inRegion;   ///< stamp per triangle
-  std::vector<std::int32_t> pointSeen;  ///< stamp per vertex
+  std::vector<std::int32_t> inRegion;   ///< stamp of the last region that took the triangle
+  std::vector<std::int32_t> pointSeen;  ///< stamp of the last region that took the vertex
   std::int32_t stamp = 0;
 
   bool accepts(std::int32_t t, const Carrier& plane) const {

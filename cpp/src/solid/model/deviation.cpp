@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kBlock = 2048;
-constexpr double kCommonFraction = 0.6;  // fraction of the limit: nearly all meshes deviate by more
+constexpr double kCommonFraction = 0.6;  // fraction of the limit that nearly all deviations exceed
 /// A point splits an edge instead of the triangle if its distance from the edge is less than this
 /// fraction of the triangle's height.
 constexpr double kMaxEdgeFraction = 0.1;
@@ -25,7 +25,7 @@ struct Beyond {
   std::int32_t vertex = -1, triangle = -1;
 };
 
-// Returns the barycentric coordinates of the foot point of p.
+// Returns the barycentric coordinates of the foot point of p in the plane of the triangle c.
 Vector3d barycentric(const Vector3d& p, const std::array<Vector3d, 3>& c) {
   const Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]);
   const double twice = normal.squaredNorm();

@@ -1,7 +1,7 @@
 // Measures how far a mesh deviates from the solid that was made from it, and adds vertices where
-// this is too much.
-// In:      the original vertices, the reduced mesh with its partition, and the positions that the
-//          model gave its vertices.
+// the deviation is too large.
+// In:      the original vertices, the reduced mesh with its partition, and the positions of its
+//          vertices in the model.
 // Out:     the largest distance of a vertex from the nearest triangle, or from the surface that
 //          replaces that triangle.
 // Units:   mm.

@@ -17,7 +17,7 @@ Vector3d centreOf(const HalfEdgeMesh& mesh, std::int32_t t) {
   return (mesh.points[tri[0]] + mesh.points[tri[1]] + mesh.points[tri[2]]) / 3;
 }
 
-// Returns the largest gap between the angles; `middle` receives its middle.
+// Returns the largest gap between the angles; `middle` receives the middle of this gap.
 double largestGap(std::vector<double> angles, double& middle) {
   std::sort(angles.begin(), angles.end());
   double gap = 2 * M_PI - angles.back() + angles.front();
@@ -31,7 +31,7 @@ double largestGap(std::vector<double> angles, double& middle) {
   return gap;
 }
 
-constexpr double kMinGap = 1.2;  // rad: least gap in which the seam lies outside the face
+constexpr double kMinGap = 1.2;  // rad: smallest gap in which the seam may lie
 
 class Cutter {
  public:

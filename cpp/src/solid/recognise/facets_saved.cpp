@@ -12,8 +12,9 @@ using Eigen::Vector3d;
 
 constexpr double kFacetsOfPlane = 3;  // facets that any plane saves, whatever its size
 // Area of the largest triangle within the tolerance of a sphere, divided by tolerance times radius.
-// An equilateral triangle with vertices outside and centre inside by the tolerance has the area
-// 3 sqrt(3) / 4 R^2. Its circumradius R satisfies R^2 = 4 tolerance radius.
+// An equilateral triangle with circumradius R has the area 3 sqrt(3) / 4 R^2. If its vertices lie
+// outside the sphere by the tolerance, and its centre lies inside by the tolerance, then R^2 = 4
+// tolerance radius.
 constexpr double kAreaPerFacet = 5.2;
 
 // Returns the angle about the axis that the patch spans, from the positions of its vertices. The
@@ -43,8 +44,9 @@ double curvatureAt(const Profile& profile, double t) {
   return std::abs(first.x() * second.y() - first.y() * second.x()) / std::pow(first.norm(), 3);
 }
 
-// Counts strips along the direction; where the surface bends both ways, also triangles as on a
-// torus.
+// Returns the number of strips along the direction of extrusion or about the axis. A revolution is
+// curved in both directions. If it needs more facets as triangles, as on a torus, returns their
+// number.
 double savedByProfile(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
   constexpr int kSteps = 200;
   const Profile& profile = *patch.surface.profile;

@@ -71,7 +71,8 @@ class ProfileSeeker {
            (median_[p] > kMinLoose * tolerance_ && !partition_.patches[p].surface.hasProfile());
   }
 
-  // Grows breadth first over free triangles, not across creases, as far as `accepts` allows.
+  // Grows a region breadth first over free triangles, not across creases, as far as `accepts`
+  // allows.
   template <class Accepts>
   std::vector<std::int32_t> flood(std::int32_t seed, std::size_t maxCount, const Accepts& accepts) {
     return finder_.grow(seed, maxCount, [&](std::int32_t t, std::int32_t from) {
@@ -131,7 +132,7 @@ class ProfileSeeker {
     return isWorthIt(candidate) ? std::optional(std::move(candidate)) : std::nullopt;
   }
 
-  // Marks the region, since its other triangles as seeds would give the same result.
+  // Marks all triangles of the region, since they would give the same result as seeds.
   void markTried(const std::vector<std::int32_t>& region) {
     for (const std::int32_t t : region) tried_[t] = 1;
   }

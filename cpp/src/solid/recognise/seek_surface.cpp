@@ -174,8 +174,8 @@ std::optional<Candidate> SurfaceSeeker::bestSurface(std::int32_t seed,
   return best;
 }
 
-// Replaces a wide curved surface by a plane if the plane fits much better. Large planes at small
-// angles also fit such a surface.
+// Replaces a wide curved surface by a plane if the plane fits much better. A wide curved surface
+// also fits large planes that meet at small angles.
 void SurfaceSeeker::preferFlats(Candidate& best) {
   for (int i = 1; i < 6; ++i) {
     const std::int32_t seed = best.region[best.region.size() * i / 6];

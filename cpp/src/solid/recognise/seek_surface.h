@@ -25,7 +25,7 @@ struct Candidate {
   Carrier surface;
   std::vector<std::int32_t> region;
   double area = 0;
-  double median = 0;  ///< mm, median distance of its vertices
+  double median = 0;  ///< mm, median distance of its vertices from the surface
 };
 
 struct Found {

@@ -208,7 +208,7 @@ class Tidier {
   // Drops patches that cost more facets than they save. Many free forms come near a plane or
   // cylinder in places. Such a patch ends in a jagged line where the body continues smoothly. The
   // vertices of that line create more facets outside than the patch saves inside. The border of a
-  // true surface follows creases or other patches.
+  // real surface of the body follows creases or other patches.
   void dropCostly() {
     const std::vector<char> turns = turningBorders();
     std::vector<double> saved;

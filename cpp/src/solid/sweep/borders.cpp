@@ -14,7 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kSamples = 24;
-constexpr int kNodes = 32;  // number of times at which the contact along an edge is found first
+// number of time intervals at whose ends the contact along an edge is found first
+constexpr int kNodes = 32;
 
 }  // namespace
 

@@ -14,7 +14,7 @@
 
 namespace swept::step {
 
-/// The motion at one time, in coordinates of the body: x moves with linear + angular x x.
+/// The motion at one time, in coordinates of the body: a point p moves with linear + angular x p.
 struct Moment {
   Moment(const StepPath& path, double s);
   Eigen::Vector3d velocityAt(const Eigen::Vector3d& x) const { return linear + angular.cross(x); }
@@ -24,7 +24,7 @@ struct Moment {
 
 class ContactMap {
  public:
-  /// `size`: mm, extent of the contact.
+  /// `size`: mm, extent of the points of contact.
   ContactMap(const Rails& rails, const StepPath& path, double size)
       : rails_(rails), path_(path), size_(size) {}
 
@@ -38,8 +38,8 @@ class ContactMap {
   std::optional<double> solve(double w, double v, const Moment& moment) const;
 
   /// Follows the contact from `start` (w, v, s) over the ranges of w and s. Returns how the contact
-  /// degenerates within the inner ranges; `where` receives the parameters (w, s). Faults in the
-  /// margin around the inner ranges do not count.
+  /// degenerates within the inner ranges; `where` receives the parameters (w, s). Whether it
+  /// degenerates in the margin around the inner ranges does not matter.
   Degeneracy follow(Range w, Range s, Range innerW, Range innerS, const Eigen::Vector3d& start,
                     Eigen::Vector2d& where);
   /// Returns the parameter v of the contact at (w, s) in the range that was followed. NaN if there

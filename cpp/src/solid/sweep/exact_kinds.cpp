@@ -25,7 +25,9 @@ constexpr std::size_t kMinNodes = 4, kMaxNodes = 16;
 // Points of the surface: for each of kTests values of u, a row of points along t.
 struct Samples {
   std::vector<Vector3d> points;
-  Vector3d middle, normal;  // of the patch, along S_u x S_t; zero if it is singular there
+  // `middle` of the patch, and S_u x S_t there as a unit vector; zero if the surface is singular
+  // there
+  Vector3d middle, normal;
   double size = 0;
   const Vector3d& at(int i, int j) const { return points[i * kTests + j]; }
 };
@@ -93,8 +95,8 @@ std::optional<Vector3d> circleOf(const Vector2d& a, const Vector2d& b, const Vec
   return Vector3d(a.x() + from.x(), a.y() + from.y(), from.norm());
 }
 
-// For surfaces that turn about the axis: their points, as (distance from the axis, height), form
-// one curve. Three of the points give a guess of the surface.
+// For surfaces that turn about the axis: their points form one curve in the coordinates (distance
+// from the axis, height). Three of the points give a guess of the surface.
 std::optional<Carrier> turnedGuess(const Samples& samples, const FixedAxis& axis, double bound) {
   std::vector<Vector2d> flat;
   for (const Vector3d& p : samples.points) {
@@ -152,7 +154,7 @@ std::shared_ptr<const Profile> profileThrough(const std::function<Vector2d(doubl
   const double scale = length / range.length();
   if (!(scale > 0)) return nullptr;
   for (Profile::Node& node : nodes) {
-    if (!(node.slope.norm() > kNearAxis * scale)) return nullptr;  // it turns back
+    if (!(node.slope.norm() > kNearAxis * scale)) return nullptr;  // the profile turns back
     node.slope /= scale;
     node.knot = (node.knot - range.from) * scale;
   }

@@ -181,7 +181,7 @@ struct OnRails {
   Range rangeW, rangeS;
   bool isOpen = true;   // true: on closed rails, there is a gap between the contacts
   double crossing = 0;  // the smallest sine of the angle between rails and contact curves
-  // Largest speed (mm per unit of s): along the normal, in any direction.
+  // mm per unit of s: largest change of the normal speed over the contacts, and largest speed.
   double largestNormalSpeed = 0, largestSpeed = 0;
 };
 

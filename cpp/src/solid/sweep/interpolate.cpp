@@ -56,7 +56,8 @@ Sheet interpolate(const ExactSurface& exact, const Knots& u, const Knots& t) {
   return {u, t, std::move(poles)};
 }
 
-// Returns points at about both thirds of the gaps between sites, where the error is largest.
+// Returns points at about one third and two thirds of the gaps between sites, where the error is
+// largest.
 std::vector<double> between(const Knots& knots) {
   const std::vector<double> sites = knots.sites();
   std::vector<double> result;

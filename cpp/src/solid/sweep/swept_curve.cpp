@@ -37,7 +37,8 @@ std::optional<Knots> knotsOf(const Curve& curve, Range range) {
   return Knots(curve.degree, std::move(breaks), curve.joints);
 }
 
-// Finds out whether the curve is at rest, or moves only along itself.
+// Returns AtRest if the curve does not move, AlongItself if it moves only along itself, otherwise
+// None.
 Degeneracy idle(const ExactSurface& exact, Range u, Range t) {
   double movement = 0, length = 0, area = 0;
   for (int i = 0; i < kSteps; ++i) {

@@ -10,8 +10,8 @@
 //   normal n is orthogonal to the velocity v. At each time these points form a contact curve. It is
 //   found on "rails", curves that cover the face: on rail w, it is the point where n.v = 0. On a
 //   plane, rails are lines across the contact line. On cylinders, cones, extrusions, revolutions
-//   and tori, they are parallels or generator lines. On spheres the contact curve is a great
-//   circle, and w is the angle on it.
+//   and tori, they are circles about the axis, or curves that generate the face. On spheres the
+//   contact curve is a great circle, and w is the angle on it.
 //
 //   Such a surface may be, within the bound, a plane, cylinder, cone, sphere or torus, or an
 //   extrusion or revolution with a profile of few cubics. Then the carrier is of this kind

@@ -16,8 +16,8 @@ std::string ref(Id id) {
 }
 
 // Returns the code point of UTF-8 at `at` and advances `at`. A byte counts as a code point by
-// itself if it cannot begin one, or if the text ends before the bytes that it announces. The bytes
-// that follow it are not checked.
+// itself if it cannot begin one, or if the text ends before the bytes that should follow it. The
+// values of these bytes are not checked.
 char32_t codePoint(const std::string& text, std::size_t& at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
