@@ -34,7 +34,7 @@ struct Row {
   std::vector<std::pair<double, double>> curve;  ///< (s, mm)
 };
 
-struct Told {
+struct CheckReport {
   Json report;  ///< without seconds, threads and memory, which differ from run to run
   bool mechanism = false;
   std::vector<Row> rows;                     ///< in the order of the report
@@ -49,7 +49,7 @@ struct Told {
 Json parseReport(const std::string& text);
 /// Reads the report of a clearance check or of a mechanism check. Throws Error(InvalidInput,
 /// "BadReport").
-Told tellReport(Json report);
+CheckReport readCheck(Json report);
 
 [[noreturn]] void badReport(const std::string& text);
 /// Returns a number that must be 0 or more. Throws Error(InvalidInput, "BadReport").

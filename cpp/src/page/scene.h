@@ -17,7 +17,7 @@ namespace swept::page {
 
 /// Returns markup with data and script; a sentence if this program has no 3D view; nothing if there
 /// are no parts. Throws Error(Cancelled).
-std::string viewOf(const Told& told, const PageOptions& options, const Words& words,
+std::string viewOf(const CheckReport& check, const PageOptions& options, const Words& words,
                    RunContext& run);
 
 /// Returns the pose of a part at a moment, clamped to its motion. Without interpolation, returns

@@ -55,12 +55,12 @@ double stageSeconds(const Report& report, const std::string& name) {
 }
 
 void row(const std::string& name, int resolution, const char* backend, const Result& r,
-         const std::string& parity) {
+         const std::string& outcome) {
   std::printf("| %s | %d | %s | %.3f | %.3f | %.3f | %.3f | %.0f | %s |\n", name.c_str(),
               resolution, backend, stageSeconds(r.report, "sampling"),
               stageSeconds(r.report, "signs"), stageSeconds(r.report, "winners"),
               stageSeconds(r.report, "total"), static_cast<double>(r.report.peakMemoryBytes) / 1e6,
-              parity.c_str());
+              outcome.c_str());
   std::fflush(stdout);
 }
 
