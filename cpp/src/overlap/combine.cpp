@@ -35,8 +35,9 @@ struct Link {
                   faultText("the parts"));
 }
 
-/// Throws if more than a small part of the solid `name` overlaps itself: `windings` are those of
-/// the solid `other`. A smaller overlap only counts its own small volume more than once.
+/// Throws if more than a small part of the solid `name` overlaps itself. `windings`: winding
+/// numbers of this solid along the edges of the solid `other`. A smaller overlap is accepted; its
+/// volume then counts more than once.
 void requireNoSelfOverlap(const Windings& windings, const std::string& name,
                           const std::string& other) {
   constexpr double kMaxFraction = 0.01;

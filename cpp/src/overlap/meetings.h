@@ -35,14 +35,14 @@ struct ClosedMesh {
 };
 
 /// Finds the edges of a mesh, and keeps a pointer to the mesh. Throws Error(InvalidInput,
-/// "OpenMesh") if not equally many triangles run along an edge in both directions.
+/// "OpenMesh") if an edge has more half-edges in one direction than in the other.
 ClosedMesh closedMesh(const TriMesh& mesh, const std::string& name);
 
 struct Node {
   std::int32_t edge = 0;      ///< index of the edge in its mesh
   std::int32_t triangle = 0;  ///< index of the triangle in the other mesh
   /// True: the edge, followed in its direction, enters the other solid at the node; false: it
-  /// leaves it.
+  /// leaves the other solid.
   bool enters = false;
   double fraction = 0;  ///< position of the node on the edge, from 0 to 1
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm

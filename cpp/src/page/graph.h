@@ -1,4 +1,4 @@
-// The graph of distances over time as an svg element.
+// Draws the graph of distances over time as an svg element.
 // The scale of distances is linear near 0 and logarithmic beyond (asinh), so that the required
 // distance stays visible however large the largest distance is. A curve shows its name if the
 // reader points at it. Colours are attributes, for readers without style sheets; the page's style

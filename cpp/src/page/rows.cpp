@@ -83,7 +83,7 @@ std::vector<std::string> namesOf(const Json& report, const char* key) {
   return names;
 }
 
-// Removes the measurements of a run's own time and memory: they differ from run to run.
+// Removes measurements of time and memory, which differ from run to run.
 void dropMeasures(Json& report) {
   for (const char* key : {"seconds", "threads", "estimated_memory_bytes", "peak_memory_bytes"})
     report.erase(key);

@@ -19,7 +19,7 @@ namespace swept::page {
 namespace {
 
 constexpr int kMoments = 120;  // intervals between evenly spaced frames
-// Largest number of frames for the poses of one motion without interpolation.
+// Largest number of frames for a motion without interpolation.
 constexpr std::size_t kMaxCopies = 400;
 constexpr double kCrease = 0.5;  // rad, as in the workbench's 3D view in FreeCAD
 // Positions are rounded to this many steps along each side of the box.

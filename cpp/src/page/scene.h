@@ -1,7 +1,8 @@
 // The 3D view of a page: shapes, motion and pairs as data for resources/page/view.js.
 // Shapes are simplified to about a given number of triangles (drawable.h). Positions have 16 bits
 // along each side of the shape's box, normals 8 bits. The motion is a list of frames with the poses
-// of every moving part: about 120 moments, plus the moment of each row.
+// of every moving part: about 120 moments or the poses of motions without interpolation, plus the
+// moment of each row.
 // Cost: O(triangles); 28 bytes per frame and moving part.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -16,7 +16,7 @@ namespace swept::page {
 std::string verdictBanner(const CheckReport& check, const Words& words);
 std::string verdictTable(const CheckReport& check, const Words& words);
 std::string rulesTable(const CheckReport& check, const Words& words);
-/// Return only the tables of the two sections above.
+/// Return only the tables of verdictTable() and rulesTable().
 std::string verdictRows(const CheckReport& check, const Words& words);
 std::string rulesRows(const CheckReport& check, const Words& words);
 /// Returns the verdict in its colour. `allowed`: a rule allows this contact.

@@ -42,7 +42,7 @@ std::string linkTo(const std::string& address, const std::string& text) {
 }
 
 /// Returns the address of a run's own page, inside the folder of the study's page. Throws
-/// Error(BadReport) for any other address: a page must not lead elsewhere.
+/// Error(InvalidInput, "BadReport") for any other address: a page must not link to other places.
 std::string pageOf(const Json& row) {
   const std::string address = row.value("page", "");
   if (address.find(':') != std::string::npos || address.starts_with("/"))
@@ -51,7 +51,7 @@ std::string pageOf(const Json& row) {
   return address;
 }
 
-/// Returns the table without columns that are empty below their head.
+/// Returns the table without the columns that are empty below their heading.
 std::string tableOf(const Cells& cells, const std::string& columns) {
   Cells kept(cells.size());
   std::string kinds;

@@ -27,7 +27,8 @@ struct StudyReport {
 /// Reads the report of a study. Throws Error(InvalidInput, "BadReport").
 StudyReport readStudy(Json report);
 
-/// Returns how many runs are done, and which run to look at first.
+/// Returns a sentence with the number of runs that are done, and a link to the run to examine
+/// first.
 std::string studyBanner(const StudyReport& study, const Words& words);
 std::string studyTable(const StudyReport& study, const Words& words);
 std::string studyRuns(const StudyReport& study, const Words& words);

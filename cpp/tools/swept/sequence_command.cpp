@@ -76,7 +76,7 @@ void addOptions(CLI::App& app, SequenceJob& job) {
       "--release 8");
 }
 
-/// Reads from `how` where the part comes from. Returns false if `how` names a motion file instead.
+/// Reads from `how` where the part comes from. Returns false if `how` gives a motion file instead.
 bool readOrigin(const std::string& how, PathTask& task) {
   std::string rest;
   if (removePrefix(how, "motion", rest)) return false;
