@@ -62,10 +62,10 @@ void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh&
       vertices.insert(vertices.end(), dense.triangles[t].begin(), dense.triangles[t].end());
     sortUnique(vertices);
     const NearestTriangle nearest(now.mesh.points, open);
-    std::int32_t home = -1;
+    std::int32_t closest = -1;
     for (const std::int32_t v : vertices) {
-      nearest.query(dense.points[v], 1e300, 0, home);
-      now.attached[members[home]].push_back(dense.points[v]);
+      nearest.query(dense.points[v], 1e300, 0, closest);
+      now.attached[members[closest]].push_back(dense.points[v]);
     }
     members.clear();
   }

@@ -111,7 +111,7 @@ std::optional<Vector3d> knownPoint(const Vector3d& from,
 }
 
 std::optional<Curve> knownCurve(const std::vector<Vector3d>& along, const Carrier& a,
-                                const Carrier& b, double gap, double strays) {
+                                const Carrier& b, double gap, double maxDeviation) {
   std::optional<Curve> best;
   double nearest = 1e300;
   for (const Carrier* s : {&a, &b}) {
@@ -124,7 +124,7 @@ std::optional<Curve> knownCurve(const std::vector<Vector3d>& along, const Carrie
       double farthest = 0;
       for (const Vector3d& p : along)
         farthest = std::max(farthest, (curve.at(nearestParameter(curve, p)) - p).norm());
-      if (!(farthest <= strays) || farthest >= nearest) continue;
+      if (!(farthest <= maxDeviation) || farthest >= nearest) continue;
       const auto piece = pieceAlong(curve, along);
       if (!piece || largestGap(*piece, a) > gap || largestGap(*piece, b) > gap) continue;
       nearest = farthest;

@@ -22,8 +22,8 @@ std::optional<Eigen::Vector3d> knownPoint(const Eigen::Vector3d& from,
                                           double reach);
 
 /// Returns a piece of a trace between the first and the last of these points. It lies within `gap`
-/// (mm) of both surfaces and within `strays` (mm) of the points.
+/// (mm) of both surfaces and within `maxDeviation` (mm) of the points.
 std::optional<Curve> knownCurve(const std::vector<Eigen::Vector3d>& along, const Carrier& a,
-                                const Carrier& b, double gap, double strays);
+                                const Carrier& b, double gap, double maxDeviation);
 
 }  // namespace swept::step

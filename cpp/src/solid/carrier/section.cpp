@@ -18,9 +18,9 @@ constexpr double kMinSine = 0.003;
 constexpr std::size_t kMinPieces = 4, kMaxPieces = 64;
 
 // Returns the point on both carriers near q. Each step of the iteration is, to first order, the
-// shortest possible. Returns nothing if the point moves farther than `strays` (mm).
+// shortest possible. Returns nothing if the point moves farther than `maxDeviation` (mm).
 std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const Carrier& b,
-                                    double strays) {
+                                    double maxDeviation) {
   Vector3d p = q;
   for (int round = 0; round < 30; ++round) {
     const double da = a.distance(p), db = b.distance(p);
@@ -29,7 +29,7 @@ std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const C
     const double c = na.dot(nb), sine2 = 1 - c * c;
     if (sine2 < kMinSine * kMinSine) return std::nullopt;
     p -= ((da - c * db) * na + (db - c * da) * nb) / sine2;
-    if (!((p - q).norm() <= strays)) return std::nullopt;
+    if (!((p - q).norm() <= maxDeviation)) return std::nullopt;
   }
   // Far from the origin, rounding errors exceed the limit of 1e-11. Then a larger distance is
   // accepted.
@@ -226,7 +226,7 @@ double largestGap(const Curve& curve, const Carrier& carrier) {
 }
 
 std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, const Carrier& a,
-                                  const Carrier& b, double strays) {
+                                  const Carrier& b, double maxDeviation) {
   for (const auto& [extrusion, plane] : {std::pair(&a, &b), std::pair(&b, &a)}) {
     if (closed || extrusion->kind != CarrierKind::Extrusion || !plane->isPlanar()) continue;
     const Curve line = lineThrough(along.front(), along.back());
@@ -238,7 +238,7 @@ std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, cons
     std::vector<Vector3d> points = spaced(along, spans);
     for (std::size_t i = 0; i <= spans; ++i) {
       if (!closed && (i == 0 || i == spans)) continue;
-      const auto moved = pointOnBoth(points[i], a, b, strays);
+      const auto moved = pointOnBoth(points[i], a, b, maxDeviation);
       if (!moved) return std::nullopt;
       points[i] = *moved;
     }

@@ -177,8 +177,8 @@ Vector3d SweptCarriers::directionInBody(std::int32_t step) const {
 
 const std::vector<std::int32_t>& SweptCarriers::carriersOf(const SurfaceSource& source) {
   const Label label{static_cast<int>(source.kind), source.faces[0], source.faces[1], source.step};
-  const auto [it, fresh] = known_.try_emplace(label);
-  if (!fresh) return it->second;
+  const auto [it, isNew] = known_.try_emplace(label);
+  if (!isNew) return it->second;
   std::vector<std::int32_t> found;
   const auto take = [&](const std::vector<std::int32_t>& more) {
     found.insert(found.end(), more.begin(), more.end());
@@ -206,8 +206,8 @@ const std::vector<std::int32_t>& SweptCarriers::carriersOf(const SurfaceSource& 
 
 const std::vector<std::int32_t>& SweptCarriers::made(Made what, std::int32_t element,
                                                      std::int32_t step) {
-  const auto [it, fresh] = made_.try_emplace({static_cast<int>(what), element, step});
-  if (!fresh) return it->second;
+  const auto [it, isNew] = made_.try_emplace({static_cast<int>(what), element, step});
+  if (!isNew) return it->second;
   std::vector<std::int32_t>& to = it->second;
   if (what == Made::Cap) addCap(element, step, to);
   if (what == Made::Edge) addSwept(element, step, to);

@@ -115,15 +115,15 @@ class Splitter {
     }
     for (const Vector3d& p : points) {
       double smallest = 1e300;
-      std::int32_t home = added.front();
+      std::int32_t closest = added.front();
       for (const std::int32_t t : added) {
         const auto& tri = triangles_[t];
         const double d = squaredDistance(p, points_[tri[0]], points_[tri[1]], points_[tri[2]]);
         if (d >= smallest) continue;
         smallest = d;
-        home = t;
+        closest = t;
       }
-      attached_[home].push_back(p);
+      attached_[closest].push_back(p);
     }
   }
 
