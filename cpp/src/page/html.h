@@ -23,7 +23,7 @@ std::string base64(const void* bytes, std::size_t count);
 std::string element(const char* tag, const std::string& content, const std::string& kind = {});
 
 /// Returns a table from markup; the first row is the head. `columns` has one letter per column: "n"
-/// aligns a column of numbers, "t" is text.
+/// for numbers, "t" for text.
 std::string table(const std::vector<std::vector<std::string>>& rows, const std::string& columns,
                   const std::vector<std::string>& rowAttributes = {});
 

@@ -368,7 +368,7 @@ class ShapeMaker {
   bool isLabelled_ = false, isLoose_ = false;
   const std::vector<Eigen::Vector3d>* points_ = &whole_.points;  // must be near the solid
   const Partition* labelled_ = nullptr;       // the labelled patches of this round
-  std::vector<Eigen::Vector3d> facetPoints_;  // become facets in the next round
+  std::vector<Eigen::Vector3d> facetPoints_;  // triangles around these become facets next
 };
 
 }  // namespace

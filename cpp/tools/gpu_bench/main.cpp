@@ -1,7 +1,7 @@
-// Prints a table of GPU against CPU sampling on this machine: seconds by stage, memory, equality.
-// Usage: swept-gpu-bench DATA [RESOLUTION...] [--only PART_OF_NAME] [--limit SECONDS], where DATA
-// is the folder of cases.json with its meshes and motions. A run that takes longer than the limit
-// (default 60 s) is ended.
+// Prints a table that compares GPU and CPU sampling on this machine: seconds by stage, memory, and
+// whether the results are equal. Usage: swept-gpu-bench DATA [RESOLUTION...] [--only PART_OF_NAME]
+// [--limit SECONDS], where DATA is the folder of cases.json with its meshes and motions. A run that
+// takes longer than the limit (default 60 s) is ended.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chrono>
 #include <cmath>

@@ -61,7 +61,8 @@ class RepeatableInput {
 };
 /// Returns the copy that keepStreams() has made, or a new object.
 std::shared_ptr<const RepeatableInput> repeatable(const std::string& path);
-/// Returns read(name), where `name` can be read several times. Messages of errors contain `path`.
+/// Returns read(name), where `name` is a file that can be read several times. Messages of errors
+/// contain `path`.
 template <class Read>
 auto readRepeatably(const std::string& path, const Read& read) {
   const std::shared_ptr<const RepeatableInput> input = repeatable(path);

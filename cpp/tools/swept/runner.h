@@ -33,7 +33,7 @@ void printFindings(const std::vector<Finding>& findings, bool quiet);
 /// Prints one line per stage on standard error.
 void printSeconds(const std::vector<StageSeconds>& seconds);
 
-/// Stores an error, which ended the run, in the report of any command.
+/// Stores the error that ended a run in the report of any command.
 template <class AnyReport>
 void takeError(AnyReport& report, Status status, const std::string& code, const std::string& text) {
   report.status = status;

@@ -134,7 +134,8 @@ Knots finer(const Knots& knots, const std::vector<int>& pieces) {
 std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, double bound,
                               std::size_t mostSpans) {
   Knots knots(degree, {range.from, range.to});
-  // The errors of a span are largest near the middles between successive sites.
+  // Positions within a span, as fractions of its length. They lie between successive sites, where
+  // the errors are largest.
   constexpr std::array<double, 6> kBetween{0.06, 0.23, 0.41, 0.59, 0.77, 0.94};
   /// All spans are cut alike if each needs at least this fraction of the largest number of pieces.
   constexpr double kEven = 0.4;

@@ -28,7 +28,7 @@ class Knots {
  public:
   static constexpr int kMaxDegree = 5;
   /// The basis functions that are not zero at one parameter, with their first two derivatives.
-  /// value[order][i] is the derivative of this order, for the function of pole first + i.
+  /// value[order][i] is the derivative of this order of the function of pole first + i.
   struct Basis {
     std::size_t first = 0;
     std::array<std::array<double, kMaxDegree + 1>, 3> value{};
@@ -64,7 +64,7 @@ class Interpolator {
   Eigen::PartialPivLU<Eigen::MatrixXd> solver_;
 };
 
-/// Returns the value, or a derivative (1 or 2), of a spline with these poles, one per row.
+/// Returns the value of a spline at t, or its first or second derivative. `poles`: one per row.
 Eigen::RowVectorXd valueOf(const Knots& knots, const Eigen::MatrixXd& poles, double t,
                            int derivative = 0);
 

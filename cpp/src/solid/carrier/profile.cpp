@@ -101,8 +101,8 @@ void Profile::addToCells(std::int32_t segment,
   }
 }
 
-// Returns the parameter of the segment point nearest to q if its squared distance is below
-// `smallest`; otherwise -1e300.
+// Returns the parameter of the segment point nearest to q, if its squared distance is below
+// `smallest`, and updates `smallest`. Otherwise returns -1e300.
 double Profile::bestOn(std::int32_t segment, const Vector2d& q, double& smallest) const {
   const Vector2d &a = samples_[segment], ab = samples_[segment + 1] - a;
   const double w = std::clamp((q - a).dot(ab) / std::max(1e-300, ab.squaredNorm()), 0.0, 1.0);

@@ -17,8 +17,9 @@ using Eigen::Vector3d;
 constexpr double kMinSine = 0.003;
 constexpr std::size_t kMinPieces = 4, kMaxPieces = 64;
 
-// Returns the point on both carriers near q. Each step of the iteration is, to first order, the
-// shortest possible. Returns nothing if the point moves farther than `maxDeviation` (mm).
+// Returns the point on both carriers near q. Each step of the iteration is the shortest that, to
+// first order, leads to both carriers. Returns nothing if the point moves farther than
+// `maxDeviation` (mm).
 std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const Carrier& b,
                                     double maxDeviation) {
   Vector3d p = q;

@@ -199,7 +199,8 @@ double Sheet::distance(const Vector3d& p) const {
 Sheet Sheet::part(Range u, Range t) const {
   const auto rows = static_cast<Eigen::Index>(u_.poleCount());
   const auto columns = static_cast<Eigen::Index>(t_.poleCount());
-  // First along t: each row of the matrix has the poles of all u with one index along t.
+  // First takes the part along t: each row of the matrix has the poles of all u with one index
+  // along t.
   Eigen::MatrixXd byT(columns, 3 * rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
     for (Eigen::Index j = 0; j < columns; ++j) byT.block<1, 3>(j, 3 * i) = pole(i, j).transpose();

@@ -18,7 +18,8 @@ namespace swept::step {
 class Sheet {
  public:
   /// The nearest point of the surface, with the derivatives there. `isInside`: false if the point
-  /// lies at the end of the continuation; the connection to it then need not be perpendicular.
+  /// lies at the end of the continuation. The line to it then need not be perpendicular to the
+  /// surface.
   struct Foot {
     double u = 0, t = 0;
     Eigen::Vector3d at, alongU, alongT;
@@ -46,7 +47,7 @@ class Sheet {
   const Eigen::Vector3d& pole(std::size_t i, std::size_t j) const {
     return poles_[i * t_.poleCount() + j];
   }
-  /// The same surface between these parameters.
+  /// Returns the same surface between these parameters.
   Sheet part(Range u, Range t) const;
 
  private:

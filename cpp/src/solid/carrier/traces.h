@@ -34,8 +34,8 @@ double nearestParameter(const Curve& curve, const Eigen::Vector3d& p);
 /// On a closed curve, `to` may lie up to one turn beyond either end.
 Curve pieceOf(const Curve& curve, double from, double to);
 
-/// Returns the piece along the points, from the first to the last one. These two must lie on the
-/// curve. Returns nothing if the piece would have no length.
+/// Returns the piece of the curve that runs along the points, from the first to the last one. These
+/// two must lie on the curve. Returns nothing if the piece would have no length.
 std::optional<Curve> pieceAlong(const Curve& curve, const std::vector<Eigen::Vector3d>& points);
 
 /// A point of a curve and its derivative.

@@ -24,7 +24,7 @@ using Box = Eigen::AlignedBox3d;
 /// Distance in mm; faces nearer than this may touch.
 constexpr double kNear = 1e-5;
 
-// Returns points along the borders of a face. The inside of a curved face may lie outside the box
+// Returns points along the borders of a face. The interior of a curved face may lie outside the box
 // of these points, but by less than the size of the box. The callers add a margin for that.
 std::vector<Vector3d> pointsOf(const Model& model, const ModelFace& face) {
   constexpr int kSteps = 8;

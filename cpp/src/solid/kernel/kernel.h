@@ -22,8 +22,8 @@ class KernelSession {
 
   /// Sets a text option of the STEP translators until the end of the session.
   void set(const char* name, const std::string& value);
-  /// Sets whether the kernel heals the shapes that this thread reads. With false, they stay as they
-  /// are in the file until the end of the session. (Kernels from 7.9 on always heal.)
+  /// Sets whether the kernel heals the shapes that this thread reads, until the end of the session.
+  /// Without healing, shapes stay as they are in the file. (Kernels from 7.9 on always heal.)
   void setHealing(bool on);
   /// Returns the warnings and failures since the session began, in one line of at most a few
   /// hundred characters.

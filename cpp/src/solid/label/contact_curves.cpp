@@ -40,7 +40,7 @@ std::vector<Curve> linesOf(const BodyShape& body, std::int32_t face, const Vecto
   if (across.norm() < kAlignedSine) return {};
   const Extent extent = extentOf(body, face);
   if (!(extent.high > extent.low)) return {};
-  // The normal cosine * radial - sine * axis is perpendicular to the motion.
+  // On these lines, the normal cosine * radial - sine * axis is perpendicular to the motion.
   const Vector3d x = across.normalized(), y = s.axis.cross(x);
   const double wanted =
       s.kind == CarrierKind::Cone ? std::tan(s.halfAngle) * s.axis.dot(direction) : 0;

@@ -38,7 +38,7 @@ class LabelTools {
  protected:
   using Vector3d = Eigen::Vector3d;
   static constexpr std::int32_t kNone = -1;
-  /// mm: how exactly a point must lie on carriers that meet there.
+  /// mm: largest distance of a common point of carriers from each of them.
   static constexpr double kMeet = 1e-5;
 
   const Carrier& carrier(std::int32_t n) const { return known_.carriers()[n]; }

@@ -1,6 +1,7 @@
 // Makes the surfaces of the sweep of a body that moves in straight lines, without turning: the
 // body's faces at each pose, the surfaces that its edges sweep, and those that contact curves
-// sweep. A contact curve is where the normal of a face is perpendicular to the motion.
+// sweep. A contact curve of a face consists of the points whose normal is perpendicular to the
+// motion.
 // In:      BodyShape, trajectory.
 // Out:     carriers, each with the curves and points where others meet it: edges and corners of the
 //          body at poses, contact curves at poses, paths of points.

@@ -28,7 +28,8 @@ struct PlaneFit {
     products += d * d.transpose();
     count += 1;
   }
-  // Fits the plane. Its normal points to the side of `towards`.
+  // Fits the plane. Its normal points to the side of `towards`. Returns false if the points do not
+  // determine a plane.
   bool solve(const Eigen::Vector3d& towards, Carrier& plane) const {
     if (count < 3) return false;
     const Eigen::Vector3d mean = sum / count;

@@ -23,7 +23,7 @@ struct Patch {
   Carrier surface;
   std::vector<std::int32_t> triangles;
   double deviation = 0;         ///< mm: largest distance of its mesh vertices from the surface
-  std::int32_t surfaceId = -1;  ///< equal for all pieces of one surface that was cut; -1: not cut
+  std::int32_t surfaceId = -1;  ///< equal for all pieces of one recognised surface; -1: none
 };
 
 /// A plane that cuts a closed surface (such as a cylinder), so that no face needs a seam.

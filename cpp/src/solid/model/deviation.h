@@ -30,7 +30,8 @@ struct Deviation {
 Deviation measureDeviation(const std::vector<Eigen::Vector3d>& points, const Decimated& small,
                            const std::vector<Eigen::Vector3d>& positions, double limit);
 
-/// Returns the points whose distance may change if vertices are inserted at these positions.
+/// Returns the points whose distance from the solid may change if vertices are inserted at these
+/// positions.
 std::vector<Eigen::Vector3d> pointsAbout(const std::vector<Violation>& corners,
                                          const Decimated& before, double limit,
                                          const std::vector<Eigen::Vector3d>& points);

@@ -50,8 +50,8 @@ class Judge {
   virtual void guard(const std::function<void()>& work, RunContext& run) = 0;
 };
 
-/// Returns the judge of this build. With a kernel, only one thread at a time can have one. Throws
-/// Error(ExportFailed, "NoKernel") if the program was built without a kernel.
+/// Returns the judge of this build. With a kernel, only one thread at a time can have a judge.
+/// Throws Error(ExportFailed, "NoKernel") if the program was built without a kernel.
 std::unique_ptr<Judge> openJudge();
 
 }  // namespace swept::step

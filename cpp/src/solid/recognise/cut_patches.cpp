@@ -38,7 +38,8 @@ class Cutter {
   Cutter(const HalfEdgeMesh& mesh, Partition& partition) : mesh_(mesh), partition_(partition) {}
 
   void cutAll() {
-    // Spheres may be cut in any direction. They come last, when the corners around them are known.
+    // Spheres may be cut in any direction. So they are cut last, when the corners around them are
+    // known.
     const auto count = static_cast<std::int32_t>(partition_.patches.size());
     for (const bool spheres : {false, true}) {
       for (std::int32_t p = 0; p < count; ++p) {

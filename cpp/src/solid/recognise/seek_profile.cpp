@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Triangles of a first and of a wide region around a seed.
+// Largest numbers of triangles in a first and in a wide region around a seed.
 constexpr std::size_t kMaxSeed = 600, kMaxWide = 1200;
 constexpr std::size_t kFewSamples = 200, kMaxSamples = 1000;
 constexpr double kMaxSpread = 0.03;     // sine: scatter of the normals about a direction or an axis
@@ -172,7 +172,8 @@ class ProfileSeeker {
   }
 
   // Removes the triangles of patches that stay. A patch stays if part of it lies outside the
-  // surface, or if its own surface fits nearly as well. Returns the largest connected rest.
+  // surface, or if its own surface fits nearly as well. Returns the largest connected piece of the
+  // remaining triangles.
   std::vector<std::int32_t> settle(const Carrier& surface,
                                    const std::vector<std::int32_t>& region) {
     std::vector<std::int32_t> patches;

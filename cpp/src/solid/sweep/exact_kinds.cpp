@@ -50,7 +50,8 @@ Samples sampled(const ExactSurface& exact, Range u, Range t) {
   return samples;
 }
 
-// Returns whether all points lie on the carrier. Turns its outward side to that of the samples.
+// Returns whether all points lie on the carrier. Reverses the carrier if its outward side is not
+// that of the samples.
 bool containsAll(Carrier& carrier, const Samples& samples, double bound) {
   for (const Vector3d& p : samples.points) {
     if (!(std::abs(carrier.distance(p)) <= bound)) return false;

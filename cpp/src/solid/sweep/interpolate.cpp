@@ -18,7 +18,7 @@ std::vector<double> evenly(Range range, std::size_t count) {
   return result;
 }
 
-// Finds knots for curves across the iso-lines at these parameters of the other direction.
+// Finds knots that suit all iso-lines at the parameters `lines` of the other direction.
 std::optional<Knots> knotsAlong(const ExactSurface& exact, Range range,
                                 const std::vector<double>& lines, bool alongU, double bound) {
   const ExactRow row = [&](double v) {
