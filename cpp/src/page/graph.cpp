@@ -16,8 +16,8 @@ constexpr double kWidth = 880, kHeight = 340, kLeft = 56, kRight = 14, kTop = 14
 // The first six colours are from Okabe and Ito, 2008.
 constexpr std::array kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                               "#56b4e9", "#e69f00", "#7a4fbf", "#8c564b"};
-constexpr std::size_t kRowLength = 4;  // names per row
-constexpr std::size_t kLetters = 26;   // letters per name
+constexpr std::size_t kRowLength = 4;  // names per row of the legend
+constexpr std::size_t kLetters = 26;   // largest number of letters of a name
 constexpr double kTickGap = 16, kLegendRow = 19;
 constexpr const char* kOther = "#999999";
 

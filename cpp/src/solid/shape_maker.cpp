@@ -167,7 +167,7 @@ class ShapeMaker {
 
   // Makes the solid from the exact faces of the sweep. In each round, the triangles around unsound
   // edges and faces lose their patches and become facets. Returns nothing if some faces stay
-  // unsound, or if there are so many facets that recognised surfaces would give no more faces.
+  // unsound, or if most faces are facets: then recognised surfaces give no more faces.
   std::optional<Built> makeLabelled(std::int64_t& faces) {
     constexpr int kRounds = 6, kFacetsPerFace = 2;
     isLabelled_ = true;

@@ -19,7 +19,8 @@ constexpr double kKernelTolerance = 1e-7;
 
 }  // namespace
 
-// Without a kernel, only an edge that has no length, or bends back to its start, is refused.
+// Without a kernel, only faces are refused that have an edge without length, or an edge that bends
+// back to its start.
 std::vector<std::int32_t> TextJudge::setModel(const Model& model, RunContext& run) {
   run.checkpoint(Phase::Export);
   const auto isShort = [&](const ModelUse& use) {

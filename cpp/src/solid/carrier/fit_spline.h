@@ -1,5 +1,5 @@
-// Fits a spline that interpolates an exact curve. It is refined until it is within a bound between
-// the points of interpolation.
+// Fits a spline that interpolates an exact curve, and refines it until it is within a bound of the
+// curve between the points of interpolation.
 // Units:   mm.
 // Cost:    about ten exact evaluations per pole.
 // SPDX-License-Identifier: LGPL-2.1-or-later

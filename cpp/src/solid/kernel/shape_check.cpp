@@ -88,8 +88,8 @@ std::optional<Corners> triangleOf(const TopoDS_Face& face) {
 
 // Returns the volume of the cone from `base` over the face of an extrusion; nothing for other
 // faces. The kernel's quadrature does not follow the spans of a spline and would be wrong by half a
-// percent. The integrand is constant along the direction of extrusion, so an integral along the
-// border suffices.
+// percent. The contribution of a point to the volume does not change along the direction of
+// extrusion, so an integral along the border suffices.
 std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt& base) {
   const auto surface = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(BRep_Tool::Surface(face));
   if (surface.IsNull()) return std::nullopt;

@@ -21,8 +21,9 @@ struct Labels {
   double tolerance;  ///< mm, how far a face may lie from the points that it explains
   double spacing;    ///< mm, mean length of the edges of triangles
   SweptCarriers known;
-  std::vector<std::int32_t> of;         ///< by triangle: number of its carrier, or -1
-  std::vector<Eigen::Vector3d> points;  ///< by triangle: its crossing, else its centre
+  std::vector<std::int32_t> of;  ///< by triangle: number of its carrier, or -1
+  /// by triangle: the crossing that it comes from, else its centre
+  std::vector<Eigen::Vector3d> points;
 };
 
 class LabelTools {
@@ -105,8 +106,8 @@ class LabelTools {
   }
 
   struct Regions {
-    std::vector<std::int32_t> of;                      // by triangle
-    std::vector<std::vector<std::int32_t>> triangles;  // by region
+    std::vector<std::int32_t> of;                      // by triangle: index of its region
+    std::vector<std::vector<std::int32_t>> triangles;  // by region: its triangles
   };
   Regions regions() const {
     Regions found;

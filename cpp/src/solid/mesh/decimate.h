@@ -31,7 +31,7 @@ struct Decimated {
 };
 
 enum class Effort {
-  Rough,  ///< only the parallel part, for a first estimate
+  Rough,  ///< only the collapses that run in parallel, for a first estimate
   Thorough,
   Again,  ///< after patches became open ground: the remaining borders do not move
 };

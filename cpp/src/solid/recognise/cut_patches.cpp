@@ -170,7 +170,8 @@ class Cutter {
 
   // Returns the vertices on the border of a patch where two other patches meet.
   std::vector<Vector3d> cornersOf(std::int32_t p) const {
-    std::vector<std::pair<std::int32_t, std::int32_t>> beside;  // vertex, patch beyond
+    // pairs of a border vertex and the patch beyond
+    std::vector<std::pair<std::int32_t, std::int32_t>> beside;
     for (const std::int32_t t : partition_.patches[p].triangles) {
       for (std::int32_t h = 3 * t; h < 3 * t + 3; ++h) {
         const std::int32_t other = partition_.patchOf[mesh_.opposite[h] / 3];
@@ -263,7 +264,8 @@ class Cutter {
 
   const HalfEdgeMesh& mesh_;
   Partition& partition_;
-  std::vector<char> side_;  // by triangle of the patch that is being cut
+  // by triangle of the patch that is being cut: 1 on the positive side of the plane
+  std::vector<char> side_;
 };
 
 }  // namespace

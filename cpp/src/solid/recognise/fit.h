@@ -34,7 +34,7 @@ PointSpread spreadOf(const Samples& samples);
 struct NormalsAxis {
   Eigen::Vector3d direction, moment;  ///< the moment about the mean, in units of the spread
   Eigen::Vector3d point;              ///< point of the line nearest to the mean
-  double smallest = 0, second = 0;    ///< eigenvalues
+  double smallest = 0, second = 0;    ///< the two smallest eigenvalues
 };
 NormalsAxis axisOfNormals(const Samples& samples, const PointSpread& spread);
 

@@ -16,7 +16,8 @@ using Eigen::Vector3d;
 
 constexpr int kMaxSpans = 64;
 constexpr int kHalvings = 6;
-/// More spans must reduce the sum of squares to this fraction of its previous value.
+/// More spans must reduce the sum of squared distances to at most this fraction of its previous
+/// value.
 constexpr double kMaxRemaining = 0.6;
 constexpr double kSmoothing = 1e-7;
 constexpr double kEndFraction = 0.08;  // fraction of the length: straight pieces at the ends
@@ -28,7 +29,7 @@ struct CurvePoint {
   Vector2d at;
 };
 
-// Values of the four cubic Hermite functions at w of a span of length h.
+// Returns the values of the four cubic Hermite functions at the fraction w of a span of length h.
 std::array<double, 4> basis(double w, double h) {
   const double m = 1 - w;
   return {m * m * (1 + 2 * w), w * w * (1 + 2 * m), h * w * m * m, -h * w * w * m};

@@ -17,9 +17,10 @@ using Eigen::Vector3d;
 // Largest numbers of triangles in a first and in a wide region around a seed.
 constexpr std::size_t kMaxSeed = 600, kMaxWide = 1200;
 constexpr std::size_t kFewSamples = 200, kMaxSamples = 1000;
-constexpr double kMaxSpread = 0.03;     // sine: scatter of the normals about a direction or an axis
-constexpr double kMaxLean = 0.08;       // sine: a single normal may deviate by this much
-constexpr double kRoughFraction = 0.2;  // fraction of the tolerance, for a quick first test
+constexpr double kMaxSpread = 0.03;  // sine: scatter of the normals about a direction or an axis
+constexpr double kMaxLean = 0.08;    // sine: a single normal may deviate by this much
+// tolerance of a quick first fit, as a fraction of the tolerance
+constexpr double kRoughFraction = 0.2;
 /// Spans are halved until their points are within this fraction of the tolerance.
 constexpr double kFitFraction = 0.02;
 /// Only patches whose median distance exceeds this fraction of the tolerance may give triangles to

@@ -8,12 +8,14 @@
 namespace swept::step {
 namespace {
 
-constexpr int kSeedTriangles = 60;       // triangles of the first guess
-constexpr int kMaxSeedTriangles = 4000;  // triangles of the largest guess
+constexpr int kSeedTriangles = 60;       // number of triangles for the first guess
+constexpr int kMaxSeedTriangles = 4000;  // number of triangles for the largest guess
 constexpr double kMinFraction = 0.1;     // smallest fraction to which the tolerance is reduced
 constexpr int kRimRings = 3;
-constexpr std::size_t kGuessSamples = 80;  // for a first guess: few, since most guesses fail
-constexpr double kMinMore = 1.25;   // factor of the area that a more complicated surface must cover
+// number of samples for a first guess; few, since most guesses fail
+constexpr std::size_t kGuessSamples = 80;
+// factor by which a more complicated surface must cover more area
+constexpr double kMinMore = 1.25;
 constexpr double kMinMuchMore = 4;  // the same for a surface that fits less exactly
 
 constexpr std::array<CarrierKind, 5> kKinds{CarrierKind::Plane, CarrierKind::Cylinder,

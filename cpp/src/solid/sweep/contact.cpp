@@ -71,7 +71,7 @@ std::optional<double> ContactMap::solve(double w, double v, const Moment& moment
     v -= step;
     const double moved = std::abs(step) * perV;
     if (moved < 1e-13 * size_) return v;
-    // Rounding prevents steps smaller than this.
+    // If so, rounding prevents smaller steps.
     if (moved < 1e-9 * size_ && moved >= 0.5 * last) return v;
     last = moved;
   }

@@ -179,7 +179,7 @@ SweptSurface grazeOfSphere(const Carrier& face, const std::vector<Contact>& cont
 struct OnRails {
   std::vector<double> w, v, s;
   Range rangeW, rangeS;
-  bool isOpen = true;   // true: on closed rails, there is a gap between the contacts
+  bool isOpen = true;   // false if the contacts lie all around a closed rail
   double crossing = 0;  // the smallest sine of the angle between rails and contact curves
   // mm per unit of s: largest change of the normal speed over the contacts, and largest speed.
   double largestNormalSpeed = 0, largestSpeed = 0;

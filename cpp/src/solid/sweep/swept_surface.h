@@ -61,10 +61,10 @@ enum class Degeneracy {
   NoContact,    ///< n.v = 0 has no solution on some rail in the range
   Fold,         ///< a contact curve turns back within the rails
   LeavesFace,   ///< the contact leaves the known part of the face
-  TooComplex,   ///< the bound is not reached with kMaxSpans
+  TooComplex,   ///< the bound is not reached with kMaxSpans spans and kMaxPoles poles
   NotKnown,     ///< no method for this kind of face
 };
-/// Returns a text such as "the curve slides along itself".
+/// Returns a text such as "it slides along itself".
 const char* degeneracyText(Degeneracy why);
 
 struct SweptSurface {
@@ -72,7 +72,8 @@ struct SweptSurface {
   /// faceOutwards().
   std::optional<Carrier> carrier;
   Degeneracy why = Degeneracy::None;
-  Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< (u or w, s) at which it degenerates
+  /// (u or w, s) at which the surface degenerates
+  Eigen::Vector2d where = Eigen::Vector2d::Zero();
   double error = 0;  ///< mm: largest deviation measured between the points of interpolation
 };
 
@@ -83,7 +84,7 @@ struct SweptSurface {
 SweptSurface sweptBy(const Curve& curve, Range along, const StepPath& path, Range during,
                      double bound = kOnCarrier);
 
-/// A point of the envelope that the face made by grazing, as in SurfaceSource.
+/// A point of the envelope at which the face grazes it (SourceKind::Graze).
 struct Contact {
   Eigen::Vector3d point;  ///< world
   double s = 0;           ///< fraction of the step
