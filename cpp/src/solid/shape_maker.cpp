@@ -95,7 +95,7 @@ bool withdraw(const std::vector<std::int32_t>& bad, const Model& model,
       dissolvePatch(small.mesh, patch, small.partition);
       again = true;
     } else {
-      // The kernel refuses a facet if a corner was moved onto the surface of a patch around it.
+      // The kernel may refuse a facet because a patch around it has moved one of its corners.
       const std::int32_t t = small.partition.patches[patch].triangles[0];
       for (int k = 0; k < 3; ++k) addRecognisedAround(small, 3 * t + k, recognisedCount, refused);
     }

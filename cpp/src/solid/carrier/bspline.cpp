@@ -27,7 +27,7 @@ void insertKnot(std::vector<double>& flat, Eigen::MatrixXd& poles, int degree, d
   poles = std::move(more);
 }
 
-// Returns the length of the longest vector in a row. Each three columns are one vector.
+// Returns the length of the longest vector in a row. Every three columns are one vector.
 double largestError(const Eigen::RowVectorXd& difference) {
   double largest = 0;
   for (Eigen::Index i = 0; i + 2 < difference.cols(); i += 3)

@@ -302,7 +302,7 @@ void keepBends(const std::vector<Vector3d>& points,
 }
 
 Curve curveAlong(const std::vector<Vector3d>& points, bool closed, double tolerance) {
-  // A spline would round the corners of the polyline, so corners beyond the tolerance are kept.
+  // Makes the spline pass through corners that it would otherwise round by more than the tolerance.
   std::vector<char> kept(points.size(), 0);
   kept.front() = kept.back() = 1;
   std::vector<std::pair<std::size_t, std::size_t>> spans{{0, points.size() - 1}};

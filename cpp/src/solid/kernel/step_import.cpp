@@ -55,7 +55,8 @@ void checkStructure(const std::filesystem::path& file, const std::string& path) 
                   "; export the file again from the program that made it");
 }
 
-/// Decides by the suffix of the file. If the suffix is unknown, the first characters decide.
+/// Returns whether a file is a BREP file: by its suffix or, if this is unknown, by its first
+/// characters.
 bool isBrep(const std::filesystem::path& file) {
   const std::string suffix = suffixOf(utf8FromPath(file));
   if (suffix == "brep" || suffix == "brp") return true;

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Sine of the angle at which a motion counts as parallel to the axis of a surface, or as
-/// perpendicular to it.
+/// Sine of the largest deviation at which a motion counts as parallel or perpendicular to the axis
+/// of a surface.
 constexpr double kAlignedSine = 1e-9;
 constexpr double kCurveError = 1e-8;  // mm
 

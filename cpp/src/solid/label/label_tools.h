@@ -18,7 +18,7 @@ namespace swept::step {
 
 struct Labels {
   const HalfEdgeMesh& mesh;
-  double tolerance;  ///< mm, how far a face may lie from the points that it explains
+  double tolerance;  ///< mm, how far a face may lie from the points of its triangles
   double spacing;    ///< mm, mean length of the edges of triangles
   SweptCarriers known;
   std::vector<std::int32_t> of;  ///< by triangle: number of its carrier, or -1

@@ -108,8 +108,8 @@ class Tidier : LabelTools {
   }
 
   // If two regions touch where their carriers do not meet, a narrow strip of a third surface lies
-  // between them, which has too few crossings to be connected. Gives the triangles along the border
-  // to that surface.
+  // between them. The strip has too few crossings to be connected. Gives the triangles along the
+  // border to that surface.
   bool closeStrips() {
     std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int32_t>> borders;
     for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {

@@ -15,8 +15,8 @@ namespace {
 using Eigen::Vector3d;
 
 // Spacing of sample points, in tolerances. It is larger than for envelopes, because the solid later
-// gets new vertices where it is too far from the mesh. The distance of facets from the mesh is not
-// measured afterwards. With 1.5, the gripper test mesh moved over 34 keys takes an eighth more time
+// gets new vertices where the mesh is too far from it. (The distance of the facets from the mesh is
+// not measured then.) With 1.5, the gripper test mesh moved over 34 keys takes an eighth more time
 // and gets a fiftieth more facets.
 constexpr double kCoarseness = 5;
 

@@ -33,7 +33,7 @@ struct Decimated {
 enum class Effort {
   Rough,  ///< only the collapses that run in parallel, for a first estimate
   Thorough,
-  Again,  ///< after patches became open ground: the remaining borders do not move
+  Again,  ///< a further call, after patches became open ground; the remaining borders do not move
 };
 
 /// Limit of thinning, as a fraction of the tolerance of the solid. Without thinning, the edge

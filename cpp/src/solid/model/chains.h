@@ -50,7 +50,7 @@ struct Chain {
   /// true: becomes a single edge along the line in which two planes intersect
   bool straight = false;
 
-  /// Mesh vertex number i along the chain; there are halfEdges.size() + 1 of them.
+  /// Returns the i-th mesh vertex along the chain, 0 <= i <= halfEdges.size().
   std::int32_t vertex(const HalfEdgeMesh& mesh, std::size_t i) const {
     return i < halfEdges.size() ? mesh.origin(halfEdges[i]) : mesh.target(halfEdges.back());
   }

@@ -18,9 +18,9 @@
 
 namespace swept::step {
 
-/// A curved patch smaller than this becomes facets.
+/// A curved patch with fewer triangles becomes facets.
 constexpr std::size_t kMinTriangles = 24;
-/// Cosine: a triangle may deviate by this angle (26 degrees) from its surface.
+/// Cosine of the largest angle (26 degrees) between a triangle and its surface.
 constexpr double kSurfaceCosine = 0.90;
 /// Largest median distance of the vertices from their surface, as a fraction of the tolerance.
 constexpr double kExactFraction = 0.1;

@@ -119,7 +119,7 @@ std::optional<Curve> contactAlong(const Curve& curve, Range along,
                       (curve.at(along.at(0.5)) - curve.at(along.from)).norm();
   const ContactMap map(rail, path, size);
   const Range extended = along.grown(kMargin);
-  // Goes from the middle of the time range to both of its ends.
+  // Solves from the middle of the time range to both of its ends.
   std::vector<double> solutions(kNodes + 1);
   for (const int direction : {-1, 1}) {
     double v = start;

@@ -84,8 +84,8 @@ Carrier planeGuess(const Samples& samples) {
   return ofKind(CarrierKind::Plane, mean, solver.eigenvectors().col(0).normalized());
 }
 
-// Returns centre and radius of the circle through three points of a plane. Returns nothing if they
-// lie on a line.
+// Returns centre (x, y) and radius (z) of the circle through three points of a plane. Returns
+// nothing if they lie on a line.
 std::optional<Vector3d> circleOf(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   Eigen::Matrix2d rows;
   rows << (b - a).transpose(), (c - a).transpose();

@@ -269,8 +269,8 @@ bool isFaceted(const Model& model) {
 }
 
 double statedAccuracy(const Model& model) {
-  // Readers compute the gaps between surfaces themselves. With a larger value, they could drop
-  // short edges, and accept curves that lie off their surfaces by this distance.
+  // Readers compute the gaps between surfaces themselves. If the file stated a larger value, they
+  // could drop short edges, and accept curves that lie off their surfaces by this distance.
   if (!isFlat(model)) return 1e-7;
   double largest = 1e-7;
   for (const ModelVertex& vertex : model.vertices) largest = std::max(largest, vertex.tolerance);
