@@ -59,7 +59,8 @@ class Pieces {
   std::vector<std::int32_t> parent_, offset_;
 };
 
-/// Adds the length of a piece of an edge to `once` or `more`, depending on its winding number.
+/// Adds the length of a piece of an edge to `once` or `more`. `winding`: winding number of the
+/// other mesh about this piece.
 void measure(Windings& windings, std::int32_t winding, double length) {
   if (winding == 1)
     windings.once += length;

@@ -31,7 +31,7 @@ struct Edge {
 struct ClosedMesh {
   const TriMesh* mesh = nullptr;
   std::vector<Edge> edges;
-  std::vector<std::int32_t> edgeOf;  ///< by half-edge
+  std::vector<std::int32_t> edgeOf;  ///< by half-edge: index of its edge
 };
 
 /// Finds the edges of a mesh, and keeps a pointer to the mesh. Throws Error(InvalidInput,

@@ -182,8 +182,8 @@ class Graph {
   }
 
   const Words& words_;
-  std::vector<const Row*> curves_;  // worst first
-  std::vector<double> required_;    // ascending
+  std::vector<const Row*> curves_;  // rows that have a curve, the worst first
+  std::vector<double> required_;    // the different required distances (mm), ascending
   double from_ = 0, to_ = 1, most_ = 0, linearRange_ = 1;
 };
 

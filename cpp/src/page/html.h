@@ -16,7 +16,7 @@ std::string escaped(const std::string& text);
 /// Returns a script element with data. No character of the JSON can end the element.
 std::string dataElement(const char* id, const Json& json);
 
-/// Encodes bytes for data: URLs and for the 3D view.
+/// Returns the base64 code of bytes, for URLs that contain data and for the 3D view.
 std::string base64(const void* bytes, std::size_t count);
 
 /// Returns <tag class="kind">content</tag>. `content` is markup. An empty kind gives no class.

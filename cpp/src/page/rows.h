@@ -32,7 +32,7 @@ struct Row {
   /// The two closest points; for a clash, the deepest point and its nearest point on the surface.
   std::array<Eigen::Vector3d, 2> line;
   Pose pose;                                     ///< pose of the first part at `time`
-  std::vector<std::pair<double, double>> curve;  ///< (s, mm)
+  std::vector<std::pair<double, double>> curve;  ///< time (s) and distance (mm)
 };
 
 struct CheckReport {

@@ -153,7 +153,8 @@ std::vector<float> posesOf(const PagePart& part, const std::vector<Frame>& frame
                       : part.motion.poses.empty() ? Pose{}
                                                   : poseAt(part.motion, frame.time);
     for (int k = 0; k < 3; ++k) numbers.push_back(float(pose.translation[k]));
-    for (int k = 0; k < 4; ++k) numbers.push_back(float(pose.rotation.coeffs()[k]));  // x y z w
+    // in the order x, y, z, w
+    for (int k = 0; k < 4; ++k) numbers.push_back(float(pose.rotation.coeffs()[k]));
   }
   return numbers;
 }

@@ -84,8 +84,8 @@ double diagonalOf(const HalfEdgeMesh& mesh) {
   return box.diagonal().norm();
 }
 
-// Builds with the given tolerance. If that is 0, takes the first tolerance of a series for which
-// the solid is within the limits. `options` receives the tolerance.
+// Builds with options.tolerance. If it is 0, tries 0 and then a series of tolerances, until the
+// solid is within the limits. `options` receives the tolerance.
 Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format, Judge& judge,
                    RunContext& run) {
   const auto fits = [&](std::int64_t count) {

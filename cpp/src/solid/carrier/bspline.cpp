@@ -69,7 +69,8 @@ Knots::Basis Knots::basis(double t) const {
   result.first = span - p;
   for (int r = 0; r <= p; ++r) {
     result.value[0][r] = ndu[r][p];
-    // Basis functions of degree p - order, and reciprocals of knot differences.
+    // lower() returns a basis function of degree p - order, over() the reciprocal of a knot
+    // difference. Both return 0 if the index i is out of range.
     const auto lower = [&](int order, int i) {
       return i < 0 || i > p - order ? 0.0 : ndu[i][p - order];
     };

@@ -42,7 +42,8 @@ class Knots {
   std::size_t poleCount() const { return flat_.size() - degree_ - 1; }
   const std::vector<double>& breaks() const { return breaks_; }
   Range range() const { return {breaks_.front(), breaks_.back()}; }
-  /// Beyond the ends, the first and the last polynomial are continued.
+  /// Returns the basis functions at t. Beyond the ends, the first and the last polynomial are
+  /// continued.
   Basis basis(double t) const;
   /// Returns the parameters of interpolation: one for each pole, including both ends.
   std::vector<double> sites() const;

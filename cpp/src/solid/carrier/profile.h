@@ -23,7 +23,7 @@ class Profile {
   };
   struct Foot {
     double t = 0;
-    Eigen::Vector2d at, tangent;  ///< `tangent`: unit
+    Eigen::Vector2d at, tangent;  ///< `tangent`: unit vector
   };
 
   /// A closed profile must repeat its first node at the end. `beyond`: mm, length of the straight

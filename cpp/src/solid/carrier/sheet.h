@@ -17,9 +17,9 @@ namespace swept::step {
 
 class Sheet {
  public:
-  /// The nearest point of the surface, with the derivatives there. `isInside`: false if the point
-  /// lies at the end of the continuation. The line to it then need not be perpendicular to the
-  /// surface.
+  /// The nearest point of the surface, with the derivatives there. `isInside`: false if this point
+  /// lies at the end of the continuation. The line from the given point to it then need not be
+  /// perpendicular to the surface.
   struct Foot {
     double u = 0, t = 0;
     Eigen::Vector3d at, alongU, alongT;

@@ -22,7 +22,7 @@ struct Violation {
 };
 
 struct Deviation {
-  double largest = 0;  ///< mm
+  double largest = 0;  ///< mm: the largest distance
   /// For each triangle, the vertex with the largest distance beyond the limit.
   std::vector<Violation> beyond;
 };

@@ -62,7 +62,7 @@ std::vector<Profile::Node> solveNodes(const std::vector<CurvePoint>& points,
   for (int s = 0; s < spans; ++s) {
     const double h = knots[s + 1] - knots[s];
     const std::array<int, 4> at = indices(s);
-    // Second derivatives, times h squared, at both ends.
+    // Second derivatives at both ends of the span, times h squared: a row of factors for each end.
     const std::array<std::array<double, 4>, 2> bends{
         {{-6, 6, -4 * h, -2 * h}, {6, -6, 2 * h, 4 * h}}};
     for (const auto& bend : bends) {

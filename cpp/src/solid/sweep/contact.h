@@ -14,7 +14,8 @@
 
 namespace swept::step {
 
-/// The motion at one time, in coordinates of the body: a point p moves with linear + angular x p.
+/// The motion at one time, in coordinates of the body: a point p has the velocity linear + angular
+/// x p.
 struct Moment {
   Moment(const StepPath& path, double s);
   Eigen::Vector3d velocityAt(const Eigen::Vector3d& x) const { return linear + angular.cross(x); }

@@ -135,7 +135,7 @@ std::optional<Carrier> turnedGuess(const Samples& samples, const FixedAxis& axis
   return std::nullopt;
 }
 
-// Returns the profile through plane points at(v). Slopes are differences of these points.
+// Returns the profile through plane points at(v). Slopes are difference quotients of these points.
 std::shared_ptr<const Profile> profileThrough(const std::function<Vector2d(double)>& at,
                                               Range range, std::size_t count) {
   std::vector<Profile::Node> nodes;

@@ -86,7 +86,7 @@ SweptSurface sweptBy(const Curve& curve, Range along, const StepPath& path, Rang
 
 /// A point of the envelope at which the face grazes it (SourceKind::Graze).
 struct Contact {
-  Eigen::Vector3d point;  ///< world
+  Eigen::Vector3d point;  ///< in world coordinates, mm
   double s = 0;           ///< fraction of the step
 };
 
