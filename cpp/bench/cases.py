@@ -7,7 +7,8 @@ import pathlib
 
 import numpy as np
 
-# name in cases.json, resolution, seconds of the reference implementation, goal (s), limit (s)
+# name in cases.json, resolution, seconds of the reference implementation, goal (s), limit (s),
+# which the tables call "least"
 TABLE = [
     ("bunny_still", 512, 360, 0.5, 1),
     ("bunny_still", 1024, 2632, 2, 4),

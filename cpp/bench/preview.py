@@ -21,27 +21,27 @@ def measure(shared, entry, resolution, calls, threads):
 
     body = _swept.read_mesh(str(shared / entry["mesh"]), unit=entry["mesh_unit"])
     motion = str(shared / entry["motion"])
-    times, turns, places = _swept.read_trajectory_csv(motion, unit=entry["motion_unit"])
+    times, rotations, translations = _swept.read_trajectory_csv(motion, unit=entry["motion_unit"])
     session = _swept.PreviewSession(body.vertices, body.triangles, resolution=resolution)
     size = float((body.vertices.max(axis=0) - body.vertices.min(axis=0)).max())
     out = []
-    edited = places.copy()
+    edited = translations.copy()
     for call in range(calls):
         # Imitates a user who drags one pose after another, each in ten steps of 1 % of the body.
         if call > 0:
             edited[1 + (call - 1) // 10 % (len(times) - 2), 2] += 0.01 * size
         run = _swept.RunContext(threads=threads)
         elapsed, cpu = time.perf_counter(), time.process_time()
-        result = session.compute((times, turns, edited), entry["interpolation"], run=run)
+        result = session.compute((times, rotations, edited), entry["interpolation"], run=run)
         elapsed, cpu = time.perf_counter() - elapsed, time.process_time() - cpu
         out.append({"elapsed": elapsed, "cpu": cpu, "triangles": len(result.triangles)})
     return out
 
 
 def line(name, resolution, call, runs, limits):
-    middle = {k: statistics.median(r[k] for r in runs) for k in runs[0]}
-    cells = [name, str(resolution), call, f"{middle['elapsed']:.3f}", limits]
-    cells += [f"{middle['cpu']:.3f}", f"{middle['triangles']:.0f}", f"{os.getloadavg()[0]:.1f}"]
+    medians = {k: statistics.median(r[k] for r in runs) for k in runs[0]}
+    cells = [name, str(resolution), call, f"{medians['elapsed']:.3f}", limits]
+    cells += [f"{medians['cpu']:.3f}", f"{medians['triangles']:.0f}", f"{os.getloadavg()[0]:.1f}"]
     return "| " + " | ".join(cells) + " |"
 
 

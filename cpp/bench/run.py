@@ -50,7 +50,7 @@ def measure(program, case, threads, folder):
     }
 
 
-def middle(runs):
+def medians(runs):
     """Returns the medians of several runs of one case."""
     good = [r for r in runs if "failed" not in r]
     if not good:
@@ -72,8 +72,8 @@ def measure_cases(cases, options, folder):
                 theirs.append(measure(options.baseline, case, options.threads, folder))
         row = {"case": case.name, "resolution": case.resolution, "load": os.getloadavg()[0]}
         row.update(reference=case.reference, goal=case.goal, least=case.least)
-        row["measured"] = middle(ours)
-        row["baseline"] = middle(theirs) if theirs else None
+        row["measured"] = medians(ours)
+        row["baseline"] = medians(theirs) if theirs else None
         rows.append(row)
         print(line(row), flush=True)
     return rows

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kGrain = 1 << 13;
 using Range = tbb::blocked_range<std::size_t>;
 
-/// The triangles round one vertex, in the order of the walk. Each is given by its corner: the
-/// half-edge that starts at the vertex.
+/// The triangles round one vertex, in the order in which walk() visits them. Each is given by its
+/// corner: the half-edge that starts at the vertex.
 struct Fan {
   std::vector<std::uint32_t> corners;
   bool cycle = false;       ///< the walk came back to its start
@@ -33,7 +33,7 @@ void walk(const TriMesh& mesh, const RawArray<std::uint32_t>& across, std::uint3
     const std::uint32_t other = across[forward ? previousHalfEdge(corner) : corner];
     if (other == kNoNeighbour) return;
     const bool starts = mesh.triangles[other / 3][other % 3] == v;
-    // A consistent neighbour has the edge in the opposite direction: incoming here, outgoing there.
+    // A neighbour with the same orientation has the common edge in the opposite direction.
     if (starts != forward) fan.consistent = false;
     const std::uint32_t next = starts ? other : nextHalfEdge(other);
     forward = starts;

@@ -22,9 +22,9 @@ struct MeshTopology {
   Shells shells;  ///< pieces connected by edges with two triangles
   std::int64_t nonManifoldVertices = 0;
   std::int64_t unusedVertices = 0;
-  /// Per vertex: 1 if the triangles round it may intersect, 0 if they certainly do not: seen along
-  /// some direction, they surround the vertex once, like the sectors of a disc. Empty if not
-  /// requested.
+  /// Per vertex: 1 if the triangles round it may intersect. 0 if they certainly do not, because
+  /// seen along some direction, they surround the vertex once, like the sectors of a disc. Empty if
+  /// not requested.
   std::vector<std::uint8_t> entangled;
 };
 

@@ -33,8 +33,8 @@ SelfIntersections findNearPairs(const TriMesh& mesh, const std::vector<std::int3
       BoxTree::Bounds around;
       for (const std::int32_t other : together) around.extend(boxOf(other));
       near.clear();
-      tree.forBox(around.low, around.high, [&](std::uint32_t place) {
-        const std::int32_t member = members[tree.item(place)];
+      tree.forBox(around.low, around.high, [&](std::uint32_t index) {
+        const std::int32_t member = members[tree.item(index)];
         near.emplace_back(member, boxOf(member));
       });
       if (near.empty()) continue;

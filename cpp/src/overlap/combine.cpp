@@ -35,9 +35,11 @@ struct Link {
                   faultText("the parts"));
 }
 
-/// Throws if more than a small part of the solid `name` overlaps itself: `windings` are those of
-/// the solid `other`. A smaller overlap only counts its own small volume more than once.
-void requireOnce(const Windings& windings, const std::string& name, const std::string& other) {
+/// Throws if more than a small part of the solid `name` overlaps itself. `windings`: winding
+/// numbers of this solid along the edges of the solid `other`. A smaller overlap is accepted; its
+/// volume then counts more than once.
+void requireNoSelfOverlap(const Windings& windings, const std::string& name,
+                          const std::string& other) {
   constexpr double kMaxFraction = 0.01;
   if (windings.more <= kMaxFraction * (windings.once + windings.more)) return;
   throw Error(Status::InvalidInput, "OverlappingShells",
@@ -62,12 +64,12 @@ class Builder {
   TriMesh build() {
     for (const Side side : {Side::Shrunk, Side::Fixed}) {
       const ClosedMesh& mesh = of(side);
-      const TriMesh& there = *of(other(side)).mesh;
-      const BoxTree tree = treeOf(lattice_, other(side), there);
-      nodes_[int(side)] = findNodes(lattice_, side, mesh, there, tree, run_);
+      const TriMesh& otherMesh = *of(other(side)).mesh;
+      const BoxTree tree = treeOf(lattice_, other(side), otherMesh);
+      nodes_[int(side)] = findNodes(lattice_, side, mesh, otherMesh, tree, run_);
       windings_[int(side)] =
-          findWindings(lattice_, side, mesh, there, tree, nodes_[int(side)], run_);
-      requireOnce(windings_[int(side)], names_[int(other(side))], names_[int(side)]);
+          findWindings(lattice_, side, mesh, otherMesh, tree, nodes_[int(side)], run_);
+      requireNoSelfOverlap(windings_[int(side)], names_[int(other(side))], names_[int(side)]);
     }
     numberPoints();
     findSegments();

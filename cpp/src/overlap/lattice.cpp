@@ -58,7 +58,7 @@ Lattice::Lattice(const TriMesh& shrunk, const TriMesh& fixed) {
   }
 }
 
-Eigen::Vector3d Lattice::place(Side side, std::int32_t vertex) const {
+Eigen::Vector3d Lattice::position(Side side, std::int32_t vertex) const {
   const Whole& p = at(side, vertex);
   return {double(p[0]), double(p[1]), double(p[2])};
 }
@@ -66,9 +66,10 @@ Eigen::Vector3d Lattice::place(Side side, std::int32_t vertex) const {
 Whole Lattice::fromCentre(const Whole& p) const { return minus(p, centre_); }
 
 int Lattice::sideOf(Side side, std::int32_t vertex, const Corners& triangle) const {
-  const Side there = other(side);
-  const Whole &p = at(side, vertex), &a = at(there, triangle[0]);
-  const Cross normal = cross(minus(at(there, triangle[1]), a), minus(at(there, triangle[2]), a));
+  const Side otherSide = other(side);
+  const Whole &p = at(side, vertex), &a = at(otherSide, triangle[0]);
+  const Cross normal =
+      cross(minus(at(otherSide, triangle[1]), a), minus(at(otherSide, triangle[2]), a));
   if (const int sign = signOf(dot(normal, minus(p, a))); sign != 0) return sign;
   // Seen from the shrunk mesh, a vertex of the fixed mesh moves in the opposite direction.
   const int sign = firstSign(-dot(normal, fromCentre(p)), normal);
@@ -76,9 +77,10 @@ int Lattice::sideOf(Side side, std::int32_t vertex, const Corners& triangle) con
 }
 
 double Lattice::heightOf(Side side, std::int32_t vertex, const Corners& triangle) const {
-  const Side there = other(side);
-  const Whole& a = at(there, triangle[0]);
-  const Cross normal = cross(minus(at(there, triangle[1]), a), minus(at(there, triangle[2]), a));
+  const Side otherSide = other(side);
+  const Whole& a = at(otherSide, triangle[0]);
+  const Cross normal =
+      cross(minus(at(otherSide, triangle[1]), a), minus(at(otherSide, triangle[2]), a));
   return static_cast<double>(dot(normal, minus(at(side, vertex), a)));
 }
 
@@ -102,9 +104,9 @@ int Lattice::turnInPlane(Side side, const Whole& p, const Whole& a, const Whole&
 }
 
 int Lattice::rayThrough(Side side, std::int32_t vertex, const Corners& triangle) const {
-  const Side there = other(side);
-  const Whole &p = at(side, vertex), &a = at(there, triangle[0]), &b = at(there, triangle[1]),
-              &c = at(there, triangle[2]);
+  const Side otherSide = other(side);
+  const Whole &p = at(side, vertex), &a = at(otherSide, triangle[0]),
+              &b = at(otherSide, triangle[1]), &c = at(otherSide, triangle[2]);
   const Wide up = cross(minus(b, a), minus(c, a))[2];
   // The triangle is upright, so no vertical ray in general position meets it.
   if (up == 0) return 0;

@@ -37,7 +37,7 @@ class Lattice {
   std::size_t count(Side side) const { return points_[int(side)].size(); }
   /// Returns the position of a vertex in steps of the lattice, converted to double without
   /// rounding.
-  Eigen::Vector3d place(Side side, std::int32_t vertex) const;
+  Eigen::Vector3d position(Side side, std::int32_t vertex) const;
   double millimetres() const { return step_; }
 
   using Corners = std::array<std::int32_t, 3>;

@@ -59,7 +59,8 @@ class Pieces {
   std::vector<std::int32_t> parent_, offset_;
 };
 
-/// Adds the length of a piece of an edge to `once` or `more`, depending on its winding number.
+/// Adds the length of a piece of an edge to `once` or `more`. `winding`: winding number of the
+/// other mesh about this piece.
 void measure(Windings& windings, std::int32_t winding, double length) {
   if (winding == 1)
     windings.once += length;
@@ -100,41 +101,42 @@ ClosedMesh closedMesh(const TriMesh& mesh, const std::string& name) {
 BoxTree treeOf(const Lattice& lattice, Side side, const TriMesh& mesh) {
   return BoxTree(mesh.triangles.size(), [&](std::size_t t) {
     BoxTree::Bounds box;
-    for (const std::int32_t v : mesh.triangles[t]) box.extend(lattice.place(side, v));
+    for (const std::int32_t v : mesh.triangles[t]) box.extend(lattice.position(side, v));
     return box;
   });
 }
 
 std::vector<Node> findNodes(const Lattice& lattice, Side side, const ClosedMesh& mesh,
-                            const TriMesh& there, const BoxTree& tree, RunContext& run) {
+                            const TriMesh& otherMesh, const BoxTree& tree, RunContext& run) {
   const auto nodesOf = [&](std::size_t e, std::vector<Node>& found) {
     if (e % kEdgeBlock == 0) run.checkpoint(Phase::Contour);
     const Edge& edge = mesh.edges[e];
-    const Eigen::Vector3d a = lattice.place(side, edge.from), b = lattice.place(side, edge.to);
+    const Eigen::Vector3d a = lattice.position(side, edge.from),
+                          b = lattice.position(side, edge.to);
     const std::size_t first = found.size();
-    tree.forBox(a.cwiseMin(b), a.cwiseMax(b), [&](std::uint32_t place) {
-      const std::int32_t t = tree.item(place);
-      const Lattice::Corners& triangle = there.triangles[t];
+    tree.forBox(a.cwiseMin(b), a.cwiseMax(b), [&](std::uint32_t index) {
+      const std::int32_t t = tree.item(index);
+      const Lattice::Corners& triangle = otherMesh.triangles[t];
       const int before = lattice.sideOf(side, edge.from, triangle);
       if (before == 0 || lattice.sideOf(side, edge.to, triangle) != -before) return;
       if (!passesInside(lattice, side, edge, triangle, before)) return;
       const double from = lattice.heightOf(side, edge.from, triangle);
       const double to = lattice.heightOf(side, edge.to, triangle);
       Node node{static_cast<std::int32_t>(e), t, before > 0};
-      node.share = from == to ? 0.5 : std::clamp(from / (from - to), 0.0, 1.0);
+      node.fraction = from == to ? 0.5 : std::clamp(from / (from - to), 0.0, 1.0);
       const Eigen::Vector3d &p = mesh.mesh->vertices[edge.from], &q = mesh.mesh->vertices[edge.to];
-      node.point = p + node.share * (q - p);
+      node.point = p + node.fraction * (q - p);
       found.push_back(node);
     });
     std::sort(found.begin() + first, found.end(), [](const Node& x, const Node& y) {
-      return x.share != y.share ? x.share < y.share : x.triangle < y.triangle;
+      return x.fraction != y.fraction ? x.fraction < y.fraction : x.triangle < y.triangle;
     });
   };
   return gather<Node>(mesh.edges.size(), kEdgeBlock, nodesOf);
 }
 
 Windings findWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,
-                      const TriMesh& there, const BoxTree& tree, const std::vector<Node>& nodes,
+                      const TriMesh& otherMesh, const BoxTree& tree, const std::vector<Node>& nodes,
                       RunContext& run) {
   std::vector<std::int32_t> steps(mesh.edges.size(), 0);
   for (const Node& node : nodes) steps[node.edge] += node.enters ? 1 : -1;
@@ -147,10 +149,10 @@ Windings findWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,
     const auto vertex = static_cast<std::int32_t>(v);
     if (pieces.find(vertex) != vertex) continue;
     run.checkpoint(Phase::Contour);
-    const Eigen::Vector3d at = lattice.place(side, vertex);
+    const Eigen::Vector3d at = lattice.position(side, vertex);
     const Eigen::Vector3d top(at.x(), at.y(), std::max(at.z(), tree.bounds().high.z()));
-    tree.forBox(at, top, [&](std::uint32_t place) {
-      ofRoot[v] += lattice.rayThrough(side, vertex, there.triangles[tree.item(place)]);
+    tree.forBox(at, top, [&](std::uint32_t index) {
+      ofRoot[v] += lattice.rayThrough(side, vertex, otherMesh.triangles[tree.item(index)]);
     });
   }
   Windings found;
@@ -164,13 +166,13 @@ Windings findWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,
     const Edge& edge = mesh.edges[e];
     const double length = (mesh.mesh->vertices[edge.to] - mesh.mesh->vertices[edge.from]).norm();
     std::int32_t winding = found.ofVertex[edge.from];
-    double share = 0;
+    double fraction = 0;
     for (; n < nodes.size() && nodes[n].edge == std::int32_t(e); ++n) {
-      measure(found, winding, length * (nodes[n].share - share));
+      measure(found, winding, length * (nodes[n].fraction - fraction));
       winding += nodes[n].enters ? 1 : -1;
-      share = nodes[n].share;
+      fraction = nodes[n].fraction;
     }
-    measure(found, winding, length * (1 - share));
+    measure(found, winding, length * (1 - fraction));
   }
   return found;
 }

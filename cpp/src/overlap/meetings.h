@@ -31,30 +31,30 @@ struct Edge {
 struct ClosedMesh {
   const TriMesh* mesh = nullptr;
   std::vector<Edge> edges;
-  std::vector<std::int32_t> edgeOf;  ///< by half-edge
+  std::vector<std::int32_t> edgeOf;  ///< by half-edge: index of its edge
 };
 
 /// Finds the edges of a mesh, and keeps a pointer to the mesh. Throws Error(InvalidInput,
-/// "OpenMesh") if not equally many triangles run along an edge in both directions.
+/// "OpenMesh") if an edge has more half-edges in one direction than in the other.
 ClosedMesh closedMesh(const TriMesh& mesh, const std::string& name);
 
 struct Node {
   std::int32_t edge = 0;      ///< index of the edge in its mesh
   std::int32_t triangle = 0;  ///< index of the triangle in the other mesh
   /// True: the edge, followed in its direction, enters the other solid at the node; false: it
-  /// leaves it.
+  /// leaves the other solid.
   bool enters = false;
-  double share = 0;  ///< position of the node on the edge, from 0 to 1
+  double fraction = 0;  ///< position of the node on the edge, from 0 to 1
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm
 };
 
 /// Returns a tree over the boxes of a mesh's triangles, in steps of the lattice.
 BoxTree treeOf(const Lattice& lattice, Side side, const TriMesh& mesh);
 
-/// Returns the nodes of the edges of `mesh`, sorted by edge and then by `share`, which is rounded.
-/// `there`: the other mesh; `tree`: its treeOf().
+/// Returns the nodes of the edges of `mesh`, sorted by edge and then by `fraction`, which is
+/// rounded. `otherMesh`: the other mesh; `tree`: its treeOf().
 std::vector<Node> findNodes(const Lattice& lattice, Side side, const ClosedMesh& mesh,
-                            const TriMesh& there, const BoxTree& tree, RunContext& run);
+                            const TriMesh& otherMesh, const BoxTree& tree, RunContext& run);
 
 struct Windings {
   /// For each vertex, the winding number of the other mesh about it: 0 outside the other solid, 1
@@ -67,7 +67,7 @@ struct Windings {
 
 /// Computes the winding numbers. The arguments are those of findNodes(); `nodes` is its result.
 Windings findWindings(const Lattice& lattice, Side side, const ClosedMesh& mesh,
-                      const TriMesh& there, const BoxTree& tree, const std::vector<Node>& nodes,
+                      const TriMesh& otherMesh, const BoxTree& tree, const std::vector<Node>& nodes,
                       RunContext& run);
 
 }  // namespace swept::overlap

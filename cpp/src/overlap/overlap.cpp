@@ -41,7 +41,7 @@ class OverlapCheck {
  public:
   OverlapCheck(OverlapReport& report, const std::vector<OverlapPart>& parts,
                const OverlapOptions& options, RunContext& run)
-      : report_(report), parts_(parts), shares_(options.shared), run_(run) {
+      : report_(report), parts_(parts), sharesVolumes_(options.shared), run_(run) {
     options_.required = options.required;
     options_.tolerance = options.tolerance;
     options_.curveSamples = 0;
@@ -56,7 +56,7 @@ class OverlapCheck {
     report_.seconds.push_back({"prepare", timer.lap()});
     measure();
     report_.seconds.push_back({"search", timer.lap()});
-    if (shares_) share();
+    if (sharesVolumes_) computeSharedVolumes();
     report_.seconds.push_back({"share", timer.lap()});
     summarise();
     report_.seconds.push_back({"total", timer.seconds()});
@@ -109,14 +109,14 @@ class OverlapCheck {
     return pair.clearance.distance <= 0 || pair.clearance.inside;
   }
 
-  void share() {
+  void computeSharedVolumes() {
     std::vector<std::unique_ptr<const TriMesh>> solids(parts_.size());
     std::vector<std::string> refused(parts_.size());
-    std::vector<char> wanted(parts_.size(), 0);
+    std::vector<char> needed(parts_.size(), 0);
     for (const PairOverlap& pair : report_.pairs)
-      if (meets(pair)) wanted[pair.parts.first] = wanted[pair.parts.second] = 1;
+      if (meets(pair)) needed[pair.parts.first] = needed[pair.parts.second] = 1;
     parallelFor(parts_.size(), [&](std::size_t i) {
-      if (wanted[i] == 0) return;
+      if (needed[i] == 0) return;
       unlessInvalid(refused[i], [&] {
         solids[i] = std::make_unique<const TriMesh>(
             overlap::solidOf(parts_[i].mesh, quotedName(parts_[i]), run_));
@@ -188,14 +188,14 @@ class OverlapCheck {
 
   OverlapReport& report_;
   const std::vector<OverlapPart>& parts_;
-  const bool shares_;
+  const bool sharesVolumes_;
   ClearanceOptions options_;
   RunContext& run_;
   std::vector<std::unique_ptr<const Part>> prepared_;
   std::vector<char> mended_;
 };
 
-void takeBack(OverlapReport& report) {
+void clearResults(OverlapReport& report) {
   report.pairs.clear();
   report.smallest = -1;
   report.summary.clear();
@@ -208,7 +208,7 @@ OverlapReport checkOverlaps(const std::vector<OverlapPart>& parts, const Overlap
   OverlapReport report;
   report.required = options.required;
   report.tolerance = options.tolerance;
-  fillGuarded(report, run, "comparison", "the parts", takeBack,
+  fillGuarded(report, run, "comparison", "the parts", clearResults,
               [&] { OverlapCheck(report, parts, options, run)(); });
   return report;
 }

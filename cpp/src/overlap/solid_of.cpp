@@ -36,11 +36,12 @@ std::size_t numberSolids(const TriMesh& mesh, const Shells& shells,
   const ShellNesting nesting(mesh, shells, columns);
   for (std::int32_t s = 0; s < shells.count; ++s) {
     if (extents[s].volume > 0) continue;
-    std::int32_t home = -1;  // the smallest shell that bounds material and contains this cavity
-    for (const std::int32_t round : nesting.shellsAround(extents[s].first))
-      if (extents[round].volume > 0 && (home < 0 || extents[round].volume < extents[home].volume))
-        home = round;
-    if (home >= 0) solidOfShell[s] = solidOfShell[home];
+    std::int32_t outer = -1;  // the smallest shell that bounds material and contains this cavity
+    for (const std::int32_t candidate : nesting.shellsAround(extents[s].first))
+      if (extents[candidate].volume > 0 &&
+          (outer < 0 || extents[candidate].volume < extents[outer].volume))
+        outer = candidate;
+    if (outer >= 0) solidOfShell[s] = solidOfShell[outer];
   }
   return count;
 }

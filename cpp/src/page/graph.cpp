@@ -16,8 +16,8 @@ constexpr double kWidth = 880, kHeight = 340, kLeft = 56, kRight = 14, kTop = 14
 // The first six colours are from Okabe and Ito, 2008.
 constexpr std::array kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                               "#56b4e9", "#e69f00", "#7a4fbf", "#8c564b"};
-constexpr std::size_t kRowLength = 4;  // names per row
-constexpr std::size_t kLetters = 26;   // letters per name
+constexpr std::size_t kRowLength = 4;  // names per row of the legend
+constexpr std::size_t kLetters = 26;   // largest number of letters of a name
 constexpr double kTickGap = 16, kLegendRow = 19;
 constexpr const char* kOther = "#999999";
 
@@ -33,22 +33,22 @@ std::string shortened(const std::string& text) {
   return text;
 }
 
-std::string stroke(double x1, double y1, double x2, double y2, const std::string& look) {
+std::string stroke(double x1, double y1, double x2, double y2, const std::string& attributes) {
   return "<line x1=\"" + at(x1) + "\" y1=\"" + at(y1) + "\" x2=\"" + at(x2) + "\" y2=\"" + at(y2) +
-         "\" " + look + "/>\n";
+         "\" " + attributes + "/>\n";
 }
 
 std::string label(double x, double y, const char* anchor, const std::string& text,
-                  const std::string& look = "fill=\"#333333\"") {
-  return "<text x=\"" + at(x) + "\" y=\"" + at(y) + "\" text-anchor=\"" + anchor + "\" " + look +
-         ">" + escaped(text) + "</text>\n";
+                  const std::string& attributes = "fill=\"#333333\"") {
+  return "<text x=\"" + at(x) + "\" y=\"" + at(y) + "\" text-anchor=\"" + anchor + "\" " +
+         attributes + ">" + escaped(text) + "</text>\n";
 }
 
 class Graph {
  public:
-  Graph(const Told& told, const Words& words) : words_(words) {
-    for (const std::size_t index : told.order)
-      if (!told.rows[index].curve.empty()) curves_.push_back(&told.rows[index]);
+  Graph(const CheckReport& check, const Words& words) : words_(words) {
+    for (const std::size_t index : check.order)
+      if (!check.rows[index].curve.empty()) curves_.push_back(&check.rows[index]);
     if (!curves_.empty()) measure();
   }
 
@@ -76,21 +76,21 @@ class Graph {
  private:
   void measure() {
     from_ = to_ = curves_[0]->curve[0].first;
-    double asked = 0;
+    double largestRequired = 0;
     for (const Row* row : curves_) {
-      asked = std::max(asked, row->required.value_or(0));
+      largestRequired = std::max(largestRequired, row->required.value_or(0));
       for (const auto& [time, distance] : row->curve) {
         from_ = std::min(from_, time);
         to_ = std::max(to_, time);
         most_ = std::max(most_, distance);
       }
-      if (row->required.value_or(0) > 0) asked_.push_back(*row->required);
+      if (row->required.value_or(0) > 0) required_.push_back(*row->required);
     }
-    std::sort(asked_.begin(), asked_.end());
-    asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
-    constexpr double kAbove = 1.2, kBend = 1.5, kShare = 20, kLeast = 1e-3;
-    most_ = std::max({most_, kAbove * asked, kLeast});
-    bend_ = asked_.empty() ? most_ / kShare : asked_[0] / kBend;
+    std::sort(required_.begin(), required_.end());
+    required_.erase(std::unique(required_.begin(), required_.end()), required_.end());
+    constexpr double kAbove = 1.2, kBend = 1.5, kBendDivisor = 20, kLeast = 1e-3;
+    most_ = std::max({most_, kAbove * largestRequired, kLeast});
+    linearRange_ = required_.empty() ? most_ / kBendDivisor : required_[0] / kBend;
     if (!(to_ > from_)) to_ = from_ + 1;
   }
 
@@ -98,8 +98,8 @@ class Graph {
     return kLeft + (time - from_) / (to_ - from_) * (kWidth - kLeft - kRight);
   }
   double y(double distance) const {
-    const double share = std::asinh(distance / bend_) / std::asinh(most_ / bend_);
-    return kHeight - kBottom - share * (kHeight - kTop - kBottom);
+    const double fraction = std::asinh(distance / linearRange_) / std::asinh(most_ / linearRange_);
+    return kHeight - kBottom - fraction * (kHeight - kTop - kBottom);
   }
 
   std::string distanceTicks() const {
@@ -136,7 +136,7 @@ class Graph {
   // Draws one line for each different required distance.
   std::string demands() const {
     std::string svg;
-    for (const double distance : asked_) {
+    for (const double distance : required_) {
       svg += stroke(kLeft, y(distance), kWidth - kRight, y(distance),
                     "class=\"demand\" stroke=\"#c00000\" stroke-dasharray=\"6 4\"");
       svg += label(kWidth - kRight - 4, y(distance) - 4, "end",
@@ -160,8 +160,8 @@ class Graph {
     std::string points;
     for (const auto& [time, distance] : row.curve)
       points.append(points.empty() ? "" : " ").append(at(x(time)) + "," + at(y(distance)));
-    const auto line = [&](const std::string& look) {
-      return "<polyline fill=\"none\" " + look + " points=\"" + points + "\"/>";
+    const auto line = [&](const std::string& attributes) {
+      return "<polyline fill=\"none\" " + attributes + " points=\"" + points + "\"/>";
     };
     return begin +
            line("class=\"line\" stroke=\"" + std::string(colour(i)) + "\" stroke-width=\"1.8\"") +
@@ -182,28 +182,30 @@ class Graph {
   }
 
   const Words& words_;
-  std::vector<const Row*> curves_;  // worst first
-  std::vector<double> asked_;       // ascending
-  double from_ = 0, to_ = 1, most_ = 0, bend_ = 1;
+  std::vector<const Row*> curves_;  // rows that have a curve, the worst first
+  std::vector<double> required_;    // the different required distances (mm), ascending
+  double from_ = 0, to_ = 1, most_ = 0, linearRange_ = 1;
 };
 
-std::string figure(const Told& told, const Words& words, bool follows) {
-  const Graph graph(told, words);
+std::string figure(const CheckReport& check, const Words& words, bool follows) {
+  const Graph graph(check, words);
   if (graph.isEmpty()) return {};
   std::string notes = escaped(words("graph_scale"));
-  if (told.report.contains("range"))
+  if (check.report.contains("range"))
     notes.append(" ").append(
-        escaped(words("graph_range", words.millimetres(told.report["range"].get<double>()))));
+        escaped(words("graph_range", words.millimetres(check.report["range"].get<double>()))));
   notes.append(" ").append(element("span", escaped(words("graph_names")), "screen"));
   return "<div class=\"wide\">" + graph.text(follows) + "</div>\n" + element("p", notes, "note");
 }
 
 }  // namespace
 
-std::string graphOf(const Told& told, const Words& words) {
-  return section("graph", words("graph"), figure(told, words, true));
+std::string graphOf(const CheckReport& check, const Words& words) {
+  return section("graph", words("graph"), figure(check, words, true));
 }
 
-std::string graphFigure(const Told& told, const Words& words) { return figure(told, words, false); }
+std::string graphFigure(const CheckReport& check, const Words& words) {
+  return figure(check, words, false);
+}
 
 }  // namespace swept::page

@@ -16,14 +16,14 @@ std::string escaped(const std::string& text);
 /// Returns a script element with data. No character of the JSON can end the element.
 std::string dataElement(const char* id, const Json& json);
 
-/// Encodes bytes for data: addresses and for the 3D view.
+/// Returns the base64 code of bytes, for URLs that contain data and for the 3D view.
 std::string base64(const void* bytes, std::size_t count);
 
 /// Returns <tag class="kind">content</tag>. `content` is markup. An empty kind gives no class.
 std::string element(const char* tag, const std::string& content, const std::string& kind = {});
 
 /// Returns a table from markup; the first row is the head. `columns` has one letter per column: "n"
-/// aligns a column of numbers, "t" is text.
+/// for numbers, "t" for text.
 std::string table(const std::vector<std::vector<std::string>>& rows, const std::string& columns,
                   const std::vector<std::string>& rowAttributes = {});
 

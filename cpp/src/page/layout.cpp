@@ -8,7 +8,7 @@
 namespace swept::page {
 namespace {
 
-constexpr std::size_t kTold = 40;  // bytes of a wrong placeholder that a message quotes
+constexpr std::size_t kQuotedBytes = 40;  // bytes of a wrong placeholder that a message quotes
 
 [[noreturn]] void badTemplate(const std::string& layout, std::size_t at, const std::string& text) {
   const auto line = 1 + std::count(layout.begin(), layout.begin() + std::ptrdiff_t(at), '\n');
@@ -36,9 +36,9 @@ std::string filled(const std::string& layout, const std::map<std::string, std::s
     if (found == values.end()) {
       std::string known;
       for (const auto& [key, value] : values) known += (known.empty() ? "" : ", ") + key;
-      badTemplate(
-          layout, at,
-          "{{" + name.substr(0, kTold) + "}} is not a placeholder; use one of these: " + known);
+      badTemplate(layout, at,
+                  "{{" + name.substr(0, kQuotedBytes) +
+                      "}} is not a placeholder; use one of these: " + known);
     }
     out += found->second;
     done = end + 2;

@@ -20,23 +20,23 @@ namespace {
 
 using Values = std::map<std::string, std::string>;
 
-Values checkValues(const Told& told, const PageOptions& options, const Words& words,
+Values checkValues(const CheckReport& check, const PageOptions& options, const Words& words,
                    RunContext& run) {
-  return {{"title", escaped(words(told.mechanism ? "title_mechanism" : "title_clearance"))},
-          {"verdict", verdictBanner(told, words)},
-          {"table", verdictTable(told, words)},
-          {"graph", graphOf(told, words)},
-          {"view", viewOf(told, options, words, run)},
+  return {{"title", escaped(words(check.mechanism ? "title_mechanism" : "title_clearance"))},
+          {"verdict", verdictBanner(check, words)},
+          {"table", verdictTable(check, words)},
+          {"graph", graphOf(check, words)},
+          {"view", viewOf(check, options, words, run)},
           {"runs", ""},
-          {"rules", rulesTable(told, words)},
-          {"settings", settingsTable(told, words)},
-          {"findings", findingsList(told, words)},
-          {"data", dataElement("report", told.report)}};
+          {"rules", rulesTable(check, words)},
+          {"settings", settingsTable(check, words)},
+          {"findings", findingsList(check, words)},
+          {"data", dataElement("report", check.report)}};
 }
 
 /// Returns the values of the placeholders. The page of a study has no 3D view. Graphs, rules and
 /// findings are in the sections of its runs.
-Values studyValues(const ToldStudy& study, const Words& words) {
+Values studyValues(const StudyReport& study, const Words& words) {
   return {{"title", escaped(study.report.value("name", words("title_study")))},
           {"verdict", studyBanner(study, words)},
           {"table", studyTable(study, words)},
@@ -53,8 +53,8 @@ std::string pageOf(const std::string& text, const PageOptions& options, RunConte
   const Words words(options.language);
   Json report = parseReport(text);
   const bool isStudy = report["command"] == "study";
-  Values values = isStudy ? studyValues(tellStudy(std::move(report)), words)
-                          : checkValues(tellReport(std::move(report)), options, words, run);
+  Values values = isStudy ? studyValues(readStudy(std::move(report)), words)
+                          : checkValues(readCheck(std::move(report)), options, words, run);
   const std::string program =
       "Swept Volume" + (options.version.empty() ? "" : " " + options.version);
   if (!options.title.empty()) values["title"] = escaped(options.title);

@@ -83,7 +83,7 @@ std::vector<std::string> namesOf(const Json& report, const char* key) {
   return names;
 }
 
-// Removes the measurements of a run's own time and memory: they differ from run to run.
+// Removes measurements of time and memory, which differ from run to run.
 void dropMeasures(Json& report) {
   for (const char* key : {"seconds", "threads", "estimated_memory_bytes", "peak_memory_bytes"})
     report.erase(key);
@@ -99,11 +99,11 @@ int rankOf(const Row& row) {
   return row.verdict == "clash" ? 0 : row.verdict == "contact" ? 1 : 2;
 }
 
-void readRows(Told& told) {
-  const Json& report = told.report;
+void readRows(CheckReport& check) {
+  const Json& report = check.report;
   const double common = report.contains("required") ? lengthOf(report, "required") : 0.0;
-  if (!told.mechanism) {
-    for (const Json& json : report.at("neighbours")) told.rows.push_back(rowOf(json, common));
+  if (!check.mechanism) {
+    for (const Json& json : report.at("neighbours")) check.rows.push_back(rowOf(json, common));
     return;
   }
   for (const Json& pair : report.at("pairs")) {
@@ -111,13 +111,13 @@ void readRows(Told& told) {
     row.first = pair.at("first").get<std::string>();
     row.second = pair.at("second").get<std::string>();
     row.required = lengthOf(pair, "required");
-    told.rows.push_back(std::move(row));
+    check.rows.push_back(std::move(row));
   }
 }
 
 }  // namespace
 
-std::size_t Told::failing() const {
+std::size_t CheckReport::failing() const {
   return static_cast<std::size_t>(
       std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.meetsRule; }));
 }
@@ -149,24 +149,24 @@ Json parseReport(const std::string& text) {
   return report;
 }
 
-Told tellReport(Json report) {
-  Told told;
-  told.report = std::move(report);
-  told.mechanism = told.report.value("command", "") == "mechanism";
-  dropMeasures(told.report);
-  readRows(told);
-  told.ignored = namesOf(told.report, "ignored");
-  told.joined = namesOf(told.report, "joined");
-  told.order.resize(told.rows.size());
-  std::iota(told.order.begin(), told.order.end(), std::size_t{0});
-  std::stable_sort(told.order.begin(), told.order.end(), [&](std::size_t a, std::size_t b) {
-    const Row &x = told.rows[a], &y = told.rows[b];
+CheckReport readCheck(Json report) {
+  CheckReport check;
+  check.report = std::move(report);
+  check.mechanism = check.report.value("command", "") == "mechanism";
+  dropMeasures(check.report);
+  readRows(check);
+  check.ignored = namesOf(check.report, "ignored");
+  check.joined = namesOf(check.report, "joined");
+  check.order.resize(check.rows.size());
+  std::iota(check.order.begin(), check.order.end(), std::size_t{0});
+  std::stable_sort(check.order.begin(), check.order.end(), [&](std::size_t a, std::size_t b) {
+    const Row &x = check.rows[a], &y = check.rows[b];
     if (rankOf(x) != rankOf(y)) return rankOf(x) < rankOf(y);
     const double deepX = x.depth ? x.depth->least : 0, deepY = y.depth ? y.depth->least : 0;
     if (rankOf(x) == 0 && deepX != deepY) return deepX > deepY;
     return x.distance < y.distance;
   });
-  return told;
+  return check;
 }
 
 }  // namespace swept::page

@@ -19,7 +19,7 @@ namespace swept::page {
 namespace {
 
 constexpr int kMoments = 120;  // intervals between evenly spaced frames
-// Largest number of frames for the poses of one motion without interpolation.
+// Largest number of frames for a motion without interpolation.
 constexpr std::size_t kMaxCopies = 400;
 constexpr double kCrease = 0.5;  // rad, as in the workbench's 3D view in FreeCAD
 // Positions are rounded to this many steps along each side of the box.
@@ -37,19 +37,19 @@ struct Frame {
 
 /// Returns for each part how many triangles it may have. Triangles that small parts do not need are
 /// left for the larger ones.
-std::vector<std::size_t> sharesOf(const std::vector<PagePart>& parts, std::size_t all) {
-  std::vector<std::size_t> order(parts.size()), shares(parts.size());
+std::vector<std::size_t> triangleLimits(const std::vector<PagePart>& parts, std::size_t all) {
+  std::vector<std::size_t> order(parts.size()), limits(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) order[i] = i;
   const auto size = [&](std::size_t i) { return parts[i].mesh.triangles.size(); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
   std::size_t left = all;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    shares[order[k]] =
+    limits[order[k]] =
         std::max<std::size_t>(1, std::min(size(order[k]), left / (order.size() - k)));
-    left -= std::min(left, shares[order[k]]);
+    left -= std::min(left, limits[order[k]]);
   }
-  return shares;
+  return limits;
 }
 
 /// Throws Error(InvalidInput) if the part cannot be drawn.
@@ -114,9 +114,9 @@ void addShape(const Drawable& shape, Json& json) {
       wide ? bytesOf(indices) : bytesOf(std::vector<std::uint16_t>(indices.begin(), indices.end()));
 }
 
-std::vector<Frame> framesOf(const Told& told, const std::vector<PagePart>& parts) {
+std::vector<Frame> framesOf(const CheckReport& check, const std::vector<PagePart>& parts) {
   std::vector<Frame> frames;
-  for (const Row& row : told.rows) frames.push_back({row.time, &row});
+  for (const Row& row : check.rows) frames.push_back({row.time, &row});
   double from = std::numeric_limits<double>::infinity(), to = -from;
   for (const PagePart& part : parts) {
     const std::vector<Pose>& poses = part.motion.poses;
@@ -130,9 +130,9 @@ std::vector<Frame> framesOf(const Told& told, const std::vector<PagePart>& parts
           {poses[i * (poses.size() - 1) / std::max<std::size_t>(1, copies - 1)].timeSeconds,
            nullptr});
   }
-  if (told.report.contains("from_seconds") && told.report.contains("to_seconds")) {
-    from = told.report["from_seconds"].get<double>();
-    to = told.report["to_seconds"].get<double>();
+  if (check.report.contains("from_seconds") && check.report.contains("to_seconds")) {
+    from = check.report["from_seconds"].get<double>();
+    to = check.report["to_seconds"].get<double>();
   }
   const bool copies = std::any_of(parts.begin(), parts.end(), [](const PagePart& part) {
     return part.motion.poses.size() > 1 && part.motion.interpolation == Interpolation::None;
@@ -148,27 +148,28 @@ std::vector<Frame> framesOf(const Told& told, const std::vector<PagePart>& parts
 std::vector<float> posesOf(const PagePart& part, const std::vector<Frame>& frames, bool mechanism) {
   std::vector<float> numbers;
   for (const Frame& frame : frames) {
-    const bool told = frame.row && !mechanism;  // the report gives the pose
-    const Pose pose = told                        ? frame.row->pose
+    const bool isGiven = frame.row && !mechanism;  // the report gives the pose
+    const Pose pose = isGiven                     ? frame.row->pose
                       : part.motion.poses.empty() ? Pose{}
                                                   : poseAt(part.motion, frame.time);
     for (int k = 0; k < 3; ++k) numbers.push_back(float(pose.translation[k]));
-    for (int k = 0; k < 4; ++k) numbers.push_back(float(pose.rotation.coeffs()[k]));  // x y z w
+    // in the order x, y, z, w
+    for (int k = 0; k < 4; ++k) numbers.push_back(float(pose.rotation.coeffs()[k]));
   }
   return numbers;
 }
 
-Json rowsJson(const Told& told, const std::vector<Frame>& frames,
+Json rowsJson(const CheckReport& check, const std::vector<Frame>& frames,
               const std::vector<PagePart>& parts) {
   Json list = Json::array();
-  for (const std::size_t index : told.order) {
-    const Row& row = told.rows[index];
+  for (const std::size_t index : check.order) {
+    const Row& row = check.rows[index];
     const auto frame =
         std::find_if(frames.begin(), frames.end(), [&](const Frame& f) { return f.row == &row; });
     Json touched = Json::array();
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (parts[i].name == row.second ||
-          (told.mechanism ? parts[i].name == row.first : parts[i].moves))
+          (check.mechanism ? parts[i].name == row.first : parts[i].moves))
         touched.push_back(i);
     Json line = Json::array();
     for (const Eigen::Vector3d& x : row.line) line.push_back({x[0], x[1], x[2]});
@@ -184,25 +185,25 @@ Json rowsJson(const Told& told, const std::vector<Frame>& frames,
 }
 
 /// Returns the worst verdict of a part; none for the moving body of a clearance report.
-std::string verdictOf(const PagePart& part, const Told& told) {
-  if (part.moves && !told.mechanism) return "none";
-  for (const std::size_t index : told.order) {
-    const Row& row = told.rows[index];
-    if (row.second == part.name || (told.mechanism && row.first == part.name))
+std::string verdictOf(const PagePart& part, const CheckReport& check) {
+  if (part.moves && !check.mechanism) return "none";
+  for (const std::size_t index : check.order) {
+    const Row& row = check.rows[index];
+    if (row.second == part.name || (check.mechanism && row.first == part.name))
       return row.meetsRule && row.verdict == "contact" ? "allowed" : row.verdict;
   }
   return "none";
 }
 
-std::string controls(const Told& told, const Words& words) {
+std::string controls(const CheckReport& check, const Words& words) {
   std::string out = "<div class=\"controls\">\n<button type=\"button\" id=\"view-play\">" +
                     escaped(words("view_play")) +
                     "</button>\n<input type=\"range\" id=\"view-time\" "
                     "min=\"0\" value=\"0\" aria-label=\"" +
                     escaped(words("view_time")) + "\" />\n<output id=\"view-now\"></output>\n";
   out += "<label>" + escaped(words("view_worst")) + " <select id=\"view-row\">";
-  for (const std::size_t index : told.order)
-    out += "<option value=\"" + std::to_string(index) + "\">" + escaped(told.rows[index].name) +
+  for (const std::size_t index : check.order)
+    out += "<option value=\"" + std::to_string(index) + "\">" + escaped(check.rows[index].name) +
            "</option>";
   return out + "</select></label>\n<button type=\"button\" id=\"view-reset\">" +
          escaped(words("view_reset")) + "</button>\n</div>\n";
@@ -225,37 +226,37 @@ Pose poseAt(const Trajectory& motion, double time) {
   return backFromPivot(path.poseAt((time - poses[i].timeSeconds) / span), pivot);
 }
 
-std::string viewOf(const Told& told, const PageOptions& options, const Words& words,
+std::string viewOf(const CheckReport& check, const PageOptions& options, const Words& words,
                    RunContext& run) {
   if (options.parts.empty()) return {};
   const std::string script = resourceText("view");
   if (script.empty())
     return section("view", words("view"), element("p", escaped(words("view_not_built")), "note"));
-  const std::vector<Frame> frames = framesOf(told, options.parts);
-  const std::vector<std::size_t> shares = sharesOf(options.parts, options.viewTriangles);
+  const std::vector<Frame> frames = framesOf(check, options.parts);
+  const std::vector<std::size_t> limits = triangleLimits(options.parts, options.viewTriangles);
   Json parts = Json::array();
   std::size_t shown = 0, all = 0;
   for (std::size_t i = 0; i < options.parts.size(); ++i) {
     run.checkpoint(Phase::Export, i, options.parts.size());
     const PagePart& part = options.parts[i];
     checkPart(part);
-    const Drawable shape = drawableOf(part.mesh, shares[i], kCrease);
+    const Drawable shape = drawableOf(part.mesh, limits[i], kCrease);
     shown += shape.indices.size() / 4;
     all += part.mesh.triangles.size();
     Json json{{"name", part.name},
               {"kind", part.translucent ? "envelope"
                        : part.moves     ? "moves"
                                         : "stands"},
-              {"verdict", verdictOf(part, told)}};
+              {"verdict", verdictOf(part, check)}};
     addShape(shape, json);
-    if (part.moves) json["poses"] = bytesOf(posesOf(part, frames, told.mechanism));
+    if (part.moves) json["poses"] = bytesOf(posesOf(part, frames, check.mechanism));
     parts.push_back(std::move(json));
   }
   Json times = Json::array();
   for (const Frame& frame : frames) times.push_back(frame.time);
   const Json scene{{"parts", std::move(parts)},
                    {"times", times},
-                   {"rows", rowsJson(told, frames, options.parts)},
+                   {"rows", rowsJson(check, frames, options.parts)},
                    {"words", {{"play", words("view_play")}, {"pause", words("view_pause")}}},
                    {"language", words.language()}};
   const std::string how = shown < all
@@ -265,7 +266,7 @@ std::string viewOf(const Told& told, const PageOptions& options, const Words& wo
                  "<div class=\"stage\"><canvas id=\"view-canvas\"></canvas><fieldset "
                  "id=\"view-parts\"><legend>" +
                      escaped(words("view_parts")) + "</legend></fieldset></div>\n" +
-                     controls(told, words) + "<p class=\"note\" id=\"view-needs\">" +
+                     controls(check, words) + "<p class=\"note\" id=\"view-needs\">" +
                      escaped(words("view_needs")) + "</p>\n" + element("p", escaped(how), "note") +
                      "\n" + dataElement("scene", scene) + "<script>\n" + script + "</script>\n");
 }

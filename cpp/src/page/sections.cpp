@@ -30,19 +30,19 @@ std::string verdictMark(const std::string& verdict, bool allowed, const Words& w
   return element("span", escaped(words(kind)), "verdict " + kind);
 }
 
-std::string verdictBanner(const Told& told, const Words& words) {
-  const std::size_t bad = told.failing(), all = told.rows.size();
+std::string verdictBanner(const CheckReport& check, const Words& words) {
+  const std::size_t bad = check.failing(), all = check.rows.size();
   const std::string count = words.number(double(bad)), of = words.number(double(all));
   std::string text;
   if (all == 0)
-    text = words(told.mechanism ? "none_near" : "nothing_checked");
+    text = words(check.mechanism ? "none_near" : "nothing_checked");
   else if (bad == 0)
     text = all == 1 ? words("one_met") : words("all_met", of);
   else
     text = words(bad == 1 ? "one_not_met" : "not_met", count, of);
   std::string out = element("p", escaped(text), "outcome");
   if (all > 0) {
-    const Row& worst = told.rows[told.order[0]];
+    const Row& worst = check.rows[check.order[0]];
     const bool deep = worst.depth && worst.verdict == "clash";
     const std::string place =
         deep ? words("deepest", words.number(worst.depth->least) + " mm",
@@ -53,13 +53,13 @@ std::string verdictBanner(const Told& told, const Words& words) {
   return std::string("<div class=\"banner ") + (bad ? "bad" : "good") + "\">" + out + "</div>\n";
 }
 
-std::string verdictRows(const Told& told, const Words& words) {
-  Cells cells{{words(told.mechanism ? "pair" : "neighbour"), words("verdict"), words("distance"),
+std::string verdictRows(const CheckReport& check, const Words& words) {
+  Cells cells{{words(check.mechanism ? "pair" : "neighbour"), words("verdict"), words("distance"),
                words("guaranteed"), words("time"), words("depth"), words("below_for")}};
   for (std::string& head : cells[0]) head = escaped(head);
   std::vector<std::string> rows;
-  for (const std::size_t index : told.order) {
-    const Row& row = told.rows[index];
+  for (const std::size_t index : check.order) {
+    const Row& row = check.rows[index];
     cells.push_back({escaped(row.name), verdictMark(row.verdict, row.meetsRule, words),
                      escaped(words.millimetres(row.distance)),
                      escaped(words.millimetres(row.guaranteed)), escaped(words.seconds(row.time)),
@@ -67,41 +67,41 @@ std::string verdictRows(const Told& told, const Words& words) {
                      row.belowSeconds > 0 ? escaped(words.seconds(row.belowSeconds)) : ""});
     rows.push_back(textOf(kTellingDigits, " data-row=\"", index, "\""));
   }
-  for (const std::string& name : told.ignored) {
+  for (const std::string& name : check.ignored) {
     const std::string mark = element("span", escaped(words("ignored")), "verdict ignored");
     cells.push_back({escaped(name), mark, "", "", "", "", ""});
   }
-  const bool copies = told.report.value("interpolation", "") == "none";
+  const bool copies = check.report.value("interpolation", "") == "none";
   const std::string promise = escaped(words(copies ? "promise_copies" : "promise"));
   return table(cells, "ttnnnnn", rows) + element("p", promise, "note");
 }
 
-std::string verdictTable(const Told& told, const Words& words) {
-  return section("verdicts", words("verdicts"), verdictRows(told, words));
+std::string verdictTable(const CheckReport& check, const Words& words) {
+  return section("verdicts", words("verdicts"), verdictRows(check, words));
 }
 
-std::string rulesRows(const Told& told, const Words& words) {
-  Cells cells{{escaped(words(told.mechanism ? "pair" : "neighbour")), escaped(words("rule")),
+std::string rulesRows(const CheckReport& check, const Words& words) {
+  Cells cells{{escaped(words(check.mechanism ? "pair" : "neighbour")), escaped(words("rule")),
                escaped(words("met"))}};
-  for (const std::size_t index : told.order) {
-    const Row& row = told.rows[index];
+  for (const std::size_t index : check.order) {
+    const Row& row = check.rows[index];
     cells.push_back({escaped(row.name), escaped(ruleOf(row, words)),
                      escaped(words(row.meetsRule ? "yes" : "no"))});
   }
-  for (const std::string& name : told.ignored)
+  for (const std::string& name : check.ignored)
     cells.push_back({escaped(name), escaped(words("rule_ignore")), ""});
-  for (const std::string& name : told.joined)
+  for (const std::string& name : check.joined)
     cells.push_back({escaped(name), escaped(words("joined")), ""});
   return cells.size() == 1 ? std::string() : table(cells, "ttt");
 }
 
-std::string rulesTable(const Told& told, const Words& words) {
-  return section("rules", words("rules"), rulesRows(told, words));
+std::string rulesTable(const CheckReport& check, const Words& words) {
+  return section("rules", words("rules"), rulesRows(check, words));
 }
 
-std::string settingsTable(const Told& told, const Words& words) {
+std::string settingsTable(const CheckReport& check, const Words& words) {
   Cells cells{{escaped(words("setting")), escaped(words("value"))}};
-  const Json& report = told.report;
+  const Json& report = check.report;
   const auto add = [&](const std::string& key, const std::string& value) {
     cells.push_back({escaped(words(key)), escaped(value)});
   };
@@ -136,21 +136,21 @@ std::string inputsTable(const std::vector<PageInput>& inputs, const Words& words
   return section("inputs", words("inputs"), table(cells, "tttt"));
 }
 
-std::string findingsItems(const Told& told, const Words& words) {
+std::string findingsItems(const CheckReport& check, const Words& words) {
   std::string items;
-  for (const Json& finding : told.report.value("warnings", Json::array()))
+  for (const Json& finding : check.report.value("warnings", Json::array()))
     items += element("li", element("code", escaped(finding.value("code", ""))) + " " +
                                escaped(finding.value("text", ""))) +
              "\n";
   if (items.empty()) return {};
   std::string out = element("ul", "\n" + items);
-  if (words.language() != told.report.value("findings_language", "en"))
+  if (words.language() != check.report.value("findings_language", "en"))
     out += element("p", escaped(words("findings_language")), "note");
   return out;
 }
 
-std::string findingsList(const Told& told, const Words& words) {
-  const std::string items = findingsItems(told, words);
+std::string findingsList(const CheckReport& check, const Words& words) {
+  const std::string items = findingsItems(check, words);
   return section("findings", words("findings"),
                  items.empty() ? element("p", escaped(words("no_findings"))) : items);
 }

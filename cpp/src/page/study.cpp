@@ -13,20 +13,20 @@ namespace {
 
 using Cells = std::vector<std::vector<std::string>>;
 
-/// A state of a run: its name in a report (`told`), its key in Words (`key`), and the class of its
+/// A state of a run: its name in a report (`name`), its key in Words (`key`), and the class of its
 /// mark (`kind`).
 struct State {
-  const char *told, *key, *kind;
+  const char *name, *key, *kind;
 };
 constexpr std::array kStates{
     State{"failed", "failed", "clash"}, State{"not clear", "not_clear", "below"},
     State{"not run", "not_run", "ignored"}, State{"done", "done", "clear"}};
 
 const State& stateOf(const Json& row) {
-  const std::string told = row.at("state").get<std::string>();
+  const std::string name = row.at("state").get<std::string>();
   for (const State& state : kStates)
-    if (told == state.told) return state;
-  badReport("the state '" + told + "' of a run is unknown");
+    if (name == state.name) return state;
+  badReport("the state '" + name + "' of a run is unknown");
 }
 
 std::string stateMark(const Json& row, const Words& words) {
@@ -42,7 +42,7 @@ std::string linkTo(const std::string& address, const std::string& text) {
 }
 
 /// Returns the address of a run's own page, inside the folder of the study's page. Throws
-/// Error(BadReport) for any other address: a page must not lead elsewhere.
+/// Error(InvalidInput, "BadReport") for any other address: a page must not link to other places.
 std::string pageOf(const Json& row) {
   const std::string address = row.value("page", "");
   if (address.find(':') != std::string::npos || address.starts_with("/"))
@@ -51,21 +51,21 @@ std::string pageOf(const Json& row) {
   return address;
 }
 
-/// Returns the table without columns that are empty below their head.
+/// Returns the table without the columns that are empty below their heading.
 std::string tableOf(const Cells& cells, const std::string& columns) {
   Cells kept(cells.size());
   std::string kinds;
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    bool holds = false;
-    for (std::size_t i = 1; i < cells.size(); ++i) holds = holds || !cells[i][k].empty();
-    if (!holds) continue;
+    bool hasContent = false;
+    for (std::size_t i = 1; i < cells.size(); ++i) hasContent = hasContent || !cells[i][k].empty();
+    if (!hasContent) continue;
     kinds += columns[k];
     for (std::size_t i = 0; i < cells.size(); ++i) kept[i].push_back(cells[i][k]);
   }
   return table(kept, kinds);
 }
 
-std::string linkToRun(const ToldStudy& study, std::size_t run) {
+std::string linkToRun(const StudyReport& study, std::size_t run) {
   return linkTo(std::string("#").append(anchorOf(run)),
                 study.runs[run].row.at("run").get<std::string>());
 }
@@ -96,16 +96,16 @@ std::string partOf(const char* heading, const std::string& content, const Words&
 
 }  // namespace
 
-ToldStudy tellStudy(Json report) {
-  ToldStudy study;
+StudyReport readStudy(Json report) {
+  StudyReport study;
   for (const char* key : {"seconds", "kept", "output"}) report.erase(key);
   for (Json& row : report.at("runs")) {
-    ToldRun run;
+    StudyRun run;
     if (row.contains("clearance")) {
       Json own = std::move(row["clearance"]);
       own["report_version"] = report["report_version"];
       own["command"] = "clearance";
-      run.clearance = tellReport(std::move(own));
+      run.clearance = readCheck(std::move(own));
     }
     run.row = row;
     run.row.erase("clearance");
@@ -117,7 +117,7 @@ ToldStudy tellStudy(Json report) {
   return study;
 }
 
-std::string studyBanner(const ToldStudy& study, const Words& words) {
+std::string studyBanner(const StudyReport& study, const Words& words) {
   const std::size_t all = study.runs.size();
   std::string counts;
   for (const State& state : kStates)
@@ -136,7 +136,7 @@ std::string studyBanner(const ToldStudy& study, const Words& words) {
   return std::string("<div class=\"banner ") + (isGood ? "good" : "bad") + "\">" + out + "</div>\n";
 }
 
-std::string studyTable(const ToldStudy& study, const Words& words) {
+std::string studyTable(const StudyReport& study, const Words& words) {
   Cells cells{{"run", "state", "worst_neighbour", "verdict", "distance", "guaranteed", "time",
                "depth", "page"}};
   for (std::string& head : cells[0]) head = escaped(words(head));
@@ -158,17 +158,17 @@ std::string studyTable(const ToldStudy& study, const Words& words) {
   return section("runs", words("runs"), tableOf(cells, "ttttnnnnt"));
 }
 
-std::string studyRuns(const ToldStudy& study, const Words& words) {
+std::string studyRuns(const StudyReport& study, const Words& words) {
   std::string out;
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
-    const ToldRun& run = study.runs[i];
+    const StudyRun& run = study.runs[i];
     std::string content = headOf(run.row, words);
     if (run.clearance) {
-      const Told& told = *run.clearance;
-      content += partOf("verdicts", verdictRows(told, words), words);
-      content += partOf("graph", graphFigure(told, words), words);
-      content += partOf("rules", rulesRows(told, words), words);
-      content += partOf("findings", findingsItems(told, words), words);
+      const CheckReport& check = *run.clearance;
+      content += partOf("verdicts", verdictRows(check, words), words);
+      content += partOf("graph", graphFigure(check, words), words);
+      content += partOf("rules", rulesRows(check, words), words);
+      content += partOf("findings", findingsItems(check, words), words);
     }
     out += section(anchorOf(i), run.row.at("run").get<std::string>(), content);
   }

@@ -14,22 +14,23 @@
 
 namespace swept::page {
 
-struct ToldRun {
+struct StudyRun {
   Json row;
-  std::optional<Told> clearance;
+  std::optional<CheckReport> clearance;
 };
 
-struct ToldStudy {
+struct StudyReport {
   Json report;  ///< without data that differ from run to run or folder to folder
-  std::vector<ToldRun> runs;
+  std::vector<StudyRun> runs;
 };
 
 /// Reads the report of a study. Throws Error(InvalidInput, "BadReport").
-ToldStudy tellStudy(Json report);
+StudyReport readStudy(Json report);
 
-/// Returns how many runs are done, and which run to look at first.
-std::string studyBanner(const ToldStudy& study, const Words& words);
-std::string studyTable(const ToldStudy& study, const Words& words);
-std::string studyRuns(const ToldStudy& study, const Words& words);
+/// Returns a sentence with the number of runs that are done, and a link to the run to examine
+/// first.
+std::string studyBanner(const StudyReport& study, const Words& words);
+std::string studyTable(const StudyReport& study, const Words& words);
+std::string studyRuns(const StudyReport& study, const Words& words);
 
 }  // namespace swept::page

@@ -1,5 +1,5 @@
-// Replaces the kernel in a build without one. Solids are then made and read only with a reader that
-// the application provides (swept/solid.h, swept/body.h).
+// Replaces the geometry kernel in a build that has none. Solids are then made and read only with a
+// reader that the application provides (swept/solid.h, swept/body.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/model/judge.h"
 #include "swept/solid.h"

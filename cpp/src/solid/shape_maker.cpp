@@ -62,42 +62,42 @@ void forgetPatches(const std::vector<std::int32_t>& patches, const HalfEdgeMesh&
       vertices.insert(vertices.end(), dense.triangles[t].begin(), dense.triangles[t].end());
     sortUnique(vertices);
     const NearestTriangle nearest(now.mesh.points, open);
-    std::int32_t home = -1;
+    std::int32_t closest = -1;
     for (const std::int32_t v : vertices) {
-      nearest.query(dense.points[v], 1e300, 0, home);
-      now.attached[members[home]].push_back(dense.points[v]);
+      nearest.query(dense.points[v], 1e300, 0, closest);
+      now.attached[members[closest]].push_back(dense.points[v]);
     }
     members.clear();
   }
 }
 
 // Adds to `patches` the recognised patches around the start vertex of the half-edge `first`.
-void addKnownAround(const Decimated& small, std::int32_t first, std::int32_t known,
-                    std::vector<std::int32_t>& patches) {
+void addRecognisedAround(const Decimated& small, std::int32_t first, std::int32_t recognisedCount,
+                         std::vector<std::int32_t>& patches) {
   std::int32_t h = first;
   do {
     const std::int32_t patch = small.partition.patchOf[h / 3];
-    if (patch < known) patches.push_back(patch);
+    if (patch < recognisedCount) patches.push_back(patch);
     h = small.mesh.opposite[HalfEdgeMesh::previous(h)];
   } while (h != first);
 }
 
 // Withdraws faces that the kernel refuses. Recognised patches among them go into `refused`, to lose
 // their surface. Plane regions are split into facets. Returns true if a plane region was split.
-bool withdraw(const std::vector<std::int32_t>& bad, const Model& model, std::int32_t known,
-              Decimated& small, std::vector<std::int32_t>& refused) {
+bool withdraw(const std::vector<std::int32_t>& bad, const Model& model,
+              std::int32_t recognisedCount, Decimated& small, std::vector<std::int32_t>& refused) {
   bool again = false;
   for (const std::int32_t face : bad) {
     const std::int32_t patch = model.faces[face].patch;
-    if (patch < known) {
+    if (patch < recognisedCount) {
       refused.push_back(patch);
     } else if (small.partition.patches[patch].triangles.size() > 1) {
       dissolvePatch(small.mesh, patch, small.partition);
       again = true;
     } else {
-      // The kernel refuses a facet if a corner was moved onto the surface of a patch around it.
+      // The kernel may refuse a facet because a patch around it has moved one of its corners.
       const std::int32_t t = small.partition.patches[patch].triangles[0];
-      for (int k = 0; k < 3; ++k) addKnownAround(small, 3 * t + k, known, refused);
+      for (int k = 0; k < 3; ++k) addRecognisedAround(small, 3 * t + k, recognisedCount, refused);
     }
   }
   sortUnique(refused);
@@ -115,14 +115,14 @@ bool hasFacets(const Model& model) {
 }
 
 std::vector<std::int32_t> curvedFacesOf(const std::vector<EdgeCut>& edges, const Model& model) {
-  std::vector<char> isOne(model.edges.size(), 0);
-  for (const EdgeCut& cut : edges) isOne[cut.edge] = 1;
+  std::vector<char> isListed(model.edges.size(), 0);
+  for (const EdgeCut& cut : edges) isListed[cut.edge] = 1;
   std::vector<std::int32_t> faces;
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     if (model.faces[f].surface.isPlanar()) continue;
     for (const auto& loop : model.faces[f].loops) {
       for (const ModelUse& use : loop) {
-        if (isOne[use.edge]) faces.push_back(static_cast<std::int32_t>(f));
+        if (isListed[use.edge]) faces.push_back(static_cast<std::int32_t>(f));
       }
     }
   }
@@ -145,12 +145,12 @@ class ShapeMaker {
   std::optional<Built> make(std::int64_t& faces) {
     constexpr int kRounds = 5;
     const Partition first = partitionOf(dense_, whole_, options_, run_);
-    known_ = static_cast<std::int32_t>(first.patches.size());
+    recognisedCount_ = static_cast<std::int32_t>(first.patches.size());
     const double tolerance = kFaceFraction * options_.tolerance;
     Decimated start{dense_, first, {}, {}, 0};
-    if (tolerance > 0 && worthTrial())
+    if (tolerance > 0 && isWorthTrial())
       start = thinOpenGround(std::move(start), kThinFraction * options_.tolerance, run_);
-    if (known_ > 0 && worthTrial()) start = trial(first, std::move(start), tolerance);
+    if (recognisedCount_ > 0 && isWorthTrial()) start = trial(first, std::move(start), tolerance);
     for (int round = 0; round <= kRounds; ++round) {
       const Effort effort = round == 0 ? Effort::Thorough : Effort::Again;
       if (tolerance > 0) start = decimate(std::move(start), tolerance, original_, run_, effort);
@@ -167,7 +167,7 @@ class ShapeMaker {
 
   // Makes the solid from the exact faces of the sweep. In each round, the triangles around unsound
   // edges and faces lose their patches and become facets. Returns nothing if some faces stay
-  // unsound, or if there are so many facets that recognised surfaces would give no more faces.
+  // unsound, or if most faces are facets: then recognised surfaces give no more faces.
   std::optional<Built> makeLabelled(std::int64_t& faces) {
     constexpr int kRounds = 6, kFacetsPerFace = 2;
     isLabelled_ = true;
@@ -180,9 +180,9 @@ class ShapeMaker {
     const double tolerance = kFaceFraction * options_.tolerance;
     for (int round = 0; round < kRounds; ++round) {
       const Partition first = labelFaces(dense_, *options_.origin,
-                                         kSurfaceFraction * options_.tolerance, trouble_, run_);
-      known_ = static_cast<std::int32_t>(first.patches.size());
-      if (known_ == 0) return std::nullopt;
+                                         kSurfaceFraction * options_.tolerance, facetPoints_, run_);
+      recognisedCount_ = static_cast<std::int32_t>(first.patches.size());
+      if (recognisedCount_ == 0) return std::nullopt;
       labelled_ = &first;
       Decimated start{dense_, first, {}, {}, 0};
       const auto open = std::count(first.patchOf.begin(), first.patchOf.end(), -1);
@@ -190,26 +190,27 @@ class ShapeMaker {
         start = thinOpenGround(std::move(start), kThinFraction * options_.tolerance, run_);
       start = decimate(std::move(start), tolerance, original_, run_);
       refused_.clear();
-      const std::size_t before = trouble_.size();
+      const std::size_t before = facetPoints_.size();
       if (auto built = tryMesh(start, faces)) {
         if (hasFacets(built->model) && 2 * built->facesByKind["facet"] > faces) return std::nullopt;
         return built;
       }
-      if (trouble_.size() == before || faces > (1 + kFacetsPerFace) * known_) return std::nullopt;
+      if (facetPoints_.size() == before || faces > (1 + kFacetsPerFace) * recognisedCount_)
+        return std::nullopt;
     }
     return std::nullopt;
   }
 
  private:
-  // Records where open ground is needed: along edges that lie off these faces, or on whole faces.
-  void noteTrouble(const std::vector<std::int32_t>& bad, const Model& model, bool isLoose) {
+  // Records where facets are needed: along edges that lie off these faces, or on whole faces.
+  void recordFacetPoints(const std::vector<std::int32_t>& bad, const Model& model, bool isLoose) {
     for (const std::int32_t f : bad) {
       const ModelFace& face = model.faces[f];
-      if (face.patch >= known_) continue;
+      if (face.patch >= recognisedCount_) continue;
       if (!isLoose) {
         for (const std::int32_t t : labelled_->patches[face.patch].triangles) {
           const auto& [a, b, c] = dense_.triangles[t];
-          trouble_.push_back((dense_.points[a] + dense_.points[b] + dense_.points[c]) / 3);
+          facetPoints_.push_back((dense_.points[a] + dense_.points[b] + dense_.points[c]) / 3);
         }
         continue;
       }
@@ -217,20 +218,20 @@ class ShapeMaker {
         for (const ModelUse& use : loop) {
           const Curve& curve = model.edges[use.edge].curve;
           if (largestGap(curve, face.surface) > options_.tolerance)
-            noteEdge(curve, face.surface, 0.5 * options_.tolerance);
+            recordEdge(curve, face.surface, 0.5 * options_.tolerance);
         }
       }
     }
   }
 
-  void noteEdge(const Curve& curve, const Carrier& surface, double gap) {
+  void recordEdge(const Curve& curve, const Carrier& surface, double gap) {
     for (int i = 0; i <= kEdgeSteps; ++i) {
       const Eigen::Vector3d p = curve.at(curve.last * i / kEdgeSteps);
-      if (std::abs(surface.distance(p)) > gap) trouble_.push_back(p);
+      if (std::abs(surface.distance(p)) > gap) facetPoints_.push_back(p);
     }
   }
 
-  bool worthTrial() const { return dense_.triangles.size() > kWorthTrial; }
+  bool isWorthTrial() const { return dense_.triangles.size() > kMinTrialTriangles; }
 
   // A rough simplification finds the patches that are not worth their border, and those that the
   // kernel refuses. These patches become open ground before the real simplification starts.
@@ -240,14 +241,15 @@ class ShapeMaker {
     Decimated rough = left;
     addFacets(rough.mesh, rough.partition);
     const Model model = buildModel(rough.mesh, rough.partition, options_.tolerance, run_);
-    std::vector<std::int32_t> faces = judge_.take(model, run_);
+    std::vector<std::int32_t> faces = judge_.setModel(model, run_);
     if (faces.empty()) faces = judge_.findBadFaces(run_, 0.05, 0.1);
     const std::vector<std::int32_t> unread = judge_.findUnreadable(model, options_, run_);
     faces.insert(faces.end(), unread.begin(), unread.end());
-    const std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
+    const std::vector<std::int32_t> loose =
+        findLooseFaces(model, recognisedCount_, options_.tolerance);
     faces.insert(faces.end(), loose.begin(), loose.end());
     for (const std::int32_t face : faces) {
-      if (model.faces[face].patch < known_) bad.push_back(model.faces[face].patch);
+      if (model.faces[face].patch < recognisedCount_) bad.push_back(model.faces[face].patch);
     }
     sortUnique(bad);
     forgetPatches(bad, dense_, first, left);
@@ -255,16 +257,16 @@ class ShapeMaker {
   }
 
   // Gives the model to the judge. Cuts edges that are farther from a face than a reader of the file
-  // would assume (findUnheldEdges()): an edge with a gap where the distance is largest, others in
+  // would assume (findEdgesOffFaces()): an edge with a gap where the distance is largest, others in
   // the middle. `left` receives the edges that are still too far after kCuts rounds. Returns the
   // faces that cannot be made.
-  std::vector<std::int32_t> takeHeld(Model& model, std::vector<EdgeCut>& left) {
+  std::vector<std::int32_t> setModelAndCutEdges(Model& model, std::vector<EdgeCut>& left) {
     constexpr int kCuts = 6;
     cutBentArcs(model);
     for (int round = 0;; ++round) {
-      std::vector<std::int32_t> failed = judge_.take(model, run_);
+      std::vector<std::int32_t> failed = judge_.setModel(model, run_);
       if (options_.tolerance <= 0 || !failed.empty()) return failed;
-      left = judge_.findUnheldEdges(model);
+      left = judge_.findEdgesOffFaces(model);
       if (left.empty() || round == kCuts) return failed;
       for (EdgeCut& cut : left) {
         const ModelEdge& edge = model.edges[cut.edge];
@@ -275,23 +277,24 @@ class ShapeMaker {
     }
   }
 
-  // Returns the faces that are loose or that the judge refuses. After the call, the judge has taken
-  // the model if no face is loose.
+  // Returns the faces that are loose or that the judge refuses. If no face is loose, the judge has
+  // received the model.
   std::vector<std::int32_t> findUnsound(Model& model) {
     if (options_.tolerance > 0) {
-      std::vector<std::int32_t> loose = findLooseFaces(model, known_, options_.tolerance);
+      std::vector<std::int32_t> loose = findLooseFaces(model, recognisedCount_, options_.tolerance);
       isLoose_ = !loose.empty();
       if (isLoose_) return loose;
     }
-    std::vector<EdgeCut> unheld;
-    const std::vector<std::int32_t> failed = takeHeld(model, unheld);
+    std::vector<EdgeCut> offFaces;
+    const std::vector<std::int32_t> failed = setModelAndCutEdges(model, offFaces);
     if (!failed.empty()) return failed;
     // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
     // without facets keeps its curved faces, because they would become hundreds of facets.
-    if (!unheld.empty() && hasFacets(model)) {
-      for (const EdgeCut& cut : unheld) trouble_.push_back(model.edges[cut.edge].curve.at(cut.at));
+    if (!offFaces.empty() && hasFacets(model)) {
+      for (const EdgeCut& cut : offFaces)
+        facetPoints_.push_back(model.edges[cut.edge].curve.at(cut.at));
       isLoose_ = true;
-      return curvedFacesOf(unheld, model);
+      return curvedFacesOf(offFaces, model);
     }
     std::vector<std::int32_t> bad = judge_.findBadFaces(run_, 0.1, 0.3);
     return bad.empty() ? judge_.findUnreadable(model, options_, run_) : bad;
@@ -309,8 +312,8 @@ class ShapeMaker {
       if (sound && options_.tolerance > 0) bad = judge_.findInterfering(model, run_);
       if (bad.empty()) return true;
       refusedText_ = facesText(bad, model);
-      if (isLabelled_) noteTrouble(bad, model, isLoose_);
-      const bool changed = withdraw(bad, model, known_, small, refused_);
+      if (isLabelled_) recordFacetPoints(bad, model, isLoose_);
+      const bool changed = withdraw(bad, model, recognisedCount_, small, refused_);
       if (!refused_.empty()) return false;
       // If only facets intersect and no recognised surface is left to withdraw, they are kept,
       // because each facet is valid.
@@ -324,9 +327,9 @@ class ShapeMaker {
   std::optional<Built> tryMesh(Decimated base, std::int64_t& faces) {
     const double tolerance = std::max(options_.planarTolerance, options_.tolerance);
     const bool exact = options_.tolerance <= 0;
-    // Mesh vertices whose distance the last repair may have changed.
-    std::vector<Eigen::Vector3d> about;
-    for (int mended = 0;; ++mended) {
+    // Mesh vertices whose distance from the solid the last repair may have changed.
+    std::vector<Eigen::Vector3d> affected;
+    for (int repairs = 0;; ++repairs) {
       Decimated small{base.mesh, base.partition, {}, {}, base.deviation};
       if (options_.mergeCoplanar)
         growPlanes(small.mesh, options_.planarTolerance, small.partition, run_);
@@ -335,23 +338,23 @@ class ShapeMaker {
       if (!fits_(faces)) return std::nullopt;
       Model model = buildModel(small.mesh, small.partition, tolerance, run_);
       Deviation deviation;
-      const auto mend = [&](const std::vector<Eigen::Vector3d>& points) {
+      const auto repair = [&](const std::vector<Eigen::Vector3d>& points) {
         deviation = measureDeviation(points, small, model.positions, tolerance);
-        if (exact || deviation.beyond.empty() || mended == kMendings) return false;
-        about = pointsAbout(deviation.beyond, small, tolerance, *points_);
+        if (exact || deviation.beyond.empty() || repairs == kRepairs) return false;
+        affected = pointsAbout(deviation.beyond, small, tolerance, *points_);
         return putCorners(deviation.beyond, base, run_);
       };
-      if (mended > 0 && mend(about)) continue;
-      if (mend(*points_)) continue;
+      if (repairs > 0 && repair(affected)) continue;
+      if (repair(*points_)) continue;
       if (!acceptFaces(small, tolerance, model)) return std::nullopt;
-      if (countFaces(small.partition) != faces && mend(*points_)) continue;
+      if (countFaces(small.partition) != faces && repair(*points_)) continue;
       return describe(std::move(model), deviation.largest);
     }
   }
 
-  static constexpr int kMendings = 16, kEdgeSteps = 96;
+  static constexpr int kRepairs = 16, kEdgeSteps = 96;
   /// Number of triangles. For a smaller mesh, a trial costs more time than it saves.
-  static constexpr std::size_t kWorthTrial = 20000;
+  static constexpr std::size_t kMinTrialTriangles = 20000;
   const HalfEdgeMesh& whole_;
   const HalfEdgeMesh& dense_;
   const StepOptions& options_;
@@ -359,13 +362,13 @@ class ShapeMaker {
   Judge& judge_;
   RunContext& run_;
   const NearestTriangle original_;
-  std::int32_t known_ = 0;             // patches below this number were recognised
+  std::int32_t recognisedCount_ = 0;   // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
   std::string refusedText_;            // number and position of the faces refused last
   bool isLabelled_ = false, isLoose_ = false;
   const std::vector<Eigen::Vector3d>* points_ = &whole_.points;  // must be near the solid
-  const Partition* labelled_ = nullptr;   // the labelled patches of this round
-  std::vector<Eigen::Vector3d> trouble_;  // where open ground is needed in the next round
+  const Partition* labelled_ = nullptr;       // the labelled patches of this round
+  std::vector<Eigen::Vector3d> facetPoints_;  // triangles around these become facets next
 };
 
 }  // namespace

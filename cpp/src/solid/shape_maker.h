@@ -1,6 +1,6 @@
 // Turns a mesh into a model of a solid (model/model.h): recognises surfaces, simplifies the other
 // triangles, and builds faces and edges. The judge (model/judge.h) asks the geometry kernel whether
-// the faces are valid. If it refuses some, repeats this without their surfaces.
+// the faces are valid. If some are not, all is repeated without the surfaces of these faces.
 // In:      `dense`, the mesh to work on; `whole`, the mesh from which the deviation is measured;
 //        the options with the tolerance; fits(count), which returns whether that many faces are
 //        allowed.
@@ -29,7 +29,7 @@ struct Built {
   double deviation = 0;  // mm, of the mesh's vertices from the faces of the solid
 };
 
-/// Returns the model, or nothing. The judge still holds this model (Judge::take()). `faces`
+/// Returns the model, or nothing. The judge was given this model last (Judge::setModel()). `faces`
 /// receives the number of faces, even if there are too many.
 std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
                                const StepOptions& options,

@@ -27,7 +27,7 @@ void requireLength(const char* name, double value) {
             " mm; allowed: 0 to 1e9 mm");
 }
 
-// The kernel, and therefore most programs, fails on longer names.
+// The kernel, and so most programs that read the file, fail on longer names.
 constexpr std::size_t kLongestName = 1000;
 
 void requireName(const char* name, const std::string& text) {
@@ -84,14 +84,14 @@ double diagonalOf(const HalfEdgeMesh& mesh) {
   return box.diagonal().norm();
 }
 
-// Builds with the given tolerance. Without one, takes the first tolerance of a series for which the
+// Builds with options.tolerance. If it is 0, tries 0 and then a series of tolerances, until the
 // solid is within the limits. `options` receives the tolerance.
 Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format, Judge& judge,
                    RunContext& run) {
   const auto fits = [&](std::int64_t count) {
     return isWithinLimits(count, mesh, options, format);
   };
-  // Fraction of the diagonal of the bounding box.
+  // First and largest tolerance of the series, as fractions of the diagonal of the bounding box.
   constexpr double kFirst = 1.0 / 4000, kMax = 1.0 / 100;
   const bool given = options.tolerance > 0;
   std::int64_t faces = 0;

@@ -27,7 +27,7 @@ void checkOptions(const StepOptions& options);
 double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
                    SolidFormat format);
 
-/// Returns the mesh, thinned within `limit` (mm).
+/// Returns the mesh, thinned so that its surface moves by at most `limit` (mm).
 HalfEdgeMesh thinned(const HalfEdgeMesh& mesh, double limit, RunContext& run);
 
 /// Returns work(). If a tolerance as large as the body turns the surface inside out, halves the
@@ -45,9 +45,9 @@ auto uprightWithin(double& tolerance, const Work& work) {
   }
 }
 
-/// Builds the solid with the given tolerance. Without one, tries 0 and then a series of tolerances,
-/// and takes the first for which the solid is within the limits. `options` receives the tolerance
-/// that was used.
+/// Builds the solid with the given tolerance. If that is 0, tries 0 and then a series of
+/// tolerances, and takes the first for which the solid is within the limits. `options` receives the
+/// tolerance that was used.
 Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
                         Judge& judge, RunContext& run);
 

@@ -23,7 +23,7 @@ using namespace step;
 
 // Seconds, measured on triangulated bodies and swept parts (tests/tools/solid_estimate_suite.py).
 constexpr double kGuessPerFace = 3e-4, kGuessPerTriangle = 8e-6;
-constexpr double kAsItIs = 2e-6;  // per triangle of a tessellated solid
+constexpr double kTessellatedPerTriangle = 2e-6;  // per triangle of a tessellated solid
 // Seconds to read back and check a plane face, and an edge of a curved face. A BREP file takes less
 // time, because the kernel need not heal it.
 constexpr double kStepFace = 2e-4, kStepCurvedEdge = 1e-3;
@@ -54,7 +54,7 @@ SolidEstimate ofTriangles(const HalfEdgeMesh& mesh) {
   SolidEstimate estimate;
   estimate.triangles = estimate.faces = static_cast<std::int64_t>(mesh.triangles.size());
   estimate.megabytes = tessellatedMegabytes(estimate.faces);
-  estimate.seconds = kAsItIs * static_cast<double>(estimate.triangles);
+  estimate.seconds = kTessellatedPerTriangle * static_cast<double>(estimate.triangles);
   estimate.tried = true;
   return estimate;
 }
@@ -92,12 +92,12 @@ double secondsToReadBack(const Model& model, SolidFormat format) {
   const bool brep = format == SolidFormat::Brep;
   const double face = brep ? kBrepFace : kStepFace, edge = brep ? kBrepCurvedEdge : kStepCurvedEdge;
   double seconds = 0;
-  for (const ModelFace& one : model.faces) {
-    if (one.surface.isPlanar()) {
+  for (const ModelFace& modelFace : model.faces) {
+    if (modelFace.surface.isPlanar()) {
       seconds += face;
       continue;
     }
-    for (const auto& loop : one.loops) seconds += edge * static_cast<double>(loop.size());
+    for (const auto& loop : modelFace.loops) seconds += edge * static_cast<double>(loop.size());
   }
   return seconds;
 }

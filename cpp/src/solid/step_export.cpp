@@ -70,10 +70,10 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
   const std::unique_ptr<Judge> judge = open();
   withJudge(*judge, mesh.triangles.size(), run, [&] {
-    const double asked = options.tolerance;
+    const double requested = options.tolerance;
     const Built built = buildWithinLimits(mesh, options, format, *judge, run);
-    if (options.tolerance < asked) {
-      report.note = "within a tolerance of " + numberText(asked, 3) +
+    if (options.tolerance < requested) {
+      report.note = "within a tolerance of " + numberText(requested, 3) +
                     " mm, parts of the surface would turn inside out; the solid was made with a "
                     "tolerance of " +
                     numberText(options.tolerance, 3) + " mm";

@@ -19,8 +19,9 @@ constexpr double kKernelTolerance = 1e-7;
 
 }  // namespace
 
-// Without a kernel, only an edge that has no length, or bends back to its start, is refused.
-std::vector<std::int32_t> TextJudge::take(const Model& model, RunContext& run) {
+// Without a kernel, only faces are refused that have an edge without length, or an edge that bends
+// back to its start.
+std::vector<std::int32_t> TextJudge::setModel(const Model& model, RunContext& run) {
   run.checkpoint(Phase::Export);
   const auto isShort = [&](const ModelUse& use) {
     const ModelEdge& edge = model.edges[use.edge];
@@ -38,7 +39,7 @@ std::vector<std::int32_t> TextJudge::take(const Model& model, RunContext& run) {
   return failed;
 }
 
-std::vector<EdgeCut> TextJudge::findUnheldEdges(const Model& /*model*/) { return {}; }
+std::vector<EdgeCut> TextJudge::findEdgesOffFaces(const Model& /*model*/) { return {}; }
 
 std::vector<std::int32_t> TextJudge::findBadFaces(RunContext& run, double from, double /*to*/) {
   constexpr double kScale = 1e6;

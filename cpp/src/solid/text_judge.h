@@ -13,14 +13,15 @@
 namespace swept::step {
 
 /// Checks with the reader whether curved faces are valid after reading, and whether the finished
-/// file contains the solid. Cannot find faces that intersect. Finds edges off their faces only at
-/// the points at which the reader measures the distance. `reader` must outlive the judge.
+/// file contains the solid. Cannot find faces that intersect. Finds edges off their faces only in
+/// the finished file, at the points at which the reader measures the distance. `reader` must
+/// outlive the judge.
 class TextJudge : public Judge {
  public:
   explicit TextJudge(StepReader& reader) : reader_(reader) {}
 
-  std::vector<std::int32_t> take(const Model& model, RunContext& run) override;
-  std::vector<EdgeCut> findUnheldEdges(const Model& model) override;
+  std::vector<std::int32_t> setModel(const Model& model, RunContext& run) override;
+  std::vector<EdgeCut> findEdgesOffFaces(const Model& model) override;
   std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) override;
   std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
                                            RunContext& run) override;

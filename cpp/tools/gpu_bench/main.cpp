@@ -1,7 +1,7 @@
-// Prints a table of GPU against CPU sampling on this machine: seconds by stage, memory, equality.
-// Usage: swept-gpu-bench DATA [RESOLUTION...] [--only PART_OF_NAME] [--limit SECONDS], where DATA
-// is the folder of cases.json with its meshes and motions. A run that takes longer than the limit
-// (default 60 s) is ended.
+// Prints a table that compares GPU and CPU sampling on this machine: seconds by stage, memory, and
+// whether the results are equal. Usage: swept-gpu-bench DATA [RESOLUTION...] [--only PART_OF_NAME]
+// [--limit SECONDS], where DATA is the folder of cases.json with its meshes and motions. A run that
+// takes longer than the limit (default 60 s) is ended.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chrono>
 #include <cmath>
@@ -55,12 +55,12 @@ double stageSeconds(const Report& report, const std::string& name) {
 }
 
 void row(const std::string& name, int resolution, const char* backend, const Result& r,
-         const std::string& parity) {
+         const std::string& outcome) {
   std::printf("| %s | %d | %s | %.3f | %.3f | %.3f | %.3f | %.0f | %s |\n", name.c_str(),
               resolution, backend, stageSeconds(r.report, "sampling"),
               stageSeconds(r.report, "signs"), stageSeconds(r.report, "winners"),
               stageSeconds(r.report, "total"), static_cast<double>(r.report.peakMemoryBytes) / 1e6,
-              parity.c_str());
+              outcome.c_str());
   std::fflush(stdout);
 }
 

@@ -151,7 +151,7 @@ std::string offeredRules(const ClearanceReport& report) {
   return text;
 }
 
-/// Prints a line for each neighbour. `details`: also the effort of its check.
+/// Prints a line for each neighbour. With `details`, the line also has the effort of the check.
 void printTable(const ClearanceReport& report, bool details) {
   for (const NeighbourClearance& row : report.neighbours) {
     std::printf("%-28s %-8s %12.6g mm at t = %.6g s", row.name.c_str(),

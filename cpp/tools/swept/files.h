@@ -61,7 +61,8 @@ class RepeatableInput {
 };
 /// Returns the copy that keepStreams() has made, or a new object.
 std::shared_ptr<const RepeatableInput> repeatable(const std::string& path);
-/// Returns read(name), where `name` can be read several times. Messages of errors contain `path`.
+/// Returns read(name), where `name` is a file that can be read several times. Messages of errors
+/// contain `path`.
 template <class Read>
 auto readRepeatably(const std::string& path, const Read& read) {
   const std::shared_ptr<const RepeatableInput> input = repeatable(path);
@@ -72,9 +73,9 @@ auto readRepeatably(const std::string& path, const Read& read) {
   }
 }
 
-/// Returns whether an input is a solid file. `file`: its repeatable name; `path`: the given name.
-/// `format`, unless empty, replaces the suffix. An input without both is recognised as a solid by
-/// its first bytes, and otherwise read as PLY.
+/// Returns whether an input is a solid file. `file`: a name under which it can be read several
+/// times; `path`: the given name. `format`, unless empty, replaces the suffix. An input with
+/// neither is recognised as a solid by its first bytes, and otherwise read as PLY.
 bool isSolidIn(const std::string& file, const std::string& path, const std::string& format);
 TriMesh meshFrom(const std::string& file, const std::string& path, const std::string& format,
                  double unit);
@@ -93,7 +94,7 @@ bool isMeshSuffix(const std::string& suffix);   ///< formats in which meshes can
 /// file, which is then copied to standard output. `format`: the suffix of that temporary file.
 void writeOutputFile(const std::string& path, const std::string& format,
                      const std::function<void(const std::string& file)>& write);
-/// Throws Error(InvalidInput, "BadOption") if the suffix of the file means another format.
+/// Throws Error(InvalidInput, "BadOption") if `format` is not the format of the file's suffix.
 /// `option`: the option that gives the format of standard output.
 void checkStreamFormat(const std::string& option, const std::string& format,
                        const std::string& path);

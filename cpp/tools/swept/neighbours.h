@@ -30,7 +30,8 @@ void addRuleOptions(CLI::App& app, NeighbourFiles& files);
 /// file may also be a neighbour.
 void checkNeighbourOptions(const NeighbourFiles& files, const std::string& moving);
 /// Reads the neighbours with their rules. A mesh is one neighbour; each solid of a solid file is
-/// one. Throws Error(InvalidInput), with "BadRule" if a rule does not match; Error(Cancelled).
+/// one. Throws Error(InvalidInput), with "BadRule" if a rule matches no neighbour or contradicts
+/// another; Error(Cancelled).
 std::vector<ClearanceNeighbour> readNeighbours(const NeighbourFiles& files, RunContext& run);
 
 /// Appends numbers to names that occur several times, such as those of solids of one file.

@@ -55,7 +55,7 @@ struct CommonOptions {
 };
 void addCommonOptions(CLI::App& app, CommonOptions& options);
 
-/// Throws the error for wrong usage.
+/// Throws Error(InvalidInput, "BadOption").
 [[noreturn]] void badOption(const std::string& text);
 
 }  // namespace swept::cli

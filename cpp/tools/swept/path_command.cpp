@@ -26,7 +26,7 @@ struct PathJob {
   CommonOptions common;
 };
 
-void addPlaces(CLI::App& app, PathJob& job) {
+void addPlacements(CLI::App& app, PathJob& job) {
   addText(app, "PART", "FILE", job.partPath,
           "the part to install: a file of type ply, stl, obj, off, step, stp, brep or brp, or - "
           "for standard input")
@@ -60,7 +60,7 @@ void addPlaces(CLI::App& app, PathJob& job) {
 }
 
 void addOptions(CLI::App& app, PathJob& job) {
-  addPlaces(app, job);
+  addPlacements(app, job);
   addSearchOptions(app, job.options, job.seed);
   addText(app, "--part-format", "ply|stl|obj|off|step|brep", job.partFormat,
           "format of the part, in place of its file extension");

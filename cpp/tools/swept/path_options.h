@@ -1,4 +1,4 @@
-// Options that all commands for path searches share.
+// Options of all commands for path searches.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,7 +16,7 @@ Extraction extractionOf(const std::string& name, const std::string& text);
 /// Adds the options from --clearance to --interpolation. `seed` is separate, since it is unsigned
 /// in PathOptions and addInteger() takes a signed number.
 void addSearchOptions(CLI::App& app, PathOptions& options, std::int64_t& seed);
-/// Returns the keys in the format of a motion file.
+/// Returns the key poses in the format of a motion file.
 std::string motionTable(const Trajectory& motion);
 
 }  // namespace swept::cli

@@ -1,5 +1,5 @@
 // Runs a command whose result is one report: checks the files, watches the run, writes the report
-// and prints errors. Also declares the options that all distance measurements share.
+// and prints errors. Also declares the options of all commands that measure distances.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -39,7 +39,8 @@ AnyReport runReported(const CommonOptions& common, const std::vector<RoledFile>&
   return report;
 }
 
-/// Prints findings and times on standard error. Returns the exit status.
+/// Prints findings and times on standard error. Returns the exit status. `clear`: all rules are
+/// met, or all paths are found.
 template <class AnyReport>
 int finishReported(const AnyReport& report, const CommonOptions& common, bool clear) {
   printFindings(report.warnings, common.quiet);

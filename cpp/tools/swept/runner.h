@@ -33,14 +33,14 @@ void printFindings(const std::vector<Finding>& findings, bool quiet);
 /// Prints one line per stage on standard error.
 void printSeconds(const std::vector<StageSeconds>& seconds);
 
-/// Stores in the report of any command how its run ended.
+/// Stores the error that ended a run in the report of any command.
 template <class AnyReport>
 void takeError(AnyReport& report, Status status, const std::string& code, const std::string& text) {
   report.status = status;
   report.code = code;
   report.message = text;
 }
-/// With --strict, turns a finding that costs accuracy into the failure of an otherwise good run.
+/// With --strict, turns a finding that costs accuracy into the failure of a successful run.
 template <class AnyReport>
 void takeStrict(AnyReport& report, bool strict) {
   const Finding* finding = strict ? inaccuracyOf(report.warnings) : nullptr;

@@ -33,7 +33,7 @@ constexpr const char* kHow =
     "other parts in this direction), from:PLACEMENT (it comes from this placement, written as for "
     "--start of swept path) or motion:FILE (it follows the motion in this file)";
 
-bool takes(const std::string& text, const std::string& word, std::string& rest) {
+bool removePrefix(const std::string& text, const std::string& word, std::string& rest) {
   if (text.rfind(word + ":", 0) != 0) return false;
   rest = text.substr(word.size() + 1);
   return true;
@@ -76,13 +76,13 @@ void addOptions(CLI::App& app, SequenceJob& job) {
       "--release 8");
 }
 
-/// Reads from `how` where the part comes from. Returns false if `how` names a motion file instead.
-bool takePlace(const std::string& how, PathTask& task) {
+/// Reads from `how` where the part comes from. Returns false if `how` gives a motion file instead.
+bool readOrigin(const std::string& how, PathTask& task) {
   std::string rest;
-  if (takes(how, "motion", rest)) return false;
-  if (takes(how, "out", rest))
+  if (removePrefix(how, "motion", rest)) return false;
+  if (removePrefix(how, "out", rest))
     task.extraction = extractionOf("--part ... out", rest);
-  else if (takes(how, "from", rest))
+  else if (removePrefix(how, "from", rest))
     task.start = placementOf("--part ... from", rest);
   else
     badOption("--part PART HOW: HOW is '" + how + "', which is not understood; give " + kHow);
@@ -90,9 +90,9 @@ bool takePlace(const std::string& how, PathTask& task) {
 }
 
 void readHow(const SequenceJob& job, const std::string& how, SequencePart& part) {
-  if (takePlace(how, part.task)) return;
+  if (readOrigin(how, part.task)) return;
   std::string file;
-  takes(how, "motion", file);
+  removePrefix(how, "motion", file);
   part.motion = readInputMotion(file, 1, job.options.path.interpolation, {0, 0, 0});
 }
 
@@ -155,7 +155,7 @@ int runSequence(const SequenceJob& job) {
   for (std::size_t i = 0; i < job.parts.size(); i += 2) {
     inputs.push_back({"a part", job.parts[i]});
     std::string motion;
-    if (takes(job.parts[i + 1], "motion", motion)) inputs.push_back({"a motion", motion});
+    if (removePrefix(job.parts[i + 1], "motion", motion)) inputs.push_back({"a motion", motion});
   }
   for (const std::string& path : job.still.paths) inputs.push_back({"a neighbour", path});
   if (!job.folder.empty()) {
@@ -192,7 +192,7 @@ Run addSequenceCommand(CLI::App& program) {
     if (job->parts.empty()) badOption("--part PART HOW is missing; give at least one part");
     for (std::size_t i = 1; i < job->parts.size(); i += 2) {
       PathTask task;
-      takePlace(job->parts[i], task);
+      readOrigin(job->parts[i], task);
     }
     for (std::size_t i = 0; i + 1 < job->ignored.size(); i += 2)
       job->options.rules.push_back({job->ignored[i], job->ignored[i + 1], parseRule("ignore")});

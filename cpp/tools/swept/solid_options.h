@@ -1,4 +1,4 @@
-// Options and printed summary that all commands that write solids share.
+// Options and printed summary of all commands that write solids.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

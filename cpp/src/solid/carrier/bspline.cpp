@@ -27,7 +27,7 @@ void insertKnot(std::vector<double>& flat, Eigen::MatrixXd& poles, int degree, d
   poles = std::move(more);
 }
 
-// Returns the length of the longest vector in a row. Each three columns are one vector.
+// Returns the length of the longest vector in a row. Every three columns are one vector.
 double largestError(const Eigen::RowVectorXd& difference) {
   double largest = 0;
   for (Eigen::Index i = 0; i + 2 < difference.cols(); i += 3)
@@ -69,7 +69,8 @@ Knots::Basis Knots::basis(double t) const {
   result.first = span - p;
   for (int r = 0; r <= p; ++r) {
     result.value[0][r] = ndu[r][p];
-    // First and second differences of basis functions of lower degree.
+    // lower() returns a basis function of degree p - order, over() the reciprocal of a knot
+    // difference. Both return 0 if the index i is out of range.
     const auto lower = [&](int order, int i) {
       return i < 0 || i > p - order ? 0.0 : ndu[i][p - order];
     };
@@ -134,7 +135,8 @@ Knots finer(const Knots& knots, const std::vector<int>& pieces) {
 std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, double bound,
                               std::size_t mostSpans) {
   Knots knots(degree, {range.from, range.to});
-  // The errors of a span are largest near the middles between successive sites.
+  // Positions within a span, as fractions of its length. They lie between successive sites, where
+  // the errors are largest.
   constexpr std::array<double, 6> kBetween{0.06, 0.23, 0.41, 0.59, 0.77, 0.94};
   /// All spans are cut alike if each needs at least this fraction of the largest number of pieces.
   constexpr double kEven = 0.4;
@@ -166,9 +168,9 @@ std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, do
     if (*least >= kEven * *most) {
       // Uses equal spans. An estimate from fewer than three spans is too high, so only 80 % of it
       // is used.
-      const double share = wanted.size() < 3 ? 0.8 : 1;
+      const double fraction = wanted.size() < 3 ? 0.8 : 1;
       const auto count = static_cast<double>(wanted.size());
-      const double next = std::max(count + 1, std::ceil(share * *most * count));
+      const double next = std::max(count + 1, std::ceil(fraction * *most * count));
       knots = finer(Knots(degree, {range.from, range.to}), {static_cast<int>(next)});
       continue;
     }

@@ -1,6 +1,7 @@
 // B-splines: knots, basis functions, and interpolation between exact values.
-// In:      distinct knots ("breaks"). The ends have multiplicity degree + 1, inner ones `joints`.
-// Cost:    O(degree^2) per evaluation, O(poles^3) once to interpolate (few poles).
+// In:      distinct knots ("breaks"). The ends have multiplicity degree + 1, inner knots have
+// multiplicity `joints`.
+// Cost:    O(degree^2) per evaluation. Interpolation takes O(poles^3) once; there are few poles.
 // Source:  Piegl and Tiller, "The NURBS Book" (A2.2, A2.3, A5.1). The sites of interpolation are
 // those of Greville 1969, for which the equations are well-conditioned at least up to degree 5.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -19,15 +20,15 @@ namespace swept::step {
 struct Range {
   double from = 0, to = 1;
   double length() const { return to - from; }
-  double at(double share) const { return from + share * (to - from); }
-  Range grown(double share) const { return {at(-share), at(1 + share)}; }
+  double at(double fraction) const { return from + fraction * (to - from); }
+  Range grown(double fraction) const { return {at(-fraction), at(1 + fraction)}; }
 };
 
 class Knots {
  public:
   static constexpr int kMaxDegree = 5;
-  /// The basis functions that are not zero at one parameter, and two derivatives. value[order][i]
-  /// belongs to pole first + i.
+  /// The basis functions that are not zero at one parameter, with their first two derivatives.
+  /// value[order][i] is the derivative of this order of the function of pole first + i.
   struct Basis {
     std::size_t first = 0;
     std::array<std::array<double, kMaxDegree + 1>, 3> value{};
@@ -41,9 +42,10 @@ class Knots {
   std::size_t poleCount() const { return flat_.size() - degree_ - 1; }
   const std::vector<double>& breaks() const { return breaks_; }
   Range range() const { return {breaks_.front(), breaks_.back()}; }
-  /// Beyond the ends, the first and the last polynomial are continued.
+  /// Returns the basis functions at t. Beyond the ends, the first and the last polynomial are
+  /// continued.
   Basis basis(double t) const;
-  /// Returns one parameter for each pole, including both ends.
+  /// Returns the parameters of interpolation: one for each pole, including both ends.
   std::vector<double> sites() const;
   /// Returns all knots, each as often as its multiplicity.
   const std::vector<double>& flat() const { return flat_; }
@@ -63,24 +65,24 @@ class Interpolator {
   Eigen::PartialPivLU<Eigen::MatrixXd> solver_;
 };
 
-/// Returns the value, or a derivative (1 or 2), of a spline with these poles, one per row.
+/// Returns the value of a spline at t, or its first or second derivative. `poles`: one per row.
 Eigen::RowVectorXd valueOf(const Knots& knots, const Eigen::MatrixXd& poles, double t,
                            int derivative = 0);
 
-/// Several exact curves at once. The values at one parameter form one row.
+/// Returns the exact values of several curves at a parameter, in one row.
 using ExactRow = std::function<Eigen::RowVectorXd(double)>;
 
-/// Returns knots with which the interpolating spline is within `bound` of the exact values. Every
-/// three columns of a row are the coordinates of one point. Cuts only spans that are too
+/// Returns knots with which the interpolating spline is within `bound` (mm) of the exact values.
+/// Every three columns of a row are the coordinates of one point. Cuts only spans that are too
 /// inaccurate, so knots are dense only where necessary. Returns nothing if `mostSpans` spans do not
 /// suffice or a value is not finite.
 std::optional<Knots> knotsFor(const ExactRow& exact, Range range, int degree, double bound,
                               std::size_t mostSpans);
 
-/// Cuts spans into equal pieces: pieces[i] for span i.
+/// Cuts span i into pieces[i] equal pieces.
 Knots finer(const Knots& knots, const std::vector<int>& pieces);
 
-/// Returns the poles of the same spline between two parameters. `part` receives their knots.
+/// Returns the poles of the piece of the spline between two parameters. `part` receives its knots.
 Eigen::MatrixXd partOf(const Knots& knots, const Eigen::MatrixXd& poles, Range range, Knots& part);
 
 }  // namespace swept::step

@@ -34,15 +34,17 @@ struct Carrier {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< a point on the plane or axis, or the centre
   /// Unit vector: normal of the plane, or direction of the axis.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  /// Direction in which angles start. Zero: anyOrthogonal(axis) replaces it.
+  /// Direction of angle 0. If this is the zero vector, anyOrthogonal(axis) replaces it.
   Eigen::Vector3d xdir = Eigen::Vector3d::Zero();
-  double radius = 0;     ///< cylinder, sphere; cone: at `point`; torus: of its centre circle
-  double minor = 0;      ///< torus: radius of the tube
-  double tubeMid = 0;    ///< torus: tube angle in the middle of the face
-  double halfAngle = 0;  ///< cone: between axis and generator line; the radius grows along the axis
+  /// cylinder or sphere; cone: radius at `point`; torus: radius of its centre circle
+  double radius = 0;
+  double minor = 0;    ///< torus: radius of the tube
+  double tubeMid = 0;  ///< torus: tube angle in the middle of the face
+  /// cone: angle between axis and generatrix; the radius grows along the axis
+  double halfAngle = 0;
   double cosine = 1, sine = 0;  ///< cosine and sine of halfAngle
   /// True if the material lies outside (a bore). The outward normal then points towards the axis or
-  /// centre; on a sheet, against S_u x S_t.
+  /// centre. The outward normal of a sheet is then opposite to S_u x S_t (sheet.h).
   bool reversed = false;
   /// The curve that generates the surface; outward is to the right of it. The profile of an
   /// extrusion lies in the plane through `point` perpendicular to the axis. Its coordinates are
@@ -51,20 +53,22 @@ struct Carrier {
   std::shared_ptr<const Profile> profile;
   /// Known curves and points of the surface where other surfaces meet it (traces.h). Null: none.
   std::shared_ptr<const Traces> traces;
-  /// The free-form surface. The fields above do not apply to it.
+  /// The surface of a carrier of kind Sheet; null for other kinds. With it, only the fields `kind`,
+  /// `reversed` and `traces` above are used.
   std::shared_ptr<const Sheet> sheet;
 
   bool isPlanar() const { return kind == CarrierKind::Facet || kind == CarrierKind::Plane; }
   bool hasProfile() const { return profile != nullptr; }
   void setHalfAngle(double angle);
-  /// Returns the coordinates of a point in the plane of the profile.
+  /// Returns the coordinates of a point in the plane of the profile. For a revolution, the point is
+  /// first turned about the axis into the half plane of xdir.
   Eigen::Vector2d inProfile(const Eigen::Vector3d& p) const;
   double distance(const Eigen::Vector3d& p) const;
   /// Returns the unit normal that points away from the material.
   Eigen::Vector3d normal(const Eigen::Vector3d& p) const;
 };
 
-/// Returns a unit vector orthogonal to the unit vector `axis`, the same for each call.
+/// Returns a unit vector orthogonal to the unit vector `axis`. Equal arguments give equal results.
 Eigen::Vector3d anyOrthogonal(const Eigen::Vector3d& axis);
 
 }  // namespace swept::step

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Cosine of 11 degrees. If two surfaces are nearer to parallel, their normals do not determine the
+// Cosine of 11 degrees. If the normals of two surfaces differ by less, they do not determine the
 // position of the point across the line of contact.
 constexpr double kTouchingCosine = 0.98;
 
@@ -47,7 +47,7 @@ Eigen::VectorXd equations(const Vector3d& p, const std::vector<const Carrier*>& 
     const Carrier& a = *surfaces[touching[k].first];
     const Carrier& b = *surfaces[touching[k].second];
     // These rows have less weight than the distances, because they only determine the direction
-    // that the distances leave open.
+    // that the distances do not determine.
     const double scale = 0.1 * std::min(lengthScale(a), lengthScale(b));
     value.segment<3>(surfaces.size() + 3 * k) = scale * (a.normal(p) - b.normal(p));
   }
@@ -302,7 +302,7 @@ void keepBends(const std::vector<Vector3d>& points,
 }
 
 Curve curveAlong(const std::vector<Vector3d>& points, bool closed, double tolerance) {
-  // A spline would round the corners of the polyline, so corners beyond the tolerance are kept.
+  // Makes the spline pass through corners that it would otherwise round by more than the tolerance.
   std::vector<char> kept(points.size(), 0);
   kept.front() = kept.back() = 1;
   std::vector<std::pair<std::size_t, std::size_t>> spans{{0, points.size() - 1}};

@@ -1,8 +1,8 @@
 // Finds curves for edges, and points where carrier surfaces intersect.
 // In:      points in order, or carriers.
 // Out:     the simplest curve within a tolerance.
-// Units:   mm, rad. Ranges of parameters: Line 0 to length, Circle 0 to its angle, Spline 0 to
-// `last`.
+// Units:   mm, rad. Ranges of parameters: a line has 0 to its length, a circle 0 to its angle, a
+//          spline 0 to `last`.
 // Cost:    O(points).
 // Source:  circles by linear least squares (Kasa 1976); cubic B-splines (Piegl and Tiller, "The
 //          NURBS Book"); polylines (Douglas and Peucker 1973).
@@ -42,7 +42,7 @@ Curve partOf(const Curve& curve, double from, double to);
 
 Curve lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// Returns the arc or circle within eps of the ordered points, if there is one.
+/// Returns the arc or circle within eps (mm) of the ordered points, if there is one.
 std::optional<Curve> circleThrough(const std::vector<Eigen::Vector3d>& points, bool closed,
                                    double eps);
 
@@ -58,13 +58,13 @@ Curve profileOf(const Carrier& surface);
 Curve curveThrough(std::vector<Eigen::Vector3d> points, bool closed, double eps,
                    const std::vector<const Carrier*>& surfaces);
 
-/// Returns the point strictly between `from` and `to` that is farthest from the segment between
-/// these two. `distance` is -1 if there is no point between them.
+/// Returns the index, strictly between `from` and `to`, of the point that is farthest from the
+/// segment between the points `from` and `to`. `distance` is -1 if there is no index between them.
 std::size_t farthestPoint(const std::vector<Eigen::Vector3d>& points, std::size_t from,
                           std::size_t to, double& distance);
 
-/// Marks the points within the spans that a polyline needs to stay within the tolerance. The ends
-/// of the spans are not marked.
+/// Marks the points that a polyline must keep to stay within the tolerance of all points. `spans`:
+/// pairs of indices between which points are marked; the points at these indices are not marked.
 void keepBends(const std::vector<Eigen::Vector3d>& points,
                std::vector<std::pair<std::size_t, std::size_t>> spans, double tolerance,
                std::vector<char>& kept);
@@ -73,9 +73,9 @@ void keepBends(const std::vector<Eigen::Vector3d>& points,
 /// where they are.
 Curve curveAlong(const std::vector<Eigen::Vector3d>& points, bool closed, double tolerance);
 
-/// Returns the point near `from` that lies on all surfaces. In directions that they do not
-/// determine, it stays near `from`. If two surfaces touch, returns the point where their normals
-/// agree.
+/// Returns the point near `from` that lies on all surfaces. In directions that the surfaces do not
+/// determine, the point stays near `from`. If two surfaces touch, returns the point where their
+/// normals agree.
 Eigen::Vector3d meetingPoint(const Eigen::Vector3d& from,
                              const std::vector<const Carrier*>& surfaces);
 

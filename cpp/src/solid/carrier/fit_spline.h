@@ -1,5 +1,5 @@
-// Fits a spline that interpolates an exact curve. It is refined until it is within a bound between
-// the points of interpolation.
+// Fits a spline that interpolates an exact curve, and refines it until it is within a bound of the
+// curve between the points of interpolation.
 // Units:   mm.
 // Cost:    about ten exact evaluations per pole.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -21,8 +21,8 @@ constexpr std::size_t kMaxSpans = 64;
 /// Returns a point of the exact curve; its coordinates are not finite where the curve is undefined.
 using ExactCurve = std::function<Eigen::Vector3d(double)>;
 
-/// Returns the curve through exact(v) for v in `range`. Its parameter starts at 0. Returns nothing
-/// if the bound is not reached with kMaxSpans spans, or if a value is not finite.
+/// Returns a spline within `bound` of the points exact(v) for v in `range`. The parameter of the
+/// spline starts at 0. Returns nothing if kMaxSpans spans do not suffice or a value is not finite.
 std::optional<Curve> fitSpline(const ExactCurve& exact, Range range, double bound);
 
 }  // namespace swept::step

@@ -11,13 +11,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-double largestOff(const Vector3d& p, const std::vector<const Carrier*>& surfaces) {
+double largestDistance(const Vector3d& p, const std::vector<const Carrier*>& surfaces) {
   double largest = 0;
   for (const Carrier* s : surfaces) largest = std::max(largest, std::abs(s->distance(p)));
   return largest;
 }
 
-// Returns the parameter, near t, of the curve point on the surface.
+// Returns a parameter at which the curve meets the surface. The search starts at t and stays within
+// `reach` (mm) of the point at t.
 std::optional<double> meet(const Curve& curve, const Carrier& surface, double t, double reach) {
   const bool closed = isClosed(curve);
   const auto inRange = [&](double s) {
@@ -71,7 +72,8 @@ std::optional<Vector3d> onCurve(const Curve& curve, const Vector3d& from,
     t = *found;
   }
   const Vector3d p = curve.at(t);
-  if (!((p - from).norm() <= reach) || largestOff(p, surfaces) > kOnCarrier) return std::nullopt;
+  if (!((p - from).norm() <= reach) || largestDistance(p, surfaces) > kOnCarrier)
+    return std::nullopt;
   return p;
 }
 
@@ -84,7 +86,7 @@ void forTraces(const std::vector<const Carrier*>& surfaces, const Use& use) {
 
 }  // namespace
 
-std::optional<Vector3d> knownPlace(const Vector3d& from,
+std::optional<Vector3d> knownPoint(const Vector3d& from,
                                    const std::vector<const Carrier*>& surfaces, double reach) {
   std::optional<Vector3d> best;
   double smallest = reach;
@@ -96,7 +98,7 @@ std::optional<Vector3d> knownPlace(const Vector3d& from,
   };
   forTraces(surfaces, [&](const Traces& traces) {
     for (const Vector3d& p : traces.points) {
-      if ((p - from).norm() < smallest && largestOff(p, surfaces) <= kOnCarrier) take(p);
+      if ((p - from).norm() < smallest && largestDistance(p, surfaces) <= kOnCarrier) take(p);
     }
   });
   if (best) return best;
@@ -109,7 +111,7 @@ std::optional<Vector3d> knownPlace(const Vector3d& from,
 }
 
 std::optional<Curve> knownCurve(const std::vector<Vector3d>& along, const Carrier& a,
-                                const Carrier& b, double gap, double strays) {
+                                const Carrier& b, double gap, double maxDeviation) {
   std::optional<Curve> best;
   double nearest = 1e300;
   for (const Carrier* s : {&a, &b}) {
@@ -122,7 +124,7 @@ std::optional<Curve> knownCurve(const std::vector<Vector3d>& along, const Carrie
       double farthest = 0;
       for (const Vector3d& p : along)
         farthest = std::max(farthest, (curve.at(nearestParameter(curve, p)) - p).norm());
-      if (!(farthest <= strays) || farthest >= nearest) continue;
+      if (!(farthest <= maxDeviation) || farthest >= nearest) continue;
       const auto piece = pieceAlong(curve, along);
       if (!piece || largestGap(*piece, a) > gap || largestGap(*piece, b) > gap) continue;
       nearest = farthest;

@@ -1,5 +1,5 @@
-// Finds exact positions of vertices and edges of a solid, from curves and points that are known to
-// lie on the carriers (carrier/traces.h).
+// Finds exact positions of vertices and edges of a solid from traces: curves and points that are
+// known to lie on the carriers (carrier/traces.h).
 // In:      the carriers that meet; points of the mesh near the wanted position.
 // Out:     the position, within kOnCarrier of all carriers. Nothing if no trace fits.
 // Units:   mm.
@@ -16,14 +16,14 @@
 
 namespace swept::step {
 
-/// Returns a point on all surfaces that a trace gives, within `reach` of `from`.
-std::optional<Eigen::Vector3d> knownPlace(const Eigen::Vector3d& from,
+/// Returns a point of a trace that lies on all surfaces, at most `reach` (mm) from `from`.
+std::optional<Eigen::Vector3d> knownPoint(const Eigen::Vector3d& from,
                                           const std::vector<const Carrier*>& surfaces,
                                           double reach);
 
-/// Returns the piece of a trace that lies on both surfaces, between the first and the last of these
-/// points. It lies within `gap` (mm) of both surfaces, and within `strays` (mm) of the points.
+/// Returns a piece of a trace between the first and the last of these points. It lies within `gap`
+/// (mm) of both surfaces and within `maxDeviation` (mm) of the points.
 std::optional<Curve> knownCurve(const std::vector<Eigen::Vector3d>& along, const Carrier& a,
-                                const Carrier& b, double gap, double strays);
+                                const Carrier& b, double gap, double maxDeviation);
 
 }  // namespace swept::step

@@ -88,7 +88,7 @@ void Profile::sample() {
 }
 
 // Adds the segment to each grid cell within one cell of it. So a segment that a cell does not list
-// is farther away than one cell.
+// is farther away than the edge length of a cell.
 void Profile::addToCells(std::int32_t segment,
                          std::vector<std::vector<std::int32_t>>& cells) const {
   const Vector2d &a = samples_[segment], &b = samples_[segment + 1];
@@ -101,8 +101,8 @@ void Profile::addToCells(std::int32_t segment,
   }
 }
 
-// Returns the parameter of the segment point nearest to q if its squared distance is below
-// `smallest`; otherwise -1e300.
+// Returns the parameter of the segment point nearest to q, if its squared distance is below
+// `smallest`, and updates `smallest`. Otherwise returns -1e300.
 double Profile::bestOn(std::int32_t segment, const Vector2d& q, double& smallest) const {
   const Vector2d &a = samples_[segment], ab = samples_[segment + 1] - a;
   const double w = std::clamp((q - a).dot(ab) / std::max(1e-300, ab.squaredNorm()), 0.0, 1.0);
@@ -150,7 +150,7 @@ double Profile::distance(const Vector2d& q) const {
   const Foot near = foot(q);
   const Vector2d offset = q - near.at;
   const double right = offset.dot(rightOf(near.tangent)), past = std::abs(offset.dot(near.tangent));
-  // The point lies beyond the straight end pieces.
+  // If so, the point lies beyond a straight end piece.
   if (past > 1e-6 * length()) return right < 0 ? -offset.norm() : offset.norm();
   return right;
 }

@@ -18,12 +18,12 @@ namespace swept::step {
 class Profile {
  public:
   struct Node {
-    Eigen::Vector2d at, slope;  ///< `slope`: derivative by the parameter
+    Eigen::Vector2d at, slope;  ///< `slope`: derivative with respect to the parameter
     double knot = 0;
   };
   struct Foot {
     double t = 0;
-    Eigen::Vector2d at, tangent;  ///< `tangent`: unit
+    Eigen::Vector2d at, tangent;  ///< `tangent`: unit vector
   };
 
   /// A closed profile must repeat its first node at the end. `beyond`: mm, length of the straight
@@ -61,7 +61,7 @@ class Profile {
   std::vector<Node> nodes_;
   bool closed_ = false;
   double beyond_ = 0;
-  double first_ = 0, last_ = 0;  // parameters without the straight end pieces
+  double first_ = 0, last_ = 0;  // range of parameters without the straight end pieces
   // A polyline along the curve, and a grid that lists the segments near each cell.
   std::vector<Eigen::Vector2d> samples_;
   std::vector<double> sampleAt_;

@@ -17,10 +17,11 @@ using Eigen::Vector3d;
 constexpr double kMinSine = 0.003;
 constexpr std::size_t kMinPieces = 4, kMaxPieces = 64;
 
-// Returns the point on both carriers near q. Each step of the iteration is, to first order, the
-// shortest possible. Returns nothing if the point moves farther than `strays` (mm).
+// Returns the point on both carriers near q. Each step of the iteration is the shortest that, to
+// first order, leads to both carriers. Returns nothing if the point moves farther than
+// `maxDeviation` (mm).
 std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const Carrier& b,
-                                    double strays) {
+                                    double maxDeviation) {
   Vector3d p = q;
   for (int round = 0; round < 30; ++round) {
     const double da = a.distance(p), db = b.distance(p);
@@ -29,9 +30,9 @@ std::optional<Vector3d> pointOnBoth(const Vector3d& q, const Carrier& a, const C
     const double c = na.dot(nb), sine2 = 1 - c * c;
     if (sine2 < kMinSine * kMinSine) return std::nullopt;
     p -= ((da - c * db) * na + (db - c * da) * nb) / sine2;
-    if (!((p - q).norm() <= strays)) return std::nullopt;
+    if (!((p - q).norm() <= maxDeviation)) return std::nullopt;
   }
-  // Far from the origin, rounding exceeds the target of the iteration. Then a larger distance is
+  // Far from the origin, rounding errors exceed the limit of 1e-11. Then a larger distance is
   // accepted.
   const bool isOn = std::max(std::abs(a.distance(p)), std::abs(b.distance(p))) < 0.1 * kOnCarrier;
   return isOn ? std::optional<Vector3d>(p) : std::nullopt;
@@ -59,33 +60,33 @@ bool isOnBoth(const Curve& curve, const Carrier& a, const Carrier& b) {
 }
 
 // Returns the direction of the intersection at a point where the carriers touch and two branches of
-// the intersection cross. To second order, the distance between the carriers there is a quadratic
-// form of the direction. It is zero along the branches. Returns nothing if no branch is near the
-// direction `way`.
-std::optional<Vector3d> branchTangent(const Vector3d& p, const Vector3d& way, double step,
+// the intersection cross. To second order, the difference of the distances from the carriers is a
+// quadratic form of the direction. It is zero along the branches. Returns nothing if no branch is
+// near the direction `chord`.
+std::optional<Vector3d> branchTangent(const Vector3d& p, const Vector3d& chord, double step,
                                       const Carrier& a, const Carrier& b) {
-  const Vector3d normal = a.normal(p), x = (way - way.dot(normal) * normal).normalized();
+  const Vector3d normal = a.normal(p), x = (chord - chord.dot(normal) * normal).normalized();
   const Vector3d y = normal.cross(x);
   const double side = normal.dot(b.normal(p)) > 0 ? 1 : -1;
   const auto direction = [&](double angle) {
     return Vector3d(std::cos(angle) * x + std::sin(angle) * y);
   };
-  const auto apart = [&](const Vector3d& q) { return a.distance(q) - side * b.distance(q); };
-  const double here = apart(p);
-  const auto parting = [&](double angle) {
+  const auto difference = [&](const Vector3d& q) { return a.distance(q) - side * b.distance(q); };
+  const double here = difference(p);
+  const auto secondDifference = [&](double angle) {
     const Vector3d d = step * direction(angle);
-    return apart(p + d) + apart(p - d) - 2 * here;
+    return difference(p + d) + difference(p - d) - 2 * here;
   };
   constexpr double kWidest = 0.6;
   constexpr int kSteps = 24;
   std::optional<double> best;
   for (int i = -kSteps; i < kSteps; ++i) {
     double low = kWidest * i / kSteps, high = kWidest * (i + 1) / kSteps;
-    const double atLow = parting(low);
-    if (!(atLow * parting(high) <= 0)) continue;
+    const double atLow = secondDifference(low);
+    if (!(atLow * secondDifference(high) <= 0)) continue;
     for (int round = 0; round < 40; ++round) {
       const double middle = 0.5 * (low + high);
-      (parting(middle) * atLow > 0 ? low : high) = middle;
+      (secondDifference(middle) * atLow > 0 ? low : high) = middle;
     }
     if (!best || std::abs(low) < std::abs(*best)) best = low;
   }
@@ -102,16 +103,16 @@ std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& poi
     const Vector3d& before = i > 0 ? points[i - 1] : closed ? points[last - 1] : points[0];
     const Vector3d& after = i < last ? points[i + 1] : closed ? points[1] : points[last];
     const Vector3d cross = a.normal(points[i]).cross(b.normal(points[i]));
-    const Vector3d way = (after - before).normalized();
+    const Vector3d chord = (after - before).normalized();
     Vector3d unit = cross.normalized();
     if (cross.norm() < kMinSine) {
       if (closed || (i > 0 && i < last)) return std::nullopt;
-      const auto branch = branchTangent(points[i], way, 0.01 * (after - before).norm(), a, b);
+      const auto branch = branchTangent(points[i], chord, 0.01 * (after - before).norm(), a, b);
       if (!branch) return std::nullopt;
       unit = *branch;
     }
-    if (!(std::abs(unit.dot(way)) > 0.7)) return std::nullopt;
-    tangents.push_back(unit.dot(way) > 0 ? unit : Vector3d(-unit));
+    if (!(std::abs(unit.dot(chord)) > 0.7)) return std::nullopt;
+    tangents.push_back(unit.dot(chord) > 0 ? unit : Vector3d(-unit));
   }
   return tangents;
 }
@@ -120,7 +121,7 @@ std::optional<std::vector<Vector3d>> tangentsAt(const std::vector<Vector3d>& poi
 // profile and is computed span by span.
 std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrier& extrusion,
                                 const Carrier& plane) {
-  // The angle between plane and direction is at least 3 degrees.
+  // The angle between the plane and the direction of extrusion is at least 3 degrees.
   constexpr double kMinCosine = 0.05;
   const double slope = extrusion.axis.dot(plane.axis);
   const Profile& profile = *extrusion.profile;
@@ -131,15 +132,15 @@ std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrie
   };
   const double from = profile.foot(extrusion.inProfile(along.front())).t;
   const double to = profile.foot(extrusion.inProfile(along.back())).t;
-  const double way = to > from ? 1 : -1;
+  const double sign = to > from ? 1 : -1;
   std::vector<double> at;
   for (const Profile::Node& node : profile.nodes()) {
-    if (way * (node.knot - from) > kOnCarrier && way * (to - node.knot) > kOnCarrier)
+    if (sign * (node.knot - from) > kOnCarrier && sign * (to - node.knot) > kOnCarrier)
       at.push_back(node.knot);
   }
   at.push_back(from);
   at.push_back(to);
-  std::sort(at.begin(), at.end(), [&](double s, double t) { return way * s < way * t; });
+  std::sort(at.begin(), at.end(), [&](double s, double t) { return sign * s < sign * t; });
   Curve curve;
   curve.kind = CurveKind::Spline;
   curve.last = 1;
@@ -165,7 +166,8 @@ std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrie
   return curve;
 }
 
-// Returns the point on both carriers in the plane dir.(x - base) = height, near p.
+// Returns the point near p that lies on both carriers and in the plane dir.(x - base) = height.
+// Returns NaN if the iteration does not converge.
 Vector3d pointInSlice(Vector3d p, const Carrier& a, const Carrier& b, const Vector3d& dir,
                       const Vector3d& base, double height) {
   for (int round = 0; round < 20; ++round) {
@@ -187,9 +189,9 @@ std::optional<Curve> slicedCurve(const std::vector<Vector3d>& points,
                                  const std::vector<Vector3d>& tangents, const Carrier& a,
                                  const Carrier& b) {
   constexpr double kMinCosine = 0.4;
-  const Vector3d &first = points.front(), way = points.back() - first;
-  const double length = way.norm();
-  const Vector3d dir = way / length;
+  const Vector3d &first = points.front(), chord = points.back() - first;
+  const double length = chord.norm();
+  const Vector3d dir = chord / length;
   std::vector<double> heights;
   for (std::size_t i = 0; i < points.size(); ++i) {
     heights.push_back(dir.dot(points[i] - first));
@@ -225,7 +227,7 @@ double largestGap(const Curve& curve, const Carrier& carrier) {
 }
 
 std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, const Carrier& a,
-                                  const Carrier& b, double strays) {
+                                  const Carrier& b, double maxDeviation) {
   for (const auto& [extrusion, plane] : {std::pair(&a, &b), std::pair(&b, &a)}) {
     if (closed || extrusion->kind != CarrierKind::Extrusion || !plane->isPlanar()) continue;
     const Curve line = lineThrough(along.front(), along.back());
@@ -237,7 +239,7 @@ std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, cons
     std::vector<Vector3d> points = spaced(along, spans);
     for (std::size_t i = 0; i <= spans; ++i) {
       if (!closed && (i == 0 || i == spans)) continue;
-      const auto moved = pointOnBoth(points[i], a, b, strays);
+      const auto moved = pointOnBoth(points[i], a, b, maxDeviation);
       if (!moved) return std::nullopt;
       points[i] = *moved;
     }

@@ -29,8 +29,8 @@ Sheet::Sheet(Knots u, Knots t, std::vector<Vector3d> poles)
     : u_(std::move(u)),
       t_(std::move(t)),
       poles_(std::move(poles)),
-      roomU_(u_.range().grown(kBeyond)),
-      roomT_(t_.range().grown(kBeyond)) {
+      extendedU_(u_.range().grown(kBeyond)),
+      extendedT_(t_.range().grown(kBeyond)) {
   double longU = 0, longT = 0;
   const auto rows = u_.poleCount(), columns = t_.poleCount();
   for (std::size_t j = 0; j < columns; ++j) {
@@ -125,14 +125,14 @@ Sheet::Foot Sheet::foot(const Vector3d& p) const {
 namespace {
 
 // Returns whether the parameter x is at an end of its range and the step would leave the range.
-bool isBlocked(const Range& room, double x, double step) {
-  return (x <= room.from && step < 0) || (x >= room.to && step > 0);
+bool isBlocked(const Range& range, double x, double step) {
+  return (x <= range.from && step < 0) || (x >= range.to && step > 0);
 }
 
 // Returns the largest fraction of a step, at most 1, that stays in the range.
-double shareInRoom(const Range& room, double x, double step) {
+double fractionInRange(const Range& range, double x, double step) {
   if (step == 0) return 1;
-  return std::min(1.0, ((step > 0 ? room.to : room.from) - x) / step);
+  return std::min(1.0, ((step > 0 ? range.to : range.from) - x) / step);
 }
 
 }  // namespace
@@ -140,8 +140,8 @@ double shareInRoom(const Range& room, double x, double step) {
 // Minimises the squared distance within the box of parameters. A step that does not reduce the
 // distance is halved. Second derivatives that would lead to a saddle point are ignored.
 Sheet::Foot Sheet::foot(const Vector3d& p, double u, double t) const {
-  u = std::clamp(u, roomU_.from, roomU_.to);
-  t = std::clamp(t, roomT_.from, roomT_.to);
+  u = std::clamp(u, extendedU_.from, extendedU_.to);
+  t = std::clamp(t, extendedT_.from, extendedT_.to);
   Jet j = jet(u, t);
   double distance = (j.at - p).norm();
   bool isAtEnd = false;
@@ -157,19 +157,20 @@ Sheet::Foot Sheet::foot(const Vector3d& p, double u, double t) const {
     }
     const double det = std::max(a * c - b * b, 1e-12 * a * c);
     double du = -(c * gu - b * gt) / det, dt = -(a * gt - b * gu) / det;
-    // A parameter that would leave its range is kept, and the step of the other is computed alone.
-    const bool fixU = isBlocked(roomU_, u, du) || isBlocked(roomU_, u, -gu);
+    // A parameter that would leave its range keeps its value, and the step of the other is computed
+    // alone.
+    const bool fixU = isBlocked(extendedU_, u, du) || isBlocked(extendedU_, u, -gu);
     if (fixU) {
       du = 0;
       dt = -gt / c;
     }
-    const bool fixT = isBlocked(roomT_, t, dt) || isBlocked(roomT_, t, -gt);
+    const bool fixT = isBlocked(extendedT_, t, dt) || isBlocked(extendedT_, t, -gt);
     if (fixT) {
       dt = 0;
-      du = fixU || isBlocked(roomU_, u, -gu) ? 0 : -gu / a;
+      du = fixU || isBlocked(extendedU_, u, -gu) ? 0 : -gu / a;
     }
     isAtEnd = fixU || fixT;
-    double w = std::min(shareInRoom(roomU_, u, du), shareInRoom(roomT_, t, dt));
+    double w = std::min(fractionInRange(extendedU_, u, du), fractionInRange(extendedT_, t, dt));
     if (du == 0 && dt == 0) break;
     const double slack = 1e-15 * (distance + p.norm());
     const double least = 1e-6 * w;
@@ -179,8 +180,8 @@ Sheet::Foot Sheet::foot(const Vector3d& p, double u, double t) const {
       next = jet(u + w * du, t + w * dt);
     }
     if (w <= least) break;
-    u = std::clamp(u + w * du, roomU_.from, roomU_.to);
-    t = std::clamp(t + w * dt, roomT_.from, roomT_.to);
+    u = std::clamp(u + w * du, extendedU_.from, extendedU_.to);
+    t = std::clamp(t + w * dt, extendedT_.from, extendedT_.to);
     j = next;
     distance = (j.at - p).norm();
     if (w * (std::abs(du) * std::sqrt(e) + std::abs(dt) * std::sqrt(g)) < 1e-12) break;
@@ -198,7 +199,8 @@ double Sheet::distance(const Vector3d& p) const {
 Sheet Sheet::part(Range u, Range t) const {
   const auto rows = static_cast<Eigen::Index>(u_.poleCount());
   const auto columns = static_cast<Eigen::Index>(t_.poleCount());
-  // First along t: each row of the matrix has the poles of all u with one index along t.
+  // First takes the part along t: each row of the matrix has the poles of all u with one index
+  // along t.
   Eigen::MatrixXd byT(columns, 3 * rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
     for (Eigen::Index j = 0; j < columns; ++j) byT.block<1, 3>(j, 3 * i) = pole(i, j).transpose();

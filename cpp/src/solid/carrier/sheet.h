@@ -1,9 +1,9 @@
-// Sheet: a free-form surface S(u, t), a tensor product of B-splines. It carries faces that lie on
-// no plane, cylinder or other simple surface: surfaces that an edge sweeps, and surfaces in which a
-// face grazes the envelope (solid/sweep/swept_surface.h).
+// Sheet: a free-form surface S(u, t), a tensor product of B-splines, with partial derivatives S_u
+// and S_t. It carries faces that lie on no plane, cylinder or other simple surface: surfaces that
+// an edge sweeps, and surfaces in which a face grazes the envelope (solid/sweep/swept_surface.h).
 // Units:   mm. Distances are exact. The surface is continued a little beyond its borders, so that
 // borders of faces do not lie at its end.
-// Cost:    O(samples) for a distance without a start, O(1) with one.
+// Cost:    O(samples) for a distance, O(1) if the parameters of a nearby point are known.
 // Source:  foot points by Newton's method with a damped step (Piegl and Tiller, section 6.1).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -17,8 +17,9 @@ namespace swept::step {
 
 class Sheet {
  public:
-  /// The nearest point of the surface, with the derivatives there. `isInside`: false if the point
-  /// lies at the end of the continuation; the connection to it then need not be perpendicular.
+  /// The nearest point of the surface, with the derivatives there. `isInside`: false if this point
+  /// lies at the end of the continuation. The line from the given point to it then need not be
+  /// perpendicular to the surface.
   struct Foot {
     double u = 0, t = 0;
     Eigen::Vector3d at, alongU, alongT;
@@ -46,7 +47,7 @@ class Sheet {
   const Eigen::Vector3d& pole(std::size_t i, std::size_t j) const {
     return poles_[i * t_.poleCount() + j];
   }
-  /// The same surface between these parameters.
+  /// Returns the same surface between these parameters.
   Sheet part(Range u, Range t) const;
 
  private:
@@ -57,7 +58,7 @@ class Sheet {
 
   Knots u_, t_;
   std::vector<Eigen::Vector3d> poles_;
-  Range roomU_, roomT_;  // ranges of the parameters, including the continuation
+  Range extendedU_, extendedT_;  // ranges of the parameters, including the continuation
   std::vector<double> sampleU_, sampleT_;
   std::vector<Eigen::Vector3d> samples_;
   double spacing_ = 0;  // mm, approximate distance between samples

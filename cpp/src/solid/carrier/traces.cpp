@@ -36,8 +36,8 @@ Vector3d onCubic(double a, const CurvePoint& p, double b, const CurvePoint& q, d
          h * w * m * (m * p.slope - w * q.slope);
 }
 
-// Adds the nodes of a spline between two parameters of one turn, with from < to. `shift` is added
-// to their parameters.
+// Appends the nodes of a spline between two of its parameters, 0 <= from < to <= 1. The parameters
+// of the nodes are increased by `shift`.
 void addNodes(const Curve& curve, double from, double to, double shift, std::vector<double>& at,
               std::vector<CurvePoint>& nodes) {
   constexpr double kMinKnotGap = 1e-7;

@@ -1,5 +1,5 @@
-// Traces: curves and points on a carrier that are known before anything is intersected. Functions
-// that use pieces of such curves as edges.
+// Traces: curves and points on a carrier that are known before any carriers are intersected.
+// Functions of this file cut pieces from such curves, which become edges.
 // In:      a curve and points near it.
 // Out:     parameters and pieces of the curve.
 // Units:   mm. Parameters as in curve.h.
@@ -30,12 +30,12 @@ bool isClosed(const Curve& curve);
 /// Returns the parameter of the point of the curve that is nearest to p.
 double nearestParameter(const Curve& curve, const Eigen::Vector3d& p);
 
-/// Returns the piece between two parameters; it runs backward if `to` is below `from`. On a closed
-/// curve, `to` may lie up to one turn beyond either end.
+/// Returns the piece of the curve between two parameters. It runs backward if `to` is below `from`.
+/// On a closed curve, `to` may lie up to one turn beyond either end.
 Curve pieceOf(const Curve& curve, double from, double to);
 
-/// Returns the piece along the points, from the first to the last one. These two must lie on the
-/// curve. Returns nothing if the piece would have no length.
+/// Returns the piece of the curve that runs along the points, from the first to the last one. These
+/// two must lie on the curve. Returns nothing if the piece would have no length.
 std::optional<Curve> pieceAlong(const Curve& curve, const std::vector<Eigen::Vector3d>& points);
 
 /// A point of a curve and its derivative.

@@ -46,7 +46,7 @@ gp_Dir dirOf(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
 
 // Returns the tolerance to store for a measured distance: slightly larger because of rounding, and
 // never below kKernelTolerance.
-double stated(double measured) { return std::max(kKernelTolerance, 1.01 * measured); }
+double storedTolerance(double measured) { return std::max(kKernelTolerance, 1.01 * measured); }
 
 // The knots of a B-spline in the form that the kernel expects.
 struct KernelKnots {
@@ -95,7 +95,7 @@ class BrepBuilder {
     vertices_.resize(model_.vertices.size());
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
       builder_.MakeVertex(vertices_[v], pointOf(model_.vertices[v].point),
-                          stated(model_.vertices[v].tolerance));
+                          storedTolerance(model_.vertices[v].tolerance));
     }
   }
 
@@ -159,7 +159,7 @@ class BrepBuilder {
       if (!((edge.curve.at(edge.curve.last / 2) - a).norm() > kKernelTolerance)) continue;
       try {
         TopoDS_Edge made;
-        builder_.MakeEdge(made, curveOf(edge.curve), stated(edge.tolerance));
+        builder_.MakeEdge(made, curveOf(edge.curve), storedTolerance(edge.tolerance));
         builder_.Add(made, vertices_[edge.start].Oriented(TopAbs_FORWARD));
         builder_.Add(made, vertices_[edge.end].Oriented(TopAbs_REVERSED));
         builder_.Range(made, 0, edge.curve.last);
@@ -190,8 +190,8 @@ class BrepBuilder {
     return reversed ? TopoDS::Face(made.Reversed()) : made;
   }
 
-  // Adds the curve of an edge in the parameters of the surface. Shifts it to the period in which
-  // the face lies.
+  // Adds the curve of an edge in the parameter plane of the surface. Shifts it to the period in
+  // which the face lies.
   void addParameterCurve(std::int32_t e, const Carrier& surface, const TopoDS_Face& face) {
     const Curve& curve = model_.edges[e].curve;
     const Handle(Geom_Surface) geometry = BRep_Tool::Surface(face);
@@ -211,7 +211,7 @@ class BrepBuilder {
     const double v =
         surface.kind == CarrierKind::Torus ? 2 * M_PI * periods(middle.Y(), surface.tubeMid) : 0;
     if (u != 0 || v != 0) flat->Translate(gp_Vec2d(u, v));
-    builder_.UpdateEdge(edges_[e], flat, face, stated(model_.edges[e].tolerance));
+    builder_.UpdateEdge(edges_[e], flat, face, storedTolerance(model_.edges[e].tolerance));
     ShapeFix_Edge().FixSameParameter(edges_[e]);
   }
 

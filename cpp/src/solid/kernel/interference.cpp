@@ -24,7 +24,7 @@ using Box = Eigen::AlignedBox3d;
 /// Distance in mm; faces nearer than this may touch.
 constexpr double kNear = 1e-5;
 
-// Returns points along the borders of a face. The inside of a curved face may lie outside the box
+// Returns points along the borders of a face. The interior of a curved face may lie outside the box
 // of these points, but by less than the size of the box. The callers add a margin for that.
 std::vector<Vector3d> pointsOf(const Model& model, const ModelFace& face) {
   constexpr int kSteps = 8;
@@ -39,30 +39,30 @@ std::vector<Vector3d> pointsOf(const Model& model, const ModelFace& face) {
   return points;
 }
 
-struct Known {
+struct Recognised {
   const Carrier* surface;
   Box box;
 };
 
 // Returns whether a face with these points may meet a recognised face. It cannot if their boxes do
 // not intersect, or if all its points lie on one side of the recognised surface.
-bool mayMeet(const std::vector<Vector3d>& points, const Box& box, const Known& known) {
-  if (!box.intersects(known.box)) return false;
+bool mayMeet(const std::vector<Vector3d>& points, const Box& box, const Recognised& recognised) {
+  if (!box.intersects(recognised.box)) return false;
   const double size = box.diagonal().norm();
   double low = 1e300, high = -1e300;
   for (const Vector3d& p : points) {
-    const double d = known.surface->distance(p);
+    const double d = recognised.surface->distance(p);
     low = std::min(low, d);
     high = std::max(high, d);
   }
-  const double slack = known.surface->isPlanar() ? kNear : 0.5 * size + kNear;
+  const double slack = recognised.surface->isPlanar() ? kNear : 0.5 * size + kNear;
   return low <= slack && high >= -slack;
 }
 
 std::vector<std::int32_t> facesNearPatches(const Model& model) {
   std::vector<std::vector<Vector3d>> points;
   std::vector<Box> boxes;
-  std::vector<Known> all;
+  std::vector<Recognised> all;
   for (const ModelFace& face : model.faces) {
     points.push_back(pointsOf(model, face));
     Box box;
@@ -75,8 +75,8 @@ std::vector<std::int32_t> facesNearPatches(const Model& model) {
   }
   std::vector<std::int32_t> near;
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
-    const bool isNear = std::any_of(all.begin(), all.end(), [&](const Known& one) {
-      return mayMeet(points[f], boxes[f], one);
+    const bool isNear = std::any_of(all.begin(), all.end(), [&](const Recognised& other) {
+      return mayMeet(points[f], boxes[f], other);
     });
     if (isNear) near.push_back(static_cast<std::int32_t>(f));
   }
@@ -117,7 +117,7 @@ std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, 
   return found;
 }
 
-std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep) {
+std::vector<EdgeCut> findEdgesOffFaces(const Model& model, const Brep& brep) {
   std::vector<std::vector<std::int32_t>> faces(model.edges.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     if (model.faces[f].surface.isPlanar()) continue;
@@ -125,7 +125,7 @@ std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep) {
       for (const ModelUse& use : loop) faces[use.edge].push_back(static_cast<std::int32_t>(f));
     }
   }
-  std::vector<EdgeCut> unheld;
+  std::vector<EdgeCut> found;
   for (std::size_t e = 0; e < faces.size(); ++e) {
     if (faces[e].empty() || brep.edges[e].IsNull()) continue;
     const TopoDS_Edge& edge = brep.edges[e];
@@ -141,9 +141,9 @@ std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep) {
       at = where;
     }
     if (largest > std::max(seen, Precision::Confusion()))
-      unheld.push_back({static_cast<std::int32_t>(e), at});
+      found.push_back({static_cast<std::int32_t>(e), at});
   }
-  return unheld;
+  return found;
 }
 
 }  // namespace swept::step

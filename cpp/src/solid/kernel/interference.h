@@ -23,6 +23,6 @@ std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, 
 /// Returns edges of curved faces that are farther from a face than a reader of the file would
 /// assume. A reader computes the tolerance of an edge from the distances at some of its points.
 /// Each entry has the curve parameter at which the distance is largest.
-std::vector<EdgeCut> findUnheldEdges(const Model& model, const Brep& brep);
+std::vector<EdgeCut> findEdgesOffFaces(const Model& model, const Brep& brep);
 
 }  // namespace swept::step

@@ -59,10 +59,10 @@ class Collector : public Message_Printer {
 };
 
 #if OCC_VERSION_HEX < 0x070900
-// Switches healing off for shapes that its own thread reads. The kernel still heals what other
-// threads read. The template passes on all arguments after the shape, because their number depends
-// on the version of the kernel.
-class AsItStands : public XSAlgo_AlgoContainer {
+// Switches healing off for shapes that the thread of its creation reads. The kernel still heals
+// what other threads read. The template passes on all arguments after the shape, because their
+// number depends on the version of the kernel.
+class NoHealing : public XSAlgo_AlgoContainer {
   using Base = XSAlgo_AlgoContainer;
   using Real = Standard_Real;
   using Text = Standard_CString;
@@ -116,7 +116,7 @@ struct KernelSession::State {
   Message_SequenceOfPrinters printers;
   Handle(Collector) collector;
 #if OCC_VERSION_HEX < 0x070900
-  Handle(AsItStands) asItStands;
+  Handle(NoHealing) noHealing;
 #endif
   std::vector<std::function<void()>> undo;
 };
@@ -146,12 +146,12 @@ void KernelSession::set(const char* name, const std::string& value) {
 
 void KernelSession::setHealing([[maybe_unused]] bool on) {
 #if OCC_VERSION_HEX < 0x070900
-  if (!state_->asItStands) {
+  if (!state_->noHealing) {
     state_->undo.push_back([old = XSAlgo::AlgoContainer()] { XSAlgo::SetAlgoContainer(old); });
-    state_->asItStands = new AsItStands;
-    XSAlgo::SetAlgoContainer(state_->asItStands);
+    state_->noHealing = new NoHealing;
+    XSAlgo::SetAlgoContainer(state_->noHealing);
   }
-  state_->asItStands->active = !on;
+  state_->noHealing->active = !on;
 #endif
 }
 

@@ -1,7 +1,7 @@
 // Gives one thread at a time access to the OpenCASCADE kernel, because its STEP settings and
 // messages are process-wide. A KernelSession holds the lock and makes the settings. It collects the
-// kernel's messages of its thread. Messages of other threads are passed on as before. The
-// destructor restores everything.
+// messages of kernel calls in its thread, and passes on messages of other threads as before. The
+// destructor restores the settings and the output of messages.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -22,8 +22,8 @@ class KernelSession {
 
   /// Sets a text option of the STEP translators until the end of the session.
   void set(const char* name, const std::string& value);
-  /// Sets whether the kernel heals the shapes that this thread reads. With false, they stay as they
-  /// are in the file until the end of the session. (Kernels from 7.9 on always heal.)
+  /// Sets whether the kernel heals the shapes that this thread reads, until the end of the session.
+  /// Without healing, shapes stay as they are in the file. (Kernels from 7.9 on always heal.)
   void setHealing(bool on);
   /// Returns the warnings and failures since the session began, in one line of at most a few
   /// hundred characters.

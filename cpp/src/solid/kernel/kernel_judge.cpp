@@ -35,12 +35,12 @@ constexpr double kExact = 1e-5;
 
 class KernelJudge : public Judge {
  public:
-  std::vector<std::int32_t> take(const Model& model, RunContext& run) override {
+  std::vector<std::int32_t> setModel(const Model& model, RunContext& run) override {
     brep_ = buildBrep(model, run);
     return brep_.failed;
   }
-  std::vector<EdgeCut> findUnheldEdges(const Model& model) override {
-    return step::findUnheldEdges(model, brep_);
+  std::vector<EdgeCut> findEdgesOffFaces(const Model& model) override {
+    return step::findEdgesOffFaces(model, brep_);
   }
   std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) override {
     return step::findBadFaces(brep_.faces, run, from, to);

@@ -88,8 +88,8 @@ std::optional<Corners> triangleOf(const TopoDS_Face& face) {
 
 // Returns the volume of the cone from `base` over the face of an extrusion; nothing for other
 // faces. The kernel's quadrature does not follow the spans of a spline and would be wrong by half a
-// percent. The contribution of a profile point does not depend on how far the point was extruded,
-// so an integral along the border suffices.
+// percent. The contribution of a point to the volume does not change along the direction of
+// extrusion, so an integral along the border suffices.
 std::optional<double> volumeUnderExtrusion(const TopoDS_Face& face, const gp_Pnt& base) {
   const auto surface = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(BRep_Tool::Surface(face));
   if (surface.IsNull()) return std::nullopt;
@@ -220,7 +220,7 @@ SolidCheck checkShape(const TopoDS_Shape& shape, RunContext& run, double from, d
   }
   const std::vector<std::int32_t> bad = findBadFaces(faces, run, from, (from + to) / 2);
   if (!bad.empty()) check.complaint = std::to_string(bad.size()) + " faces are not valid";
-  // The volume is computed relative to a point of the shape, because far from the origin it would
+  // The volume is computed relative to a point of the shape. Relative to a distant origin, it would
   // lose digits.
   gp_Pnt base;
   if (edgeMap.Extent() > 0) base = BRep_Tool::Pnt(TopExp::FirstVertex(TopoDS::Edge(edgeMap(1))));

@@ -39,9 +39,9 @@ namespace swept::step {
 namespace {
 
 [[noreturn]] void fail(const char* code, const std::string& what, const KernelSession* kernel) {
-  const std::string said = kernel != nullptr ? kernel->messages() : std::string();
+  const std::string messages = kernel != nullptr ? kernel->messages() : std::string();
   throw Error(Status::ExportFailed, code,
-              said.empty() ? what : what + " (OpenCASCADE: " + said + ")");
+              messages.empty() ? what : what + " (OpenCASCADE: " + messages + ")");
 }
 
 std::string systemReason(int error) {
@@ -97,7 +97,7 @@ TopoDS_Shape shapeOf(STEPControl_Reader& reader, const KernelSession& kernel, Ru
 
 ProductNames productNames(const STEPControl_Reader& reader) {
   ProductNames names;
-  // Number of solids in the smallest product found so far that contains the solid.
+  // For each solid: number of solids in the smallest product found so far that contains it.
   std::unordered_map<const TopoDS_TShape*, int> sizes;
   const Handle(StepData_StepModel) model = reader.StepModel();
   const Handle(Transfer_TransientProcess) transfers =

@@ -20,10 +20,10 @@ void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
                    const std::string& targetName, const StepOptions& options, KernelSession& kernel,
                    RunContext& run);
 /// Maps a solid to the name of its product (the innermost one in an assembly). The key is the shape
-/// without its location, because all instances of the solid share this.
+/// without its location, which is the same for all instances of the solid.
 using ProductNames = std::unordered_map<const TopoDS_TShape*, std::string>;
-/// Reads a shape with the default settings of the kernel, which then computes parameter curves and
-/// tolerances itself. `names`, unless null, receives the names of the solids.
+/// Reads a shape with the default settings of the kernel. The kernel then computes parameter curves
+/// and tolerances itself. `names`, unless null, receives the names of the solids.
 TopoDS_Shape readStepFile(const std::string& path, KernelSession& kernel, RunContext& run,
                           ProductNames* names = nullptr);
 /// Does the same with a text in memory.

@@ -27,10 +27,10 @@ void appendFace(const TopoDS_Face& face, std::int32_t number, TriMesh& mesh) {
   TopLoc_Location location;
   const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, location);
   if (part.IsNull()) return;
-  const gp_Trsf& place = location.Transformation();
+  const gp_Trsf& transform = location.Transformation();
   const auto first = static_cast<std::int32_t>(mesh.vertices.size());
   for (int i = 1; i <= part->NbNodes(); ++i) {
-    const gp_Pnt p = part->Node(i).Transformed(place);
+    const gp_Pnt p = part->Node(i).Transformed(transform);
     mesh.vertices.emplace_back(p.X(), p.Y(), p.Z());
   }
   const bool turned = face.Orientation() == TopAbs_REVERSED;
@@ -55,7 +55,8 @@ void checkStructure(const std::filesystem::path& file, const std::string& path) 
                   "; export the file again from the program that made it");
 }
 
-/// Decides by the suffix of the file. If the suffix is unknown, the first characters decide.
+/// Returns whether a file is a BREP file: by its suffix or, if this is unknown, by its first
+/// characters.
 bool isBrep(const std::filesystem::path& file) {
   const std::string suffix = suffixOf(utf8FromPath(file));
   if (suffix == "brep" || suffix == "brp") return true;

@@ -28,7 +28,7 @@ struct BodyEdge {
 /// The numbers of the faces are those of TriMesh::faceOf.
 struct BodyShape {
   std::vector<BodyFace> faces;
-  std::vector<BodyEdge> edges;  ///< without seams
+  std::vector<BodyEdge> edges;  ///< without seams of closed faces
 };
 
 }  // namespace swept

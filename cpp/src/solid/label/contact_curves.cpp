@@ -9,9 +9,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A surface slides along itself if the sine of its angle to the motion is below this.
-constexpr double kSlides = 1e-9;
-constexpr double kCurveError = 1e-8;  // mm
+/// Sine of the largest deviation at which a motion counts as parallel or perpendicular to the axis
+/// of a surface.
+constexpr double kAlignedSine = 1e-9;
+constexpr double kCurveError = 1e-8;  // mm: largest deviation of a contact curve
 
 // The range, along the axis of the surface, in which the edges of a face lie, with a margin.
 struct Extent {
@@ -29,20 +30,21 @@ Extent extentOf(const BodyShape& body, std::int32_t face) {
       extent.high = std::max(extent.high, along);
     }
   }
-  const double room = 0.02 * (extent.high - extent.low) + 1e-3;
-  return {extent.low - room, extent.high + room};
+  const double margin = 0.02 * (extent.high - extent.low) + 1e-3;
+  return {extent.low - margin, extent.high + margin};
 }
 
-std::vector<Curve> linesOf(const BodyShape& body, std::int32_t face, const Vector3d& way) {
+std::vector<Curve> linesOf(const BodyShape& body, std::int32_t face, const Vector3d& direction) {
   const Carrier& s = body.faces[face].surface;
-  const Vector3d across = s.axis.cross(way);
-  if (across.norm() < kSlides) return {};
+  const Vector3d across = s.axis.cross(direction);
+  if (across.norm() < kAlignedSine) return {};
   const Extent extent = extentOf(body, face);
   if (!(extent.high > extent.low)) return {};
-  // The normal cosine * radial - sine * axis is perpendicular to the motion.
+  // On these lines, the normal cosine * radial - sine * axis is perpendicular to the motion.
   const Vector3d x = across.normalized(), y = s.axis.cross(x);
-  const double wanted = s.kind == CarrierKind::Cone ? std::tan(s.halfAngle) * s.axis.dot(way) : 0;
-  const double ratio = wanted / y.dot(way);
+  const double wanted =
+      s.kind == CarrierKind::Cone ? std::tan(s.halfAngle) * s.axis.dot(direction) : 0;
+  const double ratio = wanted / y.dot(direction);
   if (!(std::abs(ratio) < 1)) return {};
   std::vector<Curve> lines;
   for (const double side : {-1.0, 1.0}) {
@@ -67,23 +69,25 @@ Curve circleOf(const Vector3d& centre, const Vector3d& axis, double radius) {
   return circle;
 }
 
-// Normal of the torus: cos(tube) * out(turn) + sin(tube) * axis.
-std::vector<Curve> torusCurves(const Carrier& s, const Vector3d& way) {
+// With the angles `turn` about the axis and `tube` about the centre circle, the normal of a torus
+// is cos(tube) * out(turn) + sin(tube) * axis. On contact curves, it is perpendicular to the
+// motion.
+std::vector<Curve> torusCurves(const Carrier& s, const Vector3d& direction) {
   const Vector3d x = anyOrthogonal(s.axis), y = s.axis.cross(x);
-  const double up = s.axis.dot(way);
+  const double up = s.axis.dot(direction);
   std::vector<Curve> curves;
-  if (std::abs(up) < kSlides) {
+  if (std::abs(up) < kAlignedSine) {
     for (const double side : {-1.0, 1.0}) {
       curves.push_back(circleOf(s.point + side * s.minor * s.axis, s.axis, s.radius));
-      curves.push_back(
-          circleOf(s.point + side * s.radius * s.axis.cross(way).normalized(), way, s.minor));
+      curves.push_back(circleOf(s.point + side * s.radius * s.axis.cross(direction).normalized(),
+                                direction, s.minor));
     }
     return curves;
   }
   for (const double side : {-1.0, 1.0}) {
     const auto at = [&](double turn) {
       const Vector3d out = std::cos(turn) * x + std::sin(turn) * y;
-      const double tube = std::atan2(-side * out.dot(way), side * up);
+      const double tube = std::atan2(-side * out.dot(direction), side * up);
       return Vector3d(s.point + (s.radius + s.minor * std::cos(tube)) * out +
                       s.minor * std::sin(tube) * s.axis);
     };
@@ -104,43 +108,44 @@ std::vector<Curve> torusCurves(const Carrier& s, const Vector3d& way) {
 
 }  // namespace
 
-bool slidesAlong(const Carrier& surface, const Vector3d& way) {
-  if (surface.kind == CarrierKind::Plane) return std::abs(surface.axis.dot(way)) < 1e-8;
-  return surface.kind == CarrierKind::Cylinder && surface.axis.cross(way).norm() < 1e-8;
+bool slidesAlong(const Carrier& surface, const Vector3d& direction) {
+  if (surface.kind == CarrierKind::Plane) return std::abs(surface.axis.dot(direction)) < 1e-8;
+  return surface.kind == CarrierKind::Cylinder && surface.axis.cross(direction).norm() < 1e-8;
 }
 
-std::vector<Curve> contactCurves(const BodyShape& body, std::int32_t face, const Vector3d& way) {
+std::vector<Curve> contactCurves(const BodyShape& body, std::int32_t face,
+                                 const Vector3d& direction) {
   const Carrier& s = body.faces[face].surface;
-  if (slidesAlong(s, way)) return {};
+  if (slidesAlong(s, direction)) return {};
   switch (s.kind) {
     case CarrierKind::Cylinder:
     case CarrierKind::Cone:
-      return linesOf(body, face, way);
+      return linesOf(body, face, direction);
     case CarrierKind::Sphere:
-      return {circleOf(s.point, way, s.radius)};
+      return {circleOf(s.point, direction, s.radius)};
     case CarrierKind::Torus:
-      return torusCurves(s, way);
+      return torusCurves(s, direction);
     default:
       return {};
   }
 }
 
 std::vector<Vector3d> contactPoints(const Curve& curve, const Carrier& surface,
-                                    const Vector3d& way) {
-  if (surface.kind == CarrierKind::Facet || surface.isPlanar() || slidesAlong(surface, way))
+                                    const Vector3d& direction) {
+  if (surface.kind == CarrierKind::Facet || surface.isPlanar() || slidesAlong(surface, direction))
     return {};
-  const auto against = [&](double t) { return surface.normal(curve.at(t)).dot(way); };
+  const auto normalSpeed = [&](double t) { return surface.normal(curve.at(t)).dot(direction); };
   constexpr int kSteps = 64;
   constexpr double kZero = 1e-9;
   std::vector<Vector3d> points;
-  double before = against(0);
+  double before = normalSpeed(0);
   for (int i = 1; i <= kSteps; ++i) {
-    const double now = against(curve.last * i / kSteps);
+    const double now = normalSpeed(curve.last * i / kSteps);
     if (std::abs(before) > kZero && std::abs(now) > kZero && before * now < 0) {
       double low = curve.last * (i - 1) / kSteps, high = curve.last * i / kSteps;
       for (int round = 0; round < 60; ++round) {
         const double middle = 0.5 * (low + high);
-        (against(middle) * before > 0 ? low : high) = middle;
+        (normalSpeed(middle) * before > 0 ? low : high) = middle;
       }
       points.push_back(curve.at(0.5 * (low + high)));
     } else if (std::abs(now) <= kZero && i < kSteps && std::abs(before) > kZero) {

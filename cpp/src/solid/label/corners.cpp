@@ -12,20 +12,20 @@ class Corners : LabelTools {
   using LabelTools::LabelTools;
 
   // The carriers of three regions that meet at a vertex of the mesh should have a common point. If
-  // they have none, the true surface has no border between two of the regions: the shortest of the
-  // three borders is an error of the labels. Gives the triangles along it to the third region.
-  bool coverShortBorders() {
-    return anyVertex([this](std::int32_t h) { return coverAt(h); });
+  // they have none, two of the exact faces have no common border, and the shortest of the three
+  // borders is an error of the labels. Gives the triangles along this border to the third region.
+  bool removeShortBorders() {
+    return anyVertex([this](std::int32_t h) { return removeShortBorderAt(h); });
   }
 
-  bool coverAt(std::int32_t first) {
+  bool removeShortBorderAt(std::int32_t first) {
     std::vector<std::int32_t> borders;
     std::int32_t h = first;
     do {
       if (isBorder(h)) borders.push_back(h);
       h = mesh_.opposite[HalfEdgeMesh::previous(h)];
     } while (h != first);
-    if (borders.size() == 4) return partAt(borders);
+    if (borders.size() == 4) return separateAt(borders);
     if (borders.size() != 3) return false;
     const std::vector<std::int32_t> around{of_[borders[0] / 3], of_[borders[1] / 3],
                                            of_[borders[2] / 3]};
@@ -38,7 +38,7 @@ class Corners : LabelTools {
       std::vector<std::int32_t> chain = chainFrom(border);
       if (shortest.empty() || chain.size() < shortest.size()) shortest = std::move(chain);
     }
-    if (shortest.size() > kLongestCover) return false;
+    if (shortest.size() > kMaxShortBorder) return false;
     std::int32_t third = kNone;
     for (const std::int32_t n : around) {
       if (n != of_[shortest.front() / 3] && n != of_[mesh_.opposite[shortest.front()] / 3])
@@ -56,9 +56,9 @@ class Corners : LabelTools {
   }
 
   // Four regions rarely meet at one point. If their carriers have no common point, two opposite
-  // regions must be neighbours there. Joins that pair whose carriers have a common point with the
-  // carrier of each of the other two regions.
-  bool partAt(const std::vector<std::int32_t>& borders) {
+  // regions must be neighbours there. Makes neighbours of the pair whose carriers have a common
+  // point with the carrier of each of the other two regions.
+  bool separateAt(const std::vector<std::int32_t>& borders) {
     std::vector<std::int32_t> around;
     for (const std::int32_t h : borders) around.push_back(of_[h / 3]);
     if (*std::min_element(around.begin(), around.end()) < 0) return false;
@@ -78,8 +78,8 @@ class Corners : LabelTools {
   }
 
   // Removes the labels around vertices at which the carriers of the regions have no common point.
-  // These triangles are open ground: they become facets.
-  void openBadCorners() {
+  // These triangles become facets.
+  void unlabelBadCorners() {
     std::vector<char> bad(mesh_.points.size(), 0), seen(mesh_.points.size(), 0);
     for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
       const auto first = static_cast<std::int32_t>(h);
@@ -108,7 +108,7 @@ class Corners : LabelTools {
     }
   }
 
-  void openAround(const std::vector<Vector3d>& open) {
+  void unlabelAround(const std::vector<Vector3d>& open) {
     if (open.empty()) return;
     const double cell = 1.5 * spacing_;
     using Key = std::array<std::int64_t, 3>;
@@ -133,12 +133,12 @@ class Corners : LabelTools {
 
 }  // namespace
 
-bool mendCorners(Labels& labels) { return Corners(labels).coverShortBorders(); }
+bool mendCorners(Labels& labels) { return Corners(labels).removeShortBorders(); }
 
-void openGround(const std::vector<Eigen::Vector3d>& around, Labels& labels) {
+void makeFacets(const std::vector<Eigen::Vector3d>& around, Labels& labels) {
   Corners corners(labels);
-  corners.openBadCorners();
-  corners.openAround(around);
+  corners.unlabelBadCorners();
+  corners.unlabelAround(around);
 }
 
 }  // namespace swept::step

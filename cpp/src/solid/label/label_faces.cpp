@@ -12,7 +12,7 @@
 namespace swept::step {
 namespace {
 
-// Returns the mean length of the edges of triangles.
+// Returns the approximate mean length of the edges of the triangles.
 double spacingOf(const HalfEdgeMesh& mesh) {
   return std::sqrt(2 * mesh.area / static_cast<double>(mesh.triangles.size()));
 }
@@ -106,7 +106,7 @@ Partition labelFaces(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double
     const bool tidied = tidyRegions(labels), mended = mendCorners(labels);
     if (!tidied && !mended) break;
   }
-  if (!open.empty()) openGround(open, labels);
+  if (!open.empty()) makeFacets(open, labels);
   Partition partition = Parts(labels).make(labels);
   cutRoundPatches(mesh, partition);
   return partition;

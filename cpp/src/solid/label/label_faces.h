@@ -1,4 +1,4 @@
-// Divides the mesh of an envelope into faces by what made its triangles, instead of guessing.
+// Divides the mesh of an envelope into faces by the sources of its triangles.
 // In:      the mesh, the sources of its triangles, the body's faces and edges, the trajectory.
 // Out:     a Partition whose patches lie on exact carriers. Triangles that no carrier explains stay
 //          unassigned. If they are more than half, there are no patches.
@@ -23,8 +23,8 @@
 namespace swept::step {
 
 /// `tolerance`: mm, how far a face may lie from the points that it explains. `open`: points around
-/// which triangles get no carrier and become facets. If there are any, this also applies around
-/// vertices at which the carriers have no common point.
+/// which triangles get no carrier and become facets. If `open` is not empty, this also applies
+/// around vertices at which the carriers have no common point.
 Partition labelFaces(const HalfEdgeMesh& mesh, const SolidOrigin& origin, double tolerance,
                      const std::vector<Eigen::Vector3d>& open, RunContext& run);
 

@@ -18,6 +18,6 @@ bool mendCorners(Labels& labels);
 
 /// Removes the labels around vertices that could not be mended, and around the given points. These
 /// triangles become facets.
-void openGround(const std::vector<Eigen::Vector3d>& around, Labels& labels);
+void makeFacets(const std::vector<Eigen::Vector3d>& around, Labels& labels);
 
 }  // namespace swept::step

@@ -1,5 +1,6 @@
-// What all steps of the labelling share: the mesh, the carrier of each triangle, and questions
-// about borders between regions of equal carriers. Units:   mm.
+// Data and queries that all steps of the labelling use: the mesh, the carrier of each triangle, and
+// the borders between regions of equal carriers.
+// Units:   mm.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,11 +18,12 @@ namespace swept::step {
 
 struct Labels {
   const HalfEdgeMesh& mesh;
-  double tolerance;  ///< mm, how far a face may lie from the points that it explains
+  double tolerance;  ///< mm, how far a face may lie from the points of its triangles
   double spacing;    ///< mm, mean length of the edges of triangles
   SweptCarriers known;
-  std::vector<std::int32_t> of;         ///< by triangle: number of its carrier, or -1
-  std::vector<Eigen::Vector3d> points;  ///< by triangle: its crossing, else its centre
+  std::vector<std::int32_t> of;  ///< by triangle: number of its carrier, or -1
+  /// by triangle: the crossing that it comes from, else its centre
+  std::vector<Eigen::Vector3d> points;
 };
 
 class LabelTools {
@@ -37,7 +39,7 @@ class LabelTools {
  protected:
   using Vector3d = Eigen::Vector3d;
   static constexpr std::int32_t kNone = -1;
-  /// mm: how exactly a point must lie on carriers that meet there.
+  /// mm: largest distance of a common point of carriers from each of them.
   static constexpr double kMeet = 1e-5;
 
   const Carrier& carrier(std::int32_t n) const { return known_.carriers()[n]; }
@@ -51,7 +53,7 @@ class LabelTools {
 
   bool isBorder(std::int32_t h) const { return of_[h / 3] != of_[mesh_.opposite[h] / 3]; }
 
-  // Calls visit(half-edge that starts there) for each vertex of the mesh. Returns whether one of
+  // Calls visit() with one half-edge that starts at each vertex of the mesh. Returns whether one of
   // the calls returned true.
   template <class Visit>
   bool anyVertex(const Visit& visit) const {
@@ -77,11 +79,12 @@ class LabelTools {
     return fan;
   }
 
-  // Returns the half-edges of the border between the two regions at h: h and those after it.
+  // Returns the half-edges of the border between the two regions at h: h and those after it, until
+  // other regions follow or the limit of the length is exceeded.
   std::vector<std::int32_t> chainFrom(std::int32_t h) const {
     const std::int32_t left = of_[h / 3], right = of_[mesh_.opposite[h] / 3];
     std::vector<std::int32_t> chain{h};
-    while (chain.size() <= kLongestCover) {
+    while (chain.size() <= kMaxShortBorder) {
       std::int32_t n = HalfEdgeMesh::next(chain.back());
       while (!isBorder(n)) n = HalfEdgeMesh::next(mesh_.opposite[n]);
       if (of_[n / 3] != left || of_[mesh_.opposite[n] / 3] != right || n == h) break;
@@ -90,12 +93,12 @@ class LabelTools {
     return chain;
   }
 
-  static constexpr std::size_t kLongestCover = 24;
+  static constexpr std::size_t kMaxShortBorder = 24;
 
   bool meetAll(const Vector3d& near, const std::vector<std::int32_t>& around) const {
     std::vector<const Carrier*> all;
     for (const std::int32_t n : around) all.push_back(&carrier(n));
-    if (knownPlace(near, all, 4 * spacing_)) return true;
+    if (knownPoint(near, all, 4 * spacing_)) return true;
     const Vector3d p = meetingPoint(near, all);
     if (!((p - near).norm() <= 6 * spacing_)) return false;
     return std::all_of(all.begin(), all.end(),
@@ -103,8 +106,8 @@ class LabelTools {
   }
 
   struct Regions {
-    std::vector<std::int32_t> of;                      // by triangle
-    std::vector<std::vector<std::int32_t>> triangles;  // by region
+    std::vector<std::int32_t> of;                      // by triangle: index of its region
+    std::vector<std::vector<std::int32_t>> triangles;  // by region: its triangles
   };
   Regions regions() const {
     Regions found;

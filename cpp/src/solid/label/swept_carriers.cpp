@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 /// Sine of the angle below which two directions count as parallel.
 constexpr double kParallel = 1e-9;
-/// mm: surfaces that differ by less are one.
+/// mm: surfaces that differ by less are treated as one.
 constexpr double kSame = 1e-6;
 /// mm: accuracy of a profile.
 constexpr double kProfileError = 1e-8;
@@ -127,7 +127,7 @@ std::vector<Curve> withoutCusps(const Curve& spline, const Vector3d& axis) {
   return pieces;
 }
 
-Carrier extrusionOf(const Curve& spline, const Vector3d& axis, double room) {
+Carrier extrusionOf(const Curve& spline, const Vector3d& axis, double extension) {
   Carrier carrier;
   carrier.kind = CarrierKind::Extrusion;
   carrier.point = spline.at(0);
@@ -148,16 +148,16 @@ Carrier extrusionOf(const Curve& spline, const Vector3d& axis, double room) {
   const bool closed =
       (nodes.front().at - nodes.back().at).norm() < 1e-7 && (first - last).norm() < 1e-3;
   if (closed) nodes.back() = {nodes.front().at, nodes.front().slope, nodes.back().knot};
-  carrier.profile = std::make_shared<const Profile>(std::move(nodes), closed, room);
+  carrier.profile = std::make_shared<const Profile>(std::move(nodes), closed, extension);
   return carrier;
 }
 
 }  // namespace
 
-SweptCarriers::SweptCarriers(const BodyShape& body, const Trajectory& trajectory, double room)
-    : body_(body), trajectory_(trajectory), room_(room) {}
+SweptCarriers::SweptCarriers(const BodyShape& body, const Trajectory& trajectory, double extension)
+    : body_(body), trajectory_(trajectory), extension_(extension) {}
 
-SweptCarriers::Place SweptCarriers::placeAt(std::int32_t pose) const {
+SweptCarriers::Placement SweptCarriers::placementAt(std::int32_t pose) const {
   const Pose& at = trajectory_.poses[static_cast<std::size_t>(pose)];
   return {at.rotation.toRotationMatrix(), at.translation};
 }
@@ -166,19 +166,19 @@ bool SweptCarriers::isStraight(std::int32_t step) const {
   if (step < 0 || step + 1 >= std::ssize(trajectory_.poses) ||
       trajectory_.interpolation == Interpolation::None)
     return false;
-  const Place from = placeAt(step), to = placeAt(step + 1);
+  const Placement from = placementAt(step), to = placementAt(step + 1);
   return (from.rotation - to.rotation).norm() < 1e-12 && (from.shift - to.shift).norm() > kSame;
 }
 
-Vector3d SweptCarriers::wayInBody(std::int32_t step) const {
-  const Place from = placeAt(step);
-  return from.rotation.transpose() * (placeAt(step + 1).shift - from.shift);
+Vector3d SweptCarriers::directionInBody(std::int32_t step) const {
+  const Placement from = placementAt(step);
+  return from.rotation.transpose() * (placementAt(step + 1).shift - from.shift);
 }
 
 const std::vector<std::int32_t>& SweptCarriers::carriersOf(const SurfaceSource& source) {
   const Label label{static_cast<int>(source.kind), source.faces[0], source.faces[1], source.step};
-  const auto [it, fresh] = known_.try_emplace(label);
-  if (!fresh) return it->second;
+  const auto [it, isNew] = known_.try_emplace(label);
+  if (!isNew) return it->second;
   std::vector<std::int32_t> found;
   const auto take = [&](const std::vector<std::int32_t>& more) {
     found.insert(found.end(), more.begin(), more.end());
@@ -206,8 +206,8 @@ const std::vector<std::int32_t>& SweptCarriers::carriersOf(const SurfaceSource& 
 
 const std::vector<std::int32_t>& SweptCarriers::made(Made what, std::int32_t element,
                                                      std::int32_t step) {
-  const auto [it, fresh] = made_.try_emplace({static_cast<int>(what), element, step});
-  if (!fresh) return it->second;
+  const auto [it, isNew] = made_.try_emplace({static_cast<int>(what), element, step});
+  if (!isNew) return it->second;
   std::vector<std::int32_t>& to = it->second;
   if (what == Made::Cap) addCap(element, step, to);
   if (what == Made::Edge) addSwept(element, step, to);
@@ -218,31 +218,34 @@ const std::vector<std::int32_t>& SweptCarriers::made(Made what, std::int32_t ele
 void SweptCarriers::addCap(std::int32_t face, std::int32_t pose, std::vector<std::int32_t>& to) {
   const Carrier& surface = body_.faces[face].surface;
   if (surface.kind == CarrierKind::Facet) return;
-  const Place place = placeAt(pose);
+  const Placement placement = placementAt(pose);
   Traces traces;
-  for (const std::int32_t e : body_.faces[face].edges) traceEdge(body_.edges[e], place, traces);
+  for (const std::int32_t e : body_.faces[face].edges) traceEdge(body_.edges[e], placement, traces);
   for (const std::int32_t step : {pose - 1, pose}) {
     if (!isStraight(step)) continue;
-    const Vector3d way = wayInBody(step).normalized();
-    for (const Curve& curve : contactCurves(body_, face, way))
-      traces.curves.push_back(moved(curve, place.rotation, place.shift));
+    const Vector3d direction = directionInBody(step).normalized();
+    for (const Curve& curve : contactCurves(body_, face, direction))
+      traces.curves.push_back(moved(curve, placement.rotation, placement.shift));
     for (const std::int32_t e : body_.faces[face].edges) {
-      for (const Vector3d& p : contactsOn(e, face, way)) traces.points.push_back(place(p));
+      for (const Vector3d& p : contactsOn(e, face, direction))
+        traces.points.push_back(placement(p));
     }
   }
-  to.push_back(add(placed(surface, place.rotation, place.shift), traces));
+  to.push_back(add(placed(surface, placement.rotation, placement.shift), traces));
 }
 
-void SweptCarriers::traceEdge(const BodyEdge& edge, const Place& place, Traces& traces) const {
-  traces.curves.push_back(moved(edge.curve, place.rotation, place.shift));
+void SweptCarriers::traceEdge(const BodyEdge& edge, const Placement& placement,
+                              Traces& traces) const {
+  traces.curves.push_back(moved(edge.curve, placement.rotation, placement.shift));
   if (isClosed(edge.curve)) return;
-  for (const double t : {0.0, edge.curve.last}) traces.points.push_back(place(edge.curve.at(t)));
+  for (const double t : {0.0, edge.curve.last})
+    traces.points.push_back(placement(edge.curve.at(t)));
 }
 
 void SweptCarriers::tracePoints(const std::vector<Vector3d>& points, std::int32_t step,
                                 Traces& traces) const {
   for (const Vector3d& p : points) {
-    const Vector3d from = placeAt(step)(p), to = placeAt(step + 1)(p);
+    const Vector3d from = placementAt(step)(p), to = placementAt(step + 1)(p);
     traces.points.push_back(from);
     traces.points.push_back(to);
     traces.curves.push_back(lineThrough(from, to));
@@ -250,21 +253,21 @@ void SweptCarriers::tracePoints(const std::vector<Vector3d>& points, std::int32_
 }
 
 std::vector<Vector3d> SweptCarriers::contactsOn(std::int32_t edge, std::int32_t face,
-                                                const Vector3d& way) const {
-  return contactPoints(body_.edges[edge].curve, body_.faces[face].surface, way);
+                                                const Vector3d& direction) const {
+  return contactPoints(body_.edges[edge].curve, body_.faces[face].surface, direction);
 }
 
 void SweptCarriers::addSwept(std::int32_t edge, std::int32_t step, std::vector<std::int32_t>& to) {
   const BodyEdge& made = body_.edges[edge];
-  const Vector3d way = wayInBody(step).normalized();
+  const Vector3d direction = directionInBody(step).normalized();
   Traces traces;
-  traceEdge(made, placeAt(step), traces);
-  traceEdge(made, placeAt(step + 1), traces);
+  traceEdge(made, placementAt(step), traces);
+  traceEdge(made, placementAt(step + 1), traces);
   std::vector<Vector3d> points;
   if (!isClosed(made.curve)) points = {made.curve.at(0), made.curve.at(made.curve.last)};
   for (const std::int32_t face : made.faces) {
     if (face < 0) continue;
-    for (const Vector3d& p : contactsOn(edge, face, way)) points.push_back(p);
+    for (const Vector3d& p : contactsOn(edge, face, direction)) points.push_back(p);
   }
   tracePoints(points, step, traces);
   sweepCurve(made.curve, step, to, traces);
@@ -272,8 +275,8 @@ void SweptCarriers::addSwept(std::int32_t edge, std::int32_t step, std::vector<s
 
 void SweptCarriers::addGraze(std::int32_t face, std::int32_t step, std::vector<std::int32_t>& to) {
   const Carrier& surface = body_.faces[face].surface;
-  const Vector3d way = wayInBody(step).normalized();
-  if (slidesAlong(surface, way)) {
+  const Vector3d direction = directionInBody(step).normalized();
+  if (slidesAlong(surface, direction)) {
     for (const std::int32_t pose : {step, step + 1}) {
       for (const std::int32_t carrier : made(Made::Cap, face, pose)) to.push_back(carrier);
     }
@@ -282,20 +285,20 @@ void SweptCarriers::addGraze(std::int32_t face, std::int32_t step, std::vector<s
       const Curve& curve = body_.edges[e].curve;
       if (!isClosed(curve)) tracePoints({curve.at(0), curve.at(curve.last)}, step, paths);
     }
-    const Place place = placeAt(step);
-    if (!to.empty()) add(placed(surface, place.rotation, place.shift), paths);
+    const Placement placement = placementAt(step);
+    if (!to.empty()) add(placed(surface, placement.rotation, placement.shift), paths);
     sortUnique(to);
     return;
   }
   std::vector<Vector3d> points;
   for (const std::int32_t e : body_.faces[face].edges) {
-    for (const Vector3d& p : contactsOn(e, face, way)) points.push_back(p);
+    for (const Vector3d& p : contactsOn(e, face, direction)) points.push_back(p);
   }
-  for (const Curve& curve : contactCurves(body_, face, way)) {
+  for (const Curve& curve : contactCurves(body_, face, direction)) {
     Traces traces;
     for (const std::int32_t pose : {step, step + 1}) {
-      const Place place = placeAt(pose);
-      traces.curves.push_back(moved(curve, place.rotation, place.shift));
+      const Placement placement = placementAt(pose);
+      traces.curves.push_back(moved(curve, placement.rotation, placement.shift));
     }
     tracePoints(points, step, traces);
     sweepCurve(curve, step, to, traces);
@@ -304,31 +307,32 @@ void SweptCarriers::addGraze(std::int32_t face, std::int32_t step, std::vector<s
 
 void SweptCarriers::sweepCurve(const Curve& curve, std::int32_t step, std::vector<std::int32_t>& to,
                                const Traces& traces) {
-  const Place place = placeAt(step);
-  const Vector3d way = wayInBody(step).normalized();
+  const Placement placement = placementAt(step);
+  const Vector3d direction = directionInBody(step).normalized();
   const auto take = [&](const Carrier& carrier) {
-    to.push_back(add(placed(carrier, place.rotation, place.shift), traces));
+    to.push_back(add(placed(carrier, placement.rotation, placement.shift), traces));
   };
   if (curve.kind == CurveKind::Line) {
-    const Vector3d normal = curve.axis.cross(way);
+    const Vector3d normal = curve.axis.cross(direction);
     if (normal.norm() > kParallel) take(planeThrough(curve.start, normal));
     return;
   }
-  if (curve.kind == CurveKind::Circle && areParallel(curve.axis, way)) {
+  if (curve.kind == CurveKind::Circle && areParallel(curve.axis, direction)) {
     Carrier cylinder;
     cylinder.kind = CarrierKind::Cylinder;
     cylinder.point = curve.start;
-    cylinder.axis = way;
+    cylinder.axis = direction;
     cylinder.radius = curve.radius;
     take(cylinder);
     return;
   }
   const Curve spline = asSpline(curve, kProfileError);
-  if (const auto plane = planeAlong(spline, way)) {
+  if (const auto plane = planeAlong(spline, direction)) {
     take(*plane);
     return;
   }
-  for (const Curve& piece : withoutCusps(spline, way)) take(extrusionOf(piece, way, room_));
+  for (const Curve& piece : withoutCusps(spline, direction))
+    take(extrusionOf(piece, direction, extension_));
 }
 
 std::int32_t SweptCarriers::add(const Carrier& carrier, const Traces& traces) {

@@ -11,12 +11,12 @@ class Tidier : LabelTools {
   using LabelTools::LabelTools;
 
   bool tidy() {
-    const bool joined = joinSmall(), closed = closeStrips(), parted = untouch();
-    return joined || closed || parted;
+    const bool joined = joinSmall(), closed = closeStrips(), separated = removeSelfContacts();
+    return joined || closed || separated;
   }
 
  private:
-  // Gives small regions to the neighbour that explains their points best, smallest first.
+  // Gives small regions to the neighbour whose carrier is nearest to their points, smallest first.
   bool joinSmall() {
     const Regions all = regions();
     std::vector<std::int32_t> order(all.triangles.size());
@@ -46,12 +46,13 @@ class Tidier : LabelTools {
     }
     sortUnique(beside);
     std::int32_t best = kNone;
-    // An island within another region is noise if that region explains it.
-    if (beside.size() == 1 && own >= 0 && worstOff(members, beside[0]) <= tolerance_)
+    // A region with a single neighbour is noise if its points lie within the tolerance of the
+    // neighbour's carrier.
+    if (beside.size() == 1 && own >= 0 && largestResidual(members, beside[0]) <= tolerance_)
       best = beside[0];
     double smallest = own < 0 && members.size() <= kSpeck ? 1e300 : joinLimit();
     for (const std::int32_t n : beside) {
-      const double worst = worstOff(members, n);
+      const double worst = largestResidual(members, n);
       if (worst >= smallest) continue;
       smallest = worst;
       best = n;
@@ -60,7 +61,7 @@ class Tidier : LabelTools {
     for (const std::int32_t t : members) of_[t] = best;
     return true;
   }
-  double worstOff(const std::vector<std::int32_t>& members, std::int32_t n) const {
+  double largestResidual(const std::vector<std::int32_t>& members, std::int32_t n) const {
     double worst = 0;
     for (const std::int32_t t : members) worst = std::max(worst, residual(t, n));
     return worst;
@@ -68,14 +69,14 @@ class Tidier : LabelTools {
   double joinLimit() const { return std::min(0.5 * tolerance_, 0.3 * spacing_); }
 
   // A region can touch itself at a vertex: around this vertex, the region has two separate fans of
-  // triangles, with fans of other regions between them. Of the fans between that lie near the
-  // region's carrier, the smallest joins the region. Afterwards narrow strips are connected, and no
-  // border touches itself.
-  bool untouch() {
-    return anyVertex([this](std::int32_t h) { return untouchAt(h); });
+  // triangles, with fans of other regions between them. Of these other fans, those near the
+  // region's carrier are candidates, and the smallest candidate joins the region. Afterwards narrow
+  // strips are connected, and no border touches itself.
+  bool removeSelfContacts() {
+    return anyVertex([this](std::int32_t h) { return removeSelfContactAt(h); });
   }
 
-  bool untouchAt(std::int32_t first) {
+  bool removeSelfContactAt(std::int32_t first) {
     // Fans of equal carriers around the vertex, in order.
     std::vector<std::vector<std::int32_t>> fans;
     std::int32_t h = first;
@@ -107,8 +108,8 @@ class Tidier : LabelTools {
   }
 
   // If two regions touch where their carriers do not meet, a narrow strip of a third surface lies
-  // between them, which has too few crossings to be connected. Gives the triangles along the border
-  // to that surface.
+  // between them. The strip has too few crossings to be connected. Gives the triangles along the
+  // border to that surface.
   bool closeStrips() {
     std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int32_t>> borders;
     for (std::size_t h = 0; h < mesh_.opposite.size(); ++h) {
@@ -120,7 +121,7 @@ class Tidier : LabelTools {
       for (const std::int32_t h : halfEdges) {
         const Vector3d middle = (mesh_.points[mesh_.origin(h)] + mesh_.points[mesh_.target(h)]) / 2;
         if (meet(middle, pair.first, pair.second)) continue;
-        const std::int32_t between = strip(h, middle, pair.first, pair.second);
+        const std::int32_t between = stripCarrier(h, middle, pair.first, pair.second);
         if (between < 0) continue;
         for (const std::int32_t t : {h / 3, mesh_.opposite[h] / 3}) of_[t] = between;
         changed = true;
@@ -142,7 +143,8 @@ class Tidier : LabelTools {
   }
 
   // Returns a carrier near this half-edge that meets the carriers a and b; kNone if there is none.
-  std::int32_t strip(std::int32_t h, const Vector3d& middle, std::int32_t a, std::int32_t b) const {
+  std::int32_t stripCarrier(std::int32_t h, const Vector3d& middle, std::int32_t a,
+                            std::int32_t b) const {
     constexpr std::size_t kRing = 60;
     std::vector<std::int32_t> ring{h / 3, mesh_.opposite[h] / 3}, beside;
     for (std::size_t i = 0; i < ring.size() && ring.size() < kRing; ++i) {

@@ -15,8 +15,8 @@ namespace {
 using Eigen::Vector3d;
 
 // Spacing of sample points, in tolerances. It is larger than for envelopes, because the solid later
-// gets new vertices where it is too far from the mesh. The distance of facets from the mesh is not
-// measured afterwards. With 1.5, the gripper test mesh moved over 34 keys takes an eighth more time
+// gets new vertices where the mesh is too far from it. (The distance of the facets from the mesh is
+// not measured then.) With 1.5, the gripper test mesh moved over 34 keys takes an eighth more time
 // and gets a fiftieth more facets.
 constexpr double kCoarseness = 5;
 
@@ -100,7 +100,7 @@ class Decimator {
       const Vector3d moved = meetingPoint(state_.mesh.vertices[v], surfaces);
       const double off = (moved - state_.mesh.vertices[v]).norm();
       if (off <= 1e-9 || !(off <= state_.tolerance) ||
-          !holdsAttached(around[v], static_cast<std::int32_t>(v), moved))
+          !keepsAttachedNear(around[v], static_cast<std::int32_t>(v), moved))
         continue;
       state_.attached[open].push_back(state_.mesh.vertices[v]);
       state_.mesh.vertices[v] = moved;
@@ -108,16 +108,16 @@ class Decimator {
   }
 
   // Returns whether the points attached to triangles around v stay near these triangles if v moves
-  // to `place`.
-  bool holdsAttached(const std::vector<std::int32_t>& around, std::int32_t v,
-                     const Vector3d& place) const {
+  // to `position`.
+  bool keepsAttachedNear(const std::vector<std::int32_t>& around, std::int32_t v,
+                         const Vector3d& position) const {
     const double limit = state_.tolerance * state_.tolerance;
     for (const std::int32_t t : around) {
       if (state_.label[t] >= 0) continue;
       std::array<Vector3d, 3> c;
       for (int k = 0; k < 3; ++k) {
         const std::int32_t w = state_.mesh.triangles[t][k];
-        c[k] = w == v ? place : state_.mesh.vertices[w];
+        c[k] = w == v ? position : state_.mesh.vertices[w];
       }
       for (const Vector3d& p : state_.attached[t]) {
         if (!(squaredDistance(p, c[0], c[1], c[2]) <= limit)) return false;

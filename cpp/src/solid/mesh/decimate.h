@@ -1,8 +1,9 @@
 // Reduces the triangles that belong to no patch, because no surface was recognised there. They are
 // called open ground.
 // In:      HalfEdgeMesh, Partition, tolerance. Triangles of patches keep their patch. In open
-//        ground (patchOf < 0) edges are collapsed (simplify/collapse.h); patches are labels there.
-//        Before that, the borders of patches are moved onto the surfaces of the patches.
+//          ground (patchOf < 0), edges are collapsed (simplify/collapse.h; patches are called
+//          labels in that file). Before that, the borders of patches are moved onto the surfaces of
+//          the patches.
 // Out:     the reduced mesh and its partition. The result may be the input of a further call.
 // Units:   mm.
 // Promise: The mesh stays closed and manifold. Each removed or moved vertex outside the patches
@@ -30,9 +31,9 @@ struct Decimated {
 };
 
 enum class Effort {
-  Rough,  ///< only the parallel part, for a first estimate
+  Rough,  ///< only the collapses that run in parallel, for a first estimate
   Thorough,
-  Again,  ///< after patches became open ground: the remaining borders do not move
+  Again,  ///< a further call, after patches became open ground; the remaining borders do not move
 };
 
 /// Limit of thinning, as a fraction of the tolerance of the solid. Without thinning, the edge

@@ -54,10 +54,10 @@ void checkNumbers(const TriMesh& mesh) {
 }
 
 /// Returns a text with a position: the middle of the first edge for which isBad(ascending,
-/// descending) is true. The arguments are the numbers of its half-edges in both directions. There
-/// must be such an edge.
+/// descending) is true. The arguments are the numbers of half-edges that run from its lower to its
+/// higher vertex index, and back. There must be such an edge.
 template <class IsBad>
-std::string firstPlace(const TriMesh& mesh, const IsBad& isBad) {
+std::string firstPosition(const TriMesh& mesh, const IsBad& isBad) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   bool found = false;
   EdgeTable(mesh).forEachEdge([&](std::int32_t low, std::int32_t high, const std::uint64_t* first,
@@ -76,19 +76,19 @@ void refuseFaults(const EdgeFaults& faults, const TriMesh& mesh) {
   if (faults.open > 0) {
     refuseUnclosed("OpenMesh",
                    counted(faults.open, "edge belongs", "edges belong") + " to only one triangle" +
-                       firstPlace(mesh, [](auto up, auto down) { return up + down == 1; }));
+                       firstPosition(mesh, [](auto up, auto down) { return up + down == 1; }));
   }
   if (faults.nonManifold > 0) {
     refuseUnclosed("NonManifold",
                    counted(faults.nonManifold, "edge belongs", "edges belong") +
                        " to more than two triangles" +
-                       firstPlace(mesh, [](auto up, auto down) { return up + down > 2; }));
+                       firstPosition(mesh, [](auto up, auto down) { return up + down > 2; }));
   }
   if (faults.misoriented > 0) {
     refuseUnclosed("MixedOrientation",
                    counted(faults.misoriented, "edge lies", "edges lie") +
                        " between triangles that face opposite ways" +
-                       firstPlace(mesh, [](auto up, auto down) { return up != down; }));
+                       firstPosition(mesh, [](auto up, auto down) { return up != down; }));
   }
 }
 

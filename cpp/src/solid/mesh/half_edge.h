@@ -22,8 +22,8 @@ namespace swept::step {
 struct HalfEdgeMesh {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<std::int32_t, 3>> triangles;
-  std::vector<std::int32_t> opposite;  ///< per half-edge
-  std::vector<std::int32_t> shellOf;   ///< per triangle
+  std::vector<std::int32_t> opposite;  ///< by half-edge: the opposite one
+  std::vector<std::int32_t> shellOf;   ///< by triangle: index of its shell
   /// For each shell: the outer shell around a cavity. For an outer shell: its own index.
   std::vector<std::int32_t> shellOwner;
   double area = 0;    ///< mm^2

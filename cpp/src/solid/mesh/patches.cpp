@@ -28,7 +28,8 @@ struct PlaneFit {
     products += d * d.transpose();
     count += 1;
   }
-  // Fits the plane. Its normal points to the side of `towards`.
+  // Fits the plane. Its normal points to the side of `towards`. Returns false if the points do not
+  // determine a plane.
   bool solve(const Eigen::Vector3d& towards, Carrier& plane) const {
     if (count < 3) return false;
     const Eigen::Vector3d mean = sum / count;
@@ -48,8 +49,8 @@ struct PlaneGrower {
   double tolerance;
   Partition& partition;
   const TriangleShapes& shapes;
-  std::vector<std::int32_t> inRegion;   ///< stamp per triangle
-  std::vector<std::int32_t> pointSeen;  ///< stamp per vertex
+  std::vector<std::int32_t> inRegion;   ///< stamp of the last region that took the triangle
+  std::vector<std::int32_t> pointSeen;  ///< stamp of the last region that took the vertex
   std::int32_t stamp = 0;
 
   bool accepts(std::int32_t t, const Carrier& plane) const {

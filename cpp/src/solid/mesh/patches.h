@@ -23,7 +23,7 @@ struct Patch {
   Carrier surface;
   std::vector<std::int32_t> triangles;
   double deviation = 0;         ///< mm: largest distance of its mesh vertices from the surface
-  std::int32_t surfaceId = -1;  ///< equal for all pieces of one surface that was cut; -1: not cut
+  std::int32_t surfaceId = -1;  ///< equal for all pieces of one recognised surface; -1: none
 };
 
 /// A plane that cuts a closed surface (such as a cylinder), so that no face needs a seam.
@@ -54,11 +54,10 @@ double areaOf(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangl
 double largestDistance(const HalfEdgeMesh& mesh, const std::vector<std::int32_t>& triangles,
                        const Carrier& surface);
 
-/// Grows plane regions over unassigned triangles. A triangle that remains alone becomes a Facet,
-/// whose plane passes through its vertices.
+/// Grows plane regions over unassigned triangles. A triangle that remains alone stays unassigned.
 void growPlanes(const HalfEdgeMesh& mesh, double tolerance, Partition& partition, RunContext& run);
 
-/// Makes each unassigned triangle a separate patch.
+/// Makes each unassigned triangle a patch of kind Facet, whose plane passes through its vertices.
 void addFacets(const HalfEdgeMesh& mesh, Partition& partition);
 
 /// Splits a patch into facets. Used if the kernel does not accept the face.

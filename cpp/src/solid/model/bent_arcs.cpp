@@ -15,12 +15,13 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kSpans = 22;  // number of spans of a reader's spline
-/// mm. A reader gives every edge a tolerance of at least 1e-7. The margin allows for rounding.
+/// mm, largest allowed error. A reader gives every edge a tolerance of at least 1e-7; the rest is a
+/// margin for rounding.
 constexpr double kMaxError = 0.8e-7;
 
 using Values = std::array<double, kSpans + 1>;
 
-// Returns the slopes of the spline through evenly spaced values, per span.
+// Returns the slopes, per span, of the spline through evenly spaced values.
 Values slopesOf(const Values& f) {
   constexpr std::size_t n = kSpans;
   const auto atEnd = [](double a, double b, double c, double d) {
@@ -29,7 +30,7 @@ Values slopesOf(const Values& f) {
   Values slopes{}, weight{};
   slopes[0] = atEnd(f[0], f[1], f[2], f[3]);
   slopes[n] = -atEnd(f[n], f[n - 1], f[n - 2], f[n - 3]);
-  // slopes[i - 1] + 4 slopes[i] + slopes[i + 1] = 3 (f[i + 1] - f[i - 1])
+  // Solves slopes[i - 1] + 4 slopes[i] + slopes[i + 1] = 3 (f[i + 1] - f[i - 1]) for all i.
   for (std::size_t i = 1; i < n; ++i) {
     weight[i] = 1 / (4 - weight[i - 1]);
     slopes[i] = weight[i] * (3 * (f[i + 1] - f[i - 1]) - slopes[i - 1]);

@@ -1,7 +1,7 @@
-// Cuts edges that bend too much in the parameters of a sphere. Files have no parameter curves. A
-// reader computes one for each edge, as a cubic spline through 23 of its points, and this spline
-// leaves the edge between them. Circles of latitude and meridians are straight there, so they are
-// never cut.
+// Cuts edges that bend too much in the parameters of a sphere. The files have no parameter curves,
+// so a reader computes one for each edge: a cubic spline through 23 points of the edge. Between
+// these points, the spline deviates from the edge. Circles of latitude and meridians are straight
+// in the parameters, so they are never cut.
 // In:      a Model.
 // Out:     the same model, with arcs of circles halved until the spline follows them.
 // Units:   mm.
@@ -15,8 +15,8 @@
 
 namespace swept::step {
 
-/// Halves arcs of circles on spheres until the spline of a reader is less than 1e-7 mm off them.
-/// On spheres of more than a few kilometres, it may stay farther off.
+/// Halves arcs of circles on spheres until the spline of a reader is less than 1e-7 mm away from
+/// them. With radii of more than a few kilometres, it may stay farther away.
 void cutBentArcs(Model& model);
 
 }  // namespace swept::step

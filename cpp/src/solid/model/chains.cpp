@@ -116,8 +116,8 @@ class Finder {
               std::minmax({vertexAt(chains_[c], from), vertexAt(chains_[c], i)});
           const std::uint64_t key =
               (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint32_t>(high);
-          const auto [it, fresh] = seen.try_emplace(key, c, from);
-          if (!fresh) {
+          const auto [it, isNew] = seen.try_emplace(key, c, from);
+          if (!isNew) {
             if (keepWithin(c, from)) again = true;
             if (keepWithin(it->second.first, it->second.second)) again = true;
           }

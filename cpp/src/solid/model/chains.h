@@ -45,10 +45,12 @@ struct Chain {
   /// The surfaces on which the chain lies, without facets. A plane that cuts a surface comes last.
   std::vector<const Carrier*> surfaces;
   bool closed = false;
-  bool curved = false;    ///< a single edge along the curve in which two surfaces intersect
-  bool straight = false;  ///< a single edge along the line in which two planes intersect
+  /// true: becomes a single edge along the curve in which two surfaces intersect
+  bool curved = false;
+  /// true: becomes a single edge along the line in which two planes intersect
+  bool straight = false;
 
-  /// Mesh vertex number i along the chain; there are halfEdges.size() + 1 of them.
+  /// Returns the i-th mesh vertex along the chain, 0 <= i <= halfEdges.size().
   std::int32_t vertex(const HalfEdgeMesh& mesh, std::size_t i) const {
     return i < halfEdges.size() ? mesh.origin(halfEdges[i]) : mesh.target(halfEdges.back());
   }

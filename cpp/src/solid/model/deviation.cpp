@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kBlock = 2048;
-constexpr double kCommonFraction = 0.6;  // fraction of the limit: nearly all meshes deviate by more
+constexpr double kCommonFraction = 0.6;  // fraction of the limit that nearly all deviations exceed
 /// A point splits an edge instead of the triangle if its distance from the edge is less than this
 /// fraction of the triangle's height.
 constexpr double kMaxEdgeFraction = 0.1;
@@ -25,7 +25,7 @@ struct Beyond {
   std::int32_t vertex = -1, triangle = -1;
 };
 
-// Returns the barycentric coordinates of the foot point of p.
+// Returns the barycentric coordinates of the foot point of p in the plane of the triangle c.
 Vector3d barycentric(const Vector3d& p, const std::array<Vector3d, 3>& c) {
   const Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]);
   const double twice = normal.squaredNorm();
@@ -62,10 +62,11 @@ class Splitter {
     if (onEdge && (label_[back / 3] >= 0 || taken_[back / 3])) return false;
     const auto vertex = static_cast<std::int32_t>(points_.size());
     points_.push_back(violation.point);
-    std::vector<std::int32_t> fresh;
-    fan(t, onEdge ? edge : -1, vertex, fresh);
-    if (onEdge) fan(back / 3, back, vertex, fresh);
-    hand(onEdge ? std::vector<std::int32_t>{t, back / 3} : std::vector<std::int32_t>{t}, fresh);
+    std::vector<std::int32_t> added;
+    fan(t, onEdge ? edge : -1, vertex, added);
+    if (onEdge) fan(back / 3, back, vertex, added);
+    attachToNearest(onEdge ? std::vector<std::int32_t>{t, back / 3} : std::vector<std::int32_t>{t},
+                    added);
     return true;
   }
 
@@ -83,7 +84,7 @@ class Splitter {
   // Replaces triangle t by triangles that connect `vertex` with each edge of t except `without`.
   // The first new triangle gets the index of the old one.
   void fan(std::int32_t t, std::int32_t without, std::int32_t vertex,
-           std::vector<std::int32_t>& fresh) {
+           std::vector<std::int32_t>& added) {
     bool first = true;
     taken_[t] = 1;
     for (int k = 0; k < 3; ++k) {
@@ -93,9 +94,9 @@ class Splitter {
                                                 vertex};
       if (first) {
         triangles_[t] = corners;
-        fresh.push_back(t);
+        added.push_back(t);
       } else {
-        fresh.push_back(static_cast<std::int32_t>(triangles_.size()));
+        added.push_back(static_cast<std::int32_t>(triangles_.size()));
         triangles_.push_back(corners);
         label_.push_back(label_[t]);
         attached_.emplace_back();
@@ -105,7 +106,8 @@ class Splitter {
     }
   }
 
-  void hand(const std::vector<std::int32_t>& old, const std::vector<std::int32_t>& fresh) {
+  void attachToNearest(const std::vector<std::int32_t>& old,
+                       const std::vector<std::int32_t>& added) {
     std::vector<Vector3d> points;
     for (const std::int32_t t : old) {
       points.insert(points.end(), attached_[t].begin(), attached_[t].end());
@@ -113,15 +115,15 @@ class Splitter {
     }
     for (const Vector3d& p : points) {
       double smallest = 1e300;
-      std::int32_t home = fresh.front();
-      for (const std::int32_t t : fresh) {
+      std::int32_t closest = added.front();
+      for (const std::int32_t t : added) {
         const auto& tri = triangles_[t];
         const double d = squaredDistance(p, points_[tri[0]], points_[tri[1]], points_[tri[2]]);
         if (d >= smallest) continue;
         smallest = d;
-        home = t;
+        closest = t;
       }
-      attached_[home].push_back(p);
+      attached_[closest].push_back(p);
     }
   }
 

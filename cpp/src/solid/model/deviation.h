@@ -1,7 +1,7 @@
 // Measures how far a mesh deviates from the solid that was made from it, and adds vertices where
-// this is too much.
-// In:      the original vertices, the reduced mesh with its partition, and the positions that the
-//          model gave its vertices.
+// the deviation is too large.
+// In:      the original vertices, the reduced mesh with its partition, and the positions of its
+//          vertices in the model.
 // Out:     the largest distance of a vertex from the nearest triangle, or from the surface that
 //          replaces that triangle.
 // Units:   mm.
@@ -22,7 +22,7 @@ struct Violation {
 };
 
 struct Deviation {
-  double largest = 0;  ///< mm
+  double largest = 0;  ///< mm: the largest distance
   /// For each triangle, the vertex with the largest distance beyond the limit.
   std::vector<Violation> beyond;
 };
@@ -30,7 +30,8 @@ struct Deviation {
 Deviation measureDeviation(const std::vector<Eigen::Vector3d>& points, const Decimated& small,
                            const std::vector<Eigen::Vector3d>& positions, double limit);
 
-/// Returns the points whose distance may change if vertices are inserted at these positions.
+/// Returns the points whose distance from the solid may change if vertices are inserted at these
+/// positions.
 std::vector<Eigen::Vector3d> pointsAbout(const std::vector<Violation>& corners,
                                          const Decimated& before, double limit,
                                          const std::vector<Eigen::Vector3d>& points);

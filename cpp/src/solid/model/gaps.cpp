@@ -14,11 +14,13 @@ constexpr double kMaxOpenGap = 1e-7;
 
 }  // namespace
 
-std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known, double tolerance) {
-  std::vector<std::array<bool, 2>> isKnown(model.edges.size(), {false, false});
+std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t recognisedCount,
+                                         double tolerance) {
+  std::vector<std::array<bool, 2>> isRecognised(model.edges.size(), {false, false});
   for (const ModelFace& face : model.faces) {
     for (const auto& loop : face.loops) {
-      for (const ModelUse& use : loop) isKnown[use.edge][use.forward ? 0 : 1] = face.patch < known;
+      for (const ModelUse& use : loop)
+        isRecognised[use.edge][use.forward ? 0 : 1] = face.patch < recognisedCount;
     }
   }
   std::vector<std::int32_t> loose;
@@ -27,7 +29,8 @@ std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t known,
     if (face.surface.kind == CarrierKind::Facet) continue;
     const auto isOff = [&](const ModelUse& use) {
       const ModelEdge& edge = model.edges[use.edge];
-      const double allowed = isKnown[use.edge][0] && isKnown[use.edge][1] ? tolerance : kMaxOpenGap;
+      const double allowed =
+          isRecognised[use.edge][0] && isRecognised[use.edge][1] ? tolerance : kMaxOpenGap;
       return edge.tolerance > allowed && largestGap(edge.curve, face.surface) > allowed;
     };
     const bool isLoose = std::any_of(face.loops.begin(), face.loops.end(), [&](const auto& loop) {

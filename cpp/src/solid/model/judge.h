@@ -26,13 +26,12 @@ class Judge {
  public:
   virtual ~Judge() = default;
 
-  /// Takes a model, to which the next four functions refer. Returns the faces that the kernel
+  /// Sets the model to which the next four functions refer. Returns the faces that the kernel
   /// cannot make.
-  virtual std::vector<std::int32_t> take(const Model& model, RunContext& run) = 0;
-  /// Returns "unheld" edges: edges of curved faces that are farther from one of their faces than a
-  /// reader of the file would assume. Each entry has the curve parameter at which the distance is
-  /// largest.
-  virtual std::vector<EdgeCut> findUnheldEdges(const Model& model) = 0;
+  virtual std::vector<std::int32_t> setModel(const Model& model, RunContext& run) = 0;
+  /// Returns edges of curved faces that are farther from one of their faces than a reader of the
+  /// file would assume. Each entry has the curve parameter at which the distance is largest.
+  virtual std::vector<EdgeCut> findEdgesOffFaces(const Model& model) = 0;
   /// Returns faces that are not valid. `from` and `to`: progress of the export (0 to 1).
   virtual std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) = 0;
   /// Returns curved faces that are not valid after the text of the file was read back.
@@ -41,18 +40,18 @@ class Judge {
   /// Returns faces that intersect or touch where they share no vertex or edge.
   virtual std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) = 0;
 
-  /// Writes the model that was taken last as a BREP file.
+  /// Writes the model of the last setModel() as a BREP file.
   virtual void writeBrep(std::ostream& out, RunContext& run) = 0;
-  /// Reads a finished file back and checks it. If the file cannot be read correctly, may write it
-  /// once more in another way. `name`: final name of the file, for its header.
+  /// Reads a finished file back and checks it. If the file cannot be read correctly, may replace it
+  /// by one from the kernel's own writer. `name`: final name of the file, for its header.
   virtual SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
                               const StepOptions& options, SolidFormat format, RunContext& run) = 0;
   /// Calls work(), and converts failures of the kernel to an Error.
   virtual void guard(const std::function<void()>& work, RunContext& run) = 0;
 };
 
-/// Returns the judge of this build. With a kernel, only one thread at a time can have one. Throws
-/// Error(ExportFailed, "NoKernel") if the program was built without a kernel.
+/// Returns the judge of this build. With a kernel, only one thread at a time can have a judge.
+/// Throws Error(ExportFailed, "NoKernel") if the program was built without a kernel.
 std::unique_ptr<Judge> openJudge();
 
 }  // namespace swept::step

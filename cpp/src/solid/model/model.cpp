@@ -78,8 +78,8 @@ class Builder {
       // line of intersection.
       const double limit = isFacetCorner_[v] ? kCornerFraction * tolerance_
                                              : std::max(10 * tolerance_, 4 * reach[v]);
-      const auto known = knownPlace(mesh_.points[v], at[v], limit);
-      const Vector3d moved = known ? *known : meetingPoint(mesh_.points[v], at[v]);
+      const auto traced = knownPoint(mesh_.points[v], at[v], limit);
+      const Vector3d moved = traced ? *traced : meetingPoint(mesh_.points[v], at[v]);
       if ((moved - mesh_.points[v]).norm() <= limit) position_[v] = moved;
     }
   }
@@ -154,11 +154,11 @@ class Builder {
       along.push_back(i == chain.halfEdges.size() ? last : mesh_.points[vertexAt(chain, i)]);
       reach = std::max(reach, (along[i] - along[i - 1]).norm());
     }
-    const double strays = 3 * tolerance_ + 2 * reach;
+    const double maxDeviation = 3 * tolerance_ + 2 * reach;
     const Carrier &a = *chain.surfaces[0], &b = *chain.surfaces[1];
-    if (const auto known = knownCurve(along, a, b, kOnCarrier, 2 * strays)) return known;
-    const auto curve = sectionCurve(along, chain.closed, a, b, strays);
-    return curve && isNear(*curve, along, chain, strays) ? curve : std::nullopt;
+    if (const auto traced = knownCurve(along, a, b, kOnCarrier, 2 * maxDeviation)) return traced;
+    const auto curve = sectionCurve(along, chain.closed, a, b, maxDeviation);
+    return curve && isNear(*curve, along, chain, maxDeviation) ? curve : std::nullopt;
   }
 
   // Returns the curve in which the chain's surfaces intersect. If they are nearly parallel, returns
@@ -258,8 +258,8 @@ class Builder {
     std::vector<ModelUse> open;
     std::unordered_map<std::int32_t, std::size_t> position;
     for (const ModelUse& use : loop) {
-      const auto [it, fresh] = position.try_emplace(startOf(use), open.size());
-      if (!fresh) {
+      const auto [it, isNew] = position.try_emplace(startOf(use), open.size());
+      if (!isNew) {
         const std::size_t from = it->second;
         face.loops.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(from), open.end());
         for (std::size_t i = from + 1; i < open.size(); ++i) position.erase(startOf(open[i]));

@@ -56,7 +56,8 @@ struct Model {
 Model buildModel(const HalfEdgeMesh& mesh, const Partition& partition, double tolerance,
                  RunContext& run);
 
-/// Returns the number and the position of faces, for a message. `faces`: at least one, by index.
+/// Returns the number of the faces and a position on the first one, for a message. `faces`: at
+/// least one, by index.
 std::string facesText(const std::vector<std::int32_t>& faces, const Model& model);
 
 }  // namespace swept::step

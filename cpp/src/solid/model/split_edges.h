@@ -18,8 +18,8 @@ struct EdgeCut {
   double at = 0;  ///< parameter of the edge's curve
 };
 
-/// Returns the parameter at which a curve should be halved. For a spline this is a knot, because a
-/// profile may bend unevenly there.
+/// Returns the parameter at which a curve should be halved. For a spline, this is the inner knot
+/// nearest to the middle, because a profile may bend unevenly at its knots.
 double middleOf(const Curve& curve);
 
 /// Splits edges. Each edge may occur only once in `cuts`.

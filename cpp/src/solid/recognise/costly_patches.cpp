@@ -20,7 +20,7 @@ std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition&
   for (std::size_t h = 0; h < now.mesh.opposite.size(); ++h) {
     const std::int32_t own = now.partition.patchOf[h / 3], beyond = now.mesh.opposite[h] / 3;
     if (own < 0 || now.partition.patchOf[beyond] >= 0) continue;
-    // At a crease there are vertices with or without the patch, so its edges do not count.
+    // A crease has vertices even without the patch, so border edges at creases do not count.
     const Eigen::Vector3d normal = now.mesh.areaVector(beyond).normalized();
     const Eigen::Vector3d& from = now.mesh.points[now.mesh.origin(static_cast<std::int32_t>(h))];
     if (first.patches[own].surface.normal(from).dot(normal) > kSmooth) ++border[own];

@@ -14,7 +14,7 @@
 
 namespace swept::step {
 
-/// `dense` and `first`: the mesh and its patches before the simplification `now`.
+/// `dense` and `first`: the mesh and its patches before the simplification. `now`: both after it.
 std::vector<std::int32_t> findCostly(const HalfEdgeMesh& dense, const Partition& first,
                                      const Decimated& now, double tolerance);
 

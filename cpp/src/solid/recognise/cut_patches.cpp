@@ -17,7 +17,7 @@ Vector3d centreOf(const HalfEdgeMesh& mesh, std::int32_t t) {
   return (mesh.points[tri[0]] + mesh.points[tri[1]] + mesh.points[tri[2]]) / 3;
 }
 
-// Returns the largest gap between the angles; `middle` receives its middle.
+// Returns the largest gap between the angles; `middle` receives the middle of this gap.
 double largestGap(std::vector<double> angles, double& middle) {
   std::sort(angles.begin(), angles.end());
   double gap = 2 * M_PI - angles.back() + angles.front();
@@ -31,14 +31,15 @@ double largestGap(std::vector<double> angles, double& middle) {
   return gap;
 }
 
-constexpr double kWantedGap = 1.2;  // rad: least gap in which the seam lies outside the face
+constexpr double kMinGap = 1.2;  // rad: smallest gap in which the seam may lie
 
 class Cutter {
  public:
   Cutter(const HalfEdgeMesh& mesh, Partition& partition) : mesh_(mesh), partition_(partition) {}
 
   void cutAll() {
-    // Spheres may be cut in any direction. They come last, when the corners around them are known.
+    // Spheres may be cut in any direction. So they are cut last, when the corners around them are
+    // known.
     const auto count = static_cast<std::int32_t>(partition_.patches.size());
     for (const bool spheres : {false, true}) {
       for (std::int32_t p = 0; p < count; ++p) {
@@ -72,10 +73,10 @@ class Cutter {
       }
     }
     double middle = 0;
-    bool fits = largestGap(turn, middle) > kWantedGap;
+    bool fits = largestGap(turn, middle) > kMinGap;
     s.xdir = std::cos(middle) * x + std::sin(middle) * y;
     if (s.kind == CarrierKind::Torus) {
-      fits = fits && largestGap(tube, middle) > kWantedGap;
+      fits = fits && largestGap(tube, middle) > kMinGap;
       s.tubeMid = middle + M_PI;
     }
     return fits;
@@ -95,9 +96,9 @@ class Cutter {
     }
     double middle = 0;
     const double gap = largestGap(turn, middle);
-    if (gap <= kWantedGap) return false;
+    if (gap <= kMinGap) return false;
     // Part of the gap stays unused, so that the ends do not meet.
-    const double left = std::max(0.15 * gap, gap / 2 - kWantedGap / 2);
+    const double left = std::max(0.15 * gap, gap / 2 - kMinGap / 2);
     const auto inPeriod = [&](double angle) {
       const double turns = angle / (2 * M_PI);
       return from + period * (turns - std::floor(turns));
@@ -135,7 +136,7 @@ class Cutter {
     std::vector<double> turn;
     for (const Vector3d& d : directions) turn.push_back(angle(d, x, y));
     double middle = 0;
-    const bool fits = largestGap(turn, middle) > kWantedGap && best < 0.97;
+    const bool fits = largestGap(turn, middle) > kMinGap && best < 0.97;
     s.xdir = std::cos(middle) * x + std::sin(middle) * y;
     return fits;
   }
@@ -169,7 +170,8 @@ class Cutter {
 
   // Returns the vertices on the border of a patch where two other patches meet.
   std::vector<Vector3d> cornersOf(std::int32_t p) const {
-    std::vector<std::pair<std::int32_t, std::int32_t>> beside;  // vertex, patch beyond
+    // pairs of a border vertex and the patch beyond
+    std::vector<std::pair<std::int32_t, std::int32_t>> beside;
     for (const std::int32_t t : partition_.patches[p].triangles) {
       for (std::int32_t h = 3 * t; h < 3 * t + 3; ++h) {
         const std::int32_t other = partition_.patchOf[mesh_.opposite[h] / 3];
@@ -262,7 +264,8 @@ class Cutter {
 
   const HalfEdgeMesh& mesh_;
   Partition& partition_;
-  std::vector<char> side_;  // by triangle of the patch that is being cut
+  // by triangle of the patch that is being cut: 1 on the positive side of the plane
+  std::vector<char> side_;
 };
 
 }  // namespace

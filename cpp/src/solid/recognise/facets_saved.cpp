@@ -12,8 +12,9 @@ using Eigen::Vector3d;
 
 constexpr double kFacetsOfPlane = 3;  // facets that any plane saves, whatever its size
 // Area of the largest triangle within the tolerance of a sphere, divided by tolerance times radius.
-// An equilateral triangle with vertices outside and centre inside by the tolerance has the area
-// 3 sqrt(3) / 4 R^2. Its circumradius R satisfies R^2 = 4 tolerance radius.
+// An equilateral triangle with circumradius R has the area 3 sqrt(3) / 4 R^2. If its vertices lie
+// outside the sphere by the tolerance, and its centre lies inside by the tolerance, then R^2 = 4
+// tolerance radius.
 constexpr double kAreaPerFacet = 5.2;
 
 // Returns the angle about the axis that the patch spans, from the positions of its vertices. The
@@ -37,28 +38,29 @@ double angleOf(const HalfEdgeMesh& mesh, const Patch& patch) {
   return 2 * std::acos(std::max(-1.0, smallest));
 }
 
-double bendAt(const Profile& profile, double t) {
+double curvatureAt(const Profile& profile, double t) {
   Vector2d first, second;
   profile.derivatives(t, first, second);
   return std::abs(first.x() * second.y() - first.y() * second.x()) / std::pow(first.norm(), 3);
 }
 
-// Counts strips along the direction; where the surface bends both ways, also triangles as on a
-// torus.
+// Returns the number of strips along the direction of extrusion or about the axis. A revolution is
+// curved in both directions. If it needs more facets as triangles, as on a torus, returns their
+// number.
 double savedByProfile(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
   constexpr int kSteps = 200;
   const Profile& profile = *patch.surface.profile;
   const double from = profile.nodes().front().knot, step = profile.length() / kSteps;
   double strips = 0, facets = 0;
   for (int i = 0; i < kSteps; ++i)
-    strips += step * std::sqrt(bendAt(profile, from + (i + 0.5) * step) / tolerance);
+    strips += step * std::sqrt(curvatureAt(profile, from + (i + 0.5) * step) / tolerance);
   if (patch.surface.kind == CarrierKind::Extrusion) return strips;
   for (const std::int32_t t : patch.triangles) {
     const Vector2d q = patch.surface.inProfile(mesh.points[mesh.triangles[t][0]]);
     const Profile::Foot foot = profile.foot(q);
     const double across = std::abs(foot.tangent.y()) / std::max(q.x(), tolerance);
     const double area = 0.5 * mesh.areaVector(t).norm();
-    facets += area * std::sqrt(bendAt(profile, foot.t) * across) / (kAreaPerFacet * tolerance);
+    facets += area * std::sqrt(curvatureAt(profile, foot.t) * across) / (kAreaPerFacet * tolerance);
   }
   return std::max(strips, facets);
 }

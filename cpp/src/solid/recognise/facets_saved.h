@@ -3,7 +3,8 @@
 // Out:     an approximate number.
 // Units:   mm.
 // Cost:    O(triangles of the patch).
-// Source:  the two curvatures of the carrier determine the size of triangles within a tolerance.
+// Method:  the principal curvatures of the carrier determine how large triangles may be within a
+// tolerance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

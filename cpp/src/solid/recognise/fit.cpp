@@ -26,8 +26,8 @@ std::optional<Carrier> guessPlane(const Samples& samples, const PointSpread& spr
   return surface;
 }
 
-// Solves p = centre + s n for centre and s by least squares. For a cylinder or a torus, points and
-// normals must already be projected to a plane.
+// Solves p = centre + s n by least squares for the centre and s, where p are the points and n their
+// normals. For a cylinder or a torus, points and normals must already be projected to a plane.
 bool centreAlongNormals(const std::vector<Vector3d>& points, const std::vector<Vector3d>& normals,
                         Vector3d& centre, double& s) {
   const auto count = static_cast<double>(points.size());

@@ -1,5 +1,5 @@
 // Fits an elementary surface to points with normals: a linear first guess, then least squares on
-// the true distances.
+// the exact distances.
 // In:      points, outward unit normals.
 // Out:     a surface, with `reversed` set from the normals.
 // Units:   mm.
@@ -28,17 +28,17 @@ struct PointSpread {
 };
 PointSpread spreadOf(const Samples& samples);
 
-/// The axis that comes nearest to meeting all normals. Each normal is a line (Pluecker
-/// coordinates), and the axis is the eigenvector with the smallest eigenvalue of their sum. It is
-/// not normalised; if the direction is much shorter than 1, there is no such axis.
+/// The line that comes nearest to meeting all normals. With each normal as a line in Pluecker
+/// coordinates, it is the eigenvector with the smallest eigenvalue of the sum of outer products. It
+/// is not normalised; if `direction` is much shorter than 1, there is no such axis.
 struct NormalsAxis {
   Eigen::Vector3d direction, moment;  ///< the moment about the mean, in units of the spread
   Eigen::Vector3d point;              ///< point of the line nearest to the mean
-  double smallest = 0, second = 0;    ///< eigenvalues
+  double smallest = 0, second = 0;    ///< the two smallest eigenvalues
 };
 NormalsAxis axisOfNormals(const Samples& samples, const PointSpread& spread);
 
-/// Sets `reversed`: on which side of the surface the material lies.
+/// Sets `reversed` from the normals of the samples; for a plane, the sign of its axis.
 void orient(const Samples& samples, Carrier& surface);
 
 /// Returns a first guess, or nothing if the samples do not determine the surface.

@@ -16,7 +16,8 @@ using Eigen::Vector3d;
 
 constexpr int kMaxSpans = 64;
 constexpr int kHalvings = 6;
-/// More spans must reduce the sum of squares to this fraction of its previous value.
+/// More spans must reduce the sum of squared distances to at most this fraction of its previous
+/// value.
 constexpr double kMaxRemaining = 0.6;
 constexpr double kSmoothing = 1e-7;
 constexpr double kEndFraction = 0.08;  // fraction of the length: straight pieces at the ends
@@ -28,7 +29,7 @@ struct CurvePoint {
   Vector2d at;
 };
 
-// Values of the four cubic Hermite functions at w of a span of length h.
+// Returns the values of the four cubic Hermite functions at the fraction w of a span of length h.
 std::array<double, 4> basis(double w, double h) {
   const double m = 1 - w;
   return {m * m * (1 + 2 * w), w * w * (1 + 2 * m), h * w * m * m, -h * w * w * m};
@@ -61,7 +62,7 @@ std::vector<Profile::Node> solveNodes(const std::vector<CurvePoint>& points,
   for (int s = 0; s < spans; ++s) {
     const double h = knots[s + 1] - knots[s];
     const std::array<int, 4> at = indices(s);
-    // Second derivatives, times h squared, at both ends.
+    // Second derivatives at both ends of the span, times h squared: a row of factors for each end.
     const std::array<std::array<double, 4>, 2> bends{
         {{-6, 6, -4 * h, -2 * h}, {6, -6, 2 * h, 4 * h}}};
     for (const auto& bend : bends) {
@@ -139,12 +140,12 @@ double improveAxis(const Samples& samples, const Vector3d& mean, double size, Ca
     const Vector3d outward = s.normal(p), d = p - s.point;
     const double along = d.dot(s.axis) - middle, up = outward.dot(s.axis);
     const Vector3d radial = d - d.dot(s.axis) * s.axis;
-    const bool pushed = s.kind == CarrierKind::Extrusion;
+    const bool isExtrusion = s.kind == CarrierKind::Extrusion;
     Eigen::Vector4d row;
     row[0] = -outward.dot(e1);
     row[1] = -outward.dot(e2);
-    row[2] = (-along * outward.dot(e1) + (pushed ? 0 : up * radial.dot(e1))) / size;
-    row[3] = (-along * outward.dot(e2) + (pushed ? 0 : up * radial.dot(e2))) / size;
+    row[2] = (-along * outward.dot(e1) + (isExtrusion ? 0 : up * radial.dot(e1))) / size;
+    row[3] = (-along * outward.dot(e2) + (isExtrusion ? 0 : up * radial.dot(e2))) / size;
     moments.normal += row * row.transpose();
     moments.right -= row * s.distance(p);
   }

@@ -25,8 +25,9 @@ struct Cloud {
 /// not help.
 std::optional<Profile> fitProfile(const Cloud& cloud, double exact);
 
-/// Finds only the direction or axis: the direction is perpendicular to all normals, the axis meets
-/// all their lines. `spread` receives their deviation (sine, root mean square).
+/// Finds only the direction of an extrusion, which is perpendicular to all normals, or the axis of
+/// a revolution, which meets the lines of all normals. `spread` receives the root mean square of
+/// the sines of their deviation.
 std::optional<Carrier> guessAxis(CarrierKind kind, const Samples& samples, double& spread);
 
 /// Fits the profile and improves the axis in turn. Returns false if no profile fits.

@@ -44,8 +44,8 @@ class Recogniser {
     return tried_[t] != kAllTried && partition_.patchOf[t] < 0 && !thin_[t];
   }
 
-  // All seeds of a batch see the same patches. A triangle goes to the first seed that claims it; a
-  // later seed then searches again.
+  // All seeds of a batch are tried with the same patches. A triangle goes to the first seed that
+  // claims it; a later seed then searches again.
   void trySeeds(const std::vector<std::int32_t>& seeds) {
     std::vector<Found> found(seeds.size());
     parallelFor(seeds.size(),
@@ -54,7 +54,7 @@ class Recogniser {
       if (!isOpen(seeds[i])) continue;
       if (found[i].best && isTaken(found[i].best->region))
         found[i] = seekers_[i].seek(seeds[i], tried_[seeds[i]]);
-      note(found[i]);
+      record(found[i]);
     }
   }
 
@@ -63,7 +63,7 @@ class Recogniser {
                        [&](std::int32_t t) { return partition_.patchOf[t] >= 0; });
   }
 
-  void note(Found& found) {
+  void record(Found& found) {
     for (const auto& [kind, region] : found.tried) {
       for (const std::int32_t t : region) tried_[t] = static_cast<char>(tried_[t] | bitOf(kind));
     }
@@ -81,8 +81,8 @@ class Recogniser {
   std::vector<SurfaceSeeker> seekers_;
 };
 
-/// Least scatter of the vertices, as a fraction of the triangles' height. Below it, the vertices
-/// lie exactly on the surface.
+/// Least Bend::scatter, as a fraction of Bend::height. Below it, the vertices lie exactly on the
+/// surface.
 constexpr double kMinScatter = 0.03;
 constexpr double kMaxMoved = 0.2;  // fraction of the tolerance: largest shift of a surface
 constexpr std::size_t kMaxFitSamples = 5000;
@@ -155,9 +155,9 @@ Bend bendOf(const HalfEdgeMesh& mesh, const Patch& patch) {
   return {bend.height / count, std::sqrt(bend.scatter / count), bend.size / count};
 }
 
-// Vertices of a contoured mesh lie outside a curved surface. A surface fitted to them moves to the
-// centres of the triangles, where the true surface is. If the vertices lie exactly on the surface,
-// it stays.
+// Vertices of a contoured mesh lie outside a curved surface. So a surface fitted to them is moved
+// to the centres of the triangles, where the exact surface is. If the vertices lie exactly on the
+// surface, it stays.
 void centreSurfaces(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole, double tolerance,
                     Partition& partition) {
   const double size = meanSize(whole);

@@ -26,7 +26,7 @@ Samples RegionFinder::samplesOf(const std::vector<std::int32_t>& region, std::si
 }
 
 bool RegionFinder::bends(const std::vector<std::int32_t>& region) const {
-  constexpr double kMinTurn = 0.98;  // cosine
+  constexpr double kMinTurn = 0.98;  // cosine of 11 degrees
   const Vector3d& first = shapes_.normal[region.front()];
   return std::any_of(region.begin(), region.end(), [&](std::int32_t t) {
     return !shapes_.thin[t] && first.dot(shapes_.normal[t]) < kMinTurn;

@@ -1,5 +1,5 @@
-// Tools that all searches for surfaces share: connected regions of triangles, samples of them, and
-// tests of triangles against a surface.
+// Tools for all searches for surfaces: connected regions of triangles, samples of them, and tests
+// of triangles against a surface.
 // In:      HalfEdgeMesh and the shapes of its triangles.
 // Units:   mm.
 // Cost:    O(triangles visited).
@@ -18,9 +18,9 @@
 
 namespace swept::step {
 
-/// A curved patch smaller than this becomes facets.
+/// A curved patch with fewer triangles becomes facets.
 constexpr std::size_t kMinTriangles = 24;
-/// Cosine: a triangle may deviate by this angle (26 degrees) from its surface.
+/// Cosine of the largest angle (26 degrees) between a triangle and its surface.
 constexpr double kSurfaceCosine = 0.90;
 /// Largest median distance of the vertices from their surface, as a fraction of the tolerance.
 constexpr double kExactFraction = 0.1;
@@ -38,8 +38,8 @@ class RegionFinder {
     stampOf_[seed] = ++stamp_;
     return {seed};
   }
-  /// Adds the neighbours of the members [begin, end) of a region that were not visited since
-  /// start() and that accepts(neighbour, member) allows.
+  /// Appends to the region every neighbour of its members [begin, end) that was not added since
+  /// start() and for which accepts(neighbour, member) is true.
   template <class Accepts>
   void extend(std::vector<std::int32_t>& region, std::size_t begin, std::size_t end,
               const Accepts& accepts) {
@@ -60,7 +60,7 @@ class RegionFinder {
     return region;
   }
   /// Returns one sample for each vertex of about `maxCount` triangles. Needles, whose normals are
-  /// unreliable, count only with `needles`; a body may consist of needles.
+  /// unreliable, are used only if `needles` is true. A body may consist of needles.
   Samples samplesOf(const std::vector<std::int32_t>& region, std::size_t maxCount, bool needles);
 
   /// Whether the edge between two adjacent triangles is smooth (less than 28 degrees).
@@ -68,7 +68,7 @@ class RegionFinder {
     constexpr double kCreaseCosine = 0.88;
     return shapes_.normal[a].dot(shapes_.normal[b]) >= kCreaseCosine;
   }
-  /// Whether the normals turn enough (11 degrees) to tell a curved surface from a plane.
+  /// Whether the normals turn enough (11 degrees) to distinguish a curved surface from a plane.
   bool bends(const std::vector<std::int32_t>& region) const;
 
  private:

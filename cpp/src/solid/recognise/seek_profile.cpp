@@ -14,12 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Triangles of a first and of a wide region around a seed.
+// Largest numbers of triangles in a first and in a wide region around a seed.
 constexpr std::size_t kMaxSeed = 600, kMaxWide = 1200;
 constexpr std::size_t kFewSamples = 200, kMaxSamples = 1000;
-constexpr double kMaxSpread = 0.03;     // sine: scatter of the normals about a direction or an axis
-constexpr double kMaxLean = 0.08;       // sine: a single normal may deviate by this much
-constexpr double kRoughFraction = 0.2;  // fraction of the tolerance, for a quick first test
+constexpr double kMaxSpread = 0.03;  // sine: scatter of the normals about a direction or an axis
+constexpr double kMaxLean = 0.08;    // sine: a single normal may deviate by this much
+// tolerance of a quick first fit, as a fraction of the tolerance
+constexpr double kRoughFraction = 0.2;
 /// Spans are halved until their points are within this fraction of the tolerance.
 constexpr double kFitFraction = 0.02;
 /// Only patches whose median distance exceeds this fraction of the tolerance may give triangles to
@@ -71,7 +72,8 @@ class ProfileSeeker {
            (median_[p] > kMinLoose * tolerance_ && !partition_.patches[p].surface.hasProfile());
   }
 
-  // Grows breadth first over free triangles, not across creases, as far as `accepts` allows.
+  // Grows a region breadth first over free triangles, not across creases, as far as `accepts`
+  // allows.
   template <class Accepts>
   std::vector<std::int32_t> flood(std::int32_t seed, std::size_t maxCount, const Accepts& accepts) {
     return finder_.grow(seed, maxCount, [&](std::int32_t t, std::int32_t from) {
@@ -131,7 +133,7 @@ class ProfileSeeker {
     return isWorthIt(candidate) ? std::optional(std::move(candidate)) : std::nullopt;
   }
 
-  // Marks the region, since its other triangles as seeds would give the same result.
+  // Marks all triangles of the region, since they would give the same result as seeds.
   void markTried(const std::vector<std::int32_t>& region) {
     for (const std::int32_t t : region) tried_[t] = 1;
   }
@@ -148,11 +150,11 @@ class ProfileSeeker {
   std::vector<std::int32_t> withinLean(const Carrier& surface, std::int32_t seed) {
     return flood(seed, mesh_.triangles.size(), [&](std::int32_t t) {
       if (isByThePole(surface, t)) return false;
-      const double maxCount = shapes_.thin[t] ? 3 * kMaxLean : kMaxLean;
+      const double maxSine = shapes_.thin[t] ? 3 * kMaxLean : kMaxLean;
       const Vector3d& n = shapes_.normal[t];
-      if (surface.kind == CarrierKind::Extrusion) return std::abs(n.dot(surface.axis)) < maxCount;
+      if (surface.kind == CarrierKind::Extrusion) return std::abs(n.dot(surface.axis)) < maxSine;
       const Vector3d out = mesh_.points[mesh_.triangles[t][0]] - surface.point;
-      return std::abs(surface.axis.cross(out).normalized().dot(n)) < maxCount;
+      return std::abs(surface.axis.cross(out).normalized().dot(n)) < maxSine;
     });
   }
 
@@ -171,7 +173,8 @@ class ProfileSeeker {
   }
 
   // Removes the triangles of patches that stay. A patch stays if part of it lies outside the
-  // surface, or if its own surface fits nearly as well. Returns the largest connected rest.
+  // surface, or if its own surface fits nearly as well. Returns the largest connected piece of the
+  // remaining triangles.
   std::vector<std::int32_t> settle(const Carrier& surface,
                                    const std::vector<std::int32_t>& region) {
     std::vector<std::int32_t> patches;

@@ -8,12 +8,14 @@
 namespace swept::step {
 namespace {
 
-constexpr int kSeedTriangles = 60;       // triangles of the first guess
-constexpr int kMaxSeedTriangles = 4000;  // triangles of the largest guess
+constexpr int kSeedTriangles = 60;       // number of triangles for the first guess
+constexpr int kMaxSeedTriangles = 4000;  // number of triangles for the largest guess
 constexpr double kMinFraction = 0.1;     // smallest fraction to which the tolerance is reduced
 constexpr int kRimRings = 3;
-constexpr std::size_t kGuessSamples = 80;  // for a first guess: few, since most guesses fail
-constexpr double kMinMore = 1.25;   // factor of the area that a more complicated surface must cover
+// number of samples for a first guess; few, since most guesses fail
+constexpr std::size_t kGuessSamples = 80;
+// factor by which a more complicated surface must cover more area
+constexpr double kMinMore = 1.25;
 constexpr double kMinMuchMore = 4;  // the same for a surface that fits less exactly
 
 constexpr std::array<CarrierKind, 5> kKinds{CarrierKind::Plane, CarrierKind::Cylinder,
@@ -105,8 +107,8 @@ std::optional<Candidate> SurfaceSeeker::tryKind(CarrierKind kind, std::int32_t s
     refineSurface(samples, candidate.surface);
     candidate.median = residuals(samples, candidate.surface).median;
     if (candidate.median > 2 * kExactFraction * tolerance_) break;
-    candidate.region =
-        grow(seed, candidate.surface, tightOf(candidate.median), candidate.region.size() * 5 / 4);
+    candidate.region = grow(seed, candidate.surface, tightTolerance(candidate.median),
+                            candidate.region.size() * 5 / 4);
   }
   // No seed in this region needs to try this kind again.
   found_.tried.emplace_back(kind, candidate.region);
@@ -120,7 +122,7 @@ std::optional<Candidate> SurfaceSeeker::tryKind(CarrierKind kind, std::int32_t s
   return candidate;
 }
 
-double SurfaceSeeker::tightOf(double median) const {
+double SurfaceSeeker::tightTolerance(double median) const {
   return std::clamp(8 * median, kMinFraction * tolerance_, tolerance_);
 }
 
@@ -174,8 +176,8 @@ std::optional<Candidate> SurfaceSeeker::bestSurface(std::int32_t seed,
   return best;
 }
 
-// Replaces a wide curved surface by a plane if the plane fits much better. Large planes at small
-// angles also fit such a surface.
+// Replaces a wide curved surface by a plane if the plane fits much better. A wide curved surface
+// also fits large planes that meet at small angles.
 void SurfaceSeeker::preferFlats(Candidate& best) {
   for (int i = 1; i < 6; ++i) {
     const std::int32_t seed = best.region[best.region.size() * i / 6];

@@ -25,7 +25,7 @@ struct Candidate {
   Carrier surface;
   std::vector<std::int32_t> region;
   double area = 0;
-  double median = 0;  ///< mm, median distance of its vertices
+  double median = 0;  ///< mm, median distance of its vertices from the surface
 };
 
 struct Found {
@@ -50,7 +50,7 @@ class SurfaceSeeker {
   std::vector<std::int32_t> grow(std::int32_t seed, Carrier& surface, double tolerance,
                                  std::size_t refitAt);
   std::optional<Candidate> tryKind(CarrierKind kind, std::int32_t seed, const Samples& first);
-  double tightOf(double median) const;
+  double tightTolerance(double median) const;
   void addRim(Candidate& candidate);
   bool isWorthIt(const Candidate& candidate) const;
   std::optional<Candidate> bestSurface(std::int32_t seed, const std::vector<std::int32_t>& around);

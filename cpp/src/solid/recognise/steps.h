@@ -17,7 +17,7 @@ void tidyPatches(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double 
 
 /// Finds extrusions and revolutions in unassigned triangles, and in patches that such a surface
 /// fits much better than their own. Returns true if it found any. Cost: O(unassigned triangles) if
-/// there are none.
+/// the mesh has no such surfaces.
 bool seekProfiles(const HalfEdgeMesh& mesh, const TriangleShapes& shapes, double tolerance,
                   Partition& partition, RunContext& run);
 

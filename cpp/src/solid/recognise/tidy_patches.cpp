@@ -19,12 +19,14 @@ constexpr double kMinArea = 1.0 / 400;
 constexpr double kMinSavedToStay = 8;
 /// Cosine of the largest angle between a triangle and the surface that it joins.
 constexpr double kMinCosine = 0.5;
-constexpr double kBorderPerFacet = 3;  // edges of a smooth border that cost one facet outside
-constexpr std::size_t kMaxSpeck = 6;   // largest number of triangles of a speck
-constexpr double kMaxSpeckArea = 30;   // largest area of a speck, in squared tolerances
+// number of smooth border edges that add one facet outside the patch
+constexpr double kBorderPerFacet = 3;
+constexpr std::size_t kMaxSpeck = 6;  // largest number of triangles of a speck
+constexpr double kMaxSpeckArea = 30;  // largest area of a speck, in squared tolerances
 constexpr double kMaxSpeckReach = 6;  // in tolerances: distance from the surface that a speck joins
 constexpr int kStepsBeyond = 6;       // triangles beyond a border that are examined
-constexpr double kMinSteep = 0.12;    // sine of about 7 degrees
+// sine of about 7 degrees: the mesh turns away steeply if its angle is larger
+constexpr double kMinSteep = 0.12;
 /// Distance from the surface, in tolerances, beyond which the steepness counts.
 constexpr double kSteepFrom = 0.25;
 
@@ -208,7 +210,7 @@ class Tidier {
   // Drops patches that cost more facets than they save. Many free forms come near a plane or
   // cylinder in places. Such a patch ends in a jagged line where the body continues smoothly. The
   // vertices of that line create more facets outside than the patch saves inside. The border of a
-  // true surface follows creases or other patches.
+  // real surface of the body follows creases or other patches.
   void dropCostly() {
     const std::vector<char> turns = turningBorders();
     std::vector<double> saved;

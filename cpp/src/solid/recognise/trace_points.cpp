@@ -94,8 +94,8 @@ class Tracer {
     }
   }
 
-  // Moves the state onto a parabola through the points around it. The radius grows until there are
-  // points on both sides, or enough on one side.
+  // Moves the state onto a parabola through the points around it. The radius grows until six points
+  // extend over at least half of it.
   bool settle(State& state) {
     for (radius_ = kReach * size_; radius_ <= kMaxReach * size_; radius_ *= 1.6) {
       const Vector2d tangent(-state.normal.y(), state.normal.x());
@@ -130,7 +130,8 @@ class Tracer {
     return false;
   }
 
-  // Appends states to one end of the path. Returns true if the path comes back to its other end.
+  // Appends states to the back of the path (sense = 1) or to its front (-1). Returns true if the
+  // path comes back to its other end.
   bool follow(double sense, std::deque<State>& path) {
     const State first = sense > 0 ? path.front() : path.back();
     State here = sense > 0 ? path.back() : path.front();

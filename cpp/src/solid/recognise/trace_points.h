@@ -17,7 +17,7 @@ namespace swept::step {
 struct Trace {
   std::vector<Eigen::Vector2d> points, normals;
   std::vector<double> along;  ///< mm, path length from the first point
-  double turn = 0;            ///< rad, total turn without sign
+  double turn = 0;            ///< rad, sum of the absolute turning angles
   double reach = 0;           ///< mm, how far a point may lie from the path
   bool closed = false;        ///< the first point is repeated at the end
 

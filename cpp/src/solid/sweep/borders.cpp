@@ -14,20 +14,21 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kSamples = 24;
-constexpr int kNodes = 32;  // number of times at which the contact along an edge is found first
+// number of time intervals at whose ends the contact along an edge is found first
+constexpr int kNodes = 32;
 
 }  // namespace
 
 Curve isoCurve(const Sheet& sheet, bool alongT, double at, Range range) {
-  const Knots& own = alongT ? sheet.knotsT() : sheet.knotsU();
+  const Knots& freeKnots = alongT ? sheet.knotsT() : sheet.knotsU();
   const Knots& other = alongT ? sheet.knotsU() : sheet.knotsT();
   const Knots::Basis basis = other.basis(at);
   Curve curve;
   curve.kind = CurveKind::Spline;
-  curve.degree = own.degree();
-  curve.joints = own.joints();
-  const double from = own.range().from;
-  for (std::size_t i = 0; i < own.poleCount(); ++i) {
+  curve.degree = freeKnots.degree();
+  curve.joints = freeKnots.joints();
+  const double from = freeKnots.range().from;
+  for (std::size_t i = 0; i < freeKnots.poleCount(); ++i) {
     Vector3d sum = Vector3d::Zero();
     for (int k = 0; k <= other.degree(); ++k) {
       const std::size_t j = basis.first + k;
@@ -35,8 +36,8 @@ Curve isoCurve(const Sheet& sheet, bool alongT, double at, Range range) {
     }
     curve.poles.push_back(sum);
   }
-  for (const double knot : own.breaks()) curve.knots.push_back(knot - from);
-  curve.last = own.range().length();
+  for (const double knot : freeKnots.breaks()) curve.knots.push_back(knot - from);
+  curve.last = freeKnots.range().length();
   curve = partOf(curve, range.from - from, range.to - from);
   if (curve.degree == 1 && curve.knots.size() == 2)
     return lineThrough(curve.poles.front(), curve.poles.back());
@@ -117,22 +118,22 @@ std::optional<Curve> contactAlong(const Curve& curve, Range along,
   const double size = (curve.at(along.to) - curve.at(along.from)).norm() +
                       (curve.at(along.at(0.5)) - curve.at(along.from)).norm();
   const ContactMap map(rail, path, size);
-  const Range room = along.grown(kMargin);
-  // Goes from the middle of the time range to both of its ends.
-  std::vector<double> places(kNodes + 1);
-  for (const int way : {-1, 1}) {
+  const Range extended = along.grown(kMargin);
+  // Solves from the middle of the time range to both of its ends.
+  std::vector<double> solutions(kNodes + 1);
+  for (const int direction : {-1, 1}) {
     double v = start;
-    for (int j = kNodes / 2; j >= 0 && j <= kNodes; j += way) {
+    for (int j = kNodes / 2; j >= 0 && j <= kNodes; j += direction) {
       const auto found = map.solve(0, v, Moment(path, during.at(j / double{kNodes})));
-      if (!found || *found < room.from || *found > room.to) return std::nullopt;
-      places[j] = v = *found;
+      if (!found || *found < extended.from || *found > extended.to) return std::nullopt;
+      solutions[j] = v = *found;
     }
   }
   return curveOf(
       [&](double s) {
         const double x = std::clamp((s - during.from) / during.length(), 0.0, 1.0) * kNodes;
         const int j = std::min(kNodes - 1, static_cast<int>(x));
-        const double guess = (1 - (x - j)) * places[j] + (x - j) * places[j + 1];
+        const double guess = (1 - (x - j)) * solutions[j] + (x - j) * solutions[j + 1];
         const Moment moment(path, s);
         const auto found = map.solve(0, guess, moment);
         if (!found) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()).eval();

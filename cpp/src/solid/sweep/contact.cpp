@@ -12,12 +12,12 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kRounds = 30;
-constexpr double kNoPlace = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoContact = std::numeric_limits<double>::quiet_NaN();
 /// Sine of 3 degrees: the smallest angle at which rails must cross the contact curve.
 constexpr double kMinCrossing = 0.05;
 
 // Returns the position of x in the range, in units of node intervals.
-double share(Range range, double x, int nodes) {
+double gridPosition(Range range, double x, int nodes) {
   return range.length() > 0 ? std::clamp((x - range.from) / range.length(), 0.0, 1.0) * nodes : 0;
 }
 
@@ -71,7 +71,7 @@ std::optional<double> ContactMap::solve(double w, double v, const Moment& moment
     v -= step;
     const double moved = std::abs(step) * perV;
     if (moved < 1e-13 * size_) return v;
-    // Rounding prevents steps smaller than this.
+    // If so, rounding prevents smaller steps.
     if (moved < 1e-9 * size_ && moved >= 0.5 * last) return v;
     last = moved;
   }
@@ -82,9 +82,9 @@ Degeneracy ContactMap::follow(Range w, Range s, Range innerW, Range innerS, cons
                               Vector2d& where) {
   w_ = w;
   s_ = s;
-  places_.assign((kNodes + 1) * (kNodes + 1), kNoPlace);
-  const int firstW = static_cast<int>(std::lround(share(w, start.x(), kNodes)));
-  const int firstS = static_cast<int>(std::lround(share(s, start.z(), kNodes)));
+  parameters_.assign((kNodes + 1) * (kNodes + 1), kNoContact);
+  const int firstW = static_cast<int>(std::lround(gridPosition(w, start.x(), kNodes)));
+  const int firstS = static_cast<int>(std::lround(gridPosition(s, start.z(), kNodes)));
   std::vector<Moment> moments;
   for (int j = 0; j <= kNodes; ++j) moments.emplace_back(path_, s.at(j / double{kNodes}));
   // Follows the contact over time on the first rail, then from rail to rail at each time.
@@ -100,10 +100,10 @@ Degeneracy ContactMap::follow(Range w, Range s, Range innerW, Range innerS, cons
     return std::abs(slope.x()) > kMinCrossing * slope.norm() ? Degeneracy::None : Degeneracy::Fold;
   };
   const auto sweep = [&](bool alongTime, int fixed, int first) {
-    for (const int way : {-1, 1}) {
-      for (int k = first + way; k >= 0 && k <= kNodes; k += way) {
+    for (const int direction : {-1, 1}) {
+      for (int k = first + direction; k >= 0 && k <= kNodes; k += direction) {
         const int i = alongTime ? fixed : k, j = alongTime ? k : fixed;
-        const double before = alongTime ? node(i, j - way) : node(i - way, j);
+        const double before = alongTime ? node(i, j - direction) : node(i - direction, j);
         const Degeneracy why = visit(i, j, before);
         if (why != Degeneracy::None) return why;
       }
@@ -116,15 +116,15 @@ Degeneracy ContactMap::follow(Range w, Range s, Range innerW, Range innerS, cons
   return why;
 }
 
-double ContactMap::placeAt(double w, double s) const {
-  const double x = share(w_, w, kNodes), y = share(s_, s, kNodes);
+double ContactMap::parameterAt(double w, double s) const {
+  const double x = gridPosition(w_, w, kNodes), y = gridPosition(s_, s, kNodes);
   const int i = std::min(kNodes - 1, static_cast<int>(x));
   const int j = std::min(kNodes - 1, static_cast<int>(y));
   const double a = x - i, b = y - j;
   const double guess = (1 - a) * ((1 - b) * node(i, j) + b * node(i, j + 1)) +
                        a * ((1 - b) * node(i + 1, j) + b * node(i + 1, j + 1));
   const auto found = solve(w, guess, Moment(path_, s));
-  return found ? *found : kNoPlace;
+  return found ? *found : kNoContact;
 }
 
 }  // namespace swept::step

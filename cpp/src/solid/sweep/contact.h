@@ -14,7 +14,8 @@
 
 namespace swept::step {
 
-/// The motion at one time, in coordinates of the body: x moves with linear + angular x x.
+/// The motion at one time, in coordinates of the body: a point p has the velocity linear + angular
+/// x p.
 struct Moment {
   Moment(const StepPath& path, double s);
   Eigen::Vector3d velocityAt(const Eigen::Vector3d& x) const { return linear + angular.cross(x); }
@@ -24,7 +25,7 @@ struct Moment {
 
 class ContactMap {
  public:
-  /// `size`: mm, extent of the contact.
+  /// `size`: mm, extent of the points of contact.
   ContactMap(const Rails& rails, const StepPath& path, double size)
       : rails_(rails), path_(path), size_(size) {}
 
@@ -38,25 +39,25 @@ class ContactMap {
   std::optional<double> solve(double w, double v, const Moment& moment) const;
 
   /// Follows the contact from `start` (w, v, s) over the ranges of w and s. Returns how the contact
-  /// degenerates within the inner ranges; `where` receives the parameters (w, s). Faults in the
-  /// margin around the inner ranges do not count.
+  /// degenerates within the inner ranges; `where` receives the parameters (w, s). Whether it
+  /// degenerates in the margin around the inner ranges does not matter.
   Degeneracy follow(Range w, Range s, Range innerW, Range innerS, const Eigen::Vector3d& start,
                     Eigen::Vector2d& where);
   /// Returns the parameter v of the contact at (w, s) in the range that was followed. NaN if there
   /// is none.
-  double placeAt(double w, double s) const;
+  double parameterAt(double w, double s) const;
 
  private:
   static constexpr int kNodes = 24;  // intervals in each direction
-  double& node(int i, int j) { return places_[i * (kNodes + 1) + j]; }
-  double node(int i, int j) const { return places_[i * (kNodes + 1) + j]; }
+  double& node(int i, int j) { return parameters_[i * (kNodes + 1) + j]; }
+  double node(int i, int j) const { return parameters_[i * (kNodes + 1) + j]; }
   double lengthPer(double w, double v, bool alongRail) const;
 
   const Rails& rails_;
   const StepPath& path_;
   double size_;
   Range w_, s_;
-  std::vector<double> places_;
+  std::vector<double> parameters_;
 };
 
 }  // namespace swept::step

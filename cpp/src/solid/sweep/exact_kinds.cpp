@@ -25,7 +25,9 @@ constexpr std::size_t kMinNodes = 4, kMaxNodes = 16;
 // Points of the surface: for each of kTests values of u, a row of points along t.
 struct Samples {
   std::vector<Vector3d> points;
-  Vector3d middle, normal;  // of the patch, along S_u x S_t; zero if it is singular there
+  // `middle` of the patch, and S_u x S_t there as a unit vector; zero if the surface is singular
+  // there
+  Vector3d middle, normal;
   double size = 0;
   const Vector3d& at(int i, int j) const { return points[i * kTests + j]; }
 };
@@ -48,8 +50,9 @@ Samples sampled(const ExactSurface& exact, Range u, Range t) {
   return samples;
 }
 
-// Returns whether all points lie on the carrier. Turns its outward side to that of the samples.
-bool holds(Carrier& carrier, const Samples& samples, double bound) {
+// Returns whether all points lie on the carrier. Reverses the carrier if its outward side is not
+// that of the samples.
+bool containsAll(Carrier& carrier, const Samples& samples, double bound) {
   for (const Vector3d& p : samples.points) {
     if (!(std::abs(carrier.distance(p)) <= bound)) return false;
   }
@@ -81,8 +84,8 @@ Carrier planeGuess(const Samples& samples) {
   return ofKind(CarrierKind::Plane, mean, solver.eigenvectors().col(0).normalized());
 }
 
-// Returns centre and radius of the circle through three points of a plane. Returns nothing if they
-// lie on a line.
+// Returns centre (x, y) and radius (z) of the circle through three points of a plane. Returns
+// nothing if they lie on a line.
 std::optional<Vector3d> circleOf(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   Eigen::Matrix2d rows;
   rows << (b - a).transpose(), (c - a).transpose();
@@ -93,8 +96,8 @@ std::optional<Vector3d> circleOf(const Vector2d& a, const Vector2d& b, const Vec
   return Vector3d(a.x() + from.x(), a.y() + from.y(), from.norm());
 }
 
-// For surfaces that turn about the axis: their points, as (distance from the axis, height), form
-// one curve. Three of the points give a guess of the surface.
+// For surfaces that turn about the axis: their points form one curve in the coordinates (distance
+// from the axis, height). Three of the points give a guess of the surface.
 std::optional<Carrier> turnedGuess(const Samples& samples, const FixedAxis& axis, double bound) {
   std::vector<Vector2d> flat;
   for (const Vector3d& p : samples.points) {
@@ -106,33 +109,33 @@ std::optional<Carrier> turnedGuess(const Samples& samples, const FixedAxis& axis
   const Vector2d a = along(0), b = along(kTests / 2), c = along(kTests - 1);
   Carrier round = ofKind(CarrierKind::Cylinder, axis.point, axis.direction);
   round.radius = b.x();
-  if (holds(round, samples, bound)) return round;
+  if (containsAll(round, samples, bound)) return round;
   if (a.x() != c.x()) {
     round.kind = CarrierKind::Cone;
-    const double way = c.y() >= a.y() ? 1 : -1;
-    round.setHalfAngle(std::atan2(way * (c.x() - a.x()), way * (c.y() - a.y())));
+    const double sign = c.y() >= a.y() ? 1 : -1;
+    round.setHalfAngle(std::atan2(sign * (c.x() - a.x()), sign * (c.y() - a.y())));
     round.point = axis.point + b.y() * axis.direction;
     double nearest = 1e300;
     for (const Vector2d& q : flat) nearest = std::min(nearest, q.x());
     if (std::abs(round.cosine) > kTiny && nearest > kNearAxis * samples.size &&
-        holds(round, samples, bound))
+        containsAll(round, samples, bound))
       return round;
   }
   const auto circle = circleOf(a, b, c);
   if (!circle) return std::nullopt;
   round = ofKind(CarrierKind::Sphere, axis.point + circle->y() * axis.direction, axis.direction);
   round.radius = circle->z();
-  if (holds(round, samples, bound)) return round;
+  if (containsAll(round, samples, bound)) return round;
   round.kind = CarrierKind::Torus;
   round.radius = std::abs(circle->x());
   round.minor = circle->z();
   round.tubeMid = std::atan2(b.y() - circle->y(), b.x() - circle->x());
   // A torus that intersects itself would consist of two surfaces.
-  if (round.minor < round.radius && holds(round, samples, bound)) return round;
+  if (round.minor < round.radius && containsAll(round, samples, bound)) return round;
   return std::nullopt;
 }
 
-// Returns the profile through plane points at(v). Slopes are differences of these points.
+// Returns the profile through plane points at(v). Slopes are difference quotients of these points.
 std::shared_ptr<const Profile> profileThrough(const std::function<Vector2d(double)>& at,
                                               Range range, std::size_t count) {
   std::vector<Profile::Node> nodes;
@@ -152,7 +155,7 @@ std::shared_ptr<const Profile> profileThrough(const std::function<Vector2d(doubl
   const double scale = length / range.length();
   if (!(scale > 0)) return nullptr;
   for (Profile::Node& node : nodes) {
-    if (!(node.slope.norm() > kNearAxis * scale)) return nullptr;  // it turns back
+    if (!(node.slope.norm() > kNearAxis * scale)) return nullptr;  // the profile turns back
     node.slope /= scale;
     node.knot = (node.knot - range.from) * scale;
   }
@@ -172,7 +175,7 @@ std::optional<Carrier> withProfile(Carrier carrier, const ExactCurve& generator,
     }
     // The profile is accurate now. If points lie off its surface, more nodes would not help.
     if (error <= 0.5 * bound)
-      return holds(carrier, samples, bound) ? std::optional(carrier) : std::nullopt;
+      return containsAll(carrier, samples, bound) ? std::optional(carrier) : std::nullopt;
   }
   return std::nullopt;
 }
@@ -215,7 +218,7 @@ std::optional<Carrier> extrusion(const ExactSurface& exact, Range u, Range t,
     if (const auto circle = circleThrough(flat, false, bound)) {
       Carrier round = ofKind(CarrierKind::Cylinder, circle->start, carrier.axis);
       round.radius = circle->radius;
-      if (holds(round, samples, bound)) return round;
+      if (containsAll(round, samples, bound)) return round;
     }
     if (auto made = withProfile(carrier, generator, range, samples, bound)) return made;
   }
@@ -250,9 +253,9 @@ std::optional<Carrier> revolution(const ExactSurface& exact, Range u, Range t,
 
 std::optional<FixedAxis> fixedAxis(const StepPath& path) {
   if (path.isScrew()) return FixedAxis{path.axisPoint(), path.axis()};
-  const Vector3d from = path.poseAt(0).translation, way = path.poseAt(1).translation - from;
+  const Vector3d from = path.poseAt(0).translation, shift = path.poseAt(1).translation - from;
   const Vector3d axis = path.axis();
-  if (!(path.angle() > 0) || way.cross(axis).norm() > kTiny * way.norm()) return std::nullopt;
+  if (!(path.angle() > 0) || shift.cross(axis).norm() > kTiny * shift.norm()) return std::nullopt;
   return FixedAxis{from, axis};
 }
 
@@ -263,7 +266,7 @@ std::optional<Carrier> exactKind(const ExactSurface& exact, Range u, Range t, co
     if (!p.allFinite()) return std::nullopt;
   }
   Carrier plane = planeGuess(samples);
-  if (holds(plane, samples, bound)) return plane;
+  if (containsAll(plane, samples, bound)) return plane;
   const auto axis = fixedAxis(path);
   if (axis) {
     if (auto made = turnedGuess(samples, *axis, bound)) return made;

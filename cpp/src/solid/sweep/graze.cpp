@@ -114,9 +114,9 @@ class SphereContact {
     return moment.placement.rotation * moment.velocityAt(face_.point);
   }
   Vector3d outwardAt(double w, double s) const {
-    const Vector3d way = velocityAt(s).normalized();
-    const Vector3d x = (from_ - from_.dot(way) * way).normalized();
-    return std::cos(w) * x + std::sin(w) * way.cross(x);
+    const Vector3d direction = velocityAt(s).normalized();
+    const Vector3d x = (from_ - from_.dot(direction) * direction).normalized();
+    return std::cos(w) * x + std::sin(w) * direction.cross(x);
   }
   double angleOf(const Vector3d& p, double s) const {
     const Vector3d d = p - centreAt(s), x = outwardAt(0, s), y = outwardAt(M_PI / 2, s);
@@ -179,14 +179,14 @@ SweptSurface grazeOfSphere(const Carrier& face, const std::vector<Contact>& cont
 struct OnRails {
   std::vector<double> w, v, s;
   Range rangeW, rangeS;
-  bool isOpen = true;   // true: on closed rails, there is a gap between the contacts
+  bool isOpen = true;   // false if the contacts lie all around a closed rail
   double crossing = 0;  // the smallest sine of the angle between rails and contact curves
-  // Largest speed (mm per unit of s): along the normal, in any direction.
-  double fastest = 0, farthest = 0;
+  // mm per unit of s: largest change of the normal speed over the contacts, and largest speed.
+  double largestNormalSpeed = 0, largestSpeed = 0;
 };
 
-OnRails place(const Rails& rails, const std::vector<Contact>& contacts, const StepPath& path,
-              double size) {
+OnRails locate(const Rails& rails, const std::vector<Contact>& contacts, const StepPath& path,
+               double size) {
   OnRails on;
   const ContactMap map(rails, path, size);
   on.crossing = 1;
@@ -199,8 +199,8 @@ OnRails place(const Rails& rails, const std::vector<Contact>& contacts, const St
     on.v.push_back(at.y());
     on.s.push_back(c.s);
     const Vector2d slope = map.slopes(at.x(), at.y(), moment);
-    on.fastest = std::max(on.fastest, slope.norm() * size);
-    on.farthest = std::max(on.farthest, moment.velocityAt(x).norm());
+    on.largestNormalSpeed = std::max(on.largestNormalSpeed, slope.norm() * size);
+    on.largestSpeed = std::max(on.largestSpeed, moment.velocityAt(x).norm());
     on.crossing = std::min(on.crossing, std::abs(slope.x()) / std::max(slope.norm(), 1e-300));
   }
   on.isOpen = unwrap(on.w, rails.periods()[0]);
@@ -241,12 +241,12 @@ SweptSurface followed(const Rails& rails, const OnRails& on, bool isRuled, doubl
     const Degeneracy why = map.follow(w, s, on.rangeW, on.rangeS, start, where);
     if (why != Degeneracy::None) return none(why, where);
     const ExactSurface exact = [&](double a, double b) {
-      const double v = map.placeAt(a, b);
+      const double v = map.parameterAt(a, b);
       if (!std::isfinite(v)) return Vector3d::Constant(v).eval();
       return path.at(b).apply(rails.at(a, v).at);
     };
     const ExactSurface outward = [&](double a, double b) {
-      return Vector3d(path.at(b).rotation * rails.at(a, map.placeAt(a, b)).normal);
+      return Vector3d(path.at(b).rotation * rails.at(a, map.parameterAt(a, b)).normal);
     };
     result = carrierOf(exact, outward, w, s, on.rangeW, on.rangeS, isRuled, path, bound);
     if (result.why != Degeneracy::TooComplex) break;
@@ -270,14 +270,14 @@ SweptSurface grazeOf(const Carrier& face, const std::vector<Contact>& contacts,
       return none(slides ? Degeneracy::AlongItself : Degeneracy::NoContact);
     }
     const auto rails = railsOf(face, false, *along);
-    return followed(*rails, place(*rails, contacts, path, size), true, size, path, bound);
+    return followed(*rails, locate(*rails, contacts, path, size), true, size, path, bound);
   }
   const auto rails = railsOf(face, false, Vector3d::Zero()),
              crossed = railsOf(face, true, Vector3d::Zero());
-  const OnRails on = place(*rails, contacts, path, size),
-                onCrossed = place(*crossed, contacts, path, size);
-  if (!(on.farthest > 0)) return none(Degeneracy::AtRest);
-  if (!(on.fastest > kNoSpeed * on.farthest)) return none(Degeneracy::AlongItself);
+  const OnRails on = locate(*rails, contacts, path, size),
+                onCrossed = locate(*crossed, contacts, path, size);
+  if (!(on.largestSpeed > 0)) return none(Degeneracy::AtRest);
+  if (!(on.largestNormalSpeed > kNoSpeed * on.largestSpeed)) return none(Degeneracy::AlongItself);
   return on.crossing >= onCrossed.crossing
              ? followed(*rails, on, false, size, path, bound)
              : followed(*crossed, onCrossed, false, size, path, bound);
@@ -303,24 +303,24 @@ std::optional<Curve> contactAt(const Carrier& face, const std::vector<Vector3d>&
                                          : std::optional<Vector3d>(Vector3d::Zero());
   if (!direction) return std::nullopt;
   auto rails = railsOf(face, false, *direction), crossed = railsOf(face, true, *direction);
-  OnRails on = place(*rails, contacts, path, size), other = place(*crossed, contacts, path, size);
+  OnRails on = locate(*rails, contacts, path, size), other = locate(*crossed, contacts, path, size);
   if (other.crossing > on.crossing) {
     std::swap(rails, crossed);
     std::swap(on, other);
   }
   // The points need not lie on the curve, but they must be in the order of the rails.
-  const double way = on.w.back() > on.w.front() ? 1 : -1;
+  const double sign = on.w.back() > on.w.front() ? 1 : -1;
   for (std::size_t i = 1; i < on.w.size(); ++i) {
-    if (!(way * (on.w[i] - on.w[i - 1]) > 0)) return std::nullopt;
+    if (!(sign * (on.w[i] - on.w[i - 1]) > 0)) return std::nullopt;
   }
   if (!on.isOpen || !unwrap(on.v, rails->periods()[1])) return std::nullopt;
   const ContactMap map(*rails, path, size);
   const Moment moment(path, s);
   const auto exact = [&](double x) -> Vector3d {
     std::size_t i = 1;
-    while (i + 1 < on.w.size() && way * (x - on.w[i]) > 0) ++i;
-    const double share = (x - on.w[i - 1]) / (on.w[i] - on.w[i - 1]);
-    const auto v = map.solve(x, on.v[i - 1] + share * (on.v[i] - on.v[i - 1]), moment);
+    while (i + 1 < on.w.size() && sign * (x - on.w[i]) > 0) ++i;
+    const double fraction = (x - on.w[i - 1]) / (on.w[i] - on.w[i - 1]);
+    const auto v = map.solve(x, on.v[i - 1] + fraction * (on.v[i] - on.v[i - 1]), moment);
     if (!v) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
     return moment.placement.apply(rails->at(x, *v).at);
   };

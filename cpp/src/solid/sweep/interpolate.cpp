@@ -18,9 +18,9 @@ std::vector<double> evenly(Range range, std::size_t count) {
   return result;
 }
 
-// Finds knots for curves across the iso-lines at these parameters of the other direction.
-std::optional<Knots> knotsAcross(const ExactSurface& exact, Range range,
-                                 const std::vector<double>& lines, bool alongU, double bound) {
+// Finds knots that suit all iso-lines at the parameters `lines` of the other direction.
+std::optional<Knots> knotsAlong(const ExactSurface& exact, Range range,
+                                const std::vector<double>& lines, bool alongU, double bound) {
   const ExactRow row = [&](double v) {
     Eigen::RowVectorXd values(3 * lines.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -56,7 +56,8 @@ Sheet interpolate(const ExactSurface& exact, const Knots& u, const Knots& t) {
   return {u, t, std::move(poles)};
 }
 
-// Returns points at about both thirds of the gaps between sites, where the error is largest.
+// Returns points at about one third and two thirds of the gaps between sites, where the error is
+// largest.
 std::vector<double> between(const Knots& knots) {
   const std::vector<double> sites = knots.sites();
   std::vector<double> result;
@@ -88,10 +89,10 @@ std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t,
     // If the knots along u are given, the surface is a spline that moves rigidly, so its poles move
     // rigidly. For a line, the paths of its two ends suffice to choose the knots along t.
     const auto across = given != nullptr && given->degree() == 1 ? evenly(u, 2) : evenly(u, lines);
-    const auto knotsT = knotsAcross(exact, t, across, false, each);
+    const auto knotsT = knotsAlong(exact, t, across, false, each);
     if (!knotsT) return std::nullopt;
     const auto knotsU = given != nullptr ? std::optional<Knots>(*given)
-                                         : knotsAcross(exact, u, evenly(t, lines), true, each);
+                                         : knotsAlong(exact, u, evenly(t, lines), true, each);
     if (!knotsU || knotsU->poleCount() * knotsT->poleCount() > kMaxPoles) return std::nullopt;
     const auto sheet = std::make_shared<const Sheet>(interpolate(exact, *knotsU, *knotsT));
     const double error = errorOf(*sheet, exact);

@@ -1,5 +1,5 @@
-// Makes sheets that interpolate an exact surface on a grid. They are refined until they are within
-// a bound between the grid points.
+// Makes sheets that interpolate an exact surface on a grid, and refines them until they are within
+// a bound of the surface between the grid points.
 // Units:   mm.
 // Cost:    O(poles) exact evaluations for the grid and about five times as many to test it.
 // Promise: `error` is at most the bound at twice as many test points as poles in each direction.

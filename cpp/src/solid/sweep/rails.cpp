@@ -20,7 +20,7 @@ struct Frame {
   Vector3d z, x, y;
 };
 
-// Lines perpendicular to the line of contact.
+// The rails of a plane: lines perpendicular to the line of contact.
 class PlaneRails : public Rails {
  public:
   PlaneRails(const Carrier& face, const Vector3d& along)
@@ -37,8 +37,8 @@ class PlaneRails : public Rails {
   Vector3d along_, across_;
 };
 
-// Cylinders, cones, revolutions: w is the height (or the parameter of the profile), v is the angle.
-// Tori: w is the angle around the tube, v is the angle about the axis.
+// The rails of cylinders, cones and revolutions: w is the height (or the parameter of the profile),
+// v is the angle. The rails of tori: w is the angle around the tube, v is the angle about the axis.
 class RoundRails : public Rails {
  public:
   explicit RoundRails(const Carrier& face) : face_(face), frame_(face) {}
@@ -84,7 +84,7 @@ class RoundRails : public Rails {
   Frame frame_;
 };
 
-// Extrusions: w is the length along the direction, v is the parameter of the profile.
+// The rails of extrusions: w is the length along the direction, v is the parameter of the profile.
 class ExtrusionRails : public Rails {
  public:
   explicit ExtrusionRails(const Carrier& face) : face_(face), frame_(face) {}

@@ -17,7 +17,7 @@ namespace swept::step {
 class Rails {
  public:
   struct Point {
-    Eigen::Vector3d at, normal;  ///< `normal`: outward
+    Eigen::Vector3d at, normal;  ///< `normal`: outward unit normal
   };
 
   virtual ~Rails() = default;

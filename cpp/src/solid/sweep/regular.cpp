@@ -29,8 +29,8 @@ class Search {
     }
   }
 
-  // Returns the smallest of three numbers: the sine between both derivatives, and their relative
-  // lengths. It is 0 at a singular point.
+  // Returns the smallest of three numbers: the sine of the angle between both derivatives, and
+  // their relative lengths. It is 0 at a singular point.
   double regularity(const Sheet::Foot& foot) const {
     const double a = foot.alongU.norm(), b = foot.alongT.norm();
     if (!(a > 0 && b > 0)) return 0;
@@ -38,7 +38,8 @@ class Search {
     return std::min({sine, a / largestU_, b / largestT_});
   }
 
-  // Returns the least regular point: that of the grid, improved in smaller and smaller steps.
+  // Returns the least regular point: starts at that of the grid, and searches around it in smaller
+  // and smaller steps.
   Vector2d worst() const {
     const auto least = std::min_element(
         feet_.begin(), feet_.end(),

@@ -1,5 +1,6 @@
-// Tests whether a sheet is regular: S_u and S_t nowhere vanish or become parallel. Otherwise it has
-// a pole, a crease or an edge of regression, where no kernel can work with it.
+// Tests whether a sheet is regular: its derivatives S_u and S_t nowhere vanish or become parallel.
+// Otherwise the sheet has a pole, a crease or an edge of regression, and kernels cannot work with
+// it there.
 // Units:   none (sines).
 // Cost:    O(samples).
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 constexpr int kSteps = 16;
 
 // Returns the range with its margin. The range of a circle does not extend beyond one turn.
-Range withRoom(const Curve& curve, Range range) {
+Range withMargin(const Curve& curve, Range range) {
   const Range grown = range.grown(kMargin);
   if (curve.kind != CurveKind::Circle || grown.length() < 2 * M_PI) return grown;
   const double spare = std::max(0.0, 2 * M_PI - range.length()) / 2;
@@ -37,23 +37,24 @@ std::optional<Knots> knotsOf(const Curve& curve, Range range) {
   return Knots(curve.degree, std::move(breaks), curve.joints);
 }
 
-// Finds out whether the curve is at rest, or moves only along itself.
+// Returns AtRest if the curve does not move, AlongItself if it moves only along itself, otherwise
+// None.
 Degeneracy idle(const ExactSurface& exact, Range u, Range t) {
-  double way = 0, length = 0, area = 0;
+  double movement = 0, length = 0, area = 0;
   for (int i = 0; i < kSteps; ++i) {
     for (int j = 0; j < kSteps; ++j) {
       const double u0 = u.at(i / double{kSteps}), u1 = u.at((i + 1) / double{kSteps});
       const double t0 = t.at(j / double{kSteps}), t1 = t.at((j + 1) / double{kSteps});
       const Vector3d p = exact(u0, t0), along = exact(u1, t0) - p, moved = exact(u0, t1) - p;
-      way = std::max(way, moved.norm());
+      movement = std::max(movement, moved.norm());
       length = std::max(length, along.norm());
       // If the curve slides along itself, both chords lie along it and span no area. This fails for
       // bent curves; see turnsInItself().
       area = std::max(area, along.cross(moved).norm());
     }
   }
-  if (!(way > kNoSpeed * length)) return Degeneracy::AtRest;
-  return area > kNoSpeed * way * length ? Degeneracy::None : Degeneracy::AlongItself;
+  if (!(movement > kNoSpeed * length)) return Degeneracy::AtRest;
+  return area > kNoSpeed * movement * length ? Degeneracy::None : Degeneracy::AlongItself;
 }
 
 // Returns whether the curve is a circle that turns about its own axis. Its chords are not parallel,
@@ -107,7 +108,7 @@ void faceOutwards(Carrier& carrier, const Vector3d& p, const Vector3d& outward) 
 SweptSurface sweptBy(const Curve& curve, Range along, const StepPath& path, Range during,
                      double bound) {
   const ExactSurface exact = [&](double u, double s) { return path.at(s).apply(curve.at(u)); };
-  const Range u = withRoom(curve, along), s = during.grown(kMargin);
+  const Range u = withMargin(curve, along), s = during.grown(kMargin);
   SweptSurface result;
   result.where = {along.at(0.5), during.at(0.5)};
   result.why = turnsInItself(curve, path) ? Degeneracy::AlongItself : idle(exact, u, s);

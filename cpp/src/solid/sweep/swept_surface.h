@@ -10,8 +10,8 @@
 //   normal n is orthogonal to the velocity v. At each time these points form a contact curve. It is
 //   found on "rails", curves that cover the face: on rail w, it is the point where n.v = 0. On a
 //   plane, rails are lines across the contact line. On cylinders, cones, extrusions, revolutions
-//   and tori, they are parallels or generator lines. On spheres the contact curve is a great
-//   circle, and w is the angle on it.
+//   and tori, they are circles about the axis, or curves that generate the face. On spheres the
+//   contact curve is a great circle, and w is the angle on it.
 //
 //   Such a surface may be, within the bound, a plane, cylinder, cone, sphere or torus, or an
 //   extrusion or revolution with a profile of few cubics. Then the carrier is of this kind
@@ -61,10 +61,10 @@ enum class Degeneracy {
   NoContact,    ///< n.v = 0 has no solution on some rail in the range
   Fold,         ///< a contact curve turns back within the rails
   LeavesFace,   ///< the contact leaves the known part of the face
-  TooComplex,   ///< the bound is not reached with kMaxSpans
+  TooComplex,   ///< the bound is not reached with kMaxSpans spans and kMaxPoles poles
   NotKnown,     ///< no method for this kind of face
 };
-/// Returns a text such as "the curve slides along itself".
+/// Returns a text such as "it slides along itself".
 const char* degeneracyText(Degeneracy why);
 
 struct SweptSurface {
@@ -72,7 +72,8 @@ struct SweptSurface {
   /// faceOutwards().
   std::optional<Carrier> carrier;
   Degeneracy why = Degeneracy::None;
-  Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< (u or w, s) at which it degenerates
+  /// (u or w, s) at which the surface degenerates
+  Eigen::Vector2d where = Eigen::Vector2d::Zero();
   double error = 0;  ///< mm: largest deviation measured between the points of interpolation
 };
 
@@ -83,9 +84,9 @@ struct SweptSurface {
 SweptSurface sweptBy(const Curve& curve, Range along, const StepPath& path, Range during,
                      double bound = kOnCarrier);
 
-/// A point of the envelope that the face made by grazing, as in SurfaceSource.
+/// A point of the envelope at which the face grazes it (SourceKind::Graze).
 struct Contact {
-  Eigen::Vector3d point;  ///< world
+  Eigen::Vector3d point;  ///< in world coordinates, mm
   double s = 0;           ///< fraction of the step
 };
 

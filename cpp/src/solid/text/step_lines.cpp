@@ -16,8 +16,8 @@ std::string ref(Id id) {
 }
 
 // Returns the code point of UTF-8 at `at` and advances `at`. A byte counts as a code point by
-// itself if it cannot begin one, or if the text ends before the bytes that it announces. The bytes
-// that follow it are not checked.
+// itself if it cannot begin one, or if the text ends before the bytes that should follow it. The
+// values of these bytes are not checked.
 char32_t codePoint(const std::string& text, std::size_t& at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
@@ -96,10 +96,10 @@ Id FileSections::context(double exact) {
 }
 
 void FileSections::product(const char* representation, const std::vector<Id>& items,
-                           const std::vector<Id>& coloured, Id where) {
+                           const std::vector<Id>& coloured, Id contextId) {
   const std::string name = stepString(options_.productName);
   const Id shape = lines_.begin(representation);
-  lines_.raw(name).raw(",").ids(items).raw(",").id(where).end();
+  lines_.raw(name).raw(",").ids(items).raw(",").id(contextId).end();
   const Id application =
       plain("APPLICATION_CONTEXT", {is242() ? "'managed model based 3d engineering'"
                                             : "'core data for automotive mechanical design "
@@ -118,10 +118,10 @@ void FileSections::product(const char* representation, const std::vector<Id>& it
       plain("PRODUCT_DEFINITION", {"'design','',", ref(formation), ",", ref(design)});
   const Id definitionShape = plain("PRODUCT_DEFINITION_SHAPE", {"'','',", ref(definition)});
   plain("SHAPE_DEFINITION_REPRESENTATION", {ref(definitionShape), ",", ref(shape)});
-  colour(coloured, where);
+  colour(coloured, contextId);
 }
 
-void FileSections::colour(const std::vector<Id>& items, Id where) {
+void FileSections::colour(const std::vector<Id>& items, Id contextId) {
   const Id paint = lines_.begin("COLOUR_RGB");
   lines_.raw("''");
   for (const double part : options_.colour) lines_.raw(",").ratio(part);
@@ -137,7 +137,7 @@ void FileSections::colour(const std::vector<Id>& items, Id where) {
     styled.push_back(plain("STYLED_ITEM", {"'color',(", ref(style), "),", ref(solid)}));
   }
   lines_.begin("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION");
-  lines_.raw("'',").ids(styled).raw(",").id(where).end();
+  lines_.raw("'',").ids(styled).raw(",").id(contextId).end();
 }
 
 void FileSections::end() { lines_.raw("ENDSEC;\nEND-ISO-10303-21;\n").flush(); }

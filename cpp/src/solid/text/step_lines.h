@@ -1,5 +1,5 @@
-// Writes the data section of a STEP file (ISO 10303-21), and the parts that all our files share:
-// header, units, product, colour.
+// Writes the data section of a STEP file (ISO 10303-21), and the parts that all STEP files of this
+// program contain: header, units, product, colour.
 // Units:   mm. Points have 9 decimals (1e-9 mm), directions 13 digits.
 // Cost:    O(text), written in blocks. Throws Error(Cancelled). A full disk sets the error state of
 //          the stream.
@@ -83,7 +83,7 @@ class Lines {
     text_ += ')';
     return *this;
   }
-  /// Call this within a long line.
+  /// Call this while a long entity is being written.
   void flushIfLong() {
     if (text_.size() > kFlushAt) flush();
   }
@@ -141,16 +141,16 @@ class FileSections {
   /// Writes the units and the accuracy of points (mm).
   Id context(double exact);
   /// Writes the product. `representation`: the keyword of its shape, which consists of `items`. The
-  /// items in `coloured` get the colour of the options.
+  /// items in `coloured` get the colour of the options. `contextId`: the entity from context().
   void product(const char* representation, const std::vector<Id>& items,
-               const std::vector<Id>& coloured, Id where);
+               const std::vector<Id>& coloured, Id contextId);
   void end();
 
  private:
   using Words = std::initializer_list<std::string>;
   bool is242() const { return options_.schema != StepSchema::Ap214; }
   Id plain(const char* keyword, Words arguments);
-  void colour(const std::vector<Id>& items, Id where);
+  void colour(const std::vector<Id>& items, Id contextId);
 
   Lines& lines_;
   const StepOptions& options_;

@@ -147,7 +147,7 @@ class Writer {
     }
     const Vector3d x = s.xdir.norm() > 0.5 ? s.xdir : anyOrthogonal(s.axis);
     if (s.kind == CarrierKind::Plane) return plane(sections_.placement(s.point, s.axis, x));
-    if (s.hasProfile()) return pushedOrTurned(s);
+    if (s.hasProfile()) return extrusionOrRevolution(s);
     if (s.kind == CarrierKind::Sheet) return sheet(*s.sheet);
     // STEP requires a positive angle, so the radius of a cone must grow along its axis.
     const bool turned = s.kind == CarrierKind::Cone && s.halfAngle < 0;
@@ -159,17 +159,18 @@ class Writer {
     lines_.end();
     return id;
   }
-  Id pushedOrTurned(const Carrier& s) {
+  Id extrusionOrRevolution(const Carrier& s) {
     const Id profile = spline(profileOf(s)), along = sections_.direction(s.axis);
-    const bool pushed = s.kind == CarrierKind::Extrusion;
-    const Id origin = pushed ? 0 : sections_.point(s.point);
-    const Id direction = lines_.begin(pushed ? "VECTOR" : "AXIS1_PLACEMENT");
-    if (pushed) {
+    const bool isExtrusion = s.kind == CarrierKind::Extrusion;
+    const Id origin = isExtrusion ? 0 : sections_.point(s.point);
+    const Id direction = lines_.begin(isExtrusion ? "VECTOR" : "AXIS1_PLACEMENT");
+    if (isExtrusion) {
       lines_.raw("'',").id(along).raw(",1.").end();
     } else {
       lines_.raw("'',").id(origin).raw(",").id(along).end();
     }
-    const Id id = lines_.begin(pushed ? "SURFACE_OF_LINEAR_EXTRUSION" : "SURFACE_OF_REVOLUTION");
+    const Id id =
+        lines_.begin(isExtrusion ? "SURFACE_OF_LINEAR_EXTRUSION" : "SURFACE_OF_REVOLUTION");
     lines_.raw("'',").id(profile).raw(",").id(direction).end();
     return id;
   }
@@ -268,8 +269,8 @@ bool isFaceted(const Model& model) {
 }
 
 double statedAccuracy(const Model& model) {
-  // Readers compute the gaps between surfaces themselves. With a larger value, they could drop
-  // short edges, and accept curves that lie off their surfaces by this distance.
+  // Readers compute the gaps between surfaces themselves. If the file stated a larger value, they
+  // could drop short edges, and accept curves that lie off their surfaces by this distance.
   if (!isFlat(model)) return 1e-7;
   double largest = 1e-7;
   for (const ModelVertex& vertex : model.vertices) largest = std::max(largest, vertex.tolerance);
