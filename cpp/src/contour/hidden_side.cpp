@@ -23,7 +23,7 @@ constexpr double kMinKnownCosine = 0.94;
 constexpr double kCheckReach = 0.1;
 /// Corners of the surface up to this far outside the cell (cells) are considered.
 constexpr double kCornerReach = 1;
-/// The check succeeds if the line hits the surface within this distance of the vertex (cells).
+/// The line of kCheckReach must hit the surface within this distance of the vertex (cells).
 constexpr double kMaxCheckMiss = 0.06;
 /// Planes count as meeting in a point if they miss it by less than this (cells).
 constexpr double kMaxPlaneMiss = 0.03;

@@ -97,7 +97,8 @@ class TipMover {
     v.local = (claim.point - Eigen::Vector3d(v.i, v.j, v.k)).cast<float>();
   }
 
-  /// Smallest distance (cells) between two vertices on one crease.
+  /// Smallest distance (cells) between two vertices that move into one cell. Vertices nearer than
+  /// this count as the same point of a crease.
   static constexpr double kMinDistance = 0.1;
 
   void claim(std::uint32_t layer, const Escape& escape, ComponentFinder& finder,
@@ -152,8 +153,8 @@ class TipMover {
   };
   /// Finds the first component of a leaf cell whose planes agree with the point; `vertex` is kNone
   /// if no component agrees. The planes agree if all of them pass through the point. They also
-  /// agree if at least two of them pass through the point and form a crease, and the point lies
-  /// behind the other planes. In this case the crease ends in a corner inside this cell.
+  /// agree if some of them form a crease through the point and the point lies behind the others. In
+  /// this case the crease ends in a corner inside this cell.
   Agreement agreeing(const Cell& cell, const Eigen::Vector3i& at, const Eigen::Vector3d& point,
                      ComponentFinder& finder) const {
     Components components;

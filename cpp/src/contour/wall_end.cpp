@@ -42,7 +42,8 @@ bool spread(const Cell& cell, const Components& components, int component,
   return found;
 }
 
-/// If two normals of the component are opposed, returns the direction across the wall.
+/// Returns the direction across the wall, or nothing if no two normals of the component are
+/// opposed.
 std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) {
   double least = kMaxOpposedCosine;
   std::optional<Eigen::Vector3d> best;

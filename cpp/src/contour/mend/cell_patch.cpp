@@ -31,8 +31,8 @@ class Patcher {
     firstAdded_ = count;
   }
 
-  /// Fills each ring by a fan about the n-th wanted position of its vertex. Returns false if fans
-  /// intersect, or if a ring has no n-th position.
+  /// Fills each ring by a fan about the n-th preferred position of its vertex. Returns false if
+  /// fans intersect, or if a ring has no n-th position.
   bool fans(std::size_t n) {
     patch_ = {};
     for (std::size_t r = 0; r < rings_.size(); ++r) {

@@ -1,8 +1,8 @@
 // Fills the pieces of surface in one cell with triangles that do not intersect.
 //
-// In: the rings of the cell (cell_rings.h), the points on them, and the wanted positions of their
-// vertices. Out: triangles that fill every ring inside the cell, and the points that they add.
-// Cost: microseconds per cell.
+// In: the rings of the cell (cell_rings.h), the points on the rings, and preferred positions of
+// their vertices. Out: triangles that fill every ring inside the cell, and the points that they
+// add. Cost: microseconds per cell.
 // Promise: triangles of one cell share nothing but corners and edges of their own ring, and stay in
 // the cell.
 // Method: each ring is filled by a fan about one vertex if an exact test finds no two fans that
@@ -28,7 +28,7 @@ namespace swept {
 struct PatchRing {
   /// The crossings of the ring, each followed by the point on the chord to the next crossing.
   std::vector<Eigen::Vector3d> points;
-  std::vector<Eigen::Vector3d> vertices;  ///< wanted positions of the vertex, the best first
+  std::vector<Eigen::Vector3d> vertices;  ///< preferred positions of the vertex, the best first
 };
 
 struct CellPatch {

@@ -61,8 +61,8 @@ class Mender {
   const SelfIntersections& left() const { return pairs_; }
 
   /// Gives area back to triangles whose corners were moved onto one point or line: their vertices
-  /// move back part of the way. If that does not help, the middle one of three collinear corners
-  /// moves off the line by a tiny distance.
+  /// move part of the way back. If this does not help, the corner opposite the longest side moves
+  /// off the line by a tiny distance.
   void restoreAreas() {
     for (const double back : kReturnFractions) {
       std::vector<std::int32_t> vertices;

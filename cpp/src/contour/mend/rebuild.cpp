@@ -316,9 +316,9 @@ class Rebuilder {
     return mesh_.vertices[vertex];
   }
 
-  /// Adds the end of a strip at a chord. If the next cell has a vertex for each side of the chord,
-  /// a strip joined these two vertices to the vertices of this cell. This strip now ends at the
-  /// chord.
+  /// Adds a triangle that ends a strip at a chord. If the two crossings of the chord have different
+  /// vertices in the neighbouring cell, a strip joined these vertices to the vertices of this cell.
+  /// The strip now ends at the chord.
   void addStrip(const CellIndex& index, const RebuiltCell& cell, const CellRing& ring,
                 std::size_t n, std::int32_t chord) {
     const int face = ring.faces[n];

@@ -107,9 +107,9 @@ Nesting RingSides::nesting() const {
   Nesting best;
   int fewest = 0;
   // The rings divide the walls of the cell into regions. Any allowed choice of sides leaves exactly
-  // one region out of all chosen sides. Try each region beside ring `root`: on its right if `left`,
-  // otherwise on its left. Each other ring then gets the side without `root`. Take the choice whose
-  // sides contain the fewest corners of the cell.
+  // one region outside all chosen sides. Try each region beside ring `root`: on its right if
+  // `left`, otherwise on its left. Each other ring then gets the side without `root`. Take the
+  // choice whose sides contain the fewest corners of the cell.
   for (std::size_t root = 0; root < count; ++root) {
     for (const bool left : {true, false}) {
       Nesting nesting{std::vector<bool>(count), std::vector<int>(count, 1)};

@@ -100,8 +100,8 @@ class Layer {
     return intoCell(now, homeCell(now, mass));
   }
 
-  /// Returns half of the vector (cells) by which a and b will be apart. Requires that both vertices
-  /// have been moved onto their common point.
+  /// Returns half of the vector (cells) from a to b after the two are moved apart. Requires that
+  /// both vertices lie at their common point.
   Vec3 half(const WallSides& sides, const std::vector<Through>& edges) const {
     std::vector<Vec3> normals;  // pointing into the wall from the side of a
     addNormals(sides.a, -1, normals);
