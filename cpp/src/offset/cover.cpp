@@ -15,7 +15,8 @@
 namespace swept::offset {
 namespace {
 
-constexpr double kTwist = 0.005;  // cells: patches are cut into pieces whose warp is at most this
+// Patches are cut into pieces that deviate from flat triangles by at most this (cells).
+constexpr double kTwist = 0.005;
 constexpr int kMaxParts = 256;
 
 /// Data of a motion step for the cover triangles at its start and at its end.
@@ -141,7 +142,7 @@ void coverCopies(const SamplerInput& input, std::size_t k, CoverTriangle* out) {
 /// would often test such a triangle in vain.
 void cutLong(std::vector<CoverTriangle>& triangles) {
   constexpr double kLong = 6;  // cells
-  // Limit of the number of triangles: this many times as many, plus a million.
+  // Largest number of pieces: this many times the number of triangles, plus a million.
   constexpr double kMaxPieces = 3;
   const auto longest = [](const CoverTriangle& t) {
     int best = 0;

@@ -12,8 +12,8 @@ namespace {
 const double kHalfDiagonal = std::sqrt(3.0) / 2;
 
 /// Returns the reach at which a search about the centre of a node may stop. If `distance` is larger
-/// than the radius of the node, this reach proves that the whole node is near (inside the offset
-/// surface). Otherwise no such proof is possible, and the node counts as mixed.
+/// than the radius of the node, this reach proves that the whole node lies inside the offset
+/// surface. Otherwise no such proof is possible, and the node counts as mixed.
 double enoughFor(double distance, double radius) {
   return distance > radius ? distance - radius : distance + radius;
 }
@@ -54,13 +54,13 @@ OffsetField::OffsetField(const CoverSearch& tree, double distance, const GridPla
   });
 }
 
-/// Classifies nodes of this size as outside, near or mixed. Returns the mixed nodes: their
+/// Classifies nodes of this size as outside, inside or mixed. Returns the mixed nodes: their
 /// children, or the nodes themselves if they have the size of a block.
 std::vector<OffsetField::Node> OffsetField::refineTo(std::int32_t size,
                                                      const std::vector<Node>& nodes,
                                                      RunContext& run) {
-  // The radius includes one cell more, so that the surface does not cross edges from a uniform node
-  // to its neighbours, either.
+  // The radius includes one cell more. So if a node lies on one side, the surface does not cross
+  // the edges from this node to its neighbours, either.
   const double radius = kHalfDiagonal * (size - 1) + 1;
   std::vector<std::int8_t> kinds(nodes.size(), 0);
   std::vector<std::int32_t> hints(nodes.size(), -1);

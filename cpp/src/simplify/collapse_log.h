@@ -1,5 +1,5 @@
-// Records the steps of an edge collapse, so that some steps can be undone where the surface
-// deviates too far. The rest of the surface does not change then.
+// Records the steps of edge collapses, so that steps can be undone where the surface deviates too
+// far, while the rest of the surface stays unchanged.
 // Units:   mm.
 // Cost:    about 200 bytes per step; undoing takes O(steps).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -13,7 +13,7 @@
 
 namespace swept {
 
-/// Tells whether a triangle has the vertex `v` as a corner.
+/// Returns whether a triangle has the vertex `v` as a corner.
 inline bool has(const std::array<std::int32_t, 3>& triangle, std::int32_t v) {
   return triangle[0] == v || triangle[1] == v || triangle[2] == v;
 }

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Fraction of the squared tolerance; a search ends at a triangle this near.
+// A search for a near triangle ends at a distance of this fraction of the squared tolerance.
 constexpr double kNearFraction = 0.25;
 // Fraction of the tolerance by which a border may pass over its patch.
 constexpr double kFoldFraction = 0.1;
@@ -139,8 +139,9 @@ void Collapser::collapse(std::int32_t from, std::int32_t to) {
   }
 }
 
-// Checks that the new straight border edges stay within the tolerance of the patch's surface. Where
-// open ground rises beside the border, the attached points alone cannot ensure this.
+// Checks that the new straight border edges stay within the tolerance of the patch's surface. The
+// attached points alone cannot ensure this, because they may lie nearer to open ground that rises
+// beside the border.
 bool Collapser::borderHolds(std::int32_t from, std::int32_t to) {
   if (state_.kind[from] != VertexKind::Border) return true;
   const LabelSurface* surface = nullptr;
@@ -223,7 +224,7 @@ bool Collapser::shapesHold(std::int32_t from, std::int32_t to, const Vector3d& p
 }
 
 // Finds a new triangle within the tolerance for each point that is attached to a changing triangle.
-// The old triangle of the point is tried first; if it is near enough, the search ends.
+// Tries the old triangle of the point first, and ends the search if this triangle is near enough.
 bool Collapser::findAllHomes(std::int32_t from, std::int32_t to) {
   moved_.clear();
   if (!findHome(at(from), -1)) return false;
@@ -285,8 +286,8 @@ bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d
     if (state_.label[staying_[k]] >= 0) continue;
     const auto& c = corners_[k];
     if (squaredLongest(c) <= spacing * spacing) continue;
-    // The corners are known to be near the original, so they only give the hint for the next
-    // search.
+    // The corners are known to be near the original. So they are not tested, but only give the hint
+    // for the next search.
     const auto& v = state_.mesh.triangles[staying_[k]];
     const bool far = spreadPoints(c[0], c[1], c[2], spacing, [&](const Vector3d& p) {
       for (int i = 0; i < 3; ++i) {

@@ -24,7 +24,7 @@ struct WorkPart {
   int axis = 0;
   double low = -1e300, high = 1e300;
   std::vector<std::int32_t> vertices;  ///< start vertices, in ascending order
-  /// Triangles that may meet those of the worker, including its own.
+  /// The triangles of the worker, and all others that may intersect them.
   std::vector<std::int32_t> triangles;
 };
 
@@ -39,7 +39,7 @@ class Collapser {
  private:
   struct Entry {
     double cost;
-    std::int32_t from, to;  // `from` disappears into `to`
+    std::int32_t from, to;  // vertex `from` is merged into `to`
     std::uint32_t stampFrom, stampTo;
     bool operator<(const Entry& o) const {
       if (cost != o.cost) return cost > o.cost;

@@ -38,7 +38,7 @@ class Measurement {
 
  private:
   // Calls part(i, found, hint) for each i < n, in blocks. Each block starts with the largest
-  // distance of earlier passes. Smaller distances need not be exact if they are within the limit.
+  // distance of earlier passes.
   template <class Part>
   void forAll(std::size_t n, std::size_t block, const Part& part) {
     std::vector<Found> found((n + block - 1) / block);
@@ -54,6 +54,7 @@ class Measurement {
       all_.strays.insert(all_.strays.end(), own.strays.begin(), own.strays.end());
     }
   }
+  // Squared distances up to this need not be measured exactly.
   double enough(const Found& found) const { return std::min(found.largest, limit_); }
 
   void forward() {

@@ -13,7 +13,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kOverlap = std::numeric_limits<double>::infinity();
-/// Areas below this fraction of the squared size count as overlaps. It is far above the rounding.
+/// Areas below this fraction of the squared size count as overlaps. The fraction is far above
+/// rounding.
 constexpr double kMinArea = 1e-12;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -34,9 +35,9 @@ Seen seenAlong(const Vector3d& normal, const std::vector<Vector3d>& ring) {
   return seen;
 }
 
-/// Returns whether the triangles do not overlap, before and after the collapse. Those between the
-/// origin and the ring must go round the origin exactly once. Those between ring[0] and the rest of
-/// the ring must all have the same orientation.
+/// Returns whether the triangles do not overlap, before and after the collapse. Triangles between
+/// the origin and the ring must go round the origin exactly once. Triangles between ring[0] and the
+/// rest of the ring must all have the same orientation.
 bool liesSideBySide(const std::vector<Vector2d>& at, double minArea) {
   int rounds = 0;
   for (std::size_t k = 0; k < at.size(); ++k) {

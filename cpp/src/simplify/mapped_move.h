@@ -1,5 +1,5 @@
 // Bounds how far a surface moves when a vertex is merged into a neighbour.
-// In:      the neighbours of the vertex in order, seen from it. Units: mm.
+// In:      the neighbours of the vertex in order, relative to the vertex. Units: mm.
 // Out:     a distance. Cost: O(k^2) for k neighbours.
 // Method:  Seen along one direction, the triangles before and after the collapse do not overlap and
 // cover the same polygon. So each point of the old surface moves along this direction to one point

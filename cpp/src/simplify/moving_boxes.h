@@ -1,5 +1,5 @@
 // A bounding volume hierarchy of triangles that change. It finds the triangles that a given
-// triangle may meet.
+// triangle may intersect.
 // In:      a mesh and the triangles to find.
 // Method:  The tree is built once, with four children per node along a Morton curve. Its boxes grow
 // with the triangles, which move only a little. It is rebuilt when half of the triangles are

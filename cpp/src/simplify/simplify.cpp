@@ -25,14 +25,15 @@ constexpr double kFirstLevel = 0.025;  ///< limit of the first level, in cells
 constexpr double kPointFraction = 0.97;
 constexpr double kLessEachRound = 0.9;  ///< factor of the tolerance after a round that failed
 constexpr int kRounds = 4;              ///< rounds of improvement
-/// Steps undone at each place in the first round; doubled in each further round.
+/// Steps undone at each triangle that deviates too far, in the first round; doubled in each further
+/// round.
 constexpr int kFirstDepth = 2;
 constexpr int kThinTrials = 4;  ///< attempts of thinning, each with more vertices kept
 /// Fraction of the tolerance; below it, nothing is simplified.
 constexpr double kMinFraction = 0.1;
 
-// Attaches each missed point of the original to the nearest of the changed triangles, so that
-// further collapses keep it near.
+// Attaches each missed point of the original to the nearest changed triangle, so that further
+// collapses stay near the point.
 void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed,
                   const std::vector<FarPlace>& missed) {
   for (const FarPlace& place : missed) {

@@ -4,8 +4,8 @@
 // Out:     a closed manifold mesh without new self-intersections.
 // Method:  The dense surface is thinned (thin.h) within a small part of the tolerance. Edge
 //          collapses (collapse.h) use the rest. Then the deviation is measured in both directions.
-//          Where it is too large, steps are undone, and a second round also tests the missed points
-//          there. Further rounds use less of the tolerance.
+//          Where it is too large, steps are undone, and a second round of collapses also keeps the
+//          missed points near. Further rounds use less of the tolerance.
 // The surface is kept, so that it can be simplified again with another tolerance. All tolerances
 // share a series of thinned surfaces, called levels. The first level is thinned from the surface,
 // each further level from the previous one with a limit twice as large. A level is built at its

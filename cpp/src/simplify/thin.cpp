@@ -22,10 +22,10 @@ using Flags = std::vector<char>;
 
 constexpr double kFirstFraction = 0.1;  // fraction of the limit that the first round uses
 
-// Parameters of the thinning. They come from trials within 0.08 cells on a part with curved and
-// plane faces: the fandisk test mesh moved over 16 keys, 1.2 million triangles. The mesh for edge
-// collapses gets a quarter of the triangles of the mesh for surface recognition. More rounds do not
-// make it smaller.
+// Parameters of the thinning. They come from trials with a limit of 0.08 cells on a part with
+// curved and plane faces: the fandisk test mesh moved over 16 keys, 1.2 million triangles. The mesh
+// for edge collapses gets a quarter of the triangles of the mesh for surface recognition. More
+// rounds do not reduce it further.
 struct Manner {
   int rounds = 3;      // with growing limits
   int lastRounds = 0;  // further rounds with the whole limit
@@ -45,7 +45,7 @@ constexpr Manner kForSurfaces{6, 0, 0.35, 0.5, 0.15, 8, false};
 // A body that is swept may have triangles of any shape.
 constexpr Manner kForSweep{8, 4, 1, 0.5, 1e-4, 1e9, false, true};
 
-constexpr double kStill = 1e-3;  // moves below this fraction of the limit do not count as moves
+constexpr double kStill = 1e-3;  // smaller displacements (fraction of the limit) do not count
 
 Manner mannerOf(ThinFor purpose) {
   if (purpose == ThinFor::Sweep) return kForSweep;
@@ -251,7 +251,8 @@ class Thinner {
       if (longest > longest_ || area < manner_.minShape * longest) return false;
       nearest = std::min(nearest, squaredDistance(from, to, b, c));
     }
-    // Vertices merged into u earlier may already deviate by off_[u]; this collapse adds to it.
+    // Vertices merged into u earlier may already deviate by off_[u]; this collapse adds to their
+    // deviation.
     if (manner_.looksBack) nearest = std::max(nearest, squaredRise(edge, limit));
     off = off_[u] + std::sqrt(nearest);
     return off <= limit;
@@ -261,9 +262,9 @@ class Thinner {
     return (points_[c[1]] - points_[c[0]]).cross(points_[c[2]] - points_[c[0]]);
   }
 
-  // Returns whether a new triangle intersects a triangle that touches it. On a scanned body and on
-  // a part with plane and curved faces, thinning produced only such pairs (50 to 90 per million
-  // triangles). If all these triangles face the same way, no pair intersects.
+  // Returns whether a new triangle intersects a triangle with which it shares a vertex. On a
+  // scanned body and on a part with plane and curved faces, thinning produced only such pairs (50
+  // to 90 per million triangles). If all these triangles face the same way, no pair intersects.
   bool meetsNeighbours(std::int32_t edge, Scratch& scratch) const {
     const std::int32_t u = fans_.start(edge), v = fans_.target(edge);
     scratch.fresh.clear();
@@ -334,12 +335,12 @@ class Thinner {
   std::vector<Vector3d> points_;
   TriangleFans fans_;
   std::vector<Quadric> quadric_;
-  std::vector<double> off_;  // for each vertex, how far vertices merged into it may deviate
+  std::vector<double> off_;  // mm; for each vertex, how far vertices merged into it may deviate
   // For each triangle, a bound on its distance from the input mesh. Only used if Manner::proven is
   // set.
   std::vector<double> moved_;
-  // For each triangle, 1 if it moved in this round. Then it may not move again in this round: the
-  // bounds of moves add up, and they grow least if each triangle moves once per round.
+  // For each triangle, 1 if it moved in this round. It may then not move again in this round: the
+  // bounds of successive moves add up, and they grow least if each triangle moves once per round.
   Flags touched_;
   // For each vertex, the vertex into which it was merged; -1: none.
   std::vector<std::int32_t> into_;
