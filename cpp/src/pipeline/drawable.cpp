@@ -91,7 +91,7 @@ std::vector<std::int32_t> cellsOf(const TriMesh& mesh, double cell, std::int32_t
 /// them. Coordinates are relative to the mean point of the cell.
 struct Planes {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;  ///< symmetric matrix
-  Vector3d pull = Vector3d::Zero();
+  Vector3d pull = Vector3d::Zero();                       ///< right-hand side
 
   void add(const Vector3d& unit, double weight, double distance) {
     const Vector3d n = weight * unit;

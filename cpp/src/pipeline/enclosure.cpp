@@ -38,7 +38,7 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
 
 namespace {
 
-/// Returns 2 * volume / area. For a plate this is its thickness, for a rod half its thickness.
+/// Returns 2 * volume / area: about the thickness of a plate, or half the thickness of a rod.
 /// Returns 0 for an open body.
 double meanThickness(const CheckedBody& body, RunContext& run) {
   if (!body.closed) return 0;

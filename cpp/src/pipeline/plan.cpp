@@ -49,9 +49,9 @@ constexpr double kBytesPerCopy = 24;
 /// Largest number of triangle copies in a preview, so that it stays quick.
 constexpr double kPreviewCopies = 4e6;
 
-/// Refines the motion, but only so finely that the copies take at most half of the memory limit.
-/// Then merges the steps that this accuracy does not need. Splits the long edges of a turning body
-/// if `maySplit`.
+/// Refines the motion, but only so finely that the copies of triangles take at most half of the
+/// memory limit. Then merges the steps that are not needed for the chord tolerance. Splits the long
+/// edges of a turning body if `maySplit`.
 Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, RunContext& run) {
   const Trajectory& trajectory = p.trajectory.trajectory;
   const double chord = options.chordTolerance * cell;
@@ -65,7 +65,7 @@ Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, 
     return mergeSteps(refineMotion(p.body.mesh, trajectory, how.chord, run), p.body.mesh, chord,
                       run);
   }
-  // offset/cover.h flattens side patches itself. So here only the chords of points count, and the
+  // offset/cover.h flattens side patches itself. So only the chords of points matter here, and the
   // body is replaced by its vertices. An offset is measured from the chords, a conservative
   // envelope from the true motion near them.
   TriMesh points;
@@ -129,7 +129,7 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
     if (p.keepRoom) box = withRoom(box);
     for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
   }
-  const TriMesh given = p.body.mesh;  // has the same box as after the split, with fewer vertices
+  const TriMesh given = p.body.mesh;  // before edges are split: the same box, fewer vertices
   // If the cell size is given, planGrid() is called once before edges are split. It throws if the
   // cell is too small for any grid.
   if (!p.keepBody && options.cellSize > 0 && trajectory.interpolation != Interpolation::None) {

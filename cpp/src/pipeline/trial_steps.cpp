@@ -58,7 +58,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
       const dense::DenseCost cost = dense::tryDense(input, surface.crossings, run);
       seconds += cost.seconds / threads;
       // The dense sampler frees its memory before the mesh is made, so only the larger of the two
-      // counts.
+      // amounts counts.
       bytes = std::max(0.0, cost.bytes - surface.crossings * bytesOfCrossing(options)) -
               static_cast<double>(denseBytes(p.body.mesh));
       return;

@@ -1,6 +1,6 @@
-// Selects the triangles of a surface that are near some given ones, by blocks of cells. Memory: one
-// bit per block of the grid, and one block number per triangle. This number is valid as long as the
-// first corner of the triangle does not move.
+// Selects the triangles of a surface that are near some given ones, by blocks of cells.
+// Memory: one bit per block of the grid, and one block number per triangle. This number is valid as
+// long as the first corner of the triangle does not move.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

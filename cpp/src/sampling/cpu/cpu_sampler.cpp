@@ -103,8 +103,8 @@ class ItemSampler {
     });
   }
   /// Once there are many crossings, removes those that are neither first nor last on their lattice
-  /// edge. There are many of them if faces slide within their own surface, because they cross the
-  /// same edges at every placement. `last`: true for the last call of the item.
+  /// edge. Faces that slide within their own surface cause many such crossings, because they cross
+  /// the same edges at every placement. `last`: true for the last call of the item.
   void thin(bool last) {
     if (out_.records.size() < limit_ && !(last && thinned_)) return;
     keepEnds(out_.records, input_.grid);

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kPlacementsPerCopy = 128, kMergedPerCopy = 32, kMinCopies = 8,
                       kWithExtreme = 176, kMaxWholeCopies = 256;
 /// The map is used only if it hides at least this fraction of the crossings of kTrials other
-/// copies. For thin parts that travel far it hides little, and its queries take time.
+/// copies. For thin parts that travel far, the map hides little, and its queries take time.
 constexpr double kMinHidden = 0.5;
 constexpr std::size_t kTrials = 8;
 
@@ -62,8 +62,8 @@ class Places {
   }
 
   /// For each of some directions, adds the placements that carry a point of the body farthest in
-  /// this direction. The body at these placements forms the surface of the sweep, or lies close
-  /// below it.
+  /// this direction. The body at these placements touches the surface of the sweep, or comes close
+  /// to it.
   void addExtreme(std::vector<std::size_t>& chosen) const {
     constexpr int kFine = 2;
     for (int x = -kFine; x <= kFine; ++x) {
@@ -81,7 +81,8 @@ class Places {
     sortUnique(chosen);
   }
 
-  /// Adds placements until there are `count`. Each is the one farthest from all chosen before.
+  /// Adds placements until there are `count`. Each time, adds the placement that is farthest from
+  /// those chosen so far.
   void addSpread(std::vector<std::size_t>& chosen, std::size_t count) const {
     std::vector<float> distance(at_.size(), std::numeric_limits<float>::max());
     const auto take = [&](std::size_t from) {
@@ -126,8 +127,8 @@ std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& r
   const std::size_t placements = input.motion.placements.size();
   const std::size_t perCopy = input.motion.mergeError > 0 ? kMergedPerCopy : kPlacementsPerCopy;
   const std::size_t count = std::min(kMaxWholeCopies, placements / perCopy);
-  // With a cache, nothing may be hidden. The next run may reuse the crossings of one part of the
-  // motion, although the parts that would have hidden some crossings have changed.
+  // With a cache, nothing may be hidden: the next run may reuse the crossings of one part of the
+  // motion, although other parts, which would have hidden some crossings, have changed.
   const bool mayHide = input.cull && input.orientable && input.fillsHollows && !input.cache;
   if (count < kMinCopies || !mayHide) {
     return std::nullopt;

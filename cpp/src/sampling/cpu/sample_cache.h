@@ -23,8 +23,8 @@ class SampleCache {
   using Key = std::array<double, 43>;
   static Key keyOf(const SamplerInput& input, std::size_t placement);
 
-  /// Copies the chunk with this key to `out`, and changes its elements to `placement`. Returns
-  /// false if the key is unknown.
+  /// Copies the chunk with this key to `out`, and sets the placement of its elements to
+  /// `placement`. Returns false if the key is unknown.
   bool find(const Key& key, std::size_t placement, RecordChunk& out) const;
   /// Replaces the contents: chunks[k] holds the crossings for keys[k].
   void replace(const std::vector<Key>& keys, const std::vector<RecordChunk>& chunks);

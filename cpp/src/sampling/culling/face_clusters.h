@@ -24,7 +24,7 @@ struct FaceCluster {
 
 struct FaceClusters {
   /// Largest number of faces of a cluster. Larger clusters have wider normal cones, so culling
-  /// could keep or drop fewer clusters as a whole.
+  /// could decide fewer clusters as a whole.
   static constexpr std::uint32_t kMaxFaces = 24;
 
   std::vector<FaceCluster> clusters;

@@ -14,7 +14,7 @@ constexpr std::uint8_t kDeepest = 255;
 
 /// Computes for each block the distance to the nearest block that holds 0. A step to any of the 26
 /// neighbours counts as one. A forward pass considers half of the neighbours, a backward pass the
-/// others. Blocks at the rim of the lattice hold 0.
+/// others. Blocks at the border of the lattice hold 0, because the border lies outside.
 class Distances {
  public:
   Distances(std::vector<std::uint8_t>& depth, const std::array<std::size_t, 3>& blocks)

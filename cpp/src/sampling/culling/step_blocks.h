@@ -1,6 +1,7 @@
-// Decides which clusters of faces can matter at which placements. These clusters are "shown", all
-// others are hidden. A block of placements is decided as a whole: a cluster that is hidden for the
-// block is not tested again at its single placements.
+// Decides which clusters of faces can matter (have crossings that change the result) at which
+// placements. These clusters are "shown", all others are hidden. A block of placements is decided
+// as a whole: a cluster that is hidden for the block is not tested again at the placements of the
+// block.
 //
 // In: body, motion, clusters and, if there is one, the map of the inside.
 // Out: the clusters shown at every placement.
@@ -13,7 +14,7 @@
 // is an affine map and the largest deviation from it. The map takes the bounding ball of a cluster
 // to a box that contains all its copies and side patches. There are two kinds of blocks: 8 or 64
 // successive placements; and PlaceGroups, which are placements at nearly the same position and
-// orientation, to which a recorded motion often returns.
+// orientation. A recorded motion often returns to such placements.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,7 +25,7 @@
 
 namespace swept {
 
-/// Bounds on a group of placements. Each of them maps a point x of the body to about turn (x -
+/// Bounds on a group of placements. Each placement maps a point x of the body to about turn * (x -
 /// centre of the body) + place, in cells.
 struct PlaceBlock {
   Eigen::Matrix3d turn;
@@ -33,8 +34,8 @@ struct PlaceBlock {
   double turnSpread = 0;   ///< further deviation per mm of distance from the centre
 };
 
-/// Computes bounds of placements. A placement is a vector of twelve numbers here, and a box bounds
-/// each of them.
+/// Computes bounds of placements. A placement is treated as a vector of twelve numbers, and a box
+/// bounds each of these numbers.
 class PlaceBounds {
  public:
   PlaceBounds(const SamplerInput& input, const FaceClusters& clusters);

@@ -122,7 +122,7 @@ class CandidateSearch {
     }
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
-        // For two normals of faces, only those of a crease have an arc between them queried.
+        // The arc between the normals of two faces is queried only at a crease.
         if (i > 0 && queried[i].dot(queried[j]) > 0.9) continue;
         queryBetween(x, queried[i], answer[i], x, queried[j], answer[j], kArcDepth, winners_[v]);
       }

@@ -7,8 +7,8 @@
 // Source: docs/pipeline.md, "Dense motions".
 //
 // The sampler chooses the (face, placement) pairs that can reach the envelope (candidates.h) and a
-// few whole copies that close the inside. Then it tests against all placements where this choice
-// leaves the envelope open, and adds the missing pairs, round by round (leak_repair.h).
+// few whole copies that close the inside. Then it finds where this choice leaves the envelope open,
+// by tests against all placements, and adds the missing pairs, round by round (leak_repair.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -43,7 +43,7 @@ struct DenseSettings {
   std::size_t maxAtVertex = 96;  ///< a vertex accepts at most this many placements
   int wholeCopies = 12;
   /// Largest fraction of the surface points that may remain open. Above it, all copies are sampled
-  /// instead, unless these are more than bruteForcePairs pairs.
+  /// instead, unless they have more than bruteForcePairs pairs.
   double maxOpenFraction = 1e-3;
   double bruteForcePairs = 2e9;
   int rounds = 6;  ///< largest number of repair rounds
@@ -56,7 +56,7 @@ struct DenseSurface {
 
 /// Returns nothing if motion or body are not suitable: no union of copies, too few copies,
 /// displacements too large, an open body, or culling switched off. Also returns nothing if too many
-/// surface points remain wrong, and the whole union is small enough to be sampled instead.
+/// surface points remain open, and the whole union is small enough to be sampled instead.
 std::optional<DenseSurface> sampleDense(const SamplerInput& input, const DenseSettings& settings,
                                         RunContext& run);
 

@@ -23,16 +23,16 @@ constexpr std::size_t kFacesOfPatch = 1300, kMinPatches = 4, kMaxPatches = 12, k
 /// Only the middle of a patch is sampled: 1 / kPartOfPatch of its faces. The faces missing around
 /// the patch have no effect there.
 constexpr std::size_t kPartOfPatch = 6;
-/// Largest number of faces at one vertex that join a patch. At the hub of a fan, the faces lie far
-/// apart.
+/// Largest number of faces at one vertex that are added to a patch, because the faces of a large
+/// fan lie far apart.
 constexpr std::size_t kMaxOfStar = 48;
 /// Number of exact tests that are timed, and number of exact tests that a run needs for each open
 /// point.
 constexpr std::size_t kTests = 500;
 constexpr double kFollowed = 3;
-/// Bytes per item. Placement: in the tree and in cells. Face: in the lists of candidates, whole
-/// copies and leaks. Pair: a candidate, while lists of blocks are joined. Sorted: a crossing in the
-/// batch that is being sorted.
+/// Bytes per placement (in the tree and in cells), per face (in the lists of candidates, whole
+/// copies and leaks), per candidate pair (while the lists of blocks are joined), and per crossing
+/// of the batch that is being sorted.
 constexpr double kPlacementBytes = 250, kFaceBytes = 300, kPairBytes = 8,
                  kSortedBytes = 2 * sizeof(CrossingRecord);
 
@@ -58,7 +58,7 @@ void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t numb
       spread[static_cast<std::size_t>(v)] = true;
       const auto star = corners.asTheyStand(static_cast<std::size_t>(v));
       const std::size_t some = std::min(star.size(), kMaxOfStar);
-      const std::size_t from = star.size() * number / patches;  // other faces for other patches
+      const std::size_t from = star.size() * number / patches;  // each patch takes other faces
       for (std::size_t i = 0; i < some && faces.size() < kFacesOfPatch; ++i) {
         const std::uint32_t face = star[(i * star.size() + from) / some] / 3;
         if (!taken[face]) faces.push_back(face);

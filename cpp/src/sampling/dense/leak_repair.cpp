@@ -13,8 +13,8 @@
 namespace swept::dense {
 namespace {
 
-// Largest number of covered points. It limits time and memory: the table of this many points takes
-// several hundred MB.
+// Largest number of covered points that are followed. It limits time and memory: a table of this
+// many points takes several hundred MB.
 constexpr std::size_t kMaxFollowed = 6'000'000;
 constexpr std::size_t kMaxTried = 8;  // placements tested exactly per point
 constexpr std::size_t kTrialPoints = 4000;
@@ -196,8 +196,8 @@ class LeakFinder : CoverSearch {
     if (cover_.size() > kMaxFollowed) out_.complete = false;
   }
 
-  /// Goes from a covered point to its six neighbours. Adds neighbours that are covered, too, and
-  /// missing pairs.
+  /// Goes from a covered point to its six neighbours. Adds the neighbours that are also covered,
+  /// and the missing pairs.
   void step(const Covered& from, Scratch& s, std::vector<Covered>& covered,
             std::vector<std::pair<std::uint32_t, std::uint32_t>>& missing) const {
     const Lattice g = unpack(from.point);

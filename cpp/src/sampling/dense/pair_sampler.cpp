@@ -58,7 +58,8 @@ void PairSampler::sampleItem(const Item& item, RecordChunk& chunk) const {
   }
 }
 
-/// Turns the edges marked so far into records again, two per edge.
+/// Turns the edges marked so far into records again: two per edge, or one if its first and last
+/// crossing are the same.
 void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
   const std::size_t layers = marked_.layers.size();
   // Layers per task; each task writes one chunk.
@@ -82,7 +83,7 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
       return slot.to;
     };
     // Returns the middle of the interval of numbers that a fixed-point fraction represents.
-    // Rounding it gives the same fraction again.
+    // Rounding this middle down gives the same fraction again.
     constexpr double kHalf = 0.5 / ((1 << CrossingRecord::kFractionBits) - 1);
     const auto fractionOf = [](float f) { return std::min(static_cast<double>(f) + kHalf, 1.0); };
     for (std::size_t i = begin; i < end; ++i) {

@@ -2,7 +2,7 @@
 // In: pairs. Out: marked edges.
 // Memory: the crossings of one batch (bounded) and the marked edges so far, never all raw
 //        crossings.
-// Promise: the result depends on the pairs only.
+// Promise: the result depends only on the pairs.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -4,7 +4,8 @@
 // Units: mm. The turn w is multiplied by the body's radius, so that all six coordinates are
 // lengths.
 // Cost: O(n log n) to build; microseconds per query.
-// Promise: of equal values the lower index wins, so results are the same for any number of threads.
+// Promise: of placements with equal advance, the one with the lowest index wins, so results are the
+// same for any number of threads.
 // Source: docs/pipeline.md, "Dense motions".
 //
 // Let a body point have the position c + q at a mean placement (c: centre of the body). At another
@@ -51,7 +52,7 @@ class PlacementSpace {
   /// Returns the placement of largest advance. `guess` only makes the search faster.
   Best support(const Point6& gradient, std::uint32_t guess) const;
   /// Collects placements with an advance above `minAdvance` in `out`, unsorted. Stops after
-  /// `maxCount`: the branches of the tree with the highest bounds are searched first, but the
+  /// `maxCount` placements. Branches of the tree with higher bounds are searched first, but the
   /// placements found need not be the best ones.
   void above(const Point6& gradient, float minAdvance, std::size_t maxCount,
              std::vector<Best>& out) const;

@@ -1,9 +1,9 @@
 // Numbers the elements of the swept surface for the device, and prepares the data for culling.
 // Elements are numbered placement by placement: at each placement all faces and then, for a
 // continuous motion, the side patches of all edges in the step that starts there. Faces and edges
-// have the order in which the CPU sampler visits them, so that of equal crossings the same element
-// wins. The shader derives the elements from their numbers and decides itself which of them are
-// enclosed (docs/gpu.md).
+// have the order in which the CPU sampler visits them. So if several elements cross an edge at the
+// same point, both samplers choose the same element. The shader derives the elements from their
+// numbers and decides which of them are enclosed (docs/gpu.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -16,7 +16,7 @@
 namespace swept::gl {
 
 struct DeviceWish {
-  std::string name;           ///< part of vendor, renderer or version, any case; empty: any device
+  std::string name;           ///< part of vendor, renderer or version in any case; empty: any
   bool hardwareOnly = false;  ///< true: does not even open software rasterisers
 };
 

@@ -1,6 +1,8 @@
 // Samples on the GPU in two passes (gl_passes.h). The CPU computes the signs in between.
-// In: body, motion, grid. Out: the marked edges of sampleCpu(), bit for bit. Elements and fractions
-// are set for contributing edges only.
+// In: body, motion, grid. Out: marked edges. Without culling they are those of sampleCpu(); with
+// culling, more edges deep inside may be marked, but the contributing edges are the same. Elements
+// and fractions are set for contributing edges only; fractions may differ by the rounding of one
+// unit.
 // Cost: time O(elements x bricks + crossings), device memory within a budget.
 // Source: J. Brummer, bachelor's thesis, Mainz 2017, chapter 3; docs/gpu.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later

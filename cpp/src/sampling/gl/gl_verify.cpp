@@ -205,8 +205,8 @@ void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const Sig
       high[axis] = std::max(high[axis], g);
     }
   }
-  // For 64 random lines: how the winding number changes at their lattice points, ordered by
-  // position along the line.
+  // For 64 random lattice lines along z: the changes of the winding number at their lattice points,
+  // ordered by k.
   using Line = std::pair<std::int32_t, std::int32_t>;
   std::map<Line, std::map<std::int32_t, int>> lines;
   for (int n = 0; n < 64; ++n) {
