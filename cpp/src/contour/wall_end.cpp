@@ -27,8 +27,8 @@ struct Wall {
 };
 
 /// Quick test that rejects nearly all components. Returns false if all crossings lie on one side.
-bool spread(const Cell& cell, const Components& components, int component,
-            const Crossing* crossings) {
+bool hasSpreadNormals(const Cell& cell, const Components& components, int component,
+                      const Crossing* crossings) {
   Eigen::Vector3d first;
   bool any = false, found = false;
   for (std::uint32_t left = cell.mask; left != 0; left &= left - 1) {
@@ -44,7 +44,7 @@ bool spread(const Cell& cell, const Components& components, int component,
 
 /// Returns the direction across the wall, or nothing if no two normals of the component are
 /// opposed.
-std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) {
+std::optional<Eigen::Vector3d> directionAcross(const std::vector<CrossingPoint>& points) {
   double least = kMaxOpposedCosine;
   std::optional<Eigen::Vector3d> best;
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -60,8 +60,8 @@ std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) 
 
 /// Assigns the crossings to the two sides. Returns nothing if the sides do not form a thin, nearly
 /// flat wall.
-std::optional<Wall> sort(const std::vector<CrossingPoint>& points, const Eigen::Vector3d& normal,
-                         VertexSplit& out) {
+std::optional<Wall> assignSides(const std::vector<CrossingPoint>& points,
+                                const Eigen::Vector3d& normal, VertexSplit& out) {
   std::array<double, 2> sum{0, 0}, low{1e9, 1e9}, high{-1e9, -1e9};
   std::array<int, 2> count{0, 0};
   out.part.fill(-1);
@@ -129,7 +129,7 @@ void cutEdges(const Cell& cell, const Wall& wall, const Crossing* crossings,
 bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                  int component, const Crossing* crossings, const SurfaceProbe& probe,
                  VertexSplit& out) {
-  if (!spread(cell, components, component, crossings)) return false;
+  if (!hasSpreadNormals(cell, components, component, crossings)) return false;
   std::vector<CrossingPoint> points;
   std::vector<std::uint32_t> indices;
   for (int slot = 0; slot < kSlots; ++slot) {
@@ -137,9 +137,9 @@ bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& 
     indices.push_back(cell.crossing(slot));
     points.push_back(CrossingPoint::of(cell, slot, crossings));
   }
-  const auto normal = across(points);
+  const auto normal = directionAcross(points);
   if (!normal) return false;
-  const auto wall = sort(points, *normal, out);
+  const auto wall = assignSides(points, *normal, out);
   if (!wall) return false;
   std::vector<Eigen::Vector3d> outside, inside;
   cutEdges(cell, *wall, crossings, outside, inside);

@@ -192,7 +192,7 @@ void cutLong(std::vector<CoverTriangle>& triangles) {
 
 }  // namespace
 
-std::size_t copiesOf(const SamplerInput& input) {
+std::size_t triangleCopies(const SamplerInput& input) {
   if (input.motion.continuous) return 0;
   return input.body.triangles.size() * input.motion.placements.size();
 }
@@ -209,7 +209,7 @@ Cover coverOfMotion(const SamplerInput& input, bool widened, RunContext& run) {
   };
   if (!input.motion.continuous) {
     const std::size_t faces = input.body.triangles.size();
-    cover.triangles.resize(copiesOf(input));
+    cover.triangles.resize(triangleCopies(input));
     parallelFor(placements, [&](std::size_t k) {
       run.checkpoint(Phase::Sampling, k, placements);
       coverCopies(input, k, cover.triangles.data() + k * faces);

@@ -44,7 +44,7 @@ struct Cover {
 
 /// Returns the number of triangles of the cover for a union of copies, before long triangles are
 /// cut. Returns 0 for continuous motions, for which this number depends on culling.
-std::size_t copiesOf(const SamplerInput& input);
+std::size_t triangleCopies(const SamplerInput& input);
 
 /// Makes the cover of a motion. With `widened`, the triangles keep their slack, for a surface that
 /// must contain the whole swept volume. Without, all slacks are 0, for a surface that should be as

@@ -42,7 +42,7 @@ class CoverSearch {
                const Visit& visit) const {
     const Eigen::Vector3d room = Eigen::Vector3d::Constant(distance);
     tree_.forBox(low - room, high + room,
-                 [&](std::uint32_t place) { visit(static_cast<std::int32_t>(place)); });
+                 [&](std::uint32_t index) { visit(static_cast<std::int32_t>(index)); });
   }
 
   const CoverTriangle& triangle(std::int32_t index) const { return triangles_[index]; }

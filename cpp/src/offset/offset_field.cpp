@@ -72,13 +72,13 @@ std::vector<OffsetField::Node> OffsetField::refineTo(std::int32_t size,
                         enoughFor(distance_, radius));
       hints[n] = found.triangle;
       if (found.triangle < 0) kinds[n] = kOutside;
-      if (found.triangle >= 0 && found.reach <= distance_ - radius) kinds[n] = kNear;
+      if (found.triangle >= 0 && found.reach <= distance_ - radius) kinds[n] = kInside;
     }
   });
   std::vector<Node> next;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (kinds[n] != 0) {
-      if (kinds[n] == kNear) setBlocks(nodes[n], size, kNear);
+      if (kinds[n] == kInside) setBlocks(nodes[n], size, kInside);
       continue;
     }
     if (size == kBlock) {

@@ -42,7 +42,7 @@ class OffsetField {
 
  private:
   static constexpr float kFar = 2;
-  static constexpr std::int32_t kOutside = -1, kNear = -2;
+  static constexpr std::int32_t kOutside = -1, kInside = -2;
   using Gaps = std::array<float, kBlock * kBlock * kBlock>;
   struct Node {
     std::array<std::int32_t, 3> low;

@@ -105,9 +105,9 @@ Result PreviewSession::sketch(const Trajectory& trajectory, RunContext& run) {
 std::int64_t PreviewSession::stepsKept() const { return warm_->cache.hits(); }
 
 void recut(Result& result, double tolerance, RunContext& run) {
-  Options asked;
-  asked.tolerance = tolerance;
-  checkOptions(asked);
+  Options requested;
+  requested.tolerance = tolerance;
+  checkOptions(requested);
   if (!result.kept) {
     throw Error(Status::InvalidInput, "NothingKept",
                 "the unsimplified surface was not kept, because the envelope was computed without "

@@ -91,7 +91,7 @@ std::vector<std::int32_t> cellsOf(const TriMesh& mesh, double cell, std::int32_t
 /// them. Coordinates are relative to the mean point of the cell.
 struct Planes {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;  ///< symmetric matrix
-  Vector3d pull = Vector3d::Zero();                       ///< right-hand side
+  Vector3d rightSide = Vector3d::Zero();                  ///< of the normal equations
 
   void add(const Vector3d& unit, double weight, double distance) {
     const Vector3d n = weight * unit;
@@ -101,14 +101,14 @@ struct Planes {
     xy += n[0] * unit[1];
     xz += n[0] * unit[2];
     yz += n[1] * unit[2];
-    pull += distance * n;
+    rightSide += distance * n;
   }
   /// Returns the point nearest to all planes, relative to the mean point.
-  Vector3d meet() const {
+  Vector3d nearestPoint() const {
     Eigen::Matrix3d m;
     m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
     m.diagonal().array() += kMeanWeight * m.trace() + 1e-300;
-    return m.inverse() * pull;
+    return m.inverse() * rightSide;
   }
 };
 
@@ -141,7 +141,7 @@ TriMesh clustered(const TriMesh& mesh, double cell) {
       out.triangles.push_back(kept);
   }
   for (std::size_t c = 0; c < planes.size(); ++c) {
-    Vector3d step = planes[c].meet();
+    Vector3d step = planes[c].nearestPoint();
     if (step.norm() > cell) step *= cell / step.norm();
     if (step.allFinite()) out.vertices[c] += step;
   }

@@ -187,7 +187,7 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
 }
 
 double usefulFilterOf(const Prepared& p, const Options& options) {
-  constexpr std::size_t kManyPoses = 1000, kLeftOut = 3;
+  constexpr std::size_t kManyPoses = 1000, kMinReduction = 3;
   const std::size_t poses = p.trajectory.trajectory.poses.size();
   const double distance = options.chordTolerance * p.grid.cell;
   if (poses < kManyPoses || options.positionFilter > 0 || options.conservative) return 0;
@@ -200,7 +200,7 @@ double usefulFilterOf(const Prepared& p, const Options& options) {
       filterPositions(p.trajectory.trajectory, boxOf(p.body.mesh), distance);
   // Merged steps (motion/merge_steps.h) may have saved the time already.
   const std::size_t used = std::min(poses, p.motion.placements.size());
-  return kLeftOut * kept.trajectory.poses.size() <= used ? distance : 0;
+  return kMinReduction * kept.trajectory.poses.size() <= used ? distance : 0;
 }
 
 bool fitsMemory(const Estimate& e, const RunContext& run, std::uint64_t times) {

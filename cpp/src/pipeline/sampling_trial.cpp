@@ -29,7 +29,7 @@ constexpr double kCheapCopies = 4e5;
 constexpr std::size_t kMaxWindows = 32, kMinWindows = 2;
 /// The crossings of a copy are estimated at this many placements, from about this many faces at
 /// each.
-constexpr std::size_t kLooks = 4, kLookFaces = 4096;
+constexpr std::size_t kSampledPlacements = 4, kSampledFaces = 4096;
 /// A trial samples at least this many groups of kClustersTogether clusters each.
 constexpr std::size_t kMinParts = 24;
 /// A copy is assumed to cost at least this fraction of the mean cost of a sampled copy.
@@ -88,20 +88,20 @@ SamplingTrial::Whole SamplingTrial::whole() const {
 SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   const double faces = static_cast<double>(whole_.body.triangles.size());
   const std::size_t most = byClusters() ? mostClusterParts() : 1;
-  const std::size_t lookParts =
-      std::clamp<std::size_t>(static_cast<std::size_t>(faces) / kLookFaces, 1, most);
+  const std::size_t sampledParts =
+      std::clamp<std::size_t>(static_cast<std::size_t>(faces) / kSampledFaces, 1, most);
   // PlaceGroups would take time to build and change nothing here: the map of the inside hides the
   // same crossings without them. `none` has no groups, because `plain` has no map of the inside.
   SamplerInput plain = input(whole_.motion);
   plain.inside = nullptr;
   const PlaceGroups none(plain, *whole_.clusters, run_);
-  const std::size_t looks = std::clamp<std::size_t>(count, 1, kLooks);
+  const std::size_t samples = std::clamp<std::size_t>(count, 1, kSampledPlacements);
   double crossings = 0;
-  for (std::size_t n = 0; n < looks; ++n) {
-    const std::size_t k = (2 * n + 1) * count / (2 * looks);
-    crossings += at({k, k + 1}, lookParts, &none).crossings / fractionShown(lookParts);
+  for (std::size_t n = 0; n < samples; ++n) {
+    const std::size_t k = (2 * n + 1) * count / (2 * samples);
+    crossings += at({k, k + 1}, sampledParts, &none).crossings / fractionShown(sampledParts);
   }
-  const double step = faces + kCrossingWork * crossings / static_cast<double>(looks);
+  const double step = faces + kCrossingWork * crossings / static_cast<double>(samples);
   const auto affordable = [&](std::size_t n) {
     return kTrialWork >= static_cast<double>(n) * step;
   };

@@ -61,11 +61,11 @@ class MovingBoxes {
   }
 
  private:
-  void make();
+  void build();
   std::size_t memberOf(std::int32_t triangle) const;
 
   const TriMesh& mesh_;
-  /// In ascending order. Removed triangles stay in the list until the next make().
+  /// In ascending order. Removed triangles stay in the list until the next build().
   std::vector<std::int32_t> members_;
   std::vector<std::uint32_t> slot_;       ///< for each member, its index in order_
   std::vector<std::int32_t> order_;       ///< along the curve; -1: removed

@@ -38,15 +38,15 @@ void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed
                   const std::vector<FarPlace>& missed) {
   for (const FarPlace& place : missed) {
     double best = 1e300;
-    std::int32_t home = -1;
+    std::int32_t nearestTriangle = -1;
     for (const std::int32_t t : changed) {
       if (state.dead[t]) continue;
       const double d = squaredDistance(place.onOriginal, state.mesh, t);
       if (d >= best) continue;
       best = d;
-      home = t;
+      nearestTriangle = t;
     }
-    if (home >= 0) state.attached[home].push_back(place.onOriginal);
+    if (nearestTriangle >= 0) state.attached[nearestTriangle].push_back(place.onOriginal);
   }
 }
 
@@ -154,7 +154,7 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
   watchLongEdges(state, std::vector<char>(level.mesh.triangles.size(), 0));
   CollapseLog log;
   collapseEdges(state, false, run, &log);
-  std::int64_t metBefore = 0;
+  std::int64_t pairsBefore = 0;
   for (int round = 0;; ++round) {
     std::vector<std::int32_t> number;
     TriMesh small = takeMesh(state, &number);
@@ -166,15 +166,16 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
     }
     if (round == 0 && wrong.empty()) return finished(std::move(small), deviation.largest, level);
     // Undone steps restore triangles, which may intersect triangles moved by later steps.
-    const SelfIntersections met = findSelfIntersections(small, {}, run);
-    if (round == 0) metBefore = met.count;
-    if (met.count > metBefore) {
-      for (const auto& [a, b] : met.pairs) wrong.insert(wrong.end(), {number[a], number[b]});
+    const SelfIntersections intersecting = findSelfIntersections(small, {}, run);
+    if (round == 0) pairsBefore = intersecting.count;
+    if (intersecting.count > pairsBefore) {
+      for (const auto& [a, b] : intersecting.pairs)
+        wrong.insert(wrong.end(), {number[a], number[b]});
     }
     if (wrong.empty()) return finished(std::move(small), deviation.largest, level);
     if (round == kRounds ||
         !improve(state, log, wrong, deviation.missed, kFirstDepth << round, run)) {
-      keepAbout(deviation.missed, kept);
+      keepAround(deviation.missed, kept);
       return std::nullopt;
     }
     state.tolerance *= kLessEachRound;
@@ -182,7 +183,7 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
 }
 
 // Marks the vertices of the triangles at the missed places, and of their neighbours.
-void Simplifier::keepAbout(const std::vector<FarPlace>& missed, std::vector<char>& kept) const {
+void Simplifier::keepAround(const std::vector<FarPlace>& missed, std::vector<char>& kept) const {
   if (missed.empty()) return;
   kept.resize(mesh_.vertices.size(), 0);
   std::vector<char> at(kept.size(), 0);

@@ -77,7 +77,7 @@ class Simplifier {
   /// vertices of the surface around the places that deviate.
   std::optional<Simplified> cutFrom(const Level& level, double tolerance, RunContext& run,
                                     std::vector<char>& kept) const;
-  void keepAbout(const std::vector<FarPlace>& missed, std::vector<char>& kept) const;
+  void keepAround(const std::vector<FarPlace>& missed, std::vector<char>& kept) const;
 
   TriMesh mesh_;
   std::vector<double> contactTime_;

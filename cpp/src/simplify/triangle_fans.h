@@ -80,7 +80,7 @@ class TriangleFans {
 
   /// Returns whether visit(corners) is true for all triangles at v that do not contain u.
   template <class Visit>
-  bool allAbout(std::int32_t v, std::int32_t u, const Visit& visit) const {
+  bool allAround(std::int32_t v, std::int32_t u, const Visit& visit) const {
     std::int32_t h = fan_[v];
     do {
       const Corners c{v, target(h), third(h)};

@@ -47,7 +47,7 @@ void RingSides::cutFace(const CellRing& ring, int face, Cut& out) const {
   }
   const std::size_t n = walk.size();
   const auto isCrossing = [&](std::size_t k) { return walk[k] < 2 * count; };
-  const auto placeOf = [&](std::int32_t number) {
+  const auto walkIndexOf = [&](std::int32_t number) {
     return static_cast<std::size_t>(std::find(walk.begin(), walk.end(), number) - walk.begin());
   };
   std::vector<bool> visited(n);
@@ -68,7 +68,7 @@ void RingSides::cutFace(const CellRing& ring, int face, Cut& out) const {
       const std::int32_t chord = forward ? k : (k + count - 1) % count;
       piece.corners.push_back(walk[next]);
       piece.corners.push_back(2 * chord + 1);
-      at = placeOf(2 * (forward ? (k + 1) % count : chord));
+      at = walkIndexOf(2 * (forward ? (k + 1) % count : chord));
       side = forward ? Side::Left : Side::Right;
     } while (at != start);
     if ((face & 1) == 0) {  // the walk round this face is clockwise seen from outside

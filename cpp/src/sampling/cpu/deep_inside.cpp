@@ -44,9 +44,9 @@ bool hidesEnough(const SamplerInput& input, const InsideMap& inside) {
 }
 
 /// The positions of four points of the body at every placement. They suffice to compare placements.
-class Places {
+class PointPositions {
  public:
-  Places(const SamplerInput& input) {
+  PointPositions(const SamplerInput& input) {
     const Eigen::AlignedBox3d box = boxOf(input.body);
     const Eigen::Vector3d half = box.sizes() / 2;
     at_.resize(input.motion.placements.size());
@@ -70,10 +70,10 @@ class Places {
       for (int y = -kFine; y <= kFine; ++y) {
         for (int z = -kFine; z <= kFine; ++z) {
           if (std::max({std::abs(x), std::abs(y), std::abs(z)}) != kFine) continue;
-          const Eigen::Vector3f way = Eigen::Vector3d(x, y, z).normalized().cast<float>();
+          const Eigen::Vector3f direction = Eigen::Vector3d(x, y, z).normalized().cast<float>();
           const bool coarse = (x | y | z) % kFine == 0;
           for (int point = 0; point < (coarse ? 4 : 1); ++point) {
-            chosen.push_back(farthestAlong(way, point));
+            chosen.push_back(farthestAlong(direction, point));
           }
         }
       }
@@ -85,7 +85,7 @@ class Places {
   /// those chosen so far.
   void addSpread(std::vector<std::size_t>& chosen, std::size_t count) const {
     std::vector<float> distance(at_.size(), std::numeric_limits<float>::max());
-    const auto take = [&](std::size_t from) {
+    const auto updateDistances = [&](std::size_t from) {
       for (std::size_t k = 0; k < at_.size(); ++k) {
         float square = 0;
         for (int point = 0; point < 4; ++point) {
@@ -94,22 +94,22 @@ class Places {
         distance[k] = std::min(distance[k], square);
       }
     };
-    for (const std::size_t k : chosen) take(k);
+    for (const std::size_t k : chosen) updateDistances(k);
     while (chosen.size() < count) {
       const auto next = static_cast<std::size_t>(
           std::max_element(distance.begin(), distance.end()) - distance.begin());
       if (!(distance[next] > 0)) return;
       chosen.push_back(next);
-      take(next);
+      updateDistances(next);
     }
   }
 
  private:
-  std::size_t farthestAlong(const Eigen::Vector3f& way, int point) const {
+  std::size_t farthestAlong(const Eigen::Vector3f& direction, int point) const {
     std::size_t best = 0;
     float most = -std::numeric_limits<float>::max();
     for (std::size_t k = 0; k < at_.size(); ++k) {
-      const float along = way.dot(at_[k][point]);
+      const float along = direction.dot(at_[k][point]);
       if (along > most) {
         most = along;
         best = k;
@@ -133,10 +133,10 @@ std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& r
   if (count < kMinCopies || !mayHide) {
     return std::nullopt;
   }
-  const Places places(input);
+  const PointPositions positions(input);
   std::vector<std::size_t> chosen;
-  if (count >= kWithExtreme) places.addExtreme(chosen);
-  places.addSpread(chosen, count);
+  if (count >= kWithExtreme) positions.addExtreme(chosen);
+  positions.addSpread(chosen, count);
   Motion copies;
   for (const std::size_t k : chosen) copies.placements.push_back(input.motion.placements[k]);
   SamplerInput some{input.body, input.topology, copies, input.grid, false, input.orientable};

@@ -27,14 +27,14 @@ class Distances {
   }
 
  private:
-  /// Processes one row of blocks. With `way` -1, considers the rows before it and, in the row, the
-  /// block before; with 1, those after.
-  void pass(std::size_t row, int way) {
+  /// Processes one row of blocks. With `direction` -1, considers the rows before it and, in the
+  /// row, the block before; with 1, those after.
+  void pass(std::size_t row, int direction) {
     const auto i = static_cast<std::ptrdiff_t>(row / blocks_[1]);
     const auto j = static_cast<std::ptrdiff_t>(row % blocks_[1]);
     std::fill(near_.begin(), near_.end(), kDeepest);
-    for (int dj = -1; dj <= 1; ++dj) take(i + way, j + dj);
-    take(i, j + way);
+    for (int dj = -1; dj <= 1; ++dj) takeMinimum(i + direction, j + dj);
+    takeMinimum(i, j + direction);
     std::uint8_t* values = depth_.data() + row * blocks_[2];
     const std::size_t n = blocks_[2];
     const auto limit = [&](std::size_t k, std::uint8_t beside) {
@@ -48,12 +48,12 @@ class Distances {
       if (k + 1 < n) limit(k, near_[k + 1]);
     }
     for (std::size_t k = 1; k < n; ++k) {
-      if (way < 0) limit(k, values[k - 1]);
-      if (way > 0) limit(n - 1 - k, values[n - k]);
+      if (direction < 0) limit(k, values[k - 1]);
+      if (direction > 0) limit(n - 1 - k, values[n - k]);
     }
   }
   /// Replaces each value of near_ by the value of the row (i, j) if that is smaller.
-  void take(std::ptrdiff_t i, std::ptrdiff_t j) {
+  void takeMinimum(std::ptrdiff_t i, std::ptrdiff_t j) {
     if (i < 0 || j < 0 || i >= static_cast<std::ptrdiff_t>(blocks_[0]) ||
         j >= static_cast<std::ptrdiff_t>(blocks_[1])) {
       return;

@@ -43,11 +43,11 @@ struct Patches {
   std::vector<std::uint32_t> faceOf;  ///< per face: its index in the body
 };
 
-enum Place : std::uint8_t { kNone, kRim, kMiddle };
+enum PatchPart : std::uint8_t { kNone, kRim, kMiddle };
 
 /// Adds one patch: the faces around a first face, the nearest ones first.
 void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t number,
-              std::size_t patches, std::vector<Place>& places) {
+              std::size_t patches, std::vector<PatchPart>& partOf) {
   const std::size_t first = (2 * number + 1) * body.triangles.size() / (2 * patches);
   std::vector<std::uint32_t> faces{static_cast<std::uint32_t>(first)};
   std::vector<bool> taken(body.triangles.size()), spread(body.vertices.size());
@@ -67,8 +67,8 @@ void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t numb
     }
   }
   for (std::size_t n = 0; n < faces.size(); ++n)
-    places[faces[n]] =
-        std::max(places[faces[n]], n < kFacesOfPatch / kPartOfPatch ? kMiddle : kRim);
+    partOf[faces[n]] =
+        std::max(partOf[faces[n]], n < kFacesOfPatch / kPartOfPatch ? kMiddle : kRim);
 }
 
 Patches somePatchesOf(const TriMesh& body) {
@@ -82,12 +82,12 @@ Patches somePatchesOf(const TriMesh& body) {
   }
   ListsByKey<> corners = halfEdgesByVertex(body);
   for (std::size_t v = 0; v < corners.keys(); ++v) corners.of(v);
-  std::vector<Place> places(faces, kNone);
-  for (std::size_t n = 0; n < patches; ++n) addPatch(body, corners, n, patches, places);
+  std::vector<PatchPart> partOf(faces, kNone);
+  for (std::size_t n = 0; n < patches; ++n) addPatch(body, corners, n, patches, partOf);
   Patches some;
   std::vector<std::int32_t> number(body.vertices.size(), -1);
   for (std::size_t f = 0; f < faces; ++f) {
-    if (places[f] == kNone) continue;
+    if (partOf[f] == kNone) continue;
     auto t = body.triangles[f];
     for (std::int32_t& v : t) {
       std::int32_t& known = number[static_cast<std::size_t>(v)];
@@ -98,7 +98,7 @@ Patches somePatchesOf(const TriMesh& body) {
       v = known;
     }
     some.mesh.triangles.push_back(t);
-    some.inner.push_back(places[f] == kMiddle);
+    some.inner.push_back(partOf[f] == kMiddle);
     some.faceOf.push_back(static_cast<std::uint32_t>(f));
   }
   return some;

@@ -45,7 +45,7 @@ struct LeakSearch {
 struct ClearPoints {
   struct Point {
     /// Key made of the lattice point, and of axis and side of its edge.
-    std::uint64_t place;
+    std::uint64_t key;
     std::uint32_t face, placement;
     bool operator==(const Point&) const = default;
   };

@@ -73,9 +73,9 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
     struct Carried {
       std::uint32_t from = 0xffffffffu, to = 0;
     };
-    std::vector<Carried> lately(1024);
+    std::vector<Carried> recent(1024);
     const auto elementOf = [&](std::uint32_t element) {
-      Carried& slot = lately[element % lately.size()];
+      Carried& slot = recent[element % recent.size()];
       if (slot.from != element) {
         slot = {element, static_cast<std::uint32_t>(chunk.elements.size())};
         chunk.elements.push_back(marked_.elements[element]);
