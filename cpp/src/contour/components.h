@@ -15,8 +15,8 @@
 // alike. Every crossing lies on two faces of its cell, so the pairs form closed loops; each loop is
 // a component. Of all pairings, the method takes the one with the smallest sum of costs:
 //   cost(p, q) = 1 - n_p . n_q + |n_p . d| + |n_q . d|, with d the unit vector from p to q.
-// Sums that differ by less than 1e-5 count as equal. The pairing that separates the inside corners
-// then comes first.
+// Sums that differ by less than 1e-5 count as equal. Among pairings with equal sums, the one that
+// separates the inside corners is preferred.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

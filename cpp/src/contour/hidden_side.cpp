@@ -164,8 +164,8 @@ std::optional<Point> bestKnownSide(const Points& ring, std::array<Points, 2>& ar
   return found;
 }
 
-/// Of all hits on a side without crossings of the ring, returns the largest group with similar
-/// normals.
+/// Drops the hits on known sides (sides with crossings of the ring). Returns the largest group of
+/// the other hits with similar normals.
 std::vector<ProbeLine> hitsOfNewSide(const Points& ring, const std::vector<ProbeLine>& lines) {
   std::vector<ProbeLine> fresh, best;
   for (const ProbeLine& line : lines) {

@@ -62,7 +62,7 @@ class TipMover {
       return x.distance < y.distance;
     });
     // First moves the vertices whose own planes meet outside their cell. Then moves other vertices
-    // to points at which the planes of a neighbour meet.
+    // to points at which the planes of a neighbouring vertex meet.
     std::unordered_set<std::uint64_t> moved;
     for (const bool own : {true, false}) {
       std::size_t group = 0;  // index of the first proposal for the same cell
@@ -134,7 +134,7 @@ class TipMover {
       return;
     }
     // Sample the segment to the point. The samples may miss a cell that the segment only cuts at a
-    // corner; this does no harm.
+    // corner.
     constexpr int kSamples = 16;
     for (int s = 1; s < kSamples; ++s) {
       const Eigen::Vector3d x = escape.from + direction * (static_cast<double>(s) / kSamples);

@@ -50,10 +50,10 @@ struct VertexSplit {
                  const Crossing* crossings);
 
   /// Returns the position of a part's vertex along the crease of its planes; `best` is the
-  /// minimiser. The few crossings of the part do not show how long the crease is, and neither may
-  /// those of the next cell. The vertex is therefore placed half way between the walls of the cell.
-  /// If `seen` shows one end of the crease, the vertex is placed three quarters of the way from
-  /// that end to the other.
+  /// minimiser. The few crossings of the part do not show how long the crease is, and those of the
+  /// next cell may not show it, either. The vertex is therefore placed half way between the walls
+  /// of the cell. If `seen` shows one end of the crease, the vertex is placed three quarters of the
+  /// way from that end to the other.
   Eigen::Vector3d alongCrease(const Qef& planes, const Eigen::Vector3d& best) const;
 };
 

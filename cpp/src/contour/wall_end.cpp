@@ -26,7 +26,8 @@ struct Wall {
   double middle = 0;
 };
 
-/// Quick test that rejects nearly all components. Returns false if all crossings lie on one side.
+/// Quick test that rejects nearly all components. Returns false if all normals are similar to the
+/// first one, as on one side of a wall.
 bool hasSpreadNormals(const Cell& cell, const Components& components, int component,
                       const Crossing* crossings) {
   Eigen::Vector3d first;

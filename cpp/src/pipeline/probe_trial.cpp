@@ -65,8 +65,8 @@ std::vector<CellKey> shuffledCells(const HermiteGrid& grid) {
   return cells;
 }
 
-/// A cell with a copy of its crossings, the indices of these crossings in the grid, and for each
-/// its slot: twice its edge, plus 1 for the upper end.
+/// A cell with a copy of its crossings. Also has, for each crossing, its index in the grid and its
+/// slot (twice the edge, plus 1 for the upper end).
 struct CellCopy {
   Cell cell;
   std::vector<Crossing> crossings;
@@ -148,7 +148,7 @@ class CellProbe : public SurfaceProbe {
 };
 
 /// Returns the element of the whole motion that corresponds to an element of the rough motion.
-/// `seconds`: time of the crossing that this element made.
+/// `seconds`: time of the crossing on this element.
 SweptElement elementOfWhole(SweptElement element, const Motion& whole, const Motion& rough,
                             double seconds) {
   const auto& all = whole.placements;

@@ -20,8 +20,8 @@ constexpr double kNearFraction = 0.25;
 constexpr double kFoldFraction = 0.1;
 constexpr double kMinCosine = 0.2;  // a triangle may turn by less than 78 degrees
 constexpr double kMinShape = 0.01;  // height / longest side of a new triangle
-// Limit for the sample points on new triangles, as a fraction of the squared tolerance. The rest
-// allows for the surface between the points.
+// Limit for the sample points on new triangles, as a fraction of the squared tolerance. The
+// remaining fraction allows for the surface between the points.
 constexpr double kNetFraction = 0.96;
 // Weight of the squared edge length in the cost, to be multiplied by the squared tolerance. It
 // makes flat regions collapse evenly.
@@ -107,8 +107,8 @@ void Collapser::push(std::int32_t a, std::int32_t b) {
 void Collapser::pushAround(std::int32_t v, bool once) {
   neighbours(v, ring_);
   for (const std::int32_t w : ring_) {
-    // With `once`, an edge with both ends in part_.vertices is put into the queue only from the
-    // smaller one.
+    // With `once`, an edge with both ends in part_.vertices is put into the queue only from the end
+    // with the smaller number.
     if (!once || v < w || !std::binary_search(part_.vertices.begin(), part_.vertices.end(), w))
       push(v, w);
   }

@@ -24,7 +24,7 @@ struct FarPlace {
 
 struct Deviation {
   double largest = 0;            ///< mm, largest distance in either direction
-  std::vector<FarPlace> missed;  ///< measured at points of the original
+  std::vector<FarPlace> missed;  ///< found at points of the original
   /// For each triangle of the result that is too far away, its farthest point; in ascending order
   /// of the triangles.
   std::vector<FarPlace> strays;

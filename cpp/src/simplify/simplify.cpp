@@ -29,7 +29,8 @@ constexpr int kRounds = 4;              ///< rounds of improvement
 /// round.
 constexpr int kFirstDepth = 2;
 constexpr int kThinTrials = 4;  ///< attempts of thinning, each with more vertices kept
-/// Fraction of the tolerance; below it, nothing is simplified.
+/// The tolerance is reduced until a trial succeeds, but not below this fraction. If no trial
+/// succeeds, nothing is simplified.
 constexpr double kMinFraction = 0.1;
 
 // Attaches each missed point of the original to the nearest changed triangle, so that further

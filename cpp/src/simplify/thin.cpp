@@ -32,7 +32,7 @@ struct ThinParameters {
   // Fraction of the limit for the root mean square distance from the planes.
   double meanFraction = 1;
   double minCosine = 0.5;  // a triangle may turn by less than 60 degrees
-  double minShape = 0.03;  // area vector / longest side squared
+  double minShape = 0.03;  // length of the area vector / squared longest side
   double longest = 50;  // limit of a new edge's length, as a multiple of the mean edge of the input
   // Also compares new edges with the old triangles. Without this, a spike of 1.1 tolerances
   // remained on a scanned body (the bunny test mesh moved over 16 keys, 2 mm). Surface recognition
@@ -166,8 +166,8 @@ class Thinner {
     }
   }
   // Removes vertices in [begin, end). With `inner`, removes only those whose neighbours are all in
-  // their part. Collapses in other parts do not change the triangles of these, so all parts can run
-  // in parallel.
+  // their part. Collapses in other parts do not change the triangles of these vertices, so all
+  // parts can run in parallel.
   void pass(std::int32_t begin, std::int32_t end, double limit, bool inner) {
     Scratch scratch;
     for (std::int32_t v = begin; v < end; ++v) {
@@ -348,7 +348,7 @@ class Thinner {
   Flags touched_;
   // For each vertex, the vertex into which it was merged; -1: none.
   std::vector<std::int32_t> into_;
-  double longest_ = 0;  // longest edge allowed, in mm^2
+  double longest_ = 0;  // squared length of the longest edge allowed, mm^2
   Flags partOf_;
   Flags inner_;  // for each vertex, 1 if all its neighbours are in its own part
 };

@@ -9,8 +9,9 @@
 // intersect. Otherwise all rings are shrunk towards one common point of the cell. Seen from this
 // point, no two points of the cell's walls lie in the same direction, so the shrinking rings sweep
 // surfaces that do not intersect. Each ring ends as a small copy of itself, on the walls of a small
-// copy of the cell. The copy is filled by the part of these small walls on one side of it. If rings
-// are nested, an outer ring ends at a smaller copy of the cell than the rings inside it.
+// copy of the cell. The copy is filled with that part of the small cell's walls that lies on one
+// side of the copy. If rings are nested, an outer ring ends at a smaller copy of the cell than the
+// rings inside it.
 // Source: own method.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

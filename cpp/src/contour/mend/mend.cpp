@@ -33,7 +33,7 @@ constexpr double kReturnFractions[] = {1e-3, 1e-2, 0.1, 1};
 
 using Triangle = std::array<std::int32_t, 3>;
 
-/// Changes the surface in place, near the pairs that intersected at first.
+/// Changes the surface in place, near the pairs of triangles that intersect at the start.
 class Mender {
  public:
   Mender(Surface& surface, const HermiteGrid& grid, const SelfIntersections& found, RunContext& run)

@@ -12,7 +12,8 @@
 
 namespace swept {
 
-/// A triangle spans two cells, so it cannot intersect triangles more than this many cells away.
+/// A triangle spans at most two cells along each axis, so it cannot intersect triangles more than
+/// this many cells away.
 constexpr int kReachCells = 4;
 /// Triangles of one parallel task.
 constexpr std::size_t kTrianglesPerTask = 1 << 15;

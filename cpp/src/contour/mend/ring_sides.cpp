@@ -15,9 +15,9 @@ RingSides::Cut RingSides::cut(const CellRing& ring) const {
   Cut out;
   out.corners.fill(Side::Unknown);
   for (int face = 0; face < kFaces; ++face) cutFace(ring, face, out);
-  // A face without chords lies wholly on one side: the side of any of its corners. Faces with
-  // chords determine the side of their corners first; the loop then passes the sides on from face
-  // to face.
+  // A face without chords lies wholly on one side of the ring: the side of any of its corners.
+  // Faces with chords determine the side of their corners first; the loop then passes the sides on
+  // from face to face.
   const auto firstCorner = static_cast<std::int32_t>(2 * ring.slots.size());
   for (int round = 0; round < kFaces; ++round) {
     for (std::size_t p = 0; p < out.pieces.size(); ++p) {

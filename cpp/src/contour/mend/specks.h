@@ -1,4 +1,5 @@
-// Drops specks: closed shells round one or two lattice edges, far smaller than a cell.
+// Drops specks: closed shells round one or two lattice edges, with a far smaller volume than a
+// cell.
 //
 // In: a surface and its intersecting pairs. Out: the surface without specks, and their number.
 // Units: cells, cubic cells. Cost: O(triangles).

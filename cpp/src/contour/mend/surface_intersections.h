@@ -2,7 +2,7 @@
 //
 // In: the surface of the consistent components, and its grid. Out: all pairs of triangles that
 // intersect, the same as findSelfIntersections() finds. Cost: one pass over the polygons, and exact
-// tests for the few that fail the quick ones.
+// tests for the few that fail the quick test.
 // Promise: complete. Assume first that every cell has one vertex, which lies inside the cell. A
 // lattice edge e and a face F beside e define a tetrahedron: its corners are the ends of e and the
 // vertices of the two cells at F. The tetrahedron lies in these two cells, and all such tetrahedra

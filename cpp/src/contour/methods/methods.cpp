@@ -49,7 +49,7 @@ std::uint32_t slotsOf(std::uint32_t stops, std::uint32_t mask) {
   return slots;
 }
 
-/// Returns the smallest cosine between two normals of the set.
+/// Returns the smallest cosine between the normals of two crossings in these slots.
 float agreement(const Cell& cell, std::uint32_t slots, const Crossing* crossings) {
   float least = 1;
   for (int s = 0; s < kSlots; ++s) {

@@ -264,7 +264,7 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   const bool byClusters = input.motion.continuous || input.inside != nullptr;
   const FaceClusters& clusters =
       byClusters || input.clusters != nullptr ? clustersOf(input, own) : own;
-  // Finds the steps that the previous run sampled, too. The cache only keeps items of one
+  // Finds the steps that the previous run has sampled already. The cache only keeps items of one
   // placement.
   std::vector<SampleCache::Key> keys;
   std::vector<std::uint8_t> cached(items.size(), 0);

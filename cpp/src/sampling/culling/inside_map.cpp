@@ -152,8 +152,8 @@ bool InsideMap::hidesAlong(const std::array<Eigen::Vector3d, 3>& corner,
                            const Eigen::Vector3d& normal, const Eigen::Array3d& low,
                            const Eigen::Array3d& high, double reach) const {
   constexpr int U = W == 0 ? 1 : 0, V = W == 2 ? 1 : 2;
-  /// If the sine of the angle between plane and lines is below this, the plane does not narrow the
-  /// range.
+  /// If the sine of the angle between the plane of the triangle and the lines is below this, the
+  /// plane does not narrow the range of possible crossings.
   constexpr double kMinSlope = 1e-3;
   const double across = std::abs(normal[W]);
   const bool steep = across < kMinSlope * normal.norm();

@@ -31,7 +31,7 @@ struct PlaceBlock {
   Eigen::Matrix3d turn;
   Eigen::Vector3d place;
   double placeSpread = 0;  ///< largest deviation at the centre, cells
-  double turnSpread = 0;   ///< further deviation per mm of distance from the centre
+  double turnSpread = 0;   ///< further deviation, cells per mm of distance from the centre
 };
 
 /// Computes bounds of placements. A placement is treated as a vector of twelve numbers, and a box
@@ -53,7 +53,8 @@ class PlaceBounds {
   Box boxOf(std::size_t k) const;
   static PlaceBlock blockOf(const Box& box);
 
-  /// Returns whether the copies and side patches of a cluster in these placements can matter.
+  /// Returns whether the copies and side patches of a cluster at the placements of the block can
+  /// matter.
   bool shows(const PlaceBlock& block, const FaceCluster& cluster) const;
   /// Returns whether the copies of one face can matter. Requires the map of the inside.
   bool shows(const PlaceBlock& block, std::uint32_t face) const;
@@ -85,8 +86,8 @@ class PlaceGroups {
   const ShownClusters& shownAt(std::size_t placement) const { return shown_[groupOf_[placement]]; }
 
  private:
-  /// Returns the boxes of the groups of at most `cells` in size, and sets the group of each
-  /// placement. Ends early if there are too many groups to save time.
+  /// Groups placements so that no group is larger than `cells`. Returns the boxes of the groups,
+  /// and sets the group of each placement. Ends early if there are too many groups to save time.
   static std::vector<PlaceBounds::Box> group(const std::vector<PlaceBounds::Box>& boxes,
                                              double cells, double radius,
                                              std::vector<std::uint32_t>& groupOf);

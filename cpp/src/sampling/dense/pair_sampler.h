@@ -46,7 +46,7 @@ class PairSampler {
 
   const SamplerInput& input_;
   RunContext& run_;
-  std::vector<Placement> placements_;  // placements whose results are in cells
+  std::vector<Placement> placements_;  // from body coordinates (mm) to grid coordinates (cells)
   // 0, 1, 2 ...: each entry serves as a list of one placement.
   std::vector<std::uint32_t> identity_;
   std::vector<Item> items_;

@@ -72,8 +72,8 @@ class PlacementSpace {
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
   template <class IsWanted, class Visit>
   void descend(const Point6& gradient, const IsWanted& isWanted, const Visit& visit) const;
-  /// A gradient split for bounds over boxes: its positive part applies to their upper sides, the
-  /// negative part to their lower sides.
+  /// A gradient split into its positive and its negative part. For a bound over a box, the positive
+  /// part is multiplied by the upper limits of the box, the negative part by the lower limits.
   struct Split {
     Point6 up, down;
     explicit Split(const Point6& g) {

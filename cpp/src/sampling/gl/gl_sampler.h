@@ -30,8 +30,8 @@ class GlSampler {
   /// Pass 1. After a first loss of the device, repeats the brick on a new context; after a second
   /// loss throws Error(DeviceLost).
   MarkedEdges mark(RunContext& run);
-  /// Pass 2. Throws Error(DeviceLost) in the same way, and also if an edge has no
-  /// winner (EdgeWinner).
+  /// Pass 2. Handles losses of the device like mark(). Also throws Error(DeviceLost) if an edge has
+  /// no winner (EdgeWinner).
   void resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& run);
 
   const std::string& device() const { return deviceName_; }
