@@ -9,14 +9,15 @@
 namespace swept {
 namespace {
 
-/// A crossing lies on a side if its normal and the wall's have at least this |cosine| (45 degrees).
+/// A crossing lies on a side if the |cosine| between its normal and the wall's is at least this (45
+/// degrees).
 constexpr double kMinSideCosine = 0.7;
 /// A side is flat if the heights of its crossings differ by at most this (cells).
 constexpr double kMaxUnevenness = 0.2;
 /// Largest thickness of walls and gaps (cells); grid edges meet the rims of thicker ones.
 constexpr double kMaxWallThickness = 1.0;
-/// A hit lies on the rim, not on a side, if its normal and the wall's have a |cosine| below this
-/// (37 degrees).
+/// A hit lies on the rim, not on a side, if the |cosine| between its normal and the wall's is below
+/// this (37 degrees).
 constexpr double kMaxRimCosine = 0.8;
 
 /// The middle plane of a wall, half way between its sides: normal . x = middle, in the coordinates

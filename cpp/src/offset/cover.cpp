@@ -19,7 +19,7 @@ namespace {
 constexpr double kTwist = 0.005;
 constexpr int kMaxParts = 256;
 
-/// Data of a motion step for the cover triangles at its start and at its end.
+/// Data of a motion step, from which the slack of the faces at its start and end is computed.
 struct Step {
   Placement from, to;  // from body coordinates (mm) to grid coordinates (cells)
   double turn = 0;     // rad, an upper bound
@@ -141,7 +141,7 @@ void coverCopies(const SamplerInput& input, std::size_t k, CoverTriangle* out) {
 /// Cuts long triangles. The bounding box of a long oblique triangle is nearly empty, so searches
 /// would often test such a triangle in vain.
 void cutLong(std::vector<CoverTriangle>& triangles) {
-  constexpr double kLong = 6;  // cells
+  constexpr double kLong = 6;  // cells: triangles with longer sides are cut
   // Largest number of pieces: this many times the number of triangles, plus a million.
   constexpr double kMaxPieces = 3;
   const auto longest = [](const CoverTriangle& t) {

@@ -109,7 +109,7 @@ void OffsetField::setBlocks(const Node& node, std::int32_t size, std::int32_t ki
   }
 }
 
-/// Computes the gaps of all points of a node inside a block.
+/// Computes the gaps of all lattice points of a node that is a block or a part of a block.
 void OffsetField::fill(const Node& node, std::int32_t size, Gaps& gaps) const {
   const double radius = kHalfDiagonal * 2 * (size - 1) / 2;
   Node at = node;

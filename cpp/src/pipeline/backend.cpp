@@ -59,9 +59,9 @@ SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double c
       if (error.status() != Status::DeviceUnavailable && error.status() != Status::DeviceLost) {
         throw;
       }
+      // Without the advice, which is only for users who chose the GPU.
       reason = error.what();
-      reason =
-          reason.substr(0, reason.find(gl::kDeviceAdvice));  // only for users who chose the GPU
+      reason = reason.substr(0, reason.find(gl::kDeviceAdvice));
     }
     SampledSurface out = sampleOnCpu(input, findSigns, run);
     out.notes.push_back({"CpuSampler", 1, {}, "the CPU did the sampling: " + reason});

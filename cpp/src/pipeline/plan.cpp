@@ -129,7 +129,7 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
     if (p.keepRoom) box = withRoom(box);
     for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
   }
-  const TriMesh given = p.body.mesh;  // before edges are split: the same box, fewer vertices
+  const TriMesh given = p.body.mesh;  // body before edges are split: same box, fewer vertices
   // If the cell size is given, planGrid() is called once before edges are split. It throws if the
   // cell is too small for any grid.
   if (!p.keepBody && options.cellSize > 0 && trajectory.interpolation != Interpolation::None) {

@@ -29,7 +29,7 @@ struct Prepared {
   CheckedBody body;
   CheckedTrajectory trajectory;
   std::size_t givenPoses = 0;         ///< number of poses before the position filter
-  double positionFilterDistance = 0;  ///< mm
+  double positionFilterDistance = 0;  ///< mm, largest distance of a dropped pose from the last used
   /// Grid of the previous run, used again if the sweep still fits into it and fills most of it.
   /// With keepRoom, a new grid has a margin for the sweeps of later calls.
   const GridPlan* lastGrid = nullptr;

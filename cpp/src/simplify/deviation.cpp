@@ -37,8 +37,9 @@ class Measurement {
   }
 
  private:
-  // Calls part(i, found, hint) for each i < n, in blocks. Each block starts with the largest
-  // distance of earlier passes.
+  // Calls part(i, found, hint) for each i < n, in blocks. `found` collects the results of a block
+  // and starts with the largest distance of earlier passes. `hint`: the nearest triangle of the
+  // last search.
   template <class Part>
   void forAll(std::size_t n, std::size_t block, const Part& part) {
     std::vector<Found> found((n + block - 1) / block);

@@ -33,8 +33,8 @@ struct PatchRing {
 };
 
 struct CellPatch {
-  std::vector<Eigen::Vector3d> added;  ///< mm
-  std::vector<std::size_t> ringOf;     ///< per point of `added`
+  std::vector<Eigen::Vector3d> added;  ///< positions of the added points, mm
+  std::vector<std::size_t> ringOf;     ///< per added point: index of its ring
   /// The corner indices count the points of all rings first, then the points of `added`.
   std::vector<std::array<std::int32_t, 3>> triangles;
   std::vector<std::int8_t> slotOf;  ///< per triangle: the slot of its crossing

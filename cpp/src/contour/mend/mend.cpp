@@ -322,9 +322,9 @@ class Mender {
   TriangleBlocks blocks_;
   std::size_t vertexCount_;  // number of vertices before mending
   SelfIntersections pairs_;
-  std::vector<std::int32_t> region_;                          // triangles near the initial pairs
-  std::vector<std::uint8_t> marked_;                          // per vertex; zero between uses
-  std::vector<std::int32_t> changed_;                         // triangles changed in this round
+  std::vector<std::int32_t> region_;   // triangles near the initial pairs
+  std::vector<std::uint8_t> marked_;   // per vertex: 1 during a search for its triangles
+  std::vector<std::int32_t> changed_;  // triangles changed in this round
   std::unordered_map<std::int32_t, Eigen::Vector3d> before_;  // first positions of moved vertices
   // Crossings whose polygons have been considered for fanning.
   std::unordered_set<std::uint32_t> fanned_;

@@ -67,7 +67,8 @@ class Rebuilder {
     return cells_.size() > before;
   }
 
-  /// Rebuilds the cells from the original surface, and returns the pairs that intersect now.
+  /// Rebuilds the cells from the original surface, and returns the pairs of triangles that
+  /// intersect now.
   SelfIntersections rebuild() {
     reset();
     collectCells();

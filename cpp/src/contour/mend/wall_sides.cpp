@@ -59,7 +59,7 @@ Vec3 directionAmong(const std::vector<Vec3>& normals) {
 
 /// A lattice edge through the wall.
 struct Through {
-  Vec3 middle, across;  // in cells; `across` points from the side of a to the side of b
+  Vec3 middle, across;  // cells: the point between its crossings; the vector from side a to side b
 };
 
 class WallGeometry {

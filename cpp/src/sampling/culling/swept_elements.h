@@ -39,7 +39,7 @@ struct MotionStep {
   Eigen::Matrix3d bend, turnBack;  ///< turnBack: inverse of the turn of the step
   Eigen::Vector3d shift;
   double angle = 0;  ///< rad, upper bound of the turn
-  double snap = 0;   ///< mm, bound on the effect of snapping
+  double snap = 0;   ///< mm, bound on the change of a displacement by snapping
 };
 
 /// Returns a bound (mm) on the rounding of a displacement in single precision. `farthest`: largest

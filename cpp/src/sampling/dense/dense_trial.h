@@ -16,7 +16,7 @@ namespace swept::dense {
 
 struct DenseCost {
   double seconds = 0, bytes = 0;
-  double pairs = 0;  ///< number of candidates
+  double pairs = 0;  ///< number of candidate (face, placement) pairs
 };
 
 DenseCost tryDense(const SamplerInput& input, double surface, RunContext& run);

@@ -52,7 +52,7 @@ struct ClearPoints {
   std::vector<std::vector<Point>> layers;
 };
 
-/// Exact tests of points and segments against the body. Build it once for all calls.
+/// Data for exact tests of points and segments against the body. One object serves all calls.
 struct BodyTests {
   explicit BodyTests(const TriMesh& body)
       : rays(body), tree(boxTreeOf(body.vertices, body.triangles)) {}

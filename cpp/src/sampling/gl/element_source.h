@@ -21,7 +21,7 @@ struct ElementSource {
 
   Culling culling = kNone;
   std::uint32_t faces = 0;         ///< number of faces of the body
-  std::uint32_t perPlacement = 0;  ///< faces, or faces and edges
+  std::uint32_t perPlacement = 0;  ///< number of elements: faces, or faces and edges
   std::uint32_t placements = 0;
   std::vector<std::uint32_t> faceOrder, edgeOrder;  ///< empty: the order of the body
   std::vector<std::int32_t> topology;               ///< buffer of shaders/element.glsl
@@ -41,7 +41,7 @@ struct ElementSource {
 
 /// Consecutive placements whose data are on the device at the same time.
 struct ElementChunk {
-  std::uint64_t first = 0, count = 0;                   ///< elements
+  std::uint64_t first = 0, count = 0;                   ///< range of element numbers
   std::uint32_t placementBase = 0, placementCount = 0;  ///< the placements that the chunk needs
 };
 
