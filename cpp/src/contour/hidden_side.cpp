@@ -55,8 +55,8 @@ Qef planesOf(const Points& points) {
   return planes;
 }
 
-/// Returns whether the ring has crossings on both sides of a thin wall. Such rings are left to
-/// wall_end.h.
+/// Returns whether the ring has crossings on both sides of a thin wall. The functions of wall_end.h
+/// handle such rings.
 bool hasOpposed(const Points& ring) {
   for (const Point& p : ring) {
     for (const Point& q : ring) {

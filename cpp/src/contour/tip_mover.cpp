@@ -12,7 +12,7 @@
 namespace swept {
 namespace {
 
-/// Returns any cell of the grid. Finds its crossings by binary search in the edge lists. A cell
+/// Returns the cell at `at`, with the crossings found by binary search in the edge lists. A cell
 /// without crossings or outside the grid has the mask 0.
 Cell gatherCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
   Cell cell;

@@ -16,7 +16,7 @@ namespace {
 using Triangle = std::array<std::int32_t, 3>;
 using Eigen::Vector3d;
 
-/// Thinning stops at this many times the requested number of triangles.
+/// Thinning stops if the number of triangles is at most this many times the requested number.
 constexpr double kMaxExcess = 1.2;
 /// Weight of the mean point of a cell, relative to the planes in the cell.
 constexpr double kMeanWeight = 0.001;

@@ -83,7 +83,7 @@ struct CollapseState {
 /// already has such points.
 void watchLongEdges(CollapseState& state, const std::vector<char>& watched);
 
-/// Collapses edges. With `quick`, stops after the slabs. `log`, unless null, receives each step.
+/// Collapses edges. With `quick`, processes only the slabs. `log`, unless null, receives each step.
 void collapseEdges(CollapseState& state, bool quick, RunContext& run, CollapseLog* log = nullptr);
 
 /// Collapses more edges after collapseEdges(), starting at the vertices of these triangles.

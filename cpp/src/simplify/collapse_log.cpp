@@ -79,7 +79,7 @@ std::vector<std::int32_t> CollapseLog::takeBack(CollapseState& state,
 }
 
 void CollapseLog::takeBack(CollapseState& state, const Step& step) const {
-  std::vector<std::int32_t> open;  // triangles of open ground, which may take the points
+  std::vector<std::int32_t> open;  // triangles of open ground, to which points may be attached
   std::vector<Vector3d> points;
   std::vector<std::int32_t>&mine = state.around[step.to], &others = state.around[step.from];
   state.gone[step.from] = 0;

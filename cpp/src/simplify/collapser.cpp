@@ -14,7 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A search for a near triangle ends at a distance of this fraction of the squared tolerance.
+// A search for a near triangle ends at a squared distance of this fraction of the squared
+// tolerance.
 constexpr double kNearFraction = 0.25;
 // Fraction of the tolerance by which a border may pass over its patch.
 constexpr double kFoldFraction = 0.1;
@@ -313,7 +314,7 @@ bool Collapser::intersect(std::int32_t triangle, std::int32_t other) const {
 }
 
 // Returns whether a remaining triangle intersects another triangle after its corners have moved.
-// Collects the other triangles in hits_.
+// Collects the intersected triangles in hits_.
 bool Collapser::intersectsOthers() {
   hits_.clear();
   around_.clear();

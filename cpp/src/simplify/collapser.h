@@ -15,8 +15,9 @@
 
 namespace swept {
 
-/// The part of one worker. The worker may only change vertices whose entry in partOf is its number.
-/// The coordinate of these vertices along the axis stays within [low, high).
+/// The part of the mesh that one worker processes. The worker may only change vertices whose entry
+/// in partOf is its number. The coordinate of these vertices along the axis stays within [low,
+/// high).
 struct WorkPart {
   /// For each vertex, the number of its worker. Null: all vertices belong to this worker.
   const std::vector<std::int32_t>* partOf = nullptr;

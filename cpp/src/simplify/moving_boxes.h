@@ -68,7 +68,7 @@ class MovingBoxes {
   /// In ascending order. Removed triangles stay in the list until the next build().
   std::vector<std::int32_t> members_;
   std::vector<std::uint32_t> slot_;       ///< for each member, its index in order_
-  std::vector<std::int32_t> order_;       ///< along the curve; -1: removed
+  std::vector<std::int32_t> order_;       ///< triangles along the Morton curve; -1: removed
   std::vector<std::vector<Box>> levels_;  ///< levels_[0]: boxes of four triangles each
   std::size_t left_ = 0;
 };

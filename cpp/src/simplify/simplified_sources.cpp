@@ -41,7 +41,8 @@ class Votes {
     }
     groups_[count_++] = {row, 1, fromMiddle};
   }
-  /// Returns the row nearest to the middle within the largest group, or kNone if there is none.
+  /// Of the rows in the largest group, returns the one whose sample point is nearest to the middle
+  /// of the triangle. Returns kNone if there are no rows.
   std::uint32_t winner() const {
     if (count_ == 0) return Sources::kNone;
     return std::max_element(groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(count_),

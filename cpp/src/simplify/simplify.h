@@ -38,7 +38,7 @@ struct Simplified {
   std::vector<double> contactTime;
   std::vector<std::array<std::int32_t, 2>> featureEdges;  ///< vertex pairs along creases
   Sources sources;       ///< empty if the sources of the surface are unknown
-  double deviation = 0;  ///< mm, measured, the larger of both directions
+  double deviation = 0;  ///< mm, the larger of the values measured in both directions
 };
 
 class Simplifier {

@@ -48,7 +48,7 @@ class Mender {
     region_ = nearPairs(nullptr);
   }
 
-  /// Adds the vertices that were moved or added to `surface_.mended`.
+  /// Appends the moved and the new vertices to `surface_.mended`.
   void recordVertices() {
     std::vector<std::int32_t>& mended = surface_.mended;
     for (const auto& [v, position] : before_) mended.push_back(v);

@@ -187,8 +187,8 @@ class Rebuilder {
     return found->second;
   }
 
-  /// Adds the points that neighbouring cells share: crossings, and points on the chords of their
-  /// walls.
+  /// Adds the points that neighbouring cells share: crossings, and points of the chords on the
+  /// walls between the cells.
   void addFixedPoints() {
     crossingAt_.clear();
     chordAt_.clear();
@@ -361,7 +361,7 @@ class Rebuilder {
   std::map<std::uint32_t, OldPolygon> polygons_;                   // by crossing
   std::map<std::uint32_t, std::int32_t> crossingAt_;               // crossing -> its vertex
   std::map<std::pair<std::uint32_t, int>, std::int32_t> chordAt_;  // crossing and side -> vertex
-  std::vector<std::int32_t> removed_;                              // triangles, in rising order
+  std::vector<std::int32_t> removed_;                              // triangles, in ascending order
 };
 
 }  // namespace

@@ -35,9 +35,9 @@ constexpr double kSpeckVolume = 0.01, kFlatVolume = 1e-9;
 Specks dropSpecks(Surface& surface, double cell, double maxVolume, SelfIntersections& pairs,
                   RunContext& run);
 
-/// Turns over shells that are inside out and less than 4 cells across. A sheet thinner than the
-/// rounding of its vertices can become such a shell. The mesh must be closed and have no
-/// misoriented edges. Returns the number of turned shells.
+/// Reverses the triangles of shells that are inside out and less than 4 cells across. A sheet
+/// thinner than the rounding of its vertices can become such a shell. The mesh must be closed and
+/// have no misoriented edges. Returns the number of reversed shells.
 std::int64_t turnInsideOut(Surface& surface, const MeshTopology& topology, double cell,
                            RunContext& run);
 

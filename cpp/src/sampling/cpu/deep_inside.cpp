@@ -15,10 +15,10 @@ namespace {
 
 /// The number of whole copies is the number of placements divided by kPlacementsPerCopy, but at
 /// most kMaxWholeCopies. A motion with merged steps has few placements for the length of its path,
-/// so the divisor is kMergedPerCopy. With 128 instead of 32, two wheels along 124,992 poses, of
-/// which 2,153 remain after merging, take 1.6 times as long. If the number of copies is below
-/// kMinCopies, none are sampled. If it is kWithExtreme or more, the copies include the placements
-/// farthest along many directions.
+/// so the divisor is kMergedPerCopy. With 128 instead of 32, sampling two wheels along 124,992
+/// poses, of which 2,153 remain after merging, takes 1.6 times as long. If the number of copies is
+/// below kMinCopies, none are sampled. If it is kWithExtreme or more, the copies include the
+/// placements farthest along many directions.
 constexpr std::size_t kPlacementsPerCopy = 128, kMergedPerCopy = 32, kMinCopies = 8,
                       kWithExtreme = 176, kMaxWholeCopies = 256;
 /// The map is used only if it hides at least this fraction of the crossings of kTrials other

@@ -1,7 +1,8 @@
 // Keeps the crossings of each step of a continuous motion for the next run with the same body.
 // After a change of a few poses, only the steps near them are sampled again.
 // The crossings of a step depend on the grid, on culling and on three placements: its own, the one
-// before it (for culling by direction) and the one after it. The key contains their exact numbers.
+// before it (for culling by direction) and the one after it. The key contains the exact values of
+// all these.
 // Memory: the chunks of the previous run, up to kMaxBytes. Not safe for several threads at a time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -29,8 +29,8 @@ using ShownClusters = std::vector<ShownCluster>;  // in ascending order
 /// covers the borders between clusters.
 constexpr std::size_t kClustersTogether = 16;
 
-/// Returns one of `parts` equal parts of the clusters, spread over the body. 1: all clusters; 0:
-/// none.
+/// Returns one of `parts` equal parts of the clusters, spread over the body. Returns all clusters
+/// if `parts` is 1, and none if it is 0.
 inline ShownClusters allClusters(const FaceClusters& clusters, std::size_t parts = 1) {
   ShownClusters all;
   for (std::uint32_t c = 0; parts > 0 && c < clusters.clusters.size(); ++c) {

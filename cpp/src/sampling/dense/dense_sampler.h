@@ -28,8 +28,8 @@ struct DenseSettings {
   /// Largest displacement from the mean placement, as a fraction of the body's radius.
   double maxReach = 0.25;
   double maxRemainder = 2;  ///< cells, largest error of the linear form (placement_space.h)
-  /// A winner (candidates.h) is passed on if its advance is little less than the best one at the
-  /// vertex: at most this (cells) plus the error of the linear form.
+  /// A winner (candidates.h) is passed on to a vertex if its advance there is less than the best
+  /// advance by at most this (cells) plus the error of the linear form.
   double slackCells = 0.3;
   /// A placement counts as missed only if it reaches beyond a point by more than this (cells).
   double marginCells = 0.05;

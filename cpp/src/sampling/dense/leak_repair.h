@@ -44,7 +44,8 @@ struct LeakSearch {
 /// test these points again.
 struct ClearPoints {
   struct Point {
-    /// Key made of the lattice point, and of axis and side of its edge.
+    /// Key of the lattice edge within its layer, and of the end of the edge at which the point
+    /// lies.
     std::uint64_t key;
     std::uint32_t face, placement;
     bool operator==(const Point&) const = default;

@@ -49,7 +49,8 @@ class PlacementSpace {
   /// dot(gradient(x, n), point(placement)).
   Point6 gradient(const Eigen::Vector3d& x, const Eigen::Vector3d& n) const;
   const Point6& point(std::uint32_t placement) const { return points_[placement]; }
-  /// Returns the placement of largest advance. `guess` only makes the search faster.
+  /// Returns the placement with the largest advance. `guess`: a placement with which the search
+  /// starts; it only affects the speed.
   Best support(const Point6& gradient, std::uint32_t guess) const;
   /// Collects placements with an advance above `minAdvance` in `out`, unsorted. Stops after
   /// `maxCount` placements. Branches of the tree with higher bounds are searched first, but the
