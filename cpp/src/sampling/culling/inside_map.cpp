@@ -27,8 +27,8 @@ class Distances {
   }
 
  private:
-  /// Processes one row of blocks. With `direction` -1, considers the rows before it and, in the
-  /// row, the block before; with 1, those after.
+  /// Processes one row of blocks. `direction` -1: uses the values of the preceding rows and, within
+  /// the row, of the preceding block. 1: uses those of the following ones.
   void pass(std::size_t row, int direction) {
     const auto i = static_cast<std::ptrdiff_t>(row / blocks_[1]);
     const auto j = static_cast<std::ptrdiff_t>(row % blocks_[1]);

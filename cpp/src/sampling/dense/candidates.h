@@ -25,8 +25,8 @@ namespace swept::dense {
 struct DenseSettings;
 
 struct FacePlacements {
-  std::vector<std::uint64_t>
-      start;  ///< per face: its first index in `placement`; one more entry at the end
+  /// Per face: its first index in `placement`; with one more entry at the end.
+  std::vector<std::uint64_t> start;
   std::vector<std::uint32_t> placement;  ///< sorted within a face
 };
 
