@@ -188,7 +188,7 @@ class TipMover {
   }
 
   static constexpr double kMinTipSharpness = 0.05;  // two planes that differ by 26 degrees
-  /// Determinant of the mean normal tensor; 0.037 for the corner of a cube.
+  /// Smallest determinant of the mean normal tensor at a corner (0.037 at the corner of a cube).
   static constexpr double kMinCornerDeterminant = 1e-3;
   /// Largest mean squared distance of planes from a point (cells^2), equal to a distance of 0.01
   /// cells.

@@ -21,8 +21,8 @@ constexpr double kNearFraction = 0.25;
 constexpr double kFoldFraction = 0.1;
 constexpr double kMinCosine = 0.2;  // a triangle may turn by less than 78 degrees
 constexpr double kMinShape = 0.01;  // height / longest side of a new triangle
-// Limit for the sample points on new triangles, as a fraction of the squared tolerance. The
-// remaining fraction allows for the surface between the points.
+// Limit of the squared distance of sample points on new triangles from the original, as a fraction
+// of the squared tolerance. The remaining fraction allows for the surface between the points.
 constexpr double kNetFraction = 0.96;
 // Weight of the squared edge length in the cost, to be multiplied by the squared tolerance. It
 // makes flat regions collapse evenly.

@@ -145,8 +145,8 @@ void InsideMap::findFronts(const MarkedEdges& marked, const SignRuns& signs, con
   });
 }
 
-/// The part of hides() for lines along the axis W. Returns true if, on each line that the triangle
-/// may meet, all its possible crossings are hidden.
+/// The part of hides() for lines along the axis W. Returns true if all possible crossings of the
+/// triangle with such lines are hidden.
 template <int W>
 bool InsideMap::hidesAlong(const std::array<Eigen::Vector3d, 3>& corner,
                            const Eigen::Vector3d& normal, const Eigen::Array3d& low,

@@ -15,7 +15,8 @@
 namespace swept::gl {
 
 /// Samples a small turning body on the device, without and with culling. Compares the marks
-/// (without culling) and the contributing edges with those of the CPU, and checks all elements.
+/// (without culling) and the contributing edges with those of the CPU. Then calls verifyWinners()
+/// for all edges.
 void selfTest(const std::shared_ptr<GlDevice>& device, double fenceTimeoutSeconds, RunContext& run);
 
 /// Chooses about `samples` random elements that culling on the CPU keeps, at 16 random placements.
