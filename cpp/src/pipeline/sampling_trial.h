@@ -34,8 +34,8 @@ class SamplingTrial {
   };
   /// Returns the cost of sampling the whole motion, without insideSeconds().
   Whole whole() const;
-  /// Returns the peak memory in bytes: the larger of two phases, building the map of the inside and
-  /// sampling the whole motion. `surface`: number of crossings of the surface.
+  /// Returns the peak memory (bytes) of sampling: the larger of two phases, building the map of the
+  /// inside and sampling the whole motion. `surface`: number of crossings of the surface.
   double bytesOf(const SamplingCost& sampling, double surface, double threads) const;
 
  private:
