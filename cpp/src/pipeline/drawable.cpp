@@ -178,9 +178,9 @@ std::int32_t pointFor(Drawable& out, std::size_t first, const Vector3d& at,
 }  // namespace
 
 Drawable drawableOf(const TriMesh& given, std::size_t maxTriangles, double crease) {
-  const bool heavy = given.triangles.size() > maxTriangles;
-  const TriMesh light = heavy ? thinned(given, maxTriangles) : TriMesh{};
-  const TriMesh& mesh = heavy ? light : given;
+  const bool tooMany = given.triangles.size() > maxTriangles;
+  const TriMesh reduced = tooMany ? thinned(given, maxTriangles) : TriMesh{};
+  const TriMesh& mesh = tooMany ? reduced : given;
   std::vector<Vector3d> normals(mesh.triangles.size()), units(mesh.triangles.size());
   for (std::size_t t = 0; t < normals.size(); ++t) {
     normals[t] = areaNormal(mesh, mesh.triangles[t]);

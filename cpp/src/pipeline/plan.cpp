@@ -25,10 +25,10 @@ namespace {
 /// Enlarges the box of the sweep by the space that an offset or a conservative envelope needs.
 Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options& options) {
   const double cells = options.conservative ? kMaxMarginCells : 0;
-  const double room =
+  const double margin =
       options.offset + cells * cell + (options.conservative ? options.tolerance : 0);
-  box.min().array() -= room;
-  box.max().array() += room;
+  box.min().array() -= margin;
+  box.max().array() += margin;
   return box;
 }
 
@@ -37,9 +37,9 @@ Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options
 constexpr double kMargin = 0.03;
 
 Eigen::AlignedBox3d withRoom(Eigen::AlignedBox3d box) {
-  const double room = kMargin * box.sizes().maxCoeff();
-  box.min().array() -= room;
-  box.max().array() += room;
+  const double margin = kMargin * box.sizes().maxCoeff();
+  box.min().array() -= margin;
+  box.max().array() += margin;
   return box;
 }
 
@@ -57,10 +57,10 @@ Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, 
   const double chord = options.chordTolerance * cell;
   if (!(options.offset > 0 || options.conservative)) {
     const std::uint64_t limit = memoryLimit(run);
-    const double room = limit == 0 ? 1e300 : static_cast<double>(limit) / 2 / kBytesPerCopy;
+    const double maxCopies = limit == 0 ? 1e300 : static_cast<double>(limit) / 2 / kBytesPerCopy;
     const Following how =
         planFollowing(p.body.mesh, trajectory, chord, cell,
-                      p.keepRoom ? std::min(room, kPreviewCopies) : room, maySplit, run);
+                      p.keepRoom ? std::min(maxCopies, kPreviewCopies) : maxCopies, maySplit, run);
     if (std::isfinite(how.longestEdge)) p.body.mesh = splitEdges(p.body.mesh, how.longestEdge, run);
     return mergeSteps(refineMotion(p.body.mesh, trajectory, how.chord, run), p.body.mesh, chord,
                       run);

@@ -181,9 +181,9 @@ ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
   std::size_t done = 0;
   const auto times = [&] { return static_cast<double>(cells.size()) / static_cast<double>(done); };
   const auto continues = [&] {
-    const double taken = threadSeconds() - start;
-    if (done < kMinCells) return taken < kMinSeconds;
-    return taken < std::clamp(kProbePart * cost.seconds * times(), kProbeSeconds, kMaxSeconds);
+    const double seconds = threadSeconds() - start;
+    if (done < kMinCells) return seconds < kMinSeconds;
+    return seconds < std::clamp(kProbePart * cost.seconds * times(), kProbeSeconds, kMaxSeconds);
   };
   for (; done < cells.size() && continues(); ++done) {
     const Eigen::Vector3i at = cellOf(cells[done]);

@@ -134,9 +134,9 @@ RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
   // casts r times as many probes. Where a vibration leaves small creases everywhere, it casts r * r
   // times as many. The estimate lies between: r * sqrt(r). Each probe searches r * r times fewer
   // elements.
-  const double r = times, taken = crossings / static_cast<double>(hermite.crossings.size());
-  found.probes.casts *= taken * r * std::sqrt(r);
-  found.probes.seconds *= taken / std::sqrt(r);
+  const double r = times, ratio = crossings / static_cast<double>(hermite.crossings.size());
+  found.probes.casts *= ratio * r * std::sqrt(r);
+  found.probes.seconds *= ratio / std::sqrt(r);
   return found;
 }
 

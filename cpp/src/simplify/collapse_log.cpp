@@ -81,7 +81,7 @@ std::vector<std::int32_t> CollapseLog::takeBack(CollapseState& state,
 void CollapseLog::takeBack(CollapseState& state, const Step& step) const {
   std::vector<std::int32_t> open;  // triangles of open ground, to which points may be attached
   std::vector<Vector3d> points;
-  std::vector<std::int32_t>&mine = state.around[step.to], &others = state.around[step.from];
+  std::vector<std::int32_t>&aroundTo = state.around[step.to], &aroundFrom = state.around[step.from];
   state.gone[step.from] = 0;
   state.mesh.vertices[step.to] = step.position;
   state.quadric[step.to] -= state.quadric[step.from];
@@ -94,8 +94,8 @@ void CollapseLog::takeBack(CollapseState& state, const Step& step) const {
     const std::int32_t t = triangles_[i];
     state.mesh.triangles[t] = corners_[i];
     if (!has(corners_[i], step.from)) continue;
-    std::erase(mine, t);
-    others.push_back(t);
+    std::erase(aroundTo, t);
+    aroundFrom.push_back(t);
   }
   for (std::int32_t i = 0; i < step.removed; ++i) {
     const std::int32_t t = triangles_[step.first + step.remaining + i];

@@ -365,8 +365,8 @@ void Collapser::apply(std::int32_t from, std::int32_t to) {
   }
   for (const std::int32_t t : remaining_) boxes_.grow(t);
   for (const std::int32_t t : removed_) boxes_.remove(t);
-  std::vector<std::int32_t>& mine = state_.around[to];
-  mine.insert(mine.end(), state_.around[from].begin(), state_.around[from].end());
+  std::vector<std::int32_t>& aroundTo = state_.around[to];
+  aroundTo.insert(aroundTo.end(), state_.around[from].begin(), state_.around[from].end());
   state_.around[from].clear();
   state_.gone[from] = 1;
   state_.careful[to] |= state_.careful[from];

@@ -35,13 +35,14 @@ std::vector<Edge> turningEdges(const TriMesh& mesh, const RawArray<std::uint32_t
   std::vector<std::vector<Edge>> parts(n / kBlock + 1);
   parallelBlocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
-      const Eigen::Vector3d mine = normalOf(mesh, t);
+      const Eigen::Vector3d normal = normalOf(mesh, t);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = across[3 * t + k];
         if (other == kNoNeighbour || other < 3 * t + k) continue;
-        const Eigen::Vector3d theirs = normalOf(mesh, other / 3);
-        const double dot = mine.dot(theirs);
-        if (dot > 0 && dot * dot >= kCosine * kCosine * mine.squaredNorm() * theirs.squaredNorm()) {
+        const Eigen::Vector3d otherNormal = normalOf(mesh, other / 3);
+        const double dot = normal.dot(otherNormal);
+        if (dot > 0 &&
+            dot * dot >= kCosine * kCosine * normal.squaredNorm() * otherNormal.squaredNorm()) {
           continue;
         }
         const std::int32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];

@@ -165,13 +165,13 @@ std::vector<WallSides> wallSides(const Surface& surface, const SelfIntersections
   }
   tbb::parallel_sort(found.begin(), found.end());
   std::vector<WallSides> out;
-  std::unordered_set<std::int32_t> taken;
+  std::unordered_set<std::int32_t> used;
   for (std::size_t n = 0; n < found.size(); ++n) {
     if (n > 0 && found[n] == found[n - 1]) continue;
     const auto [a, b] = found[n];
-    if (taken.contains(a) || taken.contains(b)) continue;
-    taken.insert(a);
-    taken.insert(b);
+    if (used.contains(a) || used.contains(b)) continue;
+    used.insert(a);
+    used.insert(b);
     out.push_back({a, b});
   }
   return out;

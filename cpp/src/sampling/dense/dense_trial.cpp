@@ -50,8 +50,8 @@ void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t numb
               std::size_t patches, std::vector<PatchPart>& partOf) {
   const std::size_t first = (2 * number + 1) * body.triangles.size() / (2 * patches);
   std::vector<std::uint32_t> faces{static_cast<std::uint32_t>(first)};
-  std::vector<bool> taken(body.triangles.size()), spread(body.vertices.size());
-  taken[first] = true;
+  std::vector<bool> added(body.triangles.size()), spread(body.vertices.size());
+  added[first] = true;
   for (std::size_t n = 0; n < faces.size() && faces.size() < kFacesOfPatch; ++n) {
     for (const std::int32_t v : body.triangles[faces[n]]) {
       if (spread[static_cast<std::size_t>(v)]) continue;
@@ -61,8 +61,8 @@ void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t numb
       const std::size_t from = star.size() * number / patches;  // each patch takes other faces
       for (std::size_t i = 0; i < some && faces.size() < kFacesOfPatch; ++i) {
         const std::uint32_t face = star[(i * star.size() + from) / some] / 3;
-        if (!taken[face]) faces.push_back(face);
-        taken[face] = true;
+        if (!added[face]) faces.push_back(face);
+        added[face] = true;
       }
     }
   }

@@ -122,9 +122,9 @@ class LeakFinder : CoveringSearch {
     const double above = n.dot(from - a), below = n.dot(to - a);
     if ((above > 0) == (below > 0) || above == below) return false;
     const Eigen::Vector3d x = from + (to - from) * (above / (above - below));
-    const double room = -1e-9 * n.squaredNorm();
-    return n.dot((b - a).cross(x - a)) >= room && n.dot((c - b).cross(x - b)) >= room &&
-           n.dot((a - c).cross(x - c)) >= room;
+    const double least = -1e-9 * n.squaredNorm();
+    return n.dot((b - a).cross(x - a)) >= least && n.dot((c - b).cross(x - b)) >= least &&
+           n.dot((a - c).cross(x - c)) >= least;
   }
   /// Finds the triangles of the body that the segment meets, sorted.
   void findHits(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
