@@ -6,7 +6,7 @@
 namespace swept {
 namespace {
 
-/// Least gap (cells) of crossings from each other and from the ends of their edge. It is far
+/// Least distance (cells) of crossings from each other and from the ends of their edge. It is far
 /// above rounding, but too small to be visible.
 constexpr double kApart = 1e-4;
 
