@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A search for a near triangle ends at a squared distance of this fraction of the squared
-// tolerance.
+// A search for a near triangle ends when the squared distance is at most this fraction of the
+// squared tolerance.
 constexpr double kNearFraction = 0.25;
 // Fraction of the tolerance by which a border may pass over its patch.
 constexpr double kFoldFraction = 0.1;
@@ -338,7 +338,8 @@ bool Collapser::intersectsOthers() {
   return !hits_.empty();
 }
 
-// Returns whether one of the changed triangles already intersected `other` before the step.
+// Returns whether one of the changed triangles already intersected `other` before the step. Returns
+// false if `other` is one of the remaining triangles.
 bool Collapser::intersectedBefore(std::int32_t other) const {
   const auto intersects = [&](std::int32_t t) { return t == other || intersect(t, other); };
   if (std::find(remaining_.begin(), remaining_.end(), other) != remaining_.end()) return false;
