@@ -137,7 +137,8 @@ class PolygonSorter {
   Polygons polygons_;
 };
 
-/// Compares the triangles of each pair of polygons exactly.
+/// Compares the triangles of each pair of polygons exactly. Returns the pairs of triangles that
+/// intersect.
 std::vector<std::pair<std::int32_t, std::int32_t>> compareEntangled(
     const Surface& surface, const Polygons& polygons, const CrossingPairs& entangled) {
   return gather<std::pair<std::int32_t, std::int32_t>>(
