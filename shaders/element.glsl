@@ -3,9 +3,9 @@
 //
 // Elements are numbered placement by placement: at each placement all faces and then, for a
 // continuous motion, the side patches of all edges in the step that starts there. Each element has
-// four corners. Those of a face are its three vertices at its placement (the fourth is not used).
-// Those of the side patch of an edge (a, b) are a and b at the start of its step, then b and a at
-// the end of the step.
+// four corners. The corners of a face are its three vertices at its placement (the fourth is not
+// used). The corners of the side patch of an edge (a, b) are a and b at the start of the step, then
+// b and a at the end of the step.
 
 layout(std430, binding = 0) readonly buffer Vertices { double vertices[]; };      // x, y, z each
 // 3 vertices per face, then 4 numbers per edge: the two vertices, the left face, and 2 * right face
@@ -14,8 +14,8 @@ layout(std430, binding = 1) readonly buffer Topology { int topology[]; };
 layout(std430, binding = 2) readonly buffer Placements { double placements[]; };  // 3 rows of 4
 // 6 rows per step, as in MotionStep of sampling/culling/swept_elements.h. Seen from the body at the
 // start of the step, a point p moves by bend * p + shift: rows 0 to 2 are bend, with shift in w. Rows 3
-// to 5 are turnBack (the turn of the step, transposed); in w the angle (rad), the effect of snapping
-// (mm) and the rounding in single precision (mm). The first step ends at the first placement.
+// to 5 are turnBack (the turn of the step, transposed). Their w are the angle (rad), the effect of
+// snapping (mm) and the rounding in single precision (mm). The first step ends at the first placement.
 layout(std430, binding = 3) readonly buffer Steps { vec4 steps[]; };
 layout(std430, binding = 4) readonly buffer ExactSteps { dvec4 exactSteps[]; };  // the same in double precision
 // 2 rows per face: centre and radius of a ball around it; normal, and the angle by which snapping may turn it.

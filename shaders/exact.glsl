@@ -14,8 +14,8 @@ struct Crossing {
 };
 
 // Ties are decided as if the lattice were shifted by (e, e^2, e^3) with an infinitely small e, so that
-// no line meets an edge. Decides for a line exactly on an edge with the direction d: returns whether
-// the edge function is positive at the shifted line.
+// no lattice line meets an edge of a triangle. For a line exactly on an edge with the direction d,
+// returns whether the edge function is positive at the shifted line.
 bool tieIsInside(ivec2 d) {
   return d.y < 0 || (d.y == 0 && d.x > 0);
 }
@@ -24,8 +24,8 @@ bool isInside(uvec2 e, ivec2 d) {
   return s > 0 || (s == 0 && tieIsInside(d));
 }
 
-// Multiply and add 96-bit integers, which must not be negative. (They are not: all corners lie inside
-// the grid, so all coordinates are positive.)
+// Product and sum of 96-bit integers, which must not be negative. All corners lie inside the grid, so
+// all coordinates are positive.
 uvec3 times(uvec2 x, uint y) {
   uint h0, l0, h1, l1, carry;
   umulExtended(x.x, y, h0, l0);

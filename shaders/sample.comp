@@ -4,15 +4,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Each invocation of a group takes one element. Its triangle (two for a side patch), seen along the
-// three axes, gives up to six tasks; a task has a row for each lattice line coordinate V in the box
-// of the triangle. Then the invocations share the rows of all elements of the group evenly, however
-// large single triangles are. On each row, the range of U that the triangle can reach is computed
-// in single precision with a margin. findCrossing() decides exactly for each line in it.
+// three axes, gives up to six tasks. A task has one row of lattice lines for each coordinate V in the
+// box of the triangle. Then the invocations share the rows of all elements of the group evenly, even
+// if some triangles are much larger than others. On each row, the range of U that the triangle can
+// reach is computed in single precision with a margin. findCrossing() decides exactly for each line
+// in this range.
 
 const uint kGroup = 64u, kTasks = 6u;
 layout(local_size_x = 64) in;
 
-layout(location = 7) uniform uint firstElement;  // of this dispatch, counted from placementBase
+layout(location = 7) uniform uint firstElement;  // first element of this dispatch, counted from placementBase
 layout(location = 8) uniform uint dispatchCount;  // elements of this dispatch
 layout(location = 9) uniform uint idBase;        // number of the first element of placementBase
 

@@ -2,9 +2,9 @@
 // and last crossing, and their elements.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Round 0 finds the lowest and the highest fraction; round 1 finds, for each of the two, the lowest
-// number of an element that crosses the edge there. The edges are listed row by row, as in the
-// marks of pass 1.
+// Round 0 finds the lowest and the highest fraction of each edge. Round 1 finds, for each of the two
+// fractions, the lowest number of an element that crosses the edge there. The edges are listed row by
+// row, as in the marks of pass 1.
 
 // First, for each row, the index of its first edge; then the number of edges; then the k of each edge.
 layout(std430, binding = 6) readonly buffer Targets { uint targets[]; };

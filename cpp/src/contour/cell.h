@@ -1,8 +1,8 @@
 // A leaf cell (a cell with crossings), and the numbering of its corners, edges, slots and faces.
 //
 // Edge number a * 4 + ob + 2 * oc runs along axis a. Let b = a + 1 and c = a + 2 (mod 3) be the
-// other axes. ob and oc (0: low, 1: high) say on which side of the cell the edge lies along b and
-// c.
+// other axes. ob tells whether the edge lies on the low (0) or the high (1) side of the cell along
+// b, oc the same along c.
 // Slot number edge * 2 + side holds the crossing that is "seen" from the low (0) or high (1) end of
 // the edge: the first crossing on the edge, starting at this end. The slot is empty unless this end
 // lies outside.
@@ -30,7 +30,7 @@ constexpr int edgeOf(int axis, int ob, int oc) { return axis * 4 + ob + 2 * oc; 
 
 struct Cell {
   std::uint32_t mask = 0;  ///< one bit per slot, set if the slot holds a crossing
-  std::uint16_t k = 0;
+  std::uint16_t k = 0;     ///< index of the cell along z; i and j are those of its column
   /// Per edge: index of the crossing in the lowest filled slot of the edge.
   std::array<std::uint32_t, kEdges> first;
 
@@ -83,16 +83,16 @@ constexpr int cornerOf(int edge, int end) {
   return end << a | (edge & 1) << b | (edge >> 1 & 1) << c;
 }
 
-/// Four cells surround a lattice edge of axis a; their vertices are the corners of its quad.
-/// Returns the corner that belongs to the cell in which the lattice edge has number `edge`. Corners
-/// are counted counter-clockwise about +a, starting with the cell at (-b, -c).
+/// Four cells surround a lattice edge along axis a. Their vertices are the corners of the quad of
+/// this edge. Returns the corner that belongs to the cell in which the lattice edge has number
+/// `edge`. Corners are counted counter-clockwise about +a, starting with the cell at (-b, -c).
 constexpr int quadCorner(int edge) {
   const int ob = edge & 1, oc = edge >> 1 & 1;
   return oc == 1 ? (ob == 1 ? 0 : 1) : (ob == 1 ? 3 : 2);
 }
 
-/// Returns the number of the quad's side that passes through the given face of the cell. Side n
-/// joins the corners n and n + 1 (quadCorner()).
+/// Returns which side of the quad passes through the given face of the cell. Side n joins the
+/// corners n and n + 1 (quadCorner()).
 constexpr int quadSide(int edge, int face) {
   const int a = edge >> 2, b = (a + 1) % 3;
   const int ob = edge & 1, oc = edge >> 1 & 1;

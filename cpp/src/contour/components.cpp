@@ -67,9 +67,9 @@ float pairCost(const Stop& p, const Stop& q, int a) {
 /// between partners do not intersect. The crossings are numbered in the order of a walk round the
 /// face. Element p is the partner of crossing p.
 using Matching = std::array<std::int8_t, 8>;
-/// Appends to `out` all matchings that complete `partial`. If `partial` is empty, the first one is
-/// 0-1, 2-3 and so on. As the walk enters the inside at crossing 0, it joins each crossing where
-/// the walk enters to the next one, where the walk leaves.
+/// Appends to `out` all matchings that complete `partial`. With an empty `partial`, the first
+/// matching is 0-1, 2-3 and so on. The walk enters the inside at crossing 0, so this matching joins
+/// each entering crossing to the next leaving one.
 void enumerate(Matching partial, int n, std::array<Matching, 14>& out, int& count) {
   int p = 0;
   while (p < n && partial[p] >= 0) ++p;

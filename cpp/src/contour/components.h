@@ -1,4 +1,4 @@
-// Finds the surface components of a cell: which of its crossings belong to one piece of surface.
+// Finds the surface components of a cell: groups of crossings that belong to one piece of surface.
 //
 // In: one cell and the crossings of the grid. Out: a component number per slot. Units: cells. Cost:
 // O(crossings of the cell).
@@ -11,11 +11,12 @@
 // The consistent method (the default) pairs the crossings of each face. On a walk round a face,
 // crossings that enter the inside alternate with crossings that leave it. The method joins entering
 // and leaving crossings in pairs whose connecting lines do not cross. Its rule uses only the
-// crossings of this face and their normals, so that both cells of the face pair them alike. Every
-// crossing lies on two faces of its cell, so the pairs form closed loops; each loop is a component.
-// Of all pairings, the method takes the one with the smallest sum of costs:
+// crossings of this face and their normals, so that the two cells that share the face pair them
+// alike. Every crossing lies on two faces of its cell, so the pairs form closed loops; each loop is
+// a component. Of all pairings, the method takes the one with the smallest sum of costs:
 //   cost(p, q) = 1 - n_p . n_q + |n_p . d| + |n_q . d|, with d the unit vector from p to q.
-// If sums are equal, it takes the pairing that separates the inside corners.
+// Sums that differ by less than 1e-5 count as equal. Among pairings with equal sums, the one that
+// separates the inside corners is preferred.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -39,8 +40,8 @@ struct FacePairs {
   std::array<std::array<std::int8_t, 2>, 4> slots;
 };
 
-/// Pairs the crossings of one face by the consistent rule. `crossings` is the array of the whole
-/// grid, to which the cell's indices refer.
+/// Pairs the crossings of one face by the consistent rule. `crossings`: all crossings of the grid;
+/// the cell holds indices into this array.
 FacePairs pairFace(const Cell& cell, int face, const Crossing* crossings);
 
 /// Links every slot to its partners on the two faces that contain its crossing. The links form

@@ -19,10 +19,10 @@ namespace swept {
 namespace {
 
 /// Limit (cells) of the root mean square distance of a vertex's planes from the best point in the
-/// cell. Up to this limit, the vertex stays in its cell, because the planes nearly meet inside.
-/// Their crease passes through the cell, although its point nearest to the mass point lies outside.
-/// On the fandisk test mesh, moved over 16 keys, at 256 cells, this limit gives 62 intersecting
-/// pairs. If these vertices may leave their cells, too, there are 1,484.
+/// cell. Up to this limit, the vertex stays in its cell, because the planes nearly meet there.
+/// Their crease passes through the cell, although the minimiser lies outside. On the fandisk test
+/// mesh, moved over 16 keys, at 256 cells, 62 pairs of triangles intersect with this limit, and
+/// 1,484 without it.
 constexpr double kMinEscapeMiss = 0.03;
 
 /// Fits the vertex of a component to the planes of its crossings.
@@ -46,7 +46,7 @@ struct VertexFit {
   /// Returns whether clearly different planes meet outside the cell and keep at least a small mean
   /// distance from every point in the cell.
   bool mayHideSide() const {
-    // Cells. With these limits, 689 of 146,000 cells are probed on the fandisk test mesh
+    // In cells. With these limits, 689 of 146,000 cells are probed on the fandisk test mesh
     // (docs/contouring.md).
     constexpr double kMinOutside = 0.02, kMinMiss = 0.008;
     return out > kMinOutside && meanSquaredMiss > kMinMiss * kMinMiss &&
@@ -154,8 +154,9 @@ class LayerBuilder {
     vertices.insert(vertices.end(), twins_.begin(), twins_.end());
   }
 
-  /// Looks for a side between two others in the cell (hidden_side.h, wall_end.h). Returns false if
-  /// there is none; the component then gets one vertex, fitted to its own planes.
+  /// Looks in the cell for a side of the surface between two other sides (hidden_side.h,
+  /// wall_end.h). Returns false if there is none. The component then gets one vertex, fitted to its
+  /// own planes.
   bool findSplit(const Cell& cell, const Eigen::Vector3i& at, int component, const VertexFit& fit,
                  VertexSplit& split) const {
     const Crossing* crossings = grid_.crossings.data();

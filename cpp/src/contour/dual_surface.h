@@ -33,13 +33,13 @@ struct FaceSegment {
   bool firstOfFace = false;
 };
 
-/// A polygon that joins the two vertices of a split component to those of the next cell. It passes
-/// through the face between the two cells. `crossing` lists the two crossings on that face, and
-/// `side` says which side of each crossing's quad passes through the face.
+/// A polygon that joins the two vertices of a split component to those of the neighbouring cell.
+/// The polygon passes through the face between the two cells. `crossing` lists the two crossings on
+/// that face. `side` says which side of each crossing's quad passes through the face.
 struct RimSegment {
   std::array<std::uint32_t, 2> crossing;
   std::array<std::uint8_t, 2> side;
-  std::array<bool, 2> seenFromLow;
+  std::array<bool, 2> seenFromLow;  ///< true: the crossing is seen from the low end of its edge
 };
 
 struct DualVertex {

@@ -16,14 +16,14 @@ namespace {
 constexpr double kMaxFlatUnevenness = 2e-3;
 /// Probe lines start this far outside the surface and end as far inside (cells).
 constexpr double kLineOvershoot = 0.02;
-/// A hit lies on a known side if its normal and that of a crossing have a |cosine| above this (20
-/// degrees).
+/// A hit lies on a known side if the |cosine| between its normal and that of a crossing is above
+/// this (20 degrees).
 constexpr double kMinKnownCosine = 0.94;
 /// Half the length (cells) of the line that checks whether a vertex lies on the surface.
 constexpr double kCheckReach = 0.1;
-/// Corners of the surface up to this far outside the cell (cells) are considered.
+/// The corner in which all planes meet may lie up to this far outside the cell (cells).
 constexpr double kCornerReach = 1;
-/// The check succeeds if the line hits the surface within this distance of the vertex (cells).
+/// The line of kCheckReach must hit the surface within this distance of the vertex (cells).
 constexpr double kMaxCheckMiss = 0.06;
 /// Planes count as meeting in a point if they miss it by less than this (cells).
 constexpr double kMaxPlaneMiss = 0.03;
@@ -55,8 +55,8 @@ Qef planesOf(const Points& points) {
   return planes;
 }
 
-/// Returns whether the ring has crossings on both sides of a thin wall. Such rings are left to
-/// wall_end.h.
+/// Returns whether the ring has crossings on both sides of a thin wall. The functions of wall_end.h
+/// handle such rings.
 bool hasOpposed(const Points& ring) {
   for (const Point& p : ring) {
     for (const Point& q : ring) {
@@ -79,7 +79,8 @@ Point mean(const Points& ring, std::size_t begin, std::size_t count) {
 Point mean(const Points& points) { return mean(points, 0, points.size()); }
 
 /// Returns how far `count` crossings of the ring, starting with number `begin`, are from lying in
-/// one plane: the sum of the squared differences of their normals and heights from the mean.
+/// one plane: the sum of the squared differences between their normals and heights and those of the
+/// mean.
 double unevenness(const Points& ring, std::size_t begin, std::size_t count) {
   const Point m = mean(ring, begin, count);
   double sum = 0;
@@ -164,8 +165,8 @@ std::optional<Point> bestKnownSide(const Points& ring, std::array<Points, 2>& ar
   return found;
 }
 
-/// Of all hits on a side without crossings of the ring, returns the largest group with similar
-/// normals.
+/// Drops the hits on known sides (sides with crossings of the ring). Returns the largest group of
+/// the other hits with similar normals.
 std::vector<ProbeLine> hitsOfNewSide(const Points& ring, const std::vector<ProbeLine>& lines) {
   std::vector<ProbeLine> fresh, best;
   for (const ProbeLine& line : lines) {

@@ -29,7 +29,8 @@ Diagonal rate(const std::array<Eigen::Vector3d, 4>& v, int from) {
   Diagonal out;
   out.valid = sideR < 0 && sideS > 0;
   out.length2 = (q - p).squaredNorm();
-  // The lattice edge passes through one of the two triangles. Find the point where they meet.
+  // The lattice edge passes through one of the two triangles. Find the point where the edge meets
+  // this triangle.
   const Eigen::Vector3d& third = sideEdge < 0 ? r : s;
   const Eigen::Vector3d n = (q - p).cross(third - p);
   out.miss = std::abs(n[2]) > 1e-12 ? std::abs(n.dot(p) / n[2]) : 1e3;

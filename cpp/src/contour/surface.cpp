@@ -31,8 +31,8 @@ std::uint64_t sideKey(std::uint32_t crossing, int side) {
 /// Extra vertices on faces where two segments join the same two components.
 struct FacePoints {
   std::unordered_map<std::uint64_t, std::int32_t> at;  // side of a quad -> index into points
-  std::vector<bool> hasOne;                            // per crossing; empty if there are no points
-  std::vector<Eigen::Vector3d> points;                 // grid coordinates
+  std::vector<bool> hasPoint;  // per crossing: whether its quad has a point; empty if none has
+  std::vector<Eigen::Vector3d> points;  // grid coordinates
   std::vector<double> times;
 };
 
@@ -63,8 +63,8 @@ FacePoints findFacePoints(const HermiteGrid& grid, const DualSurface& dual) {
         time = grid.crossings[segment.crossing[e]].timeSeconds;
         out.at[sideKey(segment.crossing[e], segment.side[e])] =
             static_cast<std::int32_t>(out.points.size());
-        out.hasOne.resize(grid.crossings.size());
-        out.hasOne[segment.crossing[e]] = true;
+        out.hasPoint.resize(grid.crossings.size());
+        out.hasPoint[segment.crossing[e]] = true;
       }
       out.points.push_back(middle);
       out.times.push_back(time);
@@ -119,7 +119,7 @@ class LayerEmitter {
   }
 
   bool hasFacePoint(std::uint32_t crossing) const {
-    return !facePoints_.hasOne.empty() && facePoints_.hasOne[crossing];
+    return !facePoints_.hasPoint.empty() && facePoints_.hasPoint[crossing];
   }
 
   void emitQuad(int axis, std::int32_t i, std::int32_t j, const HermiteEdge& edge,
@@ -160,9 +160,10 @@ class LayerEmitter {
   std::int32_t firstFacePoint_;
 };
 
-/// Adds the polygon between the two vertices of a split component and those of the next cell. It is
-/// a quad, or a triangle if the next cell has one vertex for both sides. Along each shared edge it
-/// runs opposite to the neighbouring polygon, so the surface stays oriented.
+/// Adds the polygon between the two vertices of a split component and those of the neighbouring
+/// cell. The polygon is a quad, or a triangle if the neighbouring cell has one vertex for both
+/// parts. Along each shared edge it runs opposite to the adjacent polygon, so the surface stays
+/// oriented.
 void addRim(const RimSegment& rim, const HermiteGrid& grid, const DualSurface& dual,
             std::vector<Triangle>& triangles) {
   struct Corner {

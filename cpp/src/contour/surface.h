@@ -41,7 +41,7 @@ struct Surface {
   /// The next vertex belongs to the same cell.
   static constexpr std::uint8_t kSharedWithNext = 4;
   static constexpr std::uint8_t kShared = kSharedWithPrevious | kSharedWithNext;
-  /// Returns the bits of any vertex; 0 for a vertex that does not belong to a component.
+  /// Returns the bits of any vertex of the mesh; 0 if the vertex does not belong to a component.
   std::uint8_t cellFlagsOf(std::int32_t v) const {
     return static_cast<std::size_t>(v) < cellFlags.size() ? cellFlags[v] : std::uint8_t{0};
   }

@@ -12,7 +12,7 @@
 namespace swept {
 namespace {
 
-/// Returns any cell of the grid. Finds its crossings by binary search in the edge lists. A cell
+/// Returns the cell at `at`, with the crossings found by binary search in the edge lists. A cell
 /// without crossings or outside the grid has the mask 0.
 Cell gatherCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
   Cell cell;
@@ -45,63 +45,65 @@ class TipMover {
       : grid_(grid), method_(method), surface_(surface) {}
 
   void move(const std::vector<std::vector<Escape>>& escapes) {
-    std::vector<std::vector<Claim>> byLayer(escapes.size());
+    std::vector<std::vector<Proposal>> byLayer(escapes.size());
     parallelFor(escapes.size(), [&](std::size_t layer) {
       const auto finder = std::make_unique<ComponentFinder>(method_);
       for (const Escape& escape : escapes[layer]) {
-        claim(static_cast<std::uint32_t>(layer), escape, *finder, byLayer[layer]);
+        propose(static_cast<std::uint32_t>(layer), escape, *finder, byLayer[layer]);
       }
     });
-    std::vector<Claim> claims;
-    for (const auto& part : byLayer) claims.insert(claims.end(), part.begin(), part.end());
-    std::stable_sort(claims.begin(), claims.end(), [](const Claim& x, const Claim& y) {
+    std::vector<Proposal> proposals;
+    for (const auto& part : byLayer) proposals.insert(proposals.end(), part.begin(), part.end());
+    std::stable_sort(proposals.begin(), proposals.end(), [](const Proposal& x, const Proposal& y) {
       for (int axis = 0; axis < 3; ++axis) {
         if (x.cell[axis] != y.cell[axis]) return x.cell[axis] < y.cell[axis];
       }
       if (x.corner != y.corner) return x.corner;
-      return x.error < y.error;
+      return x.distance < y.distance;
     });
     // First moves the vertices whose own planes meet outside their cell. Then moves other vertices
-    // to points at which the planes of a neighbour meet.
+    // to points at which the planes of a neighbouring vertex meet.
     std::unordered_set<std::uint64_t> moved;
     for (const bool own : {true, false}) {
-      std::size_t group = 0;  // index of the first claim on the same cell
-      for (std::size_t n = 0; n < claims.size(); ++n) {
-        if (claims[n].cell != claims[group].cell) group = n;
-        if (claims[n].own == own) grant(claims, group, n, moved);
+      std::size_t group = 0;  // index of the first proposal for the same cell
+      for (std::size_t n = 0; n < proposals.size(); ++n) {
+        if (proposals[n].cell != proposals[group].cell) group = n;
+        if (proposals[n].own == own) accept(proposals, group, n, moved);
       }
     }
   }
 
  private:
-  struct Claim {
+  struct Proposal {
     Eigen::Vector3i cell;
-    double error;
+    double distance;  // cells, from the mass point to `point`
     std::uint32_t layer, vertex;
     Eigen::Vector3d point;  // grid coordinates
     bool own;     // true: the vertex's own planes meet at `point`; false: a neighbour's planes do
-    bool corner;  // three planes meet at `point`; corners are granted before creases
-    bool granted = false;
+    bool corner;  // three planes meet at `point`; corners are accepted before creases
+    bool accepted = false;
   };
-  void grant(std::vector<Claim>& claims, std::size_t group, std::size_t n,
-             std::unordered_set<std::uint64_t>& moved) {
-    Claim& claim = claims[n];
-    const auto key = static_cast<std::uint64_t>(claim.layer) << 32 | claim.vertex;
+  void accept(std::vector<Proposal>& proposals, std::size_t group, std::size_t n,
+              std::unordered_set<std::uint64_t>& moved) {
+    Proposal& proposal = proposals[n];
+    const auto key = static_cast<std::uint64_t>(proposal.layer) << 32 | proposal.vertex;
     if (moved.contains(key)) return;
-    for (std::size_t m = group; m < claims.size() && claims[m].cell == claim.cell; ++m) {
-      if (claims[m].granted && (claims[m].point - claim.point).norm() <= kMinDistance) return;
+    for (std::size_t m = group; m < proposals.size() && proposals[m].cell == proposal.cell; ++m) {
+      if (proposals[m].accepted && (proposals[m].point - proposal.point).norm() <= kMinDistance)
+        return;
     }
-    claim.granted = true;
+    proposal.accepted = true;
     moved.insert(key);
-    DualVertex& v = surface_.vertices[claim.layer][claim.vertex];
-    v.local = (claim.point - Eigen::Vector3d(v.i, v.j, v.k)).cast<float>();
+    DualVertex& v = surface_.vertices[proposal.layer][proposal.vertex];
+    v.local = (proposal.point - Eigen::Vector3d(v.i, v.j, v.k)).cast<float>();
   }
 
-  /// Smallest distance (cells) between two vertices on one crease.
+  /// Smallest distance (cells) between two vertices that move into one cell. Vertices nearer than
+  /// this count as the same point of a crease.
   static constexpr double kMinDistance = 0.1;
 
-  void claim(std::uint32_t layer, const Escape& escape, ComponentFinder& finder,
-             std::vector<Claim>& out) {
+  void propose(std::uint32_t layer, const Escape& escape, ComponentFinder& finder,
+               std::vector<Proposal>& out) {
     if (escape.error > kMaxPlaneError || escape.planes.sharpness() < kMinTipSharpness) return;
     const DualVertex& v = surface_.vertices[layer][escape.vertex];
     const Eigen::Vector3i own(v.i, v.j, v.k);
@@ -113,17 +115,18 @@ class TipMover {
         escape.planes.matrix().determinant() > kMinCornerDeterminant * count * count * count;
     const Cell cell = gatherCell(grid_, target);
     if (cell.mask != 0) {
-      const auto [vertex, wholly] = agreeing(cell, target, point, finder);
+      const auto [vertex, allPlanes] = findAgreeing(cell, target, point, finder);
       if (vertex == DualSurface::kNone) return;
-      const DualVertex& taker = surface_.vertices[target[0]][vertex];
-      const Eigen::Vector3d there =
-          Eigen::Vector3d(taker.i, taker.j, taker.k) + taker.local.cast<double>();
-      const double missed = escape.planes.error(there - own.cast<double>()) / escape.planes.count();
+      const DualVertex& neighbour = surface_.vertices[target[0]][vertex];
+      const Eigen::Vector3d neighbourPosition =
+          Eigen::Vector3d(neighbour.i, neighbour.j, neighbour.k) + neighbour.local.cast<double>();
+      const double missed =
+          escape.planes.error(neighbourPosition - own.cast<double>()) / escape.planes.count();
       if (missed > kMaxPlaneError) {
-        if (!wholly) return;
+        if (!allPlanes) return;
         out.push_back({target, direction.norm(), static_cast<std::uint32_t>(target[0]), vertex,
                        point, false, corner});
-      } else if ((there - point).norm() > kMinDistance) {
+      } else if ((neighbourPosition - point).norm() > kMinDistance) {
         // The neighbour's vertex lies on the same crease at another position, so this vertex may
         // move along the crease, too.
         out.push_back({target, direction.norm(), layer, escape.vertex, point, true, corner});
@@ -131,7 +134,7 @@ class TipMover {
       return;
     }
     // Sample the segment to the point. The samples may miss a cell that the segment only cuts at a
-    // corner; this does no harm.
+    // corner.
     constexpr int kSamples = 16;
     for (int s = 1; s < kSamples; ++s) {
       const Eigen::Vector3d x = escape.from + direction * (static_cast<double>(s) / kSamples);
@@ -139,7 +142,7 @@ class TipMover {
       if (step == Eigen::Vector3i::Zero()) continue;
       const Cell passed = gatherCell(grid_, own + step);
       if (passed.mask != 0 &&
-          agreeing(passed, own + step, point, finder).vertex == DualSurface::kNone) {
+          findAgreeing(passed, own + step, point, finder).vertex == DualSurface::kNone) {
         return;
       }
     }
@@ -148,14 +151,14 @@ class TipMover {
 
   struct Agreement {
     std::uint32_t vertex = DualSurface::kNone;
-    bool wholly = false;  // all planes of the component pass through the point
+    bool allPlanes = false;  // all planes of the component pass through the point
   };
   /// Finds the first component of a leaf cell whose planes agree with the point; `vertex` is kNone
   /// if no component agrees. The planes agree if all of them pass through the point. They also
-  /// agree if at least two of them pass through the point and form a crease, and the point lies
-  /// behind the other planes. In this case the crease ends in a corner inside this cell.
-  Agreement agreeing(const Cell& cell, const Eigen::Vector3i& at, const Eigen::Vector3d& point,
-                     ComponentFinder& finder) const {
+  /// agree if some of them form a crease through the point and the point lies behind the others. In
+  /// this case the crease ends in a corner inside this cell.
+  Agreement findAgreeing(const Cell& cell, const Eigen::Vector3i& at, const Eigen::Vector3d& point,
+                         ComponentFinder& finder) const {
     Components components;
     finder.find(cell, grid_.crossings.data(), components);
     const Eigen::Vector3d local = point - at.cast<double>();
@@ -185,7 +188,7 @@ class TipMover {
   }
 
   static constexpr double kMinTipSharpness = 0.05;  // two planes that differ by 26 degrees
-  /// Determinant of the mean normal tensor; 0.037 for the corner of a cube.
+  /// Smallest determinant of the mean normal tensor at a corner (0.037 at the corner of a cube).
   static constexpr double kMinCornerDeterminant = 1e-3;
   /// Largest mean squared distance of planes from a point (cells^2), equal to a distance of 0.01
   /// cells.

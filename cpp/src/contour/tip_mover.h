@@ -1,17 +1,17 @@
-// Moves vertices out of their cell to the points in which their planes meet.
+// Moves vertices out of their cell to the points where their planes meet.
 //
 // In: the escapes of each layer (vertices whose planes meet outside their cell). Out: moved
 // vertices of the dual surface. Units: cells. Cost: a few cell look-ups per escape.
 // Promise: the result does not depend on the order of the escapes. Vertices that move into the same
-// cell stay at least kMinDistance apart: of two that would be nearer, only the first in the sorted
-// list moves. Mending removes the intersections that remain. Source: own method;
-// docs/contouring.md, "Tips".
+// cell stay at least kMinDistance apart: if two would come nearer, only one moves. Vertices at
+// corners have priority over vertices on creases, then shorter moves over longer ones. Mending
+// removes the intersections that remain. Source: own method; docs/contouring.md, "Tips".
 //
 // The tip of a corner or wedge can reach into a neighbouring cell without meeting any edge of that
 // cell. If the segment to the tip leads through cells without surface, the vertex moves to the tip.
 // If the tip lies in a neighbouring cell with surface, the vertex of a component there may move to
-// it. All planes of this component must then pass through the tip. That vertex becomes the corner,
-// although the crossings of its cell lie only on some of the corner's planes.
+// the tip, provided that all planes of this component pass through the tip. That vertex becomes the
+// corner, although the crossings of its cell lie only on some of the corner's planes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -35,7 +35,7 @@ Eigen::Vector3d VertexSplit::alongCrease(const Qef& planes, const Eigen::Vector3
   /// Limits of the eigenvalues of the mean normal tensor on a crease. The smallest one (along the
   /// crease) is at most kMaxAlong, the other two are at least kMinAcross.
   constexpr double kMaxAlong = 0.01, kMinAcross = 0.03;
-  // cells: how much larger the distance of the planes from the new point may be.
+  // Limit (cells) of the additional root mean square distance of the planes from the new point.
   constexpr double kMaxExtraMiss = 0.02;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(planes.matrix() / planes.count());
   if (eigen.eigenvalues()[0] > kMaxAlong || eigen.eigenvalues()[1] < kMinAcross) return best;

@@ -36,7 +36,7 @@ struct VertexSplit {
   std::array<std::int8_t, kSlots> part;
   std::vector<ProbeLine> between;  ///< hits on the side between the parts, in grid coordinates
   /// The crossing on the side between the parts, in the coordinates of the cell; empty if there is
-  /// none. It lies near one end of both creases.
+  /// none. The crossing lies near one end of both creases.
   std::optional<Eigen::Vector3d> seen;
   /// Folds: positions on the faces of the cell where the polygons of the two parts meet, each given
   /// by a pair of slots. There are two folds, or none if the vertex cannot be split.
@@ -50,10 +50,10 @@ struct VertexSplit {
                  const Crossing* crossings);
 
   /// Returns the position of a part's vertex along the crease of its planes; `best` is the
-  /// minimiser. The few crossings of the part do not show how long the crease is, and the next cell
-  /// may have no crossing that shows it. The vertex is therefore placed half way between the walls
-  /// of the cell. If `seen` shows one end of the crease, it is placed at three quarters of the
-  /// distance from that end.
+  /// minimiser. The few crossings of the part do not show how long the crease is, and those of the
+  /// next cell may not show it, either. The vertex is therefore placed half way between the walls
+  /// of the cell. If `seen` shows one end of the crease, the vertex is placed three quarters of the
+  /// way from that end to the other.
   Eigen::Vector3d alongCrease(const Qef& planes, const Eigen::Vector3d& best) const;
 };
 

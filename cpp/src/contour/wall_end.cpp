@@ -9,14 +9,15 @@
 namespace swept {
 namespace {
 
-/// A crossing lies on a side if its normal and the wall's have at least this |cosine| (45 degrees).
+/// A crossing lies on a side if the |cosine| between its normal and the wall's is at least this (45
+/// degrees).
 constexpr double kMinSideCosine = 0.7;
 /// A side is flat if the heights of its crossings differ by at most this (cells).
 constexpr double kMaxUnevenness = 0.2;
 /// Largest thickness of walls and gaps (cells); grid edges meet the rims of thicker ones.
 constexpr double kMaxWallThickness = 1.0;
-/// A hit lies on the rim, not on a side, if its normal and the wall's have a |cosine| below this
-/// (37 degrees).
+/// A hit lies on the rim, not on a side, if the |cosine| between its normal and the wall's is below
+/// this (37 degrees).
 constexpr double kMaxRimCosine = 0.8;
 
 /// The middle plane of a wall, half way between its sides: normal . x = middle, in the coordinates
@@ -26,9 +27,10 @@ struct Wall {
   double middle = 0;
 };
 
-/// Quick test that rejects nearly all components. Returns false if all crossings lie on one side.
-bool spread(const Cell& cell, const Components& components, int component,
-            const Crossing* crossings) {
+/// Quick test that rejects nearly all components. Returns false if all normals are similar to the
+/// first one, as on one side of a wall.
+bool hasSpreadNormals(const Cell& cell, const Components& components, int component,
+                      const Crossing* crossings) {
   Eigen::Vector3d first;
   bool any = false, found = false;
   for (std::uint32_t left = cell.mask; left != 0; left &= left - 1) {
@@ -42,8 +44,9 @@ bool spread(const Cell& cell, const Components& components, int component,
   return found;
 }
 
-/// If two normals of the component are opposed, returns the direction across the wall.
-std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) {
+/// Returns the direction across the wall, or nothing if no two normals of the component are
+/// opposed.
+std::optional<Eigen::Vector3d> directionAcross(const std::vector<CrossingPoint>& points) {
   double least = kMaxOpposedCosine;
   std::optional<Eigen::Vector3d> best;
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -59,8 +62,8 @@ std::optional<Eigen::Vector3d> across(const std::vector<CrossingPoint>& points) 
 
 /// Assigns the crossings to the two sides. Returns nothing if the sides do not form a thin, nearly
 /// flat wall.
-std::optional<Wall> sort(const std::vector<CrossingPoint>& points, const Eigen::Vector3d& normal,
-                         VertexSplit& out) {
+std::optional<Wall> assignSides(const std::vector<CrossingPoint>& points,
+                                const Eigen::Vector3d& normal, VertexSplit& out) {
   std::array<double, 2> sum{0, 0}, low{1e9, 1e9}, high{-1e9, -1e9};
   std::array<int, 2> count{0, 0};
   out.part.fill(-1);
@@ -128,7 +131,7 @@ void cutEdges(const Cell& cell, const Wall& wall, const Crossing* crossings,
 bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& components,
                  int component, const Crossing* crossings, const SurfaceProbe& probe,
                  VertexSplit& out) {
-  if (!spread(cell, components, component, crossings)) return false;
+  if (!hasSpreadNormals(cell, components, component, crossings)) return false;
   std::vector<CrossingPoint> points;
   std::vector<std::uint32_t> indices;
   for (int slot = 0; slot < kSlots; ++slot) {
@@ -136,9 +139,9 @@ bool findWallEnd(const Cell& cell, const Eigen::Vector3i& at, const Components& 
     indices.push_back(cell.crossing(slot));
     points.push_back(CrossingPoint::of(cell, slot, crossings));
   }
-  const auto normal = across(points);
+  const auto normal = directionAcross(points);
   if (!normal) return false;
-  const auto wall = sort(points, *normal, out);
+  const auto wall = assignSides(points, *normal, out);
   if (!wall) return false;
   std::vector<Eigen::Vector3d> outside, inside;
   cutEdges(cell, *wall, crossings, outside, inside);

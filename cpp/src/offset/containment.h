@@ -1,7 +1,7 @@
 // Proves that a closed mesh contains a swept volume, and bounds its distance from that volume.
 //
-// In:    cover of the swept volume (cover.h), a closed mesh, the smallest reach allowed (reach:
-//        distance to the cover minus its slack, cover_search.h).
+// In:    cover of the swept volume (cover.h), a closed mesh, the smallest reach allowed. The reach
+//        of a point is its distance to the cover minus the slack of the cover (cover_search.h).
 // Out:   bounds that hold for the whole mesh, not only for sample points.
 // Method: the reaches of two points differ by at most their distance. So a triangle is far enough
 //        away if the reach of its centre exceeds the limit by the triangle's radius. Other

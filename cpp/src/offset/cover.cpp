@@ -15,10 +15,11 @@
 namespace swept::offset {
 namespace {
 
-constexpr double kTwist = 0.005;  // cells: patches are cut into pieces whose warp is at most this
+// Patches are cut into pieces that deviate from flat triangles by at most this (cells).
+constexpr double kTwist = 0.005;
 constexpr int kMaxParts = 256;
 
-/// Data of a motion step for the cover triangles at its start and at its end.
+/// Data of a motion step, from which the slack of the faces at its start and end is computed.
 struct Step {
   Placement from, to;  // from body coordinates (mm) to grid coordinates (cells)
   double turn = 0;     // rad, an upper bound
@@ -140,8 +141,8 @@ void coverCopies(const SamplerInput& input, std::size_t k, CoverTriangle* out) {
 /// Cuts long triangles. The bounding box of a long oblique triangle is nearly empty, so searches
 /// would often test such a triangle in vain.
 void cutLong(std::vector<CoverTriangle>& triangles) {
-  constexpr double kLong = 6;  // cells
-  // Limit of the number of triangles: this many times as many, plus a million.
+  constexpr double kLong = 6;  // cells: triangles with longer sides are cut
+  // Largest number of pieces: this many times the number of triangles, plus a million.
   constexpr double kMaxPieces = 3;
   const auto longest = [](const CoverTriangle& t) {
     int best = 0;
@@ -191,7 +192,7 @@ void cutLong(std::vector<CoverTriangle>& triangles) {
 
 }  // namespace
 
-std::size_t copiesOf(const SamplerInput& input) {
+std::size_t triangleCopies(const SamplerInput& input) {
   if (input.motion.continuous) return 0;
   return input.body.triangles.size() * input.motion.placements.size();
 }
@@ -208,7 +209,7 @@ Cover coverOfMotion(const SamplerInput& input, bool widened, RunContext& run) {
   };
   if (!input.motion.continuous) {
     const std::size_t faces = input.body.triangles.size();
-    cover.triangles.resize(copiesOf(input));
+    cover.triangles.resize(triangleCopies(input));
     parallelFor(placements, [&](std::size_t k) {
       run.checkpoint(Phase::Sampling, k, placements);
       coverCopies(input, k, cover.triangles.data() + k * faces);

@@ -44,11 +44,11 @@ struct Cover {
 
 /// Returns the number of triangles of the cover for a union of copies, before long triangles are
 /// cut. Returns 0 for continuous motions, for which this number depends on culling.
-std::size_t copiesOf(const SamplerInput& input);
+std::size_t triangleCopies(const SamplerInput& input);
 
 /// Makes the cover of a motion. With `widened`, the triangles keep their slack, for a surface that
-/// must contain the whole swept volume. Without, all slacks are 0, for a surface that should be as
-/// close as possible.
+/// must contain the whole swept volume. Without `widened`, all slacks are 0, for a surface that
+/// should be as close as possible.
 Cover coverOfMotion(const SamplerInput& input, bool widened, RunContext& run);
 
 /// Makes the cover from a mesh that is known to be the boundary, such as an envelope computed

@@ -13,8 +13,8 @@ CoverSearch::CoverSearch(std::vector<CoverTriangle>& triangles) : triangles_(tri
   };
   tree_ = BoxTree(triangles.size(), boxOf, BoxTree::Order::Medians);
   std::vector<CoverTriangle> sorted(triangles.size());
-  for (std::size_t place = 0; place < sorted.size(); ++place) {
-    sorted[place] = triangles[static_cast<std::size_t>(tree_.item(place))];
+  for (std::size_t index = 0; index < sorted.size(); ++index) {
+    sorted[index] = triangles[static_cast<std::size_t>(tree_.item(index))];
   }
   triangles_.swap(sorted);
 }
@@ -22,15 +22,15 @@ CoverSearch::CoverSearch(std::vector<CoverTriangle>& triangles) : triangles_(tri
 CoverSearch::Nearest CoverSearch::nearest(const Eigen::Vector3d& x, double below, std::int32_t hint,
                                           double enough) const {
   Nearest best{below, -1};
-  const auto look = [&](std::int32_t t) {
+  const auto test = [&](std::int32_t t) {
     const CoverTriangle& triangle = triangles_[static_cast<std::size_t>(t)];
     const double reach = (x - nearestOnTriangle(x, triangle)).norm() - triangle.slack;
     if (reach < best.reach) best = {reach, t};
   };
-  if (hint >= 0) look(hint);
+  if (hint >= 0) test(hint);
   if (best.triangle >= 0 && best.reach <= enough) return best;
-  tree_.searchNear(x, best.reach, [&](std::uint32_t place, double& reach) {
-    look(static_cast<std::int32_t>(place));
+  tree_.searchNear(x, best.reach, [&](std::uint32_t index, double& reach) {
+    test(static_cast<std::int32_t>(index));
     reach = best.reach;
     return best.triangle < 0 || best.reach > enough;
   });

@@ -40,9 +40,9 @@ class CoverSearch {
   template <class Visit>
   void forNear(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double distance,
                const Visit& visit) const {
-    const Eigen::Vector3d room = Eigen::Vector3d::Constant(distance);
-    tree_.forBox(low - room, high + room,
-                 [&](std::uint32_t place) { visit(static_cast<std::int32_t>(place)); });
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(distance);
+    tree_.forBox(low - margin, high + margin,
+                 [&](std::uint32_t index) { visit(static_cast<std::int32_t>(index)); });
   }
 
   const CoverTriangle& triangle(std::int32_t index) const { return triangles_[index]; }

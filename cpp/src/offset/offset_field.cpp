@@ -12,8 +12,8 @@ namespace {
 const double kHalfDiagonal = std::sqrt(3.0) / 2;
 
 /// Returns the reach at which a search about the centre of a node may stop. If `distance` is larger
-/// than the radius of the node, this reach proves that the whole node is near (inside the offset
-/// surface). Otherwise no such proof is possible, and the node counts as mixed.
+/// than the radius of the node, this reach proves that the whole node lies inside the offset
+/// surface. Otherwise no such proof is possible, and the node counts as mixed.
 double enoughFor(double distance, double radius) {
   return distance > radius ? distance - radius : distance + radius;
 }
@@ -54,13 +54,13 @@ OffsetField::OffsetField(const CoverSearch& tree, double distance, const GridPla
   });
 }
 
-/// Classifies nodes of this size as outside, near or mixed. Returns the mixed nodes: their
+/// Classifies nodes of this size as outside, inside or mixed. Returns the mixed nodes: their
 /// children, or the nodes themselves if they have the size of a block.
 std::vector<OffsetField::Node> OffsetField::refineTo(std::int32_t size,
                                                      const std::vector<Node>& nodes,
                                                      RunContext& run) {
-  // The radius includes one cell more, so that the surface does not cross edges from a uniform node
-  // to its neighbours, either.
+  // The radius includes one cell more. So if a node lies on one side, the surface does not cross
+  // the edges from this node to its neighbours, either.
   const double radius = kHalfDiagonal * (size - 1) + 1;
   std::vector<std::int8_t> kinds(nodes.size(), 0);
   std::vector<std::int32_t> hints(nodes.size(), -1);
@@ -72,13 +72,13 @@ std::vector<OffsetField::Node> OffsetField::refineTo(std::int32_t size,
                         enoughFor(distance_, radius));
       hints[n] = found.triangle;
       if (found.triangle < 0) kinds[n] = kOutside;
-      if (found.triangle >= 0 && found.reach <= distance_ - radius) kinds[n] = kNear;
+      if (found.triangle >= 0 && found.reach <= distance_ - radius) kinds[n] = kInside;
     }
   });
   std::vector<Node> next;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (kinds[n] != 0) {
-      if (kinds[n] == kNear) setBlocks(nodes[n], size, kNear);
+      if (kinds[n] == kInside) setBlocks(nodes[n], size, kInside);
       continue;
     }
     if (size == kBlock) {
@@ -109,7 +109,7 @@ void OffsetField::setBlocks(const Node& node, std::int32_t size, std::int32_t ki
   }
 }
 
-/// Computes the gaps of all points of a node inside a block.
+/// Computes the gaps of all lattice points of a node that is a block or a part of a block.
 void OffsetField::fill(const Node& node, std::int32_t size, Gaps& gaps) const {
   const double radius = kHalfDiagonal * 2 * (size - 1) / 2;
   Node at = node;

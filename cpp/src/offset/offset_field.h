@@ -5,8 +5,8 @@
 // Out:   for every lattice point its gap = reach - distance, positive outside. Far from the surface
 //        only the sign is correct.
 // Method: octree of lattice points. The reaches of two points differ by at most their distance. So
-//        a node whose centre is far enough from the surface is wholly outside or wholly near
-//        (inside). All three axes use the same value for a lattice point, so signs always agree.
+//        a node whose centre is far enough from the surface lies wholly outside or wholly inside.
+//        All three axes use the same value for a lattice point, so signs always agree.
 // Units: cells. Cost: O(surface cells) queries, 2 kB per block of 8^3 points at the surface,
 //        4 bytes per block elsewhere.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -29,8 +29,8 @@ class OffsetField {
   OffsetField(const CoverSearch& tree, double distance, const GridPlan& grid, RunContext& run);
 
   double distance() const { return distance_; }
-  /// Returns true for a block if the surface may cross its edges, including those to the next
-  /// blocks. All points of any other block lie on the same side.
+  /// Returns true for a block if the surface may cross its edges or those to the next blocks. All
+  /// points of a block that is not mixed lie on the same side.
   bool isMixed(std::int32_t bi, std::int32_t bj, std::int32_t bk) const {
     return block(bi, bj, bk) >= 0;
   }
@@ -42,7 +42,7 @@ class OffsetField {
 
  private:
   static constexpr float kFar = 2;
-  static constexpr std::int32_t kOutside = -1, kNear = -2;
+  static constexpr std::int32_t kOutside = -1, kInside = -2;
   using Gaps = std::array<float, kBlock * kBlock * kBlock>;
   struct Node {
     std::array<std::int32_t, 3> low;

@@ -17,7 +17,7 @@ constexpr double kFromPoint = 1e-3;  // cells: smallest distance of crossings fr
 // is less deep than 1 / (8 distance).
 constexpr double kDipsBelow = 2;
 constexpr double kMinDip = 1.0 / 32;  // fraction of an edge: shorter dips are not searched for
-// Offset distances (cells).
+// Limits of the offset distance (cells).
 constexpr double kApart = 0.5;  // below this distance, an edge may pass through two separate walls
 constexpr double kThin = kMinDip / 2;  // below this distance, shorter dips are searched for, too
 // Below this distance, crossings have the normals of the cover triangles.

@@ -5,14 +5,14 @@
 // In:    cover search, field of gaps.
 // Out:   marked edges, from which the signs follow; then, for each contributing edge, the exact
 //        crossing: point, normal and time.
-// Method: an edge is marked if its ends lie on different sides. It is also marked if both lie
-//        outside and the offset body reaches in between (a dip). Dips are only searched for if the
-//        distance is below two cells. A crossing is the point at which the grid line enters the
-//        offset body. Every grown triangle is convex, so Newton's method from outside reaches its
-//        surface without overshooting. Starting there, the search looks for a triangle that the
-//        line entered earlier, until there is none. If the distance is below half a cell, the line
-//        may pass through separate walls. Then all triangles near the edge are tested. The normal
-//        points away from the nearest point of the triangle.
+// Method: an edge is marked if its ends lie on different sides. It is also marked if both ends lie
+//        outside, but the offset body contains a point of the edge (a dip). Dips are only searched
+//        for if the distance is below two cells. A crossing is the point at which the grid line
+//        enters the offset body. Every grown triangle is convex, so Newton's method from outside
+//        reaches its surface without overshooting. From there, the search looks for another grown
+//        triangle that the line enters earlier, until there is none. If the distance is below half
+//        a cell, the line may pass through separate walls. Then all triangles near the edge are
+//        tested. The normal points away from the nearest point of the triangle.
 // Units: cells. Cost: O(marked edges) queries.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

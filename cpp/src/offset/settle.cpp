@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMinDistance = 0.5;  // cells
+constexpr double kMinDistance = 0.5;  // cells: below this offset distance, no vertex moves
 /// Distances (cells) by which a vertex may be too near or too far. On a round offset, the corners
 /// of a triangle must lie slightly outside. Otherwise the middle of the triangle would be too near.
 constexpr double kMaxShort = 0.002, kMaxLong = 0.08;

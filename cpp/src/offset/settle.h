@@ -5,10 +5,11 @@
 // Cost:  one query per vertex, a few more for each vertex that moves.
 // Method: contouring places a vertex at the best point of the planes at the crossings of its cell.
 //        An offset surface is round between these planes, so the vertex may lie too far out. If the
-//        cell contains a hidden valley, the vertex may lie too far in. A vertex that is too far out
-//        moves straight towards its nearest point of the cover. This brings it too near to no other
-//        part of the cover. A vertex that is too near moves straight away from its nearest point.
-//        This is repeated, because each step may bring it too near to another part.
+//        surface has a valley between the crossings, the vertex may lie too far in. A vertex that
+//        is too far out moves straight towards its nearest point of the cover. This cannot bring it
+//        too near to another part of the cover. A vertex that is too near moves straight away from
+//        its nearest point of the cover. This step is repeated, because it may bring the vertex too
+//        near to another part.
 // Source: own method; for vertices that are too near, alternating projections (Bregman 1965).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -19,10 +19,10 @@ namespace {
 
 SampledSurface sampleOnCpu(const SamplerInput& input, const FindSigns& findSigns, RunContext& run) {
   SampledSurface out;
-  SamplerInput seen = input;
+  SamplerInput inputWithMap = input;
   const std::optional<InsideMap> inside = findDeepInside(input, run);
-  if (inside) seen.inside = &*inside;
-  out.marked = sampleCpu(seen, run);
+  if (inside) inputWithMap.inside = &*inside;
+  out.marked = sampleCpu(inputWithMap, run);
   out.signs = findSigns(out.marked);
   return out;
 }
@@ -47,23 +47,24 @@ SampledSurface sampleSurface(const SamplerInput& input, Backend wanted, double c
     return gl::sampleOnGpu(input, gl::currentSetup(), {}, findSigns, run);
   }
   if (wanted == Backend::Auto && cpuSeconds >= kMinAutoSeconds) {
-    std::string why;
+    std::string reason;
     try {
       gl::GlSetup setup = gl::currentSetup();
       setup.wish.hardwareOnly = true;
-      const auto sampling = [&](const SamplerInput& seen) {
-        return cpuSamplingSeconds(seen, threadsOf(run), run);
+      const auto sampling = [&](const SamplerInput& trialInput) {
+        return cpuSamplingSeconds(trialInput, threadsOf(run), run);
       };
       return gl::sampleOnGpu(input, setup, sampling, findSigns, run);
     } catch (const Error& error) {
       if (error.status() != Status::DeviceUnavailable && error.status() != Status::DeviceLost) {
         throw;
       }
-      why = error.what();
-      why = why.substr(0, why.find(gl::kDeviceAdvice));  // only for users who chose the GPU
+      // Without the advice, which is only for users who chose the GPU.
+      reason = error.what();
+      reason = reason.substr(0, reason.find(gl::kDeviceAdvice));
     }
     SampledSurface out = sampleOnCpu(input, findSigns, run);
-    out.notes.push_back({"CpuSampler", 1, {}, "the CPU did the sampling: " + why});
+    out.notes.push_back({"CpuSampler", 1, {}, "the CPU did the sampling: " + reason});
     return out;
   }
 #else

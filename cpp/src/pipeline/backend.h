@@ -3,10 +3,11 @@
 // Backend cpu: never touches GL.
 // Backend gpu: throws Error(DeviceUnavailable) or Error(DeviceLost) with the reason on failure.
 // Backend auto: uses the GPU only if the run is long, and if a real GPU (no software rasteriser)
-// passes the self-test. Short samples of this run must also predict that it is faster than the CPU.
-// Otherwise the CPU samples, and a note says which of these conditions failed.
+// passes the self-test. Short samples of this run must also predict that the GPU is faster than the
+// CPU. Otherwise the CPU samples, and a note says which of these conditions failed.
 // cpu and auto use the dense sampler (sampling/dense/) if it suits the input.
-// Promise: CPU and GPU give the same marked edges, so the result does not depend on the choice.
+// Promise: CPU and GPU give the same contributing edges, so the result does not depend on the
+// choice.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

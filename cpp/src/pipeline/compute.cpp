@@ -19,12 +19,13 @@
 namespace swept {
 namespace {
 
-/// Whether freed memory goes back to the operating system after the run. A preview session keeps it
-/// for its next run.
+/// Whether freed memory goes back to the operating system after the run. A preview session keeps
+/// this memory for its next run.
 enum class Freed : std::uint8_t { Returned, Kept };
 
-/// Runs work(run) in a task arena with the requested number of threads and writes the outcome to
-/// the report. Only this arena is limited; other work of the process continues unchanged.
+/// Calls work() with an EnvelopeRun, in a task arena with the requested number of threads. Writes
+/// the outcome to the report. Only this arena is limited; other work of the process continues
+/// unchanged.
 template <class Work>
 Result runWith(const Options& options, RunContext& run, Freed freed, const Work& work) {
   Result result;
@@ -104,9 +105,9 @@ Result PreviewSession::sketch(const Trajectory& trajectory, RunContext& run) {
 std::int64_t PreviewSession::stepsKept() const { return warm_->cache.hits(); }
 
 void recut(Result& result, double tolerance, RunContext& run) {
-  Options asked;
-  asked.tolerance = tolerance;
-  checkOptions(asked);
+  Options requested;
+  requested.tolerance = tolerance;
+  checkOptions(requested);
   if (!result.kept) {
     throw Error(Status::InvalidInput, "NothingKept",
                 "the unsimplified surface was not kept, because the envelope was computed without "

@@ -16,7 +16,7 @@ namespace {
 using Triangle = std::array<std::int32_t, 3>;
 using Eigen::Vector3d;
 
-/// Thinning stops at this many times the requested number of triangles.
+/// Thinning stops if the number of triangles is at most this many times the requested number.
 constexpr double kMaxExcess = 1.2;
 /// Weight of the mean point of a cell, relative to the planes in the cell.
 constexpr double kMeanWeight = 0.001;
@@ -91,7 +91,7 @@ std::vector<std::int32_t> cellsOf(const TriMesh& mesh, double cell, std::int32_t
 /// them. Coordinates are relative to the mean point of the cell.
 struct Planes {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;  ///< symmetric matrix
-  Vector3d pull = Vector3d::Zero();
+  Vector3d rightSide = Vector3d::Zero();                  ///< of the normal equations
 
   void add(const Vector3d& unit, double weight, double distance) {
     const Vector3d n = weight * unit;
@@ -101,14 +101,14 @@ struct Planes {
     xy += n[0] * unit[1];
     xz += n[0] * unit[2];
     yz += n[1] * unit[2];
-    pull += distance * n;
+    rightSide += distance * n;
   }
   /// Returns the point nearest to all planes, relative to the mean point.
-  Vector3d meet() const {
+  Vector3d nearestPoint() const {
     Eigen::Matrix3d m;
     m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
     m.diagonal().array() += kMeanWeight * m.trace() + 1e-300;
-    return m.inverse() * pull;
+    return m.inverse() * rightSide;
   }
 };
 
@@ -141,7 +141,7 @@ TriMesh clustered(const TriMesh& mesh, double cell) {
       out.triangles.push_back(kept);
   }
   for (std::size_t c = 0; c < planes.size(); ++c) {
-    Vector3d step = planes[c].meet();
+    Vector3d step = planes[c].nearestPoint();
     if (step.norm() > cell) step *= cell / step.norm();
     if (step.allFinite()) out.vertices[c] += step;
   }
@@ -178,9 +178,9 @@ std::int32_t pointFor(Drawable& out, std::size_t first, const Vector3d& at,
 }  // namespace
 
 Drawable drawableOf(const TriMesh& given, std::size_t maxTriangles, double crease) {
-  const bool heavy = given.triangles.size() > maxTriangles;
-  const TriMesh light = heavy ? thinned(given, maxTriangles) : TriMesh{};
-  const TriMesh& mesh = heavy ? light : given;
+  const bool tooMany = given.triangles.size() > maxTriangles;
+  const TriMesh reduced = tooMany ? thinned(given, maxTriangles) : TriMesh{};
+  const TriMesh& mesh = tooMany ? reduced : given;
   std::vector<Vector3d> normals(mesh.triangles.size()), units(mesh.triangles.size());
   for (std::size_t t = 0; t < normals.size(); ++t) {
     normals[t] = areaNormal(mesh, mesh.triangles[t]);

@@ -38,7 +38,7 @@ SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const So
 
 namespace {
 
-/// Returns 2 * volume / area. For a plate this is its thickness, for a rod half its thickness.
+/// Returns 2 * volume / area: about the thickness of a plate, or half the thickness of a rod.
 /// Returns 0 for an open body.
 double meanThickness(const CheckedBody& body, RunContext& run) {
   if (!body.closed) return 0;
@@ -72,12 +72,12 @@ void requireEnclosed(const HermiteGrid& hermite, const Prepared& prepared, Repor
   requireCrossings(hermite, prepared, run);
   const auto crossings = static_cast<std::int64_t>(hermite.crossings.size());
   if (prepared.body.closed || hermite.sheetEdges == 0) return;
-  const double share =
+  const double fraction =
       2.0 * static_cast<double>(hermite.sheetEdges) / static_cast<double>(crossings);
-  const bool still = !prepared.motion.continuous;
-  const std::string text = textOf(3, "the part is open, and ", 100 * share,
+  const bool isUnion = !prepared.motion.continuous;
+  const std::string text = textOf(3, "the part is open, and ", 100 * fraction,
                                   " % of its surface is thin sheet that encloses no volume");
-  if (still && share > 0.01) {
+  if (isUnion && fraction > 0.01) {
     throw Error(Status::InvalidInput, "OpenMesh",
                 text + "; close the gaps of the part, or choose a motion that closes them");
   }

@@ -18,8 +18,8 @@ namespace swept {
 SignRuns findSigns(const SamplerInput& input, const MarkedEdges& marks, const SolidPoint& isSolid,
                    const Prepared& prepared, bool keepCavities, Report& report, RunContext& run);
 
-/// requireCrossings() throws if no grid line crosses the surface, requireSurface() if contouring
-/// gave no triangles.
+/// requireCrossings() throws if no grid line crosses the surface. requireSurface() throws if
+/// contouring gave no triangles.
 void requireCrossings(const HermiteGrid& hermite, const Prepared& prepared, RunContext& run);
 void requireSurface(const TriMesh& mesh, const Prepared& prepared, RunContext& run);
 /// Throws if the outside enters through holes of an open body. Only warns if the motion is

@@ -132,8 +132,8 @@ void EnvelopeRun::describePlan() {
   report_.chordError = prepared_.motion.chordError;
   report_.bodyDeviation = prepared_.bodyDeviation;
   constexpr double kRounding = 1 + 1e-6;
-  const double asked = options_.chordTolerance * report_.cellSize;
-  if (!sketch_ && report_.chordError > kRounding * asked) {
+  const double allowed = options_.chordTolerance * report_.cellSize;
+  if (!sketch_ && report_.chordError > kRounding * allowed) {
     report_.warnings.push_back(
         {"ChordCapped",
          1,
@@ -141,7 +141,7 @@ void EnvelopeRun::describePlan() {
          "the computed motion deviates from the true one by up to " +
              numberText(report_.chordError, 3) + " mm (" +
              numberText(report_.chordError / report_.cellSize, 2) + " cells) instead of " +
-             numberText(asked, 3) +
+             numberText(allowed, 3) +
              " mm, because more placements between the poses would need too much memory; raise the "
              "memory limit, use a part with fewer triangles, or set a larger chord tolerance"});
   }
@@ -212,13 +212,13 @@ void EnvelopeRun::finish(Surface surface, const HermiteGrid& hermite, SettlingMo
 void EnvelopeRun::grow(const BodyTopology& topology) {
   const SamplerInput input = samplerInput(topology, options_.cull);
   const double cell = prepared_.grid.cell, wanted = options_.offset / cell;
-  const bool fromMesh = offset::copiesOf(input) > kMaxCopies;
+  const bool fromMesh = offset::triangleCopies(input) > kMaxCopies;
   if (fromMesh && options_.conservative) {
     throw Error(Status::ResourceLimit, "TooManyCopies",
                 "a conservative envelope of a motion with interpolation none must look at every "
                 "triangle of the part at every pose: there are " +
-                    std::to_string(offset::copiesOf(input)) + " such pairs, but the limit is " +
-                    std::to_string(kMaxCopies) +
+                    std::to_string(offset::triangleCopies(input)) +
+                    " such pairs, but the limit is " + std::to_string(kMaxCopies) +
                     "; use fewer poses, a part with fewer triangles, or another interpolation");
   }
   if (fromMesh) envelope(topology);

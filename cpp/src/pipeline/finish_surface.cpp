@@ -14,9 +14,9 @@
 namespace swept {
 namespace {
 
-/// Removes specks (contour/mend/specks.h). The sweep of a moving body is connected, so no real part
-/// of it is as small as a speck. A body that stands still may have such parts, so only parts
-/// without volume are removed then.
+/// Removes specks (contour/mend/specks.h). The sweep of a body in continuous motion is connected,
+/// so no real part of it is as small as a speck. A union of separate copies may have such parts, so
+/// only parts without volume are removed then.
 void dropSpecks(Surface& surface, SelfIntersections& pairs, const Finishing& with, Report& report) {
   if (with.options.conservative) return;
   const double cell = with.prepared.grid.cell;

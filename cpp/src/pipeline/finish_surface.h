@@ -2,8 +2,8 @@
 // In:    the contoured surface, its grid, the inputs of the run.
 // Out:   the surface without intersecting pairs of triangles, specks (tiny separate shells, see
 //        contour/mend/specks.h) and inverted shells, as far as they can be repaired. The report
-//        gets the findings of the checker and warnings. With consistent components the surface must
-//        pass the check, else Error(InternalError, "CheckFailed").
+//        gets the findings of the checker and warnings. Throws Error(InternalError, "CheckFailed")
+//        if a surface with consistent components does not pass the check.
 // Units: cells; mm in the report.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

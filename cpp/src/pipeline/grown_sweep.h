@@ -23,7 +23,8 @@ class GrownSweep {
   GrownSweep& operator=(const GrownSweep&) = delete;
 
   const offset::Cover& cover() const { return cover_; }
-  /// Decides which lattice points lie outside. Points within the distance lie inside.
+  /// Decides which lattice points lie outside. The SolidPoint argument returns true for points
+  /// within the distance.
   using FindSigns = std::function<SignRuns(const MarkedEdges&, const SolidPoint&)>;
   HermiteGrid hermite(double distance, const FindSigns& findSigns, RunContext& run) const;
   /// Returns moves for those `vertices` whose distance from the cover is not `distance`

@@ -34,8 +34,9 @@ void cutOnce(Result& result, double tolerance, RunContext& run) {
 
 }  // namespace
 
-// A tolerance as large as the body may turn its surface inside out. Then this function halves the
-// tolerance repeatedly and finally uses 0: the surface without simplification has passed the check.
+// A tolerance as large as the body may turn its surface inside out. In this case the function
+// halves the tolerance repeatedly and finally uses 0, because the surface without simplification
+// has passed the check.
 void cutKept(Result& result, double tolerance, RunContext& run) {
   auto& notes = result.report.warnings;
   std::erase_if(notes, [](const Finding& f) { return f.code == "SimplifiedLess"; });

@@ -1,8 +1,8 @@
 // Simplifies the stored surface of an earlier result, so that another tolerance needs no new sweep.
-// In:    a result with its simplification tree, a tolerance in mm.
+// In:    a result with its stored surface (Simplifier), a tolerance in mm.
 // Out:   the same result with a new mesh, contact times, sources and feature edges, checked. Throws
-//        Error(InternalError, "CheckFailed") unless it passes.
-// Cost:  one cut of the tree and one check.
+//        Error(InternalError, "CheckFailed") if the mesh does not pass the check.
+// Cost:  one simplification and one check.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -15,9 +15,10 @@ namespace swept {
 
 constexpr double kPilotCells = 256;  ///< along the longest side
 
-/// Returns `estimate` with better values for memory and triangles. Returns it unchanged in these
-/// cases: the envelope has an offset or is conservative; the grid is not much finer than that of
-/// the pilot; the motion is not interpolated and has too many poses to be sampled for an estimate.
+/// Returns `estimate` with better values for memory and triangles. Returns the given estimate in
+/// these cases: the envelope has an offset or is conservative; the grid is not much finer than that
+/// of the pilot; the motion is not interpolated and has too many poses to be sampled for an
+/// estimate; the samples have no crossings or do not fit into memory.
 Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
                          const BodyTopology& topology, const Options& options, RunContext& run);
 

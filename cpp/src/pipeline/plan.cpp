@@ -25,10 +25,10 @@ namespace {
 /// Enlarges the box of the sweep by the space that an offset or a conservative envelope needs.
 Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options& options) {
   const double cells = options.conservative ? kMaxMarginCells : 0;
-  const double room =
+  const double margin =
       options.offset + cells * cell + (options.conservative ? options.tolerance : 0);
-  box.min().array() -= room;
-  box.max().array() += room;
+  box.min().array() -= margin;
+  box.max().array() += margin;
   return box;
 }
 
@@ -37,9 +37,9 @@ Eigen::AlignedBox3d grownBox(Eigen::AlignedBox3d box, double cell, const Options
 constexpr double kMargin = 0.03;
 
 Eigen::AlignedBox3d withRoom(Eigen::AlignedBox3d box) {
-  const double room = kMargin * box.sizes().maxCoeff();
-  box.min().array() -= room;
-  box.max().array() += room;
+  const double margin = kMargin * box.sizes().maxCoeff();
+  box.min().array() -= margin;
+  box.max().array() += margin;
   return box;
 }
 
@@ -49,23 +49,23 @@ constexpr double kBytesPerCopy = 24;
 /// Largest number of triangle copies in a preview, so that it stays quick.
 constexpr double kPreviewCopies = 4e6;
 
-/// Refines the motion, but only so finely that the copies take at most half of the memory limit.
-/// Then merges the steps that this accuracy does not need. Splits the long edges of a turning body
-/// if `maySplit`.
+/// Refines the motion, but only so finely that the copies of triangles take at most half of the
+/// memory limit. Then merges the steps that are not needed for the chord tolerance. Splits the long
+/// edges of a turning body if `maySplit`.
 Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, RunContext& run) {
   const Trajectory& trajectory = p.trajectory.trajectory;
   const double chord = options.chordTolerance * cell;
   if (!(options.offset > 0 || options.conservative)) {
     const std::uint64_t limit = memoryLimit(run);
-    const double room = limit == 0 ? 1e300 : static_cast<double>(limit) / 2 / kBytesPerCopy;
+    const double maxCopies = limit == 0 ? 1e300 : static_cast<double>(limit) / 2 / kBytesPerCopy;
     const Following how =
         planFollowing(p.body.mesh, trajectory, chord, cell,
-                      p.keepRoom ? std::min(room, kPreviewCopies) : room, maySplit, run);
+                      p.keepRoom ? std::min(maxCopies, kPreviewCopies) : maxCopies, maySplit, run);
     if (std::isfinite(how.longestEdge)) p.body.mesh = splitEdges(p.body.mesh, how.longestEdge, run);
     return mergeSteps(refineMotion(p.body.mesh, trajectory, how.chord, run), p.body.mesh, chord,
                       run);
   }
-  // offset/cover.h flattens side patches itself. So here only the chords of points count, and the
+  // offset/cover.h flattens side patches itself. So only the chords of points matter here, and the
   // body is replaced by its vertices. An offset is measured from the chords, a conservative
   // envelope from the true motion near them.
   TriMesh points;
@@ -129,7 +129,7 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
     if (p.keepRoom) box = withRoom(box);
     for (int i = 0; i < 3; ++i) cell = plannedCell(grownBox(box, cell, options), options);
   }
-  const TriMesh given = p.body.mesh;  // has the same box as after the split, with fewer vertices
+  const TriMesh given = p.body.mesh;  // body before edges are split: same box, fewer vertices
   // If the cell size is given, planGrid() is called once before edges are split. It throws if the
   // cell is too small for any grid.
   if (!p.keepBody && options.cellSize > 0 && trajectory.interpolation != Interpolation::None) {
@@ -187,7 +187,7 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
 }
 
 double usefulFilterOf(const Prepared& p, const Options& options) {
-  constexpr std::size_t kManyPoses = 1000, kLeftOut = 3;
+  constexpr std::size_t kManyPoses = 1000, kMinReduction = 3;
   const std::size_t poses = p.trajectory.trajectory.poses.size();
   const double distance = options.chordTolerance * p.grid.cell;
   if (poses < kManyPoses || options.positionFilter > 0 || options.conservative) return 0;
@@ -200,7 +200,7 @@ double usefulFilterOf(const Prepared& p, const Options& options) {
       filterPositions(p.trajectory.trajectory, boxOf(p.body.mesh), distance);
   // Merged steps (motion/merge_steps.h) may have saved the time already.
   const std::size_t used = std::min(poses, p.motion.placements.size());
-  return kLeftOut * kept.trajectory.poses.size() <= used ? distance : 0;
+  return kMinReduction * kept.trajectory.poses.size() <= used ? distance : 0;
 }
 
 bool fitsMemory(const Estimate& e, const RunContext& run, std::uint64_t times) {

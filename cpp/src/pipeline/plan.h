@@ -1,7 +1,7 @@
 // Plans a run before it samples.
 // In:    checked body, any trajectory, options.
 // Out:   checked trajectory, motion refined to the chord tolerance, grid with room for an offset,
-//        estimate of memory and time. Refuses a run that does not fit.
+//        estimate of memory and time. Refuses a run that does not fit into memory.
 // Cost:  O(placements), plus the bounding box of the sweep.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -29,9 +29,9 @@ struct Prepared {
   CheckedBody body;
   CheckedTrajectory trajectory;
   std::size_t givenPoses = 0;         ///< number of poses before the position filter
-  double positionFilterDistance = 0;  ///< mm
-  /// Grid of the previous run, used again if it still suits the sweep. With keepRoom, a new grid
-  /// has a margin for the sweeps of later calls.
+  double positionFilterDistance = 0;  ///< mm, largest distance of a dropped pose from the last used
+  /// Grid of the previous run, used again if the sweep still fits into it and fills most of it.
+  /// With keepRoom, a new grid has a margin for the sweeps of later calls.
   const GridPlan* lastGrid = nullptr;
   bool keepRoom = false;
   bool keepBody = false;     ///< true: do not split long edges, since the topology is in use

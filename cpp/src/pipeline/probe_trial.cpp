@@ -35,13 +35,13 @@ Eigen::Vector3i cellOf(CellKey key) {
 }
 
 /// Scrambles a number, so that sorted results have no pattern.
-std::uint64_t mixed(std::uint64_t key) {
+std::uint64_t scrambled(std::uint64_t key) {
   key = (key ^ key >> 31) * 0x9e3779b97f4a7c15u;
   return (key ^ key >> 29) * 0xbf58476d1ce4e5b9u;
 }
 
 /// Returns the cells at edges with crossings, in an order without a pattern.
-std::vector<CellKey> mixedCells(const HermiteGrid& grid) {
+std::vector<CellKey> shuffledCells(const HermiteGrid& grid) {
   std::vector<CellKey> cells;
   for (std::size_t i = 0; i < grid.layers.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -60,19 +60,20 @@ std::vector<CellKey> mixedCells(const HermiteGrid& grid) {
     }
   }
   sortUnique(cells);
-  std::sort(cells.begin(), cells.end(), [](CellKey a, CellKey b) { return mixed(a) < mixed(b); });
+  std::sort(cells.begin(), cells.end(),
+            [](CellKey a, CellKey b) { return scrambled(a) < scrambled(b); });
   return cells;
 }
 
-/// A cell with a copy of its crossings, the indices of these crossings in the grid, and for each
-/// its slot: twice its edge, plus 1 for the upper end.
-struct OwnCell {
+/// A cell with a copy of its crossings. Also has, for each crossing, its index in the grid and its
+/// slot (twice the edge, plus 1 for the upper end).
+struct CellCopy {
   Cell cell;
   std::vector<Crossing> crossings;
   std::vector<std::uint32_t> numbers;
   std::vector<int> slots;
 
-  OwnCell(const HermiteGrid& grid, const Eigen::Vector3i& at) {
+  CellCopy(const HermiteGrid& grid, const Eigen::Vector3i& at) {
     for (int edge = 0; edge < kEdges; ++edge) {
       const int axis = edge / 4;
       Eigen::Vector3i low = at;
@@ -147,7 +148,7 @@ class CellProbe : public SurfaceProbe {
 };
 
 /// Returns the element of the whole motion that corresponds to an element of the rough motion.
-/// `seconds`: time of the crossing that this element made.
+/// `seconds`: time of the crossing on this element.
 SweptElement elementOfWhole(SweptElement element, const Motion& whole, const Motion& rough,
                             double seconds) {
   const auto& all = whole.placements;
@@ -174,24 +175,24 @@ ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
   std::vector<std::uint32_t> elementOf(elements.size());
   std::iota(elementOf.begin(), elementOf.end(), 0u);
   const ElementProbe probe(whole, elements, elementOf);
-  const std::vector<CellKey> cells = mixedCells(grid);
+  const std::vector<CellKey> cells = shuffledCells(grid);
   const double start = threadSeconds();
   ProbeCost cost;
   std::size_t done = 0;
   const auto times = [&] { return static_cast<double>(cells.size()) / static_cast<double>(done); };
-  const auto goesOn = [&] {
-    const double taken = threadSeconds() - start;
-    if (done < kMinCells) return taken < kMinSeconds;
-    return taken < std::clamp(kProbePart * cost.seconds * times(), kProbeSeconds, kMaxSeconds);
+  const auto continues = [&] {
+    const double seconds = threadSeconds() - start;
+    if (done < kMinCells) return seconds < kMinSeconds;
+    return seconds < std::clamp(kProbePart * cost.seconds * times(), kProbeSeconds, kMaxSeconds);
   };
-  for (; done < cells.size() && goesOn(); ++done) {
+  for (; done < cells.size() && continues(); ++done) {
     const Eigen::Vector3i at = cellOf(cells[done]);
-    OwnCell own(grid, at);
-    own.move(CellProbe(probe, at.cast<double>(), own.numbers));
-    const CellProbe asked(probe, at.cast<double>(), own.numbers);
-    probeCell(own.cell, own.crossings, components, asked);
-    cost.casts += asked.cost().casts;
-    cost.seconds += asked.cost().seconds;
+    CellCopy copy(grid, at);
+    copy.move(CellProbe(probe, at.cast<double>(), copy.numbers));
+    const CellProbe counter(probe, at.cast<double>(), copy.numbers);
+    probeCell(copy.cell, copy.crossings, components, counter);
+    cost.casts += counter.cost().casts;
+    cost.seconds += counter.cost().seconds;
   }
   if (done == 0) return cost;
   return {cost.casts * times(), cost.seconds * times()};

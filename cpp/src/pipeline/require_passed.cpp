@@ -13,16 +13,16 @@ void requirePassed(const MeshCheck& check, const char* what, double cell) {
   if (check.passes()) return;
   std::string text = textOf(3, what, " failed the final check of the mesh, so it is not returned:");
   const char* before = " ";
-  const auto tell = [&](std::int64_t count, const char* fault) {
+  const auto addFault = [&](std::int64_t count, const char* fault) {
     if (count == 0) return;
     text += textOf(3, before, count, " ", fault);
     before = ", ";
   };
-  tell(check.openEdges, "open edges");
-  tell(check.nonManifoldEdges, "non-manifold edges");
-  tell(check.nonManifoldVertices, "non-manifold vertices");
-  tell(check.misorientedEdges, "misoriented edges");
-  tell(check.degenerateTriangles, "degenerate triangles");
+  addFault(check.openEdges, "open edges");
+  addFault(check.nonManifoldEdges, "non-manifold edges");
+  addFault(check.nonManifoldVertices, "non-manifold vertices");
+  addFault(check.misorientedEdges, "misoriented edges");
+  addFault(check.degenerateTriangles, "degenerate triangles");
   if (!check.finite) text += textOf(3, before, "coordinates that are not finite");
   if (check.finite && check.closed && !check.oriented && check.misorientedEdges == 0) {
     text += textOf(3, before, "some of the ", check.shells, " shells are inside out");

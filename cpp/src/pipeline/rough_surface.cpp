@@ -75,17 +75,17 @@ std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion, cons
   const std::int32_t most = std::clamp(longest / kMinLongestCells, 1, kCoarsest);
   if (most == 1) return 1;
   const std::size_t count = motion.continuous ? motion.steps() : motion.placements.size();
-  const std::size_t looks = count < kFewSteps ? 1 : 2;
+  const std::size_t samples = count < kFewSteps ? 1 : 2;
   const GridPlan coarsest = coarser(whole.grid, most);
   SamplerInput input = whole.with(motion, coarsest);
   double crossings = 0;
-  for (std::size_t n = 0; n < looks; ++n) {
-    const std::size_t at = (2 * n + 1) * count / (2 * looks);
+  for (std::size_t n = 0; n < samples; ++n) {
+    const std::size_t at = (2 * n + 1) * count / (2 * samples);
     input.only = {at, at + 1};
     SamplingCost cost;
     sampleCounted(input, cost, run);
     crossings +=
-        cost.crossings * most * most * static_cast<double>(count) / static_cast<double>(looks);
+        cost.crossings * most * most * static_cast<double>(count) / static_cast<double>(samples);
   }
   const double stripes = motion.continuous ? static_cast<double>(whole.body.triangles.size()) *
                                                  travelInCells(whole, motion)
@@ -134,9 +134,9 @@ RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
   // casts r times as many probes. Where a vibration leaves small creases everywhere, it casts r * r
   // times as many. The estimate lies between: r * sqrt(r). Each probe searches r * r times fewer
   // elements.
-  const double r = times, taken = crossings / static_cast<double>(hermite.crossings.size());
-  found.probes.casts *= taken * r * std::sqrt(r);
-  found.probes.seconds *= taken / std::sqrt(r);
+  const double r = times, ratio = crossings / static_cast<double>(hermite.crossings.size());
+  found.probes.casts *= ratio * r * std::sqrt(r);
+  found.probes.seconds *= ratio / std::sqrt(r);
   return found;
 }
 

@@ -1,10 +1,11 @@
 // Estimates the number of crossings on the surface of a sweep and the cost of contouring it.
 // Samples a rough sweep: a few of the placements, on the grid of the run or on a coarser one.
 // In:    the sampler input of the run. Out: estimated crossings and probes.
-// Cost:  sampling within RoughRoom, plus the cost of probe_trial.h. Limits are counts, not times.
-// Method: the rough sweep has nearly the same surface and creases; it only misses the vibration of
-//        the motion between its placements. In cells r times as large, a surface has r * r times
-//        fewer crossings; an edge through a thin wall still has two.
+// Cost:  sampling within RoughRoom, plus the cost of probe_trial.h. The limits of RoughRoom are
+//        counts, not times.
+// Method: the rough sweep has nearly the same surface and creases as the sweep. It only misses the
+//        vibration of the motion between its placements. In cells r times as large, a surface has
+//        r * r times fewer crossings; an edge through a thin wall still has two.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,7 +22,7 @@ struct RoughRoom {
   double faces = 1.5e6;  ///< faces of the body times placements
   /// Raw crossings: all of them, not only the first from each end of an edge.
   double crossings = 1e7;
-  double stripes = 1.5e7;  ///< faces of the body times cells that it travels
+  double stripes = 1.5e7;  ///< faces of the body times the distance (cells) that the body travels
 };
 /// Returns limits that are a small fraction of the run's own figures, but no less than the
 /// defaults.

@@ -17,9 +17,10 @@ namespace {
 
 /// Work of the trial, in copies of triangles. A crossing counts as kCrossingWork copies.
 constexpr double kTrialWork = 2.4e6, kCrossingWork = 0.25;
-/// Bounds of the number of sampled steps; kMinCopies: of sampled copies of a union. For bodies
-/// with few triangles, the upper bound grows up to kMaxCheapPlacements. Then the windows are long,
-/// so that parts of the motion that are far apart in time can hide each other.
+/// Bounds of the number of sampled steps. kMinCopies: smallest number of sampled copies of a union.
+/// For bodies with few triangles, the upper bound is kCheapCopies divided by the number of faces,
+/// but at most kMaxCheapPlacements. Then the windows are long, so that parts of the motion that are
+/// far apart in time can hide each other.
 constexpr std::size_t kMinPlacements = 24, kMinCopies = 8, kMaxPlacements = 192,
                       kMaxCheapPlacements = 1536;
 constexpr double kCheapCopies = 4e5;
@@ -28,12 +29,12 @@ constexpr double kCheapCopies = 4e5;
 constexpr std::size_t kMaxWindows = 32, kMinWindows = 2;
 /// The crossings of a copy are estimated at this many placements, from about this many faces at
 /// each.
-constexpr std::size_t kLooks = 4, kLookFaces = 4096;
+constexpr std::size_t kSampledPlacements = 4, kSampledFaces = 4096;
 /// A trial samples at least this many groups of kClustersTogether clusters each.
 constexpr std::size_t kMinParts = 24;
-/// Each further copy is assumed to cost at least this fraction of the mean cost of a sampled copy.
+/// A copy is assumed to cost at least this fraction of the mean cost of a sampled copy.
 constexpr double kMinFraction = 0.2;
-/// Bytes of a crossing that is being sorted (including its buffer), and of an element.
+/// Bytes per crossing that is being sorted (including the buffer for sorting), and per element.
 constexpr double kSortedBytes = 16, kElementBytes = 12;
 
 double times(std::size_t all, std::size_t part) {
@@ -87,20 +88,20 @@ SamplingTrial::Whole SamplingTrial::whole() const {
 SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   const double faces = static_cast<double>(whole_.body.triangles.size());
   const std::size_t most = byClusters() ? mostClusterParts() : 1;
-  const std::size_t lookParts =
-      std::clamp<std::size_t>(static_cast<std::size_t>(faces) / kLookFaces, 1, most);
+  const std::size_t sampledParts =
+      std::clamp<std::size_t>(static_cast<std::size_t>(faces) / kSampledFaces, 1, most);
   // PlaceGroups would take time to build and change nothing here: the map of the inside hides the
   // same crossings without them. `none` has no groups, because `plain` has no map of the inside.
   SamplerInput plain = input(whole_.motion);
   plain.inside = nullptr;
   const PlaceGroups none(plain, *whole_.clusters, run_);
-  const std::size_t looks = std::clamp<std::size_t>(count, 1, kLooks);
+  const std::size_t samples = std::clamp<std::size_t>(count, 1, kSampledPlacements);
   double crossings = 0;
-  for (std::size_t n = 0; n < looks; ++n) {
-    const std::size_t k = (2 * n + 1) * count / (2 * looks);
-    crossings += at({k, k + 1}, lookParts, &none).crossings / fractionShown(lookParts);
+  for (std::size_t n = 0; n < samples; ++n) {
+    const std::size_t k = (2 * n + 1) * count / (2 * samples);
+    crossings += at({k, k + 1}, sampledParts, &none).crossings / fractionShown(sampledParts);
   }
-  const double step = faces + kCrossingWork * crossings / static_cast<double>(looks);
+  const double step = faces + kCrossingWork * crossings / static_cast<double>(samples);
   const auto affordable = [&](std::size_t n) {
     return kTrialWork >= static_cast<double>(n) * step;
   };
@@ -190,8 +191,8 @@ SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) con
 
 std::size_t SamplingTrial::mostClusterParts() const {
   const FaceClusters& clusters = *whole_.clusters;
-  // Patches at open borders belong to no cluster, so a trial could not leave any of them out.
-  // Therefore it then samples all clusters, too.
+  // Patches at open borders belong to no cluster, so a trial could not leave any of them out. So if
+  // there are such patches, the trial samples all clusters.
   if (clusters.firstBorder.back() < clusters.borders.size()) return 1;
   return std::max<std::size_t>(1, clusters.clusters.size() / (kClustersTogether * kMinParts));
 }

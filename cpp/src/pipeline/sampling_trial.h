@@ -2,12 +2,12 @@
 // In:    the sampler input of the run, with clusters.
 // Out:   CPU seconds, crossings and elements of the whole motion.
 // Cost:  limited by counts of triangle copies and crossings, not by time: about kTrialWork, or up
-//        to twice as much if the whole motion then can be sampled. Building the map of the inside
-//        takes as long as in a run.
+//        to twice as much if this suffices to sample the whole motion. Building the map of the
+//        inside takes as long as in a run.
 // Method: a trial samples windows of a few steps at some placements of the motion. For a body with
 //        many triangles, a window uses only some clusters of faces, while culling still uses the
-//        whole body. Windows are cut into work items as in a run, and skip the blocks and groups of
-//        placements that the run skips (sampling/culling/step_blocks.h).
+//        whole body. Windows are cut into work items as in a run, and skip the same blocks and
+//        groups of placements as the run (sampling/culling/step_blocks.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -34,8 +34,8 @@ class SamplingTrial {
   };
   /// Returns the cost of sampling the whole motion, without insideSeconds().
   Whole whole() const;
-  /// Returns the peak memory in bytes: the larger of two phases, building the map of the inside and
-  /// sampling the whole motion. `surface`: number of crossings of the surface.
+  /// Returns the peak memory (bytes) of sampling: the larger of two phases, building the map of the
+  /// inside and sampling the whole motion. `surface`: number of crossings of the surface.
   double bytesOf(const SamplingCost& sampling, double surface, double threads) const;
 
  private:
@@ -54,7 +54,7 @@ class SamplingTrial {
   SamplingCost byWindows(std::size_t count, const Parts& parts) const;
   SamplingCost byAllSteps(std::size_t count, const Parts& parts) const;
   std::size_t mostClusterParts() const;
-  /// Returns which fraction of all faces a trial with `clusterParts` samples.
+  /// Returns the fraction of all faces that a trial with `clusterParts` samples.
   double fractionShown(std::size_t clusterParts) const;
 
   SamplerInput input(const Motion& motion) const;

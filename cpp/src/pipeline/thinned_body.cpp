@@ -8,8 +8,8 @@ namespace {
 
 /// With fewer placements, thinning costs more time than it saves.
 constexpr std::size_t kMinPlacementsToThin = 256;
-/// At least this fraction of the triangles must go. Otherwise thinning would cost accuracy for
-/// hardly any time.
+/// At least this fraction of the triangles must be removed. Otherwise thinning would cost accuracy
+/// and save hardly any time.
 constexpr double kMinSaved = 0.5;
 
 }  // namespace

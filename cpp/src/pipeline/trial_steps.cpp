@@ -52,13 +52,13 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
                    static_cast<double>(p.givenPoses) * kPoseSeconds;
   double bytes = 0;  // memory of sampling
   RoughSurface surface;
-  const auto look = [&] {
+  const auto runTrials = [&] {
     if (dense) {
       surface = roughSurface(input, {}, std::nullopt, options.components, run);
       const dense::DenseCost cost = dense::tryDense(input, surface.crossings, run);
       seconds += cost.seconds / threads;
       // The dense sampler frees its memory before the mesh is made, so only the larger of the two
-      // counts.
+      // amounts counts.
       bytes = std::max(0.0, cost.bytes - surface.crossings * bytesOfCrossing(options)) -
               static_cast<double>(denseBytes(p.body.mesh));
       return;
@@ -71,17 +71,17 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
     seconds += (whole.cost.seconds + trial.insideSeconds()) / threads;
     bytes = trial.bytesOf(whole.cost, surface.crossings, threads);
   };
-  tbb::task_arena(1).execute(look);
+  tbb::task_arena(1).execute(runTrials);
   better.triangles = static_cast<std::int64_t>(2 * surface.crossings);
   better.seconds = seconds +
                    (surface.crossings * kCrossingSeconds + surface.probes.seconds) / threads +
                    simplifySeconds(2 * surface.crossings, p.grid.cell, options, threads);
   // The memory for checking the body is free again when sampling begins.
   const double byBox = static_cast<double>(estimate.triangles) / 2;
-  const double held = static_cast<double>(estimate.memoryBytes) +
-                      (surface.crossings - byBox) * bytesOfCrossing(options);
+  const double otherBytes = static_cast<double>(estimate.memoryBytes) +
+                            (surface.crossings - byBox) * bytesOfCrossing(options);
   better.memoryBytes =
-      std::max(body.bytes, static_cast<std::uint64_t>(std::max(0.0, held + bytes)));
+      std::max(body.bytes, static_cast<std::uint64_t>(std::max(0.0, otherBytes + bytes)));
   return better;
 }
 

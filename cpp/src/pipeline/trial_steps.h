@@ -14,7 +14,7 @@
 
 namespace swept {
 
-/// Cost of checking the body, which a run repeats.
+/// Cost of the check of the body. A run repeats this check.
 struct BodyCost {
   double seconds = 0;       ///< CPU seconds, summed over all threads
   std::uint64_t bytes = 0;  ///< growth of the memory of the process during the check

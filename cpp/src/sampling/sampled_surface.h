@@ -19,8 +19,8 @@ struct SampledSurface {
   std::vector<Finding> notes;
 };
 
-/// Computes signs from marked edges. A sampler with two passes calls it between them. If the CPU
-/// then has to take over, it is called again.
+/// Computes signs from marked edges. A sampler with two passes calls this function between them. If
+/// the CPU then takes over, it calls the function again.
 using FindSigns = std::function<SignRuns(const MarkedEdges&)>;
 
 }  // namespace swept

@@ -40,8 +40,8 @@ struct SamplerInput {
   SampleCache* cache = nullptr;            ///< cache of the CPU sampler, for continuous motions
   /// Receives the number of crossings that the CPU sampler sorts, which determines its memory.
   std::uint64_t* crossings = nullptr;
-  /// True if spaces that the outside does not reach always count as inside. Then elements deep
-  /// inside the sweep may be left out.
+  /// True if spaces that the outside does not reach always count as inside. Elements deep inside
+  /// the sweep may then be left out.
   bool fillsHollows = false;
   const InsideMap* inside = nullptr;  ///< map of the inside of the sweep, for the CPU sampler
   /// The placements that a trial of the CPU sampler samples. In a continuous motion, the step that
@@ -52,7 +52,7 @@ struct SamplerInput {
   /// (culling/kept_elements.h). 0: no clusters.
   std::size_t clusterParts = 1;
 
-  /// Returns the input for another motion or grid, without the data that depend on the motion.
+  /// Returns the input for another motion and grid, without the data that depend on the motion.
   SamplerInput with(const Motion& otherMotion, const GridPlan& otherGrid) const {
     return {body,       topology, otherMotion, otherGrid, cull,
             orientable, clusters, nullptr,     nullptr,   fillsHollows};

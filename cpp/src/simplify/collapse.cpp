@@ -57,8 +57,8 @@ void prepare(CollapseState& state) {
   state.spacing = state.coarseness * state.tolerance;
 }
 
-// Slabs across the longest side, with about the same number of vertices each. With `shifted`, the
-// limits between the slabs lie in the middle of the unshifted slabs.
+// Slabs across the longest side of the bounding box, with about the same number of vertices each.
+// With `shifted`, the limits between the slabs lie in the middle of the unshifted slabs.
 class Slabs {
  public:
   Slabs(const CollapseState& state, bool shifted) : state_(state) {
@@ -89,8 +89,8 @@ class Slabs {
 
   const std::vector<std::int32_t>& partOf() const { return partOf_; }
 
-  /// `done`: for each vertex, 0 or more if an earlier pass has finished the vertex. Null: there was
-  /// no earlier pass.
+  /// Returns one part per slab. `done`: for each vertex, 0 or more if an earlier pass has finished
+  /// the vertex. Null: there was no earlier pass.
   std::vector<WorkPart> parts(const std::vector<std::int32_t>* done) const {
     std::vector<WorkPart> parts(limits_.size() + 1);
     for (std::size_t s = 0; s < parts.size(); ++s) {

@@ -1,9 +1,9 @@
 // Edge collapses that keep the surface within a tolerance, in both directions and after each step.
 // This is the accurate stage of simplification, for envelopes (no labels) and for solids. On a
-// solid, a label is a patch with a surface of its own. Triangles without a patch (label -1) are
-// called open ground.
+// solid, each label stands for a patch that has a surface of its own. Triangles without a patch
+// (label -1) are called open ground.
 // In:      CollapseState: a closed manifold mesh with labels, the kind of each vertex, and for each
-//          triangle the points that must stay near it.
+//          triangle the attached points, which must stay near it.
 // Out:     the same with fewer triangles.
 // Units:   mm.
 // Order:   smallest quadric error first (Garland, Heckbert 1997).
@@ -12,9 +12,9 @@
 //          open ground lie within the tolerance of the original. No new triangle intersects another
 //          one, unless the triangles that it replaces already did. A border stays near the surface
 //          of its patch and does not pass over vertices of the patch.
-// Threads: A fixed number of slabs is processed in parallel first. Triangles of different slabs
-// cannot meet. Then slabs around the limits between the first slabs are processed, and finally the
-// rest in one thread. The result does not depend on the number of threads.
+// Threads: First a fixed number of slabs is processed in parallel. Triangles that lie in different
+// slabs cannot intersect. Then slabs around the limits between the first slabs are processed, and
+// finally the rest in one thread. The result does not depend on the number of threads.
 // Cost:    about 30 us per collapse.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -58,7 +58,7 @@ struct CollapseState {
   std::vector<std::vector<Eigen::Vector3d>> attached;
   std::vector<char> dead;  ///< for each triangle, 1 if it was removed
   /// For each vertex, 1 if new triangles around it are sampled at half the tolerance. A vertex that
-  /// is merged passes this flag on. Empty: no vertex has the flag.
+  /// is merged into another passes this flag on. Empty: no vertex has the flag.
   std::vector<char> careful;
   /// Spacing of the sample points on all other new triangles, in tolerances. The value comes from a
   /// trial: the bunny test mesh moved over 16 keys, at 512 cells, tolerance 0.5 mm. After the first
@@ -74,8 +74,8 @@ struct CollapseState {
   double spacing = 0;  ///< spacing of the sample points on new triangles, mm
   std::vector<std::vector<std::int32_t>> around;  ///< for each vertex, its triangles
   std::vector<Quadric> quadric;
-  std::vector<char> gone;  ///< for each vertex, 1 if it was removed
-  std::vector<std::uint32_t> stamp;
+  std::vector<char> gone;            ///< for each vertex, 1 if it was removed
+  std::vector<std::uint32_t> stamp;  ///< for each vertex, how often it has changed
 };
 
 /// Attaches points along long edges and in the middle of long triangles. Without them, nothing
@@ -83,10 +83,10 @@ struct CollapseState {
 /// already has such points.
 void watchLongEdges(CollapseState& state, const std::vector<char>& watched);
 
-/// Collapses edges. With `quick`, stops after the slabs. `log`, unless null, receives each step.
+/// Collapses edges. With `quick`, processes only the slabs. `log`, unless null, receives each step.
 void collapseEdges(CollapseState& state, bool quick, RunContext& run, CollapseLog* log = nullptr);
 
-/// Continues at the vertices of these triangles, after collapseEdges().
+/// Collapses more edges after collapseEdges(), starting at the vertices of these triangles.
 void collapseAgain(CollapseState& state, const std::vector<std::int32_t>& triangles,
                    RunContext& run, CollapseLog& log);
 

@@ -7,13 +7,15 @@
 namespace swept {
 using Eigen::Vector3d;
 
-void CollapseLog::add(std::int32_t from, std::int32_t to, const Vector3d& place,
-                      const std::vector<std::int32_t>& staying, const std::vector<Corners>& corners,
-                      const std::vector<std::int32_t>& going) {
-  steps_.push_back({from, to, place, triangles_.size(), static_cast<std::int32_t>(staying.size()),
-                    static_cast<std::int32_t>(going.size())});
-  triangles_.insert(triangles_.end(), staying.begin(), staying.end());
-  triangles_.insert(triangles_.end(), going.begin(), going.end());
+void CollapseLog::add(std::int32_t from, std::int32_t to, const Vector3d& position,
+                      const std::vector<std::int32_t>& remaining,
+                      const std::vector<Corners>& corners,
+                      const std::vector<std::int32_t>& removed) {
+  steps_.push_back({from, to, position, triangles_.size(),
+                    static_cast<std::int32_t>(remaining.size()),
+                    static_cast<std::int32_t>(removed.size())});
+  triangles_.insert(triangles_.end(), remaining.begin(), remaining.end());
+  triangles_.insert(triangles_.end(), removed.begin(), removed.end());
   corners_.insert(corners_.end(), corners.begin(), corners.end());
   corners_.resize(triangles_.size());
 }
@@ -30,7 +32,7 @@ void CollapseLog::append(const CollapseLog& later) {
 
 template <class Visit>
 void CollapseLog::forTriangles(const Step& step, const Visit& visit) const {
-  for (std::size_t i = step.first; i < step.first + step.staying + step.going; ++i)
+  for (std::size_t i = step.first; i < step.first + step.remaining + step.removed; ++i)
     visit(triangles_[i]);
 }
 
@@ -77,26 +79,26 @@ std::vector<std::int32_t> CollapseLog::takeBack(CollapseState& state,
 }
 
 void CollapseLog::takeBack(CollapseState& state, const Step& step) const {
-  std::vector<std::int32_t> open;  // triangles of open ground, which may take the points
+  std::vector<std::int32_t> open;  // triangles of open ground, to which points may be attached
   std::vector<Vector3d> points;
-  std::vector<std::int32_t>&mine = state.around[step.to], &others = state.around[step.from];
+  std::vector<std::int32_t>&aroundTo = state.around[step.to], &aroundFrom = state.around[step.from];
   state.gone[step.from] = 0;
-  state.mesh.vertices[step.to] = step.place;
+  state.mesh.vertices[step.to] = step.position;
   state.quadric[step.to] -= state.quadric[step.from];
   forTriangles(step, [&](std::int32_t t) {
     if (state.label[t] < 0) open.push_back(t);
     points.insert(points.end(), state.attached[t].begin(), state.attached[t].end());
     state.attached[t].clear();
   });
-  for (std::size_t i = step.first; i < step.first + step.staying; ++i) {
+  for (std::size_t i = step.first; i < step.first + step.remaining; ++i) {
     const std::int32_t t = triangles_[i];
     state.mesh.triangles[t] = corners_[i];
     if (!has(corners_[i], step.from)) continue;
-    std::erase(mine, t);
-    others.push_back(t);
+    std::erase(aroundTo, t);
+    aroundFrom.push_back(t);
   }
-  for (std::int32_t i = 0; i < step.going; ++i) {
-    const std::int32_t t = triangles_[step.first + step.staying + i];
+  for (std::int32_t i = 0; i < step.removed; ++i) {
+    const std::int32_t t = triangles_[step.first + step.remaining + i];
     state.dead[t] = 0;
     for (const std::int32_t v : state.mesh.triangles[t]) state.around[v].push_back(t);
   }

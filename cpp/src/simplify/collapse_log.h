@@ -1,5 +1,5 @@
-// Records the steps of an edge collapse, so that some steps can be undone where the surface
-// deviates too far. The rest of the surface does not change then.
+// Records the steps of edge collapses, so that steps can be undone where the surface deviates too
+// far, while the rest of the surface stays unchanged.
 // Units:   mm.
 // Cost:    about 200 bytes per step; undoing takes O(steps).
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -13,7 +13,7 @@
 
 namespace swept {
 
-/// Tells whether a triangle has the vertex `v` as a corner.
+/// Returns whether a triangle has the vertex `v` as a corner.
 inline bool has(const std::array<std::int32_t, 3>& triangle, std::int32_t v) {
   return triangle[0] == v || triangle[1] == v || triangle[2] == v;
 }
@@ -22,12 +22,12 @@ class CollapseLog {
  public:
   using Corners = std::array<std::int32_t, 3>;
 
-  /// Records that vertex `from` was merged into `to`, whose position was `place` before. `staying`:
-  /// the triangles that remain; `corners`: their vertices before the step; `going`: the removed
-  /// triangles.
-  void add(std::int32_t from, std::int32_t to, const Eigen::Vector3d& place,
-           const std::vector<std::int32_t>& staying, const std::vector<Corners>& corners,
-           const std::vector<std::int32_t>& going);
+  /// Records that vertex `from` was merged into `to`, whose position was `position` before.
+  /// `remaining`: the triangles that remain; `corners`: their vertices before the step; `removed`:
+  /// the removed triangles.
+  void add(std::int32_t from, std::int32_t to, const Eigen::Vector3d& position,
+           const std::vector<std::int32_t>& remaining, const std::vector<Corners>& corners,
+           const std::vector<std::int32_t>& removed);
   void append(const CollapseLog& later);
 
   /// Undoes the last `depth` steps at each of the triangles, and all later steps that depend on
@@ -40,9 +40,9 @@ class CollapseLog {
  private:
   struct Step {
     std::int32_t from, to;
-    Eigen::Vector3d place;
+    Eigen::Vector3d position;
     std::size_t first;  ///< index in triangles_ and corners_ of the first remaining triangle
-    std::int32_t staying, going;
+    std::int32_t remaining, removed;
   };
   template <class Visit>
   void forTriangles(const Step& step, const Visit& visit) const;

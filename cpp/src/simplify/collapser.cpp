@@ -14,14 +14,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Fraction of the squared tolerance; a search ends at a triangle this near.
+// A search for a near triangle ends when the squared distance is at most this fraction of the
+// squared tolerance.
 constexpr double kNearFraction = 0.25;
 // Fraction of the tolerance by which a border may pass over its patch.
 constexpr double kFoldFraction = 0.1;
 constexpr double kMinCosine = 0.2;  // a triangle may turn by less than 78 degrees
 constexpr double kMinShape = 0.01;  // height / longest side of a new triangle
-// Limit for the sample points on new triangles, as a fraction of the squared tolerance. The rest
-// allows for the surface between the points.
+// Limit of the squared distance of sample points on new triangles from the original, as a fraction
+// of the squared tolerance. The remaining fraction allows for the surface between the points.
 constexpr double kNetFraction = 0.96;
 // Weight of the squared edge length in the cost, to be multiplied by the squared tolerance. It
 // makes flat regions collapse evenly.
@@ -70,12 +71,12 @@ bool Collapser::isBorderEdge(std::int32_t a, std::int32_t b) const {
   return open && patch;
 }
 
-bool Collapser::mayGo(std::int32_t from, std::int32_t to) const {
+bool Collapser::mayMerge(std::int32_t from, std::int32_t to) const {
   if (isFree(from)) return true;
   return state_.kind[from] == VertexKind::Border && !isFree(to) && isBorderEdge(from, to);
 }
 
-Vector3d Collapser::placeFor(std::int32_t from, std::int32_t to) const {
+Vector3d Collapser::bestPosition(std::int32_t from, std::int32_t to) const {
   if (!isFree(from) || !isFree(to)) return at(to);
   Quadric q = state_.quadric[from];
   q += state_.quadric[to];
@@ -87,15 +88,15 @@ Vector3d Collapser::placeFor(std::int32_t from, std::int32_t to) const {
 
 void Collapser::push(std::int32_t a, std::int32_t b) {
   if (!isMine(a) || !isMine(b)) return;
-  if (!mayGo(a, b)) {
-    if (!mayGo(b, a)) return;
+  if (!mayMerge(a, b)) {
+    if (!mayMerge(b, a)) return;
     std::swap(a, b);
   } else if (isFree(a) && isFree(b) && b < a) {
     std::swap(a, b);
   }
   Quadric q = state_.quadric[a];
   q += state_.quadric[b];
-  const double error = q.error(placeFor(a, b) - state_.origin);
+  const double error = q.error(bestPosition(a, b) - state_.origin);
   const double square = state_.tolerance * state_.tolerance;
   // If even the mean squared distance from the planes is too large, the largest one is too large,
   // too.
@@ -107,8 +108,8 @@ void Collapser::push(std::int32_t a, std::int32_t b) {
 void Collapser::pushAround(std::int32_t v, bool once) {
   neighbours(v, ring_);
   for (const std::int32_t w : ring_) {
-    // With `once`, an edge with both ends in part_.vertices is put into the queue only from the
-    // smaller one.
+    // With `once`, an edge with both ends in part_.vertices is put into the queue only from the end
+    // with the smaller number.
     if (!once || v < w || !std::binary_search(part_.vertices.begin(), part_.vertices.end(), w))
       push(v, w);
   }
@@ -126,22 +127,23 @@ bool Collapser::linkIsSimple(std::int32_t from, std::int32_t to) {
 }
 
 void Collapser::collapse(std::int32_t from, std::int32_t to) {
-  if (!mayGo(from, to) || !linkIsSimple(from, to) || !borderHolds(from, to)) return;
-  const Vector3d best = placeFor(from, to);
+  if (!mayMerge(from, to) || !linkIsSimple(from, to) || !borderStaysNear(from, to)) return;
+  const Vector3d best = bestPosition(from, to);
   if (tryCollapse(from, to, best)) return;
   // The best position of the quadrics may leave a point too far from the surface. Then another
   // position may still work.
   if (!isFree(from) || !isFree(to)) return;
   const Vector3d middle = 0.5 * (at(from) + at(to));
   const Vector3d first = at(from), last = at(to), between = 0.5 * (best + middle);
-  for (const Vector3d& place : {last, first, middle, between}) {
-    if (tryCollapse(from, to, place)) return;
+  for (const Vector3d& position : {last, first, middle, between}) {
+    if (tryCollapse(from, to, position)) return;
   }
 }
 
-// Checks that the new straight border edges stay within the tolerance of the patch's surface. Where
-// open ground rises beside the border, the attached points alone cannot ensure this.
-bool Collapser::borderHolds(std::int32_t from, std::int32_t to) {
+// Checks that the new straight border edges stay within the tolerance of the patch's surface. The
+// attached points alone cannot ensure this, because they may lie nearer to open ground that rises
+// beside the border.
+bool Collapser::borderStaysNear(std::int32_t from, std::int32_t to) {
   if (state_.kind[from] != VertexKind::Border) return true;
   const LabelSurface* surface = nullptr;
   for (const std::int32_t t : state_.around[from]) {
@@ -168,45 +170,47 @@ bool Collapser::turnsOver(const std::array<Vector3d, 3>& next, const LabelSurfac
          -kFoldFraction * state_.tolerance * std::sqrt(squaredLongest(next));
 }
 
-bool Collapser::tryCollapse(std::int32_t from, std::int32_t to, const Vector3d& place) {
-  if (!(place[part_.axis] >= part_.low && place[part_.axis] < part_.high)) return false;
-  staying_.clear();
-  dying_.clear();
+bool Collapser::tryCollapse(std::int32_t from, std::int32_t to, const Vector3d& position) {
+  if (!(position[part_.axis] >= part_.low && position[part_.axis] < part_.high)) return false;
+  remaining_.clear();
+  removed_.clear();
   for (const std::int32_t v : {from, to}) {
     for (const std::int32_t t : state_.around[v]) {
       if (has(state_.mesh.triangles[t], from) && has(state_.mesh.triangles[t], to)) {
-        if (v == from) dying_.push_back(t);
-      } else if (v == from || place != at(to)) {
-        staying_.push_back(t);
+        if (v == from) removed_.push_back(t);
+      } else if (v == from || position != at(to)) {
+        remaining_.push_back(t);
       }
     }
   }
-  if (!shapesHold(from, to, place) || !findAllHomes(from, to)) return false;
-  if (state_.original != nullptr && !trianglesHold(from, to, place)) return false;
+  if (!hasGoodShapes(from, to, position) || !reattachAll(from, to)) return false;
+  if (state_.original != nullptr && !staysNearOriginal(from, to, position)) return false;
   const Vector3d before = at(to);
-  was_.clear();
-  for (const std::int32_t t : staying_) was_.push_back(state_.mesh.triangles[t]);
-  moveCorners(from, to, place);
-  if (meetsOthers()) {
+  before_.clear();
+  for (const std::int32_t t : remaining_) before_.push_back(state_.mesh.triangles[t]);
+  moveCorners(from, to, position);
+  if (intersectsOthers()) {
     state_.mesh.vertices[to] = before;
-    for (std::size_t k = 0; k < staying_.size(); ++k) state_.mesh.triangles[staying_[k]] = was_[k];
-    if (!std::all_of(hits_.begin(), hits_.end(), [&](std::int32_t t) { return metBefore(t); }))
+    for (std::size_t k = 0; k < remaining_.size(); ++k)
+      state_.mesh.triangles[remaining_[k]] = before_[k];
+    if (!std::all_of(hits_.begin(), hits_.end(),
+                     [&](std::int32_t t) { return intersectedBefore(t); }))
       return false;
-    moveCorners(from, to, place);
+    moveCorners(from, to, position);
   }
-  if (log_ != nullptr) log_->add(from, to, before, staying_, was_, dying_);
+  if (log_ != nullptr) log_->add(from, to, before, remaining_, before_, removed_);
   apply(from, to);
   return true;
 }
 
-bool Collapser::shapesHold(std::int32_t from, std::int32_t to, const Vector3d& place) {
+bool Collapser::hasGoodShapes(std::int32_t from, std::int32_t to, const Vector3d& position) {
   corners_.clear();
-  for (const std::int32_t t : staying_) {
+  for (const std::int32_t t : remaining_) {
     std::array<Vector3d, 3> now, next;
     for (int k = 0; k < 3; ++k) {
       const std::int32_t v = state_.mesh.triangles[t][k];
       now[k] = at(v);
-      next[k] = v == from || v == to ? place : at(v);
+      next[k] = v == from || v == to ? position : at(v);
     }
     corners_.push_back(next);
     if (state_.label[t] >= 0) {
@@ -223,25 +227,25 @@ bool Collapser::shapesHold(std::int32_t from, std::int32_t to, const Vector3d& p
 }
 
 // Finds a new triangle within the tolerance for each point that is attached to a changing triangle.
-// The old triangle of the point is tried first; if it is near enough, the search ends.
-bool Collapser::findAllHomes(std::int32_t from, std::int32_t to) {
-  moved_.clear();
-  if (!findHome(at(from), -1)) return false;
-  if (isFree(to) && !findHome(at(to), -1)) return false;
-  for (const std::int32_t t : dying_) {
-    if (state_.label[t] < 0 && !findHomes(t, -1)) return false;
+// Tries the old triangle of the point first, and ends the search if this triangle is near enough.
+bool Collapser::reattachAll(std::int32_t from, std::int32_t to) {
+  reattached_.clear();
+  if (!reattach(at(from), -1)) return false;
+  if (isFree(to) && !reattach(at(to), -1)) return false;
+  for (const std::int32_t t : removed_) {
+    if (state_.label[t] < 0 && !reattachPoints(t, -1)) return false;
   }
-  for (std::size_t k = 0; k < staying_.size(); ++k) {
-    const bool open = state_.label[staying_[k]] < 0;
-    if (open && !findHomes(staying_[k], static_cast<std::int32_t>(k))) return false;
+  for (std::size_t k = 0; k < remaining_.size(); ++k) {
+    const bool open = state_.label[remaining_[k]] < 0;
+    if (open && !reattachPoints(remaining_[k], static_cast<std::int32_t>(k))) return false;
   }
   return true;
 }
 
-bool Collapser::findHomes(std::int32_t triangle, std::int32_t before) {
+bool Collapser::reattachPoints(std::int32_t triangle, std::int32_t before) {
   std::vector<Vector3d>& points = state_.attached[triangle];
   for (Vector3d& p : points) {
-    if (findHome(p, before)) continue;
+    if (reattach(p, before)) continue;
     // Most collapses fail. The point that failed moves to the front, so that the next attempt tests
     // it first.
     std::swap(p, points[0]);
@@ -250,23 +254,23 @@ bool Collapser::findHomes(std::int32_t triangle, std::int32_t before) {
   return true;
 }
 
-bool Collapser::findHome(const Vector3d& p, std::int32_t before) {
+bool Collapser::reattach(const Vector3d& p, std::int32_t before) {
   const double limit = state_.tolerance * state_.tolerance;
   double least = limit;
-  std::int32_t home = -1;
-  auto ask = [&](std::int32_t k) {
+  std::int32_t chosen = -1;
+  auto test = [&](std::int32_t k) {
     const double d = squaredDistance(p, corners_[k][0], corners_[k][1], corners_[k][2]);
     if (d > least) return;
     least = d;
-    home = k;
+    chosen = k;
   };
-  if (before >= 0) ask(before);
+  if (before >= 0) test(before);
   for (std::int32_t k = 0;
-       k < static_cast<std::int32_t>(staying_.size()) && least > kNearFraction * limit; ++k) {
-    if (k != before && state_.label[staying_[k]] < 0) ask(k);
+       k < static_cast<std::int32_t>(remaining_.size()) && least > kNearFraction * limit; ++k) {
+    if (k != before && state_.label[remaining_[k]] < 0) test(k);
   }
-  if (home >= 0) moved_.emplace_back(p, home);
-  return home >= 0;
+  if (chosen >= 0) reattached_.emplace_back(p, chosen);
+  return chosen >= 0;
 }
 
 bool Collapser::isNearOriginal(const Vector3d& p) {
@@ -275,24 +279,24 @@ bool Collapser::isNearOriginal(const Vector3d& p) {
 }
 
 // Returns whether sample points on the new triangles lie near the original.
-bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d& place) {
+bool Collapser::staysNearOriginal(std::int32_t from, std::int32_t to, const Vector3d& position) {
   nearest_ = state_.nearby[to];
-  if (isFree(from) && isFree(to) && !isNearOriginal(place)) return false;
-  placed_ = nearest_;
+  if (isFree(from) && isFree(to) && !isNearOriginal(position)) return false;
+  nearPosition_ = nearest_;
   const bool careful = state_.careful[from] || state_.careful[to];
   const double spacing = careful ? 0.5 * state_.tolerance : state_.spacing;
-  for (std::size_t k = 0; k < staying_.size(); ++k) {
-    if (state_.label[staying_[k]] >= 0) continue;
+  for (std::size_t k = 0; k < remaining_.size(); ++k) {
+    if (state_.label[remaining_[k]] >= 0) continue;
     const auto& c = corners_[k];
     if (squaredLongest(c) <= spacing * spacing) continue;
-    // The corners are known to be near the original, so they only give the hint for the next
-    // search.
-    const auto& v = state_.mesh.triangles[staying_[k]];
+    // The corners are known to be near the original. So they are not tested, but only give the hint
+    // for the next search.
+    const auto& v = state_.mesh.triangles[remaining_[k]];
     const bool far = spreadPoints(c[0], c[1], c[2], spacing, [&](const Vector3d& p) {
       for (int i = 0; i < 3; ++i) {
         if (p != c[i]) continue;
         const bool fresh = v[i] == from || v[i] == to;
-        const std::int32_t hint = fresh ? placed_ : state_.nearby[v[i]];
+        const std::int32_t hint = fresh ? nearPosition_ : state_.nearby[v[i]];
         if (hint >= 0) nearest_ = hint;
         return false;
       }
@@ -303,48 +307,49 @@ bool Collapser::trianglesHold(std::int32_t from, std::int32_t to, const Vector3d
   return true;
 }
 
-bool Collapser::meet(std::int32_t triangle, std::int32_t other) const {
+bool Collapser::intersect(std::int32_t triangle, std::int32_t other) const {
   const TriMesh& mesh = state_.mesh;
   if (state_.label[triangle] >= 0 && state_.label[triangle] == state_.label[other]) return false;
   return meetWrongly(mesh, triangle, other);
 }
 
 // Returns whether a remaining triangle intersects another triangle after its corners have moved.
-// Collects the other triangles in hits_.
-bool Collapser::meetsOthers() {
+// Collects the intersected triangles in hits_.
+bool Collapser::intersectsOthers() {
   hits_.clear();
   around_.clear();
   MovingBoxes::Box all;
-  for (const std::int32_t t : staying_) all.extend(MovingBoxes::boxOf(state_.mesh, t));
+  for (const std::int32_t t : remaining_) all.extend(MovingBoxes::boxOf(state_.mesh, t));
   boxes_.forBox(all, [&](std::int32_t other, const MovingBoxes::Box& box) {
-    if (std::find(dying_.begin(), dying_.end(), other) == dying_.end() &&
-        std::find(staying_.begin(), staying_.end(), other) == staying_.end())
+    if (std::find(removed_.begin(), removed_.end(), other) == removed_.end() &&
+        std::find(remaining_.begin(), remaining_.end(), other) == remaining_.end())
       around_.emplace_back(other, box);
   });
-  for (std::size_t k = 0; k < staying_.size(); ++k) {
-    const std::int32_t t = staying_[k];
+  for (std::size_t k = 0; k < remaining_.size(); ++k) {
+    const std::int32_t t = remaining_[k];
     const MovingBoxes::Box own = MovingBoxes::boxOf(state_.mesh, t);
     for (const auto& [other, box] : around_) {
-      if (box.intersects(own) && meet(t, other)) hits_.push_back(other);
+      if (box.intersects(own) && intersect(t, other)) hits_.push_back(other);
     }
-    for (std::size_t j = k + 1; j < staying_.size(); ++j) {
-      if (meet(t, staying_[j])) hits_.push_back(staying_[j]);
+    for (std::size_t j = k + 1; j < remaining_.size(); ++j) {
+      if (intersect(t, remaining_[j])) hits_.push_back(remaining_[j]);
     }
   }
   return !hits_.empty();
 }
 
-// Returns whether one of the changed triangles already intersected `other` before the step.
-bool Collapser::metBefore(std::int32_t other) const {
-  const auto meets = [&](std::int32_t t) { return t == other || meet(t, other); };
-  if (std::find(staying_.begin(), staying_.end(), other) != staying_.end()) return false;
-  return std::any_of(staying_.begin(), staying_.end(), meets) ||
-         std::any_of(dying_.begin(), dying_.end(), meets);
+// Returns whether one of the changed triangles already intersected `other` before the step. Returns
+// false if `other` is one of the remaining triangles.
+bool Collapser::intersectedBefore(std::int32_t other) const {
+  const auto intersects = [&](std::int32_t t) { return t == other || intersect(t, other); };
+  if (std::find(remaining_.begin(), remaining_.end(), other) != remaining_.end()) return false;
+  return std::any_of(remaining_.begin(), remaining_.end(), intersects) ||
+         std::any_of(removed_.begin(), removed_.end(), intersects);
 }
 
-void Collapser::moveCorners(std::int32_t from, std::int32_t to, const Vector3d& place) {
-  state_.mesh.vertices[to] = place;
-  for (const std::int32_t t : staying_) {
+void Collapser::moveCorners(std::int32_t from, std::int32_t to, const Vector3d& position) {
+  state_.mesh.vertices[to] = position;
+  for (const std::int32_t t : remaining_) {
     for (std::int32_t& v : state_.mesh.triangles[t]) {
       if (v == from) v = to;
     }
@@ -352,21 +357,21 @@ void Collapser::moveCorners(std::int32_t from, std::int32_t to, const Vector3d& 
 }
 
 void Collapser::apply(std::int32_t from, std::int32_t to) {
-  for (const std::int32_t t : staying_) state_.attached[t].clear();
-  for (const std::int32_t t : dying_) state_.attached[t].clear();
-  for (const auto& [p, k] : moved_) state_.attached[staying_[k]].push_back(p);
-  for (const std::int32_t t : dying_) {
+  for (const std::int32_t t : remaining_) state_.attached[t].clear();
+  for (const std::int32_t t : removed_) state_.attached[t].clear();
+  for (const auto& [p, k] : reattached_) state_.attached[remaining_[k]].push_back(p);
+  for (const std::int32_t t : removed_) {
     state_.dead[t] = 1;
     for (const std::int32_t v : state_.mesh.triangles[t]) std::erase(state_.around[v], t);
   }
-  for (const std::int32_t t : staying_) boxes_.grow(t);
-  for (const std::int32_t t : dying_) boxes_.remove(t);
-  std::vector<std::int32_t>& mine = state_.around[to];
-  mine.insert(mine.end(), state_.around[from].begin(), state_.around[from].end());
+  for (const std::int32_t t : remaining_) boxes_.grow(t);
+  for (const std::int32_t t : removed_) boxes_.remove(t);
+  std::vector<std::int32_t>& aroundTo = state_.around[to];
+  aroundTo.insert(aroundTo.end(), state_.around[from].begin(), state_.around[from].end());
   state_.around[from].clear();
   state_.gone[from] = 1;
   state_.careful[to] |= state_.careful[from];
-  state_.nearby[to] = placed_;
+  state_.nearby[to] = nearPosition_;
   state_.quadric[to] += state_.quadric[from];
   ++state_.stamp[to];
   pushAround(to, false);

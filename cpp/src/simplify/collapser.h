@@ -15,8 +15,9 @@
 
 namespace swept {
 
-/// The part of one worker. The worker may only change vertices whose entry in partOf is its number.
-/// The coordinate of these vertices along the axis stays within [low, high).
+/// The part of the mesh that one worker processes. The worker may only change vertices whose entry
+/// in partOf is its number. The coordinate of these vertices along the axis stays within [low,
+/// high).
 struct WorkPart {
   /// For each vertex, the number of its worker. Null: all vertices belong to this worker.
   const std::vector<std::int32_t>* partOf = nullptr;
@@ -24,7 +25,7 @@ struct WorkPart {
   int axis = 0;
   double low = -1e300, high = 1e300;
   std::vector<std::int32_t> vertices;  ///< start vertices, in ascending order
-  /// Triangles that may meet those of the worker, including its own.
+  /// The triangles of the worker, and all others that may intersect them.
   std::vector<std::int32_t> triangles;
 };
 
@@ -39,7 +40,7 @@ class Collapser {
  private:
   struct Entry {
     double cost;
-    std::int32_t from, to;  // `from` disappears into `to`
+    std::int32_t from, to;  // vertex `from` is merged into `to`
     std::uint32_t stampFrom, stampTo;
     bool operator<(const Entry& o) const {
       if (cost != o.cost) return cost > o.cost;
@@ -56,25 +57,25 @@ class Collapser {
   bool isFree(std::int32_t v) const { return state_.kind[v] == VertexKind::Free; }
   void neighbours(std::int32_t v, std::vector<std::int32_t>& result) const;
   bool isBorderEdge(std::int32_t a, std::int32_t b) const;
-  bool mayGo(std::int32_t from, std::int32_t to) const;
-  Point placeFor(std::int32_t from, std::int32_t to) const;
+  bool mayMerge(std::int32_t from, std::int32_t to) const;
+  Point bestPosition(std::int32_t from, std::int32_t to) const;
   void push(std::int32_t a, std::int32_t b);
   void pushAround(std::int32_t v, bool once);
-  bool borderHolds(std::int32_t from, std::int32_t to);
+  bool borderStaysNear(std::int32_t from, std::int32_t to);
   bool turnsOver(const std::array<Point, 3>& next, const LabelSurface& surface) const;
   bool linkIsSimple(std::int32_t from, std::int32_t to);
   void collapse(std::int32_t from, std::int32_t to);
-  bool tryCollapse(std::int32_t from, std::int32_t to, const Point& place);
-  bool shapesHold(std::int32_t from, std::int32_t to, const Point& place);
-  bool findAllHomes(std::int32_t from, std::int32_t to);
-  bool findHomes(std::int32_t triangle, std::int32_t before);
-  bool findHome(const Point& p, std::int32_t before);
+  bool tryCollapse(std::int32_t from, std::int32_t to, const Point& position);
+  bool hasGoodShapes(std::int32_t from, std::int32_t to, const Point& position);
+  bool reattachAll(std::int32_t from, std::int32_t to);
+  bool reattachPoints(std::int32_t triangle, std::int32_t before);
+  bool reattach(const Point& p, std::int32_t before);
   bool isNearOriginal(const Point& p);
-  bool trianglesHold(std::int32_t from, std::int32_t to, const Point& place);
-  bool meetsOthers();
-  bool metBefore(std::int32_t other) const;
-  bool meet(std::int32_t triangle, std::int32_t other) const;
-  void moveCorners(std::int32_t from, std::int32_t to, const Point& place);
+  bool staysNearOriginal(std::int32_t from, std::int32_t to, const Point& position);
+  bool intersectsOthers();
+  bool intersectedBefore(std::int32_t other) const;
+  bool intersect(std::int32_t triangle, std::int32_t other) const;
+  void moveCorners(std::int32_t from, std::int32_t to, const Point& position);
   void apply(std::int32_t from, std::int32_t to);
 
   CollapseState& state_;
@@ -85,17 +86,17 @@ class Collapser {
   std::priority_queue<Entry> queue_;
   // Buffers. They are members so that their memory is reused.
   std::vector<std::int32_t> ring_, otherRing_, common_;
-  std::vector<std::int32_t> staying_, dying_;  // triangles
-  std::vector<Corners> was_;  // vertices of the remaining triangles before the step
+  std::vector<std::int32_t> remaining_, removed_;  // triangles
+  std::vector<Corners> before_;  // vertices of the remaining triangles before the step
   std::vector<std::array<Point, 3>> corners_;  // vertices of these triangles after the step
-  // Attached points, each with the index in staying_ of its new triangle.
-  std::vector<std::pair<Point, std::int32_t>> moved_;
+  // Attached points, each with the index in remaining_ of its new triangle.
+  std::vector<std::pair<Point, std::int32_t>> reattached_;
   std::vector<std::int32_t> hits_;
-  // Triangles near those that stay, with their boxes.
+  // Triangles near the remaining ones, with their boxes.
   std::vector<std::pair<std::int32_t, MovingBoxes::Box>> around_;
   std::int32_t nearest_ = -1;  // triangle of the original near the last point tested
   // Triangle of the original near the new position of vertex `to`.
-  std::int32_t placed_ = -1;
+  std::int32_t nearPosition_ = -1;
 };
 
 }  // namespace swept

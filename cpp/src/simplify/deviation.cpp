@@ -37,8 +37,9 @@ class Measurement {
   }
 
  private:
-  // Calls part(i, found, hint) for each i < n, in blocks. Each block starts with the largest
-  // distance of earlier passes. Smaller distances need not be exact if they are within the limit.
+  // Calls part(i, found, hint) for each i < n, in blocks. `found` collects the results of a block
+  // and starts with the largest distance of earlier passes. `hint`: the nearest triangle of the
+  // last search.
   template <class Part>
   void forAll(std::size_t n, std::size_t block, const Part& part) {
     std::vector<Found> found((n + block - 1) / block);
@@ -54,20 +55,21 @@ class Measurement {
       all_.strays.insert(all_.strays.end(), own.strays.begin(), own.strays.end());
     }
   }
+  // Squared distances up to this need not be measured exactly.
   double enough(const Found& found) const { return std::min(found.largest, limit_); }
 
   void forward() {
     const NearestTriangle nearest(result_.vertices, result_.triangles, NearestTriangle::Walks::Yes);
-    const auto see = [&](const Vector3d& p, Found& found, std::int32_t& hint) {
+    const auto measure = [&](const Vector3d& p, Found& found, std::int32_t& hint) {
       if (nearest.isNear(p, enough(found), hint)) return;
       const double d = nearest.query(p, 1e300, enough(found), hint);
       found.largest = std::max(found.largest, d);
       if (d > limit_) found.missed.push_back({p, footOnTriangle(p, result_, hint).point, hint});
     };
-    std::vector<std::int32_t> home(original_.vertices.size());
-    forAll(home.size(), 2048, [&](std::size_t v, Found& found, std::int32_t& hint) {
-      see(original_.vertices[v], found, hint);
-      home[v] = hint;
+    std::vector<std::int32_t> nearestOf(original_.vertices.size());
+    forAll(nearestOf.size(), 2048, [&](std::size_t v, Found& found, std::int32_t& hint) {
+      measure(original_.vertices[v], found, hint);
+      nearestOf[v] = hint;
     });
     // If all three vertices lie near the same triangle, so does the inside, since the distance from
     // a triangle is convex.
@@ -75,17 +77,17 @@ class Measurement {
         {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
     forAll(original_.triangles.size(), 2048, [&](std::size_t t, Found& found, std::int32_t& hint) {
       const auto& tri = original_.triangles[t];
-      if (home[tri[0]] == home[tri[1]] && home[tri[0]] == home[tri[2]]) return;
+      if (nearestOf[tri[0]] == nearestOf[tri[1]] && nearestOf[tri[0]] == nearestOf[tri[2]]) return;
       const Vector3d &a = original_.vertices[tri[0]], &b = original_.vertices[tri[1]],
                      &c = original_.vertices[tri[2]];
       for (const std::int32_t v : tri) {
         const auto isNear = [&](const Vector3d& p) {
-          return squaredDistance(p, result_, home[v]) <= enough(found);
+          return squaredDistance(p, result_, nearestOf[v]) <= enough(found);
         };
         if (isNear(a) && isNear(b) && isNear(c)) return;
       }
-      hint = home[tri[0]];
-      for (const auto& [u, w] : kInner) see(a + u * (b - a) + w * (c - a), found, hint);
+      hint = nearestOf[tri[0]];
+      for (const auto& [u, w] : kInner) measure(a + u * (b - a) + w * (c - a), found, hint);
     });
   }
 
@@ -94,7 +96,7 @@ class Measurement {
       const auto& c = result_.triangles[t];
       FarPlace stray;
       double farthest = limit_;
-      const auto see = [&](const Vector3d& p) {
+      const auto measure = [&](const Vector3d& p) {
         if (nearOriginal_.isNear(p, enough(found), hint)) return false;
         const double d = nearOriginal_.query(p, 1e300, enough(found), hint);
         found.largest = std::max(found.largest, d);
@@ -105,7 +107,7 @@ class Measurement {
         return false;
       };
       spreadPoints(result_.vertices[c[0]], result_.vertices[c[1]], result_.vertices[c[2]], spacing_,
-                   see);
+                   measure);
       if (stray.triangle >= 0) found.strays.push_back(stray);
     });
   }

@@ -2,8 +2,8 @@
 // each vertex, and at points within those triangles that are not near a single triangle of the
 // result. On the result it measures at a grid of points on each triangle.
 // Units:   mm.
-// Cost:    O(n) searches in the trees of both surfaces, for n triangles. Mostly the triangle of the
-//        previous search suffices.
+// Cost:    O(n) searches in the trees of both surfaces, for n triangles. In most cases the triangle
+//        that the previous search found is near enough.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -17,14 +17,14 @@ namespace swept {
 
 /// A place where the surfaces are farther apart than the tolerance.
 struct FarPlace {
-  /// One is the measured point, the other the point nearest to it.
+  /// One of the two is the measured point, the other the point nearest to it.
   Eigen::Vector3d onOriginal, onResult;
   std::int32_t triangle = -1;  ///< triangle of the result
 };
 
 struct Deviation {
   double largest = 0;            ///< mm, largest distance in either direction
-  std::vector<FarPlace> missed;  ///< points of the original
+  std::vector<FarPlace> missed;  ///< found at points of the original
   /// For each triangle of the result that is too far away, its farthest point; in ascending order
   /// of the triangles.
   std::vector<FarPlace> strays;

@@ -35,13 +35,14 @@ std::vector<Edge> turningEdges(const TriMesh& mesh, const RawArray<std::uint32_t
   std::vector<std::vector<Edge>> parts(n / kBlock + 1);
   parallelBlocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
-      const Eigen::Vector3d mine = normalOf(mesh, t);
+      const Eigen::Vector3d normal = normalOf(mesh, t);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = across[3 * t + k];
         if (other == kNoNeighbour || other < 3 * t + k) continue;
-        const Eigen::Vector3d theirs = normalOf(mesh, other / 3);
-        const double dot = mine.dot(theirs);
-        if (dot > 0 && dot * dot >= kCosine * kCosine * mine.squaredNorm() * theirs.squaredNorm()) {
+        const Eigen::Vector3d otherNormal = normalOf(mesh, other / 3);
+        const double dot = normal.dot(otherNormal);
+        if (dot > 0 &&
+            dot * dot >= kCosine * kCosine * normal.squaredNorm() * otherNormal.squaredNorm()) {
           continue;
         }
         const std::int32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
@@ -58,26 +59,26 @@ std::vector<Edge> turningEdges(const TriMesh& mesh, const RawArray<std::uint32_t
 /// Returns for each vertex whether it belongs to one of the edges and the planes of its triangles
 /// have rank 2 or 3.
 std::vector<std::uint8_t> onFeature(const TriMesh& mesh, const std::vector<Edge>& edges) {
-  std::vector<std::uint32_t> place(mesh.vertices.size(), kNone);
-  std::vector<std::int32_t> wanted;
+  std::vector<std::uint32_t> indexOf(mesh.vertices.size(), kNone);
+  std::vector<std::int32_t> vertices;
   for (const Edge& edge : edges) {
     for (const std::int32_t v : edge) {
-      if (place[v] != kNone) continue;
-      place[v] = static_cast<std::uint32_t>(wanted.size());
-      wanted.push_back(v);
+      if (indexOf[v] != kNone) continue;
+      indexOf[v] = static_cast<std::uint32_t>(vertices.size());
+      vertices.push_back(v);
     }
   }
-  ListsByKey around(wanted.size(), [&](const auto& use) {
+  ListsByKey around(vertices.size(), [&](const auto& use) {
     parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         for (const std::int32_t v : mesh.triangles[t]) {
-          if (place[v] != kNone) use(place[v], static_cast<std::uint32_t>(t));
+          if (indexOf[v] != kNone) use(indexOf[v], static_cast<std::uint32_t>(t));
         }
       }
     });
   });
   std::vector<std::uint8_t> feature(mesh.vertices.size());
-  parallelBlocks(wanted.size(), 1024, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(vertices.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       Quadric quadric;
       for (const std::uint32_t t : around.of(n)) {
@@ -88,7 +89,7 @@ std::vector<std::uint8_t> onFeature(const TriMesh& mesh, const std::vector<Edge>
       }
       int rank = 0;
       quadric.minimise(Eigen::Vector3d::Zero(), kRankCut, rank);
-      feature[wanted[n]] = rank > 1;
+      feature[vertices[n]] = rank > 1;
     }
   });
   return feature;

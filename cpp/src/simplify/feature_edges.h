@@ -1,6 +1,6 @@
-// Finds the creases of a mesh: edges at which the surface turns, if both end vertices lie on a
-// crease or at a corner. A vertex lies there if its quadric, made from the planes of its triangles,
-// has rank 2 or 3.
+// Finds the creases of a mesh: edges at which the surface turns by more than 25 degrees, and whose
+// two end vertices are feature vertices. A feature vertex lies on a crease or at a corner: its
+// quadric, made from the planes of its triangles, has rank 2 or 3.
 // Cost:    O(n) for n triangles.
 // Order of the result: by the smaller, then the larger vertex.
 // SPDX-License-Identifier: LGPL-2.1-or-later

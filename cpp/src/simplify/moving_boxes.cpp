@@ -8,16 +8,16 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kWorthMaking = 64;  // with fewer members, a rebuild saves nothing
+constexpr std::size_t kMinToRebuild = 64;  // with fewer members, a rebuild saves nothing
 
 }  // namespace
 
 MovingBoxes::MovingBoxes(const TriMesh& mesh, std::vector<std::int32_t> members)
     : mesh_(mesh), members_(std::move(members)) {
-  make();
+  build();
 }
 
-void MovingBoxes::make() {
+void MovingBoxes::build() {
   const std::size_t n = members_.size();
   left_ = n;
   levels_.clear();
@@ -66,13 +66,13 @@ void MovingBoxes::grow(std::int32_t triangle) {
 
 void MovingBoxes::remove(std::int32_t triangle) {
   order_[slot_[memberOf(triangle)]] = -1;
-  if (--left_ > members_.size() / 2 || members_.size() < kWorthMaking) return;
+  if (--left_ > members_.size() / 2 || members_.size() < kMinToRebuild) return;
   std::vector<std::int32_t> left;
   for (std::size_t m = 0; m < members_.size(); ++m) {
     if (order_[slot_[m]] >= 0) left.push_back(members_[m]);
   }
   members_ = std::move(left);
-  make();
+  build();
 }
 
 }  // namespace swept

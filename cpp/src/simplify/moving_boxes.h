@@ -1,5 +1,5 @@
 // A bounding volume hierarchy of triangles that change. It finds the triangles that a given
-// triangle may meet.
+// triangle may intersect.
 // In:      a mesh and the triangles to find.
 // Method:  The tree is built once, with four children per node along a Morton curve. Its boxes grow
 // with the triangles, which move only a little. It is rebuilt when half of the triangles are
@@ -61,14 +61,14 @@ class MovingBoxes {
   }
 
  private:
-  void make();
+  void build();
   std::size_t memberOf(std::int32_t triangle) const;
 
   const TriMesh& mesh_;
-  /// In ascending order. Removed triangles stay in the list until the next make().
+  /// In ascending order. Removed triangles stay in the list until the next build().
   std::vector<std::int32_t> members_;
   std::vector<std::uint32_t> slot_;       ///< for each member, its index in order_
-  std::vector<std::int32_t> order_;       ///< along the curve; -1: removed
+  std::vector<std::int32_t> order_;       ///< triangles along the Morton curve; -1: removed
   std::vector<std::vector<Box>> levels_;  ///< levels_[0]: boxes of four triangles each
   std::size_t left_ = 0;
 };

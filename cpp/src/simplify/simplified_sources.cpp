@@ -41,7 +41,8 @@ class Votes {
     }
     groups_[count_++] = {row, 1, fromMiddle};
   }
-  /// Returns the row nearest to the middle within the largest group, or kNone if there is none.
+  /// Of the rows in the largest group, returns the one whose sample point is nearest to the middle
+  /// of the triangle. Returns kNone if there are no rows.
   std::uint32_t winner() const {
     if (count_ == 0) return Sources::kNone;
     return std::max_element(groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(count_),
@@ -76,7 +77,7 @@ Sources sourcesOfSimplified(const TriMesh& surface, const NearestTriangle& neare
       const int n = static_cast<int>(
           std::clamp(std::ceil(std::sqrt(normal.norm()) / spacing), 1.0, double{kMaxRows}));
       Votes votes(*sources.rows);
-      const auto look = [&](double u, double v) {
+      const auto sample = [&](double u, double v) {
         const Vector3d p = a + u / (3 * n) * ab + v / (3 * n) * ac;
         nearest.query(p, HUGE_VAL, 0, hint);
         const std::uint32_t row = sources.of[hint];
@@ -85,8 +86,8 @@ Sources sourcesOfSimplified(const TriMesh& surface, const NearestTriangle& neare
       };
       for (int i = 0; i < n; ++i) {
         for (int k = 0; i + k < n; ++k) {
-          look(3 * i + 1, 3 * k + 1);
-          if (i + k + 1 < n) look(3 * i + 2, 3 * k + 2);
+          sample(3 * i + 1, 3 * k + 1);
+          if (i + k + 1 < n) sample(3 * i + 2, 3 * k + 2);
         }
       }
       out.of[t] = votes.winner();

@@ -1,7 +1,7 @@
 // Finds the source of each triangle of a simplified surface: the source with the largest part of
 // its area.
 // In:      a surface with its sources, and a simplified mesh near it.
-// Out:     for each triangle of the mesh, a row of the same sources.
+// Out:     for each triangle of the mesh, the index of a row of the same sources.
 // Units:   mm.
 // Cost:    up to 16 nearest-triangle searches per triangle of the mesh. The result does not depend
 //          on the number of threads.

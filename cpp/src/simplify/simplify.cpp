@@ -25,27 +25,29 @@ constexpr double kFirstLevel = 0.025;  ///< limit of the first level, in cells
 constexpr double kPointFraction = 0.97;
 constexpr double kLessEachRound = 0.9;  ///< factor of the tolerance after a round that failed
 constexpr int kRounds = 4;              ///< rounds of improvement
-/// Steps undone at each place in the first round; doubled in each further round.
+/// Steps undone at each triangle that deviates too far, in the first round; doubled in each further
+/// round.
 constexpr int kFirstDepth = 2;
 constexpr int kThinTrials = 4;  ///< attempts of thinning, each with more vertices kept
-/// Fraction of the tolerance; below it, nothing is simplified.
+/// The tolerance is reduced until a trial succeeds, but not below this fraction. If no trial
+/// succeeds, nothing is simplified.
 constexpr double kMinFraction = 0.1;
 
-// Attaches each missed point of the original to the nearest of the changed triangles, so that
-// further collapses keep it near.
+// Attaches each missed point of the original to the nearest changed triangle, so that further
+// collapses stay near the point.
 void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed,
                   const std::vector<FarPlace>& missed) {
   for (const FarPlace& place : missed) {
     double best = 1e300;
-    std::int32_t home = -1;
+    std::int32_t nearestTriangle = -1;
     for (const std::int32_t t : changed) {
       if (state.dead[t]) continue;
       const double d = squaredDistance(place.onOriginal, state.mesh, t);
       if (d >= best) continue;
       best = d;
-      home = t;
+      nearestTriangle = t;
     }
-    if (home >= 0) state.attached[home].push_back(place.onOriginal);
+    if (nearestTriangle >= 0) state.attached[nearestTriangle].push_back(place.onOriginal);
   }
 }
 
@@ -153,7 +155,7 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
   watchLongEdges(state, std::vector<char>(level.mesh.triangles.size(), 0));
   CollapseLog log;
   collapseEdges(state, false, run, &log);
-  std::int64_t metBefore = 0;
+  std::int64_t pairsBefore = 0;
   for (int round = 0;; ++round) {
     std::vector<std::int32_t> number;
     TriMesh small = takeMesh(state, &number);
@@ -165,15 +167,16 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
     }
     if (round == 0 && wrong.empty()) return finished(std::move(small), deviation.largest, level);
     // Undone steps restore triangles, which may intersect triangles moved by later steps.
-    const SelfIntersections met = findSelfIntersections(small, {}, run);
-    if (round == 0) metBefore = met.count;
-    if (met.count > metBefore) {
-      for (const auto& [a, b] : met.pairs) wrong.insert(wrong.end(), {number[a], number[b]});
+    const SelfIntersections intersecting = findSelfIntersections(small, {}, run);
+    if (round == 0) pairsBefore = intersecting.count;
+    if (intersecting.count > pairsBefore) {
+      for (const auto& [a, b] : intersecting.pairs)
+        wrong.insert(wrong.end(), {number[a], number[b]});
     }
     if (wrong.empty()) return finished(std::move(small), deviation.largest, level);
     if (round == kRounds ||
         !improve(state, log, wrong, deviation.missed, kFirstDepth << round, run)) {
-      keepAbout(deviation.missed, kept);
+      keepAround(deviation.missed, kept);
       return std::nullopt;
     }
     state.tolerance *= kLessEachRound;
@@ -181,7 +184,7 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
 }
 
 // Marks the vertices of the triangles at the missed places, and of their neighbours.
-void Simplifier::keepAbout(const std::vector<FarPlace>& missed, std::vector<char>& kept) const {
+void Simplifier::keepAround(const std::vector<FarPlace>& missed, std::vector<char>& kept) const {
   if (missed.empty()) return;
   kept.resize(mesh_.vertices.size(), 0);
   std::vector<char> at(kept.size(), 0);

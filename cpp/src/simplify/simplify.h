@@ -4,8 +4,8 @@
 // Out:     a closed manifold mesh without new self-intersections.
 // Method:  The dense surface is thinned (thin.h) within a small part of the tolerance. Edge
 //          collapses (collapse.h) use the rest. Then the deviation is measured in both directions.
-//          Where it is too large, steps are undone, and a second round also tests the missed points
-//          there. Further rounds use less of the tolerance.
+//          Where it is too large, steps are undone, and a second round of collapses also keeps the
+//          missed points near. Further rounds use less of the tolerance.
 // The surface is kept, so that it can be simplified again with another tolerance. All tolerances
 // share a series of thinned surfaces, called levels. The first level is thinned from the surface,
 // each further level from the previous one with a limit twice as large. A level is built at its
@@ -38,7 +38,7 @@ struct Simplified {
   std::vector<double> contactTime;
   std::vector<std::array<std::int32_t, 2>> featureEdges;  ///< vertex pairs along creases
   Sources sources;       ///< empty if the sources of the surface are unknown
-  double deviation = 0;  ///< mm, measured, the larger of both directions
+  double deviation = 0;  ///< mm, the larger of the values measured in both directions
 };
 
 class Simplifier {
@@ -77,7 +77,7 @@ class Simplifier {
   /// vertices of the surface around the places that deviate.
   std::optional<Simplified> cutFrom(const Level& level, double tolerance, RunContext& run,
                                     std::vector<char>& kept) const;
-  void keepAbout(const std::vector<FarPlace>& missed, std::vector<char>& kept) const;
+  void keepAround(const std::vector<FarPlace>& missed, std::vector<char>& kept) const;
 
   TriMesh mesh_;
   std::vector<double> contactTime_;

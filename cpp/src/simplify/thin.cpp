@@ -22,32 +22,32 @@ using Flags = std::vector<char>;
 
 constexpr double kFirstFraction = 0.1;  // fraction of the limit that the first round uses
 
-// Parameters of the thinning. They come from trials within 0.08 cells on a part with curved and
-// plane faces: the fandisk test mesh moved over 16 keys, 1.2 million triangles. The mesh for edge
-// collapses gets a quarter of the triangles of the mesh for surface recognition. More rounds do not
-// make it smaller.
-struct Manner {
+// Parameters of the thinning. They come from trials with a limit of 0.08 cells on a part with
+// curved and plane faces: the fandisk test mesh moved over 16 keys, 1.2 million triangles. The mesh
+// for edge collapses gets a quarter of the triangles of the mesh for surface recognition. More
+// rounds do not reduce it further.
+struct ThinParameters {
   int rounds = 3;      // with growing limits
   int lastRounds = 0;  // further rounds with the whole limit
   // Fraction of the limit for the root mean square distance from the planes.
   double meanFraction = 1;
   double minCosine = 0.5;  // a triangle may turn by less than 60 degrees
-  double minShape = 0.03;  // area vector / longest side squared
+  double minShape = 0.03;  // length of the area vector / squared longest side
   double longest = 50;  // limit of a new edge's length, as a multiple of the mean edge of the input
   // Also compares new edges with the old triangles. Without this, a spike of 1.1 tolerances
   // remained on a scanned body (the bunny test mesh moved over 16 keys, 2 mm). Surface recognition
   // does not need this: surfaces are fitted to the vertices, and the solid is measured at the end.
-  bool looksBack = true;
+  bool testsNewEdges = true;
   bool proven = false;  // the limit holds at every point of the surface, in both directions
 };
-constexpr Manner kForCollapse;
-constexpr Manner kForSurfaces{6, 0, 0.35, 0.5, 0.15, 8, false};
+constexpr ThinParameters kForCollapse;
+constexpr ThinParameters kForSurfaces{6, 0, 0.35, 0.5, 0.15, 8, false};
 // A body that is swept may have triangles of any shape.
-constexpr Manner kForSweep{8, 4, 1, 0.5, 1e-4, 1e9, false, true};
+constexpr ThinParameters kForSweep{8, 4, 1, 0.5, 1e-4, 1e9, false, true};
 
-constexpr double kStill = 1e-3;  // moves below this fraction of the limit do not count as moves
+constexpr double kMinMove = 1e-3;  // smaller displacements (fraction of the limit) do not count
 
-Manner mannerOf(ThinFor purpose) {
+ThinParameters parametersFor(ThinFor purpose) {
   if (purpose == ThinFor::Sweep) return kForSweep;
   return purpose == ThinFor::Collapse ? kForCollapse : kForSurfaces;
 }
@@ -66,11 +66,11 @@ constexpr std::size_t kParts = 16;
 class Thinner {
  public:
   /// `kept`: for each vertex, 1 if it must stay.
-  Thinner(const TriMesh& mesh, double limit, const Manner& manner, const Flags& kept, Phase phase,
-          RunContext& run)
+  Thinner(const TriMesh& mesh, double limit, const ThinParameters& parameters, const Flags& kept,
+          Phase phase, RunContext& run)
       : vertices_(mesh.vertices),
         limit_(limit),
-        manner_(manner),
+        parameters_(parameters),
         kept_(kept),
         phase_(phase),
         run_(run),
@@ -80,9 +80,9 @@ class Thinner {
     points_.reserve(count);
     for (const Vector3d& p : mesh.vertices) points_.push_back(p - origin_);
     quadric_.resize(count);
-    off_.assign(count, 0);
+    deviation_.assign(count, 0);
     into_.assign(count, -1);
-    if (manner_.proven) moved_.assign(mesh.triangles.size(), 0);
+    if (parameters_.proven) moved_.assign(mesh.triangles.size(), 0);
     double sum = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto& tri = mesh.triangles[t];
@@ -94,7 +94,8 @@ class Thinner {
       if (twice > 0) plane.addPlane(area / twice, a, twice);
       for (const std::int32_t v : tri) quadric_[v] += plane;
     }
-    const double longest = manner_.longest * sum / static_cast<double>(3 * mesh.triangles.size());
+    const double longest =
+        parameters_.longest * sum / static_cast<double>(3 * mesh.triangles.size());
     longest_ = longest * longest;
   }
 
@@ -103,11 +104,11 @@ class Thinner {
     for (std::size_t part = 0; part < kParts; ++part)
       std::fill(partOf_.begin() + firstOf(part), partOf_.begin() + firstOf(part + 1),
                 static_cast<char>(part));
-    for (int round = 0; round < manner_.rounds + manner_.lastRounds; ++round) {
-      const double progress = std::min(1.0, round / (manner_.rounds - 1.0));
+    for (int round = 0; round < parameters_.rounds + parameters_.lastRounds; ++round) {
+      const double progress = std::min(1.0, round / (parameters_.rounds - 1.0));
       const double limit = kFirstFraction * std::pow(1 / kFirstFraction, progress) * limit_;
       findInner();
-      if (manner_.proven) touched_.assign(moved_.size(), 0);
+      if (parameters_.proven) touched_.assign(moved_.size(), 0);
       parallelFor(kParts,
                   [&](std::size_t part) { pass(firstOf(part), firstOf(part + 1), limit, true); });
       pass(0, static_cast<std::int32_t>(points_.size()), limit, false);
@@ -137,7 +138,7 @@ class Thinner {
   }
 
   /// Returns the remaining vertex into which `v` was merged, or `v` itself.
-  std::int32_t heirOf(std::int32_t v) const {
+  std::int32_t remainingVertex(std::int32_t v) const {
     while (into_[v] >= 0) v = into_[v];
     return v;
   }
@@ -165,8 +166,8 @@ class Thinner {
     }
   }
   // Removes vertices in [begin, end). With `inner`, removes only those whose neighbours are all in
-  // their part. Collapses in other parts do not change the triangles of these, so all parts can run
-  // in parallel.
+  // their part. Collapses in other parts do not change the triangles of these vertices, so all
+  // parts can run in parallel.
   void pass(std::int32_t begin, std::int32_t end, double limit, bool inner) {
     Scratch scratch;
     for (std::int32_t v = begin; v < end; ++v) {
@@ -178,7 +179,7 @@ class Thinner {
 
   // Merges vertex u into the neighbour with the smallest error, if this error is within the limit.
   void removeIfClose(std::int32_t u, double limit, Scratch& scratch) {
-    double best = manner_.meanFraction * manner_.meanFraction * limit * limit;
+    double best = parameters_.meanFraction * parameters_.meanFraction * limit * limit;
     std::int32_t chosen = -1;
     int neighbours = 0;
     std::int32_t h = fans_.first(u);
@@ -197,21 +198,21 @@ class Thinner {
 
   bool mayCollapse(std::int32_t edge, double limit, Scratch& scratch) {
     if (!fans_.staysManifold(edge)) return false;
-    double off = 0;
-    if (!trianglesHold(edge, limit, off)) return false;
-    if (manner_.proven) off = provenMove(edge, scratch);
-    if (off > limit || meetsNeighbours(edge, scratch)) return false;
-    double& before = off_[fans_.target(edge)];
-    before = std::max(before, off);
-    if (manner_.proven) markMoved(edge, off);
+    double deviation = 0;
+    if (!newTrianglesFit(edge, limit, deviation)) return false;
+    if (parameters_.proven) deviation = provenMove(edge, scratch);
+    if (deviation > limit || intersectsNeighbours(edge, scratch)) return false;
+    double& before = deviation_[fans_.target(edge)];
+    before = std::max(before, deviation);
+    if (parameters_.proven) markMoved(edge, deviation);
     return true;
   }
 
-  void markMoved(std::int32_t edge, double off) {
+  void markMoved(std::int32_t edge, double deviation) {
     std::int32_t h = edge;
     do {
-      if (off > moved_[h / 3] + kStill * limit_) touched_[h / 3] = 1;
-      moved_[h / 3] = off;
+      if (deviation > moved_[h / 3] + kMinMove * limit_) touched_[h / 3] = 1;
+      moved_[h / 3] = deviation;
       h = fans_.turn(h);
     } while (h != edge);
   }
@@ -231,12 +232,12 @@ class Thinner {
       h = fans_.turn(h);
     } while (h != edge);
     const double move = mappedMove(scratch.ring);
-    return touched && move > kStill * limit_ ? HUGE_VAL : before + move;
+    return touched && move > kMinMove * limit_ ? HUGE_VAL : before + move;
   }
 
-  // Returns whether the new triangles are acceptable. `off` receives how far the vertices merged
-  // into u may deviate from them.
-  bool trianglesHold(std::int32_t edge, double limit, double& off) const {
+  // Returns whether the new triangles are acceptable. `deviation` receives how far the vertices
+  // merged into u may deviate from them.
+  bool newTrianglesFit(std::int32_t edge, double limit, double& deviation) const {
     const std::int32_t u = fans_.start(edge);
     const Vector3d &from = points_[u], &to = points_[fans_.target(edge)];
     double nearest = 1e300;
@@ -247,24 +248,25 @@ class Thinner {
       const double area = after.norm();
       const double longest =
           std::max({(b - to).squaredNorm(), (c - to).squaredNorm(), (b - c).squaredNorm()});
-      if (before.dot(after) < manner_.minCosine * before.norm() * area) return false;
-      if (longest > longest_ || area < manner_.minShape * longest) return false;
+      if (before.dot(after) < parameters_.minCosine * before.norm() * area) return false;
+      if (longest > longest_ || area < parameters_.minShape * longest) return false;
       nearest = std::min(nearest, squaredDistance(from, to, b, c));
     }
-    // Vertices merged into u earlier may already deviate by off_[u]; this collapse adds to it.
-    if (manner_.looksBack) nearest = std::max(nearest, squaredRise(edge, limit));
-    off = off_[u] + std::sqrt(nearest);
-    return off <= limit;
+    // Vertices merged into u earlier may already deviate by deviation_[u]; this collapse adds to
+    // their deviation.
+    if (parameters_.testsNewEdges) nearest = std::max(nearest, squaredRise(edge, limit));
+    deviation = deviation_[u] + std::sqrt(nearest);
+    return deviation <= limit;
   }
 
   Vector3d areaOf(const Corners& c) const {
     return (points_[c[1]] - points_[c[0]]).cross(points_[c[2]] - points_[c[0]]);
   }
 
-  // Returns whether a new triangle intersects a triangle that touches it. On a scanned body and on
-  // a part with plane and curved faces, thinning produced only such pairs (50 to 90 per million
-  // triangles). If all these triangles face the same way, no pair intersects.
-  bool meetsNeighbours(std::int32_t edge, Scratch& scratch) const {
+  // Returns whether a new triangle intersects a triangle with which it shares a vertex. On a
+  // scanned body and on a part with plane and curved faces, thinning produced only such pairs (50
+  // to 90 per million triangles). If all these triangles face the same way, no pair intersects.
+  bool intersectsNeighbours(std::int32_t edge, Scratch& scratch) const {
     const std::int32_t u = fans_.start(edge), v = fans_.target(edge);
     scratch.fresh.clear();
     Vector3d mean = Vector3d::Zero();
@@ -274,25 +276,27 @@ class Thinner {
       scratch.fresh.push_back(c);
       mean += areaOf(c);
     }
-    const auto facesIt = [&](const Corners& c) { return areaOf(c).dot(mean) > 0; };
-    bool plain = std::all_of(scratch.fresh.begin(), scratch.fresh.end(), facesIt) &&
-                 fans_.allAbout(v, u, facesIt);
-    for (std::int32_t h = fans_.turn(edge); plain && h != edge; h = fans_.turn(h))
-      plain = fans_.allAbout(fans_.target(h), u, facesIt);
-    if (plain) return false;
+    const auto facesMean = [&](const Corners& c) { return areaOf(c).dot(mean) > 0; };
+    bool facesAgree = std::all_of(scratch.fresh.begin(), scratch.fresh.end(), facesMean) &&
+                      fans_.allAround(v, u, facesMean);
+    for (std::int32_t h = fans_.turn(edge); facesAgree && h != edge; h = fans_.turn(h))
+      facesAgree = fans_.allAround(fans_.target(h), u, facesMean);
+    if (facesAgree) return false;
     scratch.nearby.clear();
-    const auto take = [&](const Corners& c) {
+    const auto collect = [&](const Corners& c) {
       scratch.nearby.push_back(c);
       return true;
     };
-    fans_.allAbout(v, u, take);
+    fans_.allAround(v, u, collect);
     for (std::int32_t h = fans_.turn(edge); h != edge; h = fans_.turn(h))
-      fans_.allAbout(fans_.target(h), u, take);
+      fans_.allAround(fans_.target(h), u, collect);
     for (std::size_t i = 0; i < scratch.fresh.size(); ++i) {
       const Corners& c = scratch.fresh[i];
-      const auto meets = [&](const Corners& other) { return meetWrongly(vertices_, c, other); };
-      if (std::any_of(scratch.nearby.begin(), scratch.nearby.end(), meets) ||
-          std::any_of(scratch.fresh.begin() + i + 1, scratch.fresh.end(), meets))
+      const auto intersects = [&](const Corners& other) {
+        return meetWrongly(vertices_, c, other);
+      };
+      if (std::any_of(scratch.nearby.begin(), scratch.nearby.end(), intersects) ||
+          std::any_of(scratch.fresh.begin() + i + 1, scratch.fresh.end(), intersects))
         return true;
     }
     return false;
@@ -326,7 +330,7 @@ class Thinner {
 
   const std::vector<Vector3d>& vertices_;
   double limit_;
-  const Manner& manner_;
+  const ThinParameters& parameters_;
   const Flags& kept_;
   Phase phase_;
   RunContext& run_;
@@ -334,33 +338,34 @@ class Thinner {
   std::vector<Vector3d> points_;
   TriangleFans fans_;
   std::vector<Quadric> quadric_;
-  std::vector<double> off_;  // for each vertex, how far vertices merged into it may deviate
-  // For each triangle, a bound on its distance from the input mesh. Only used if Manner::proven is
-  // set.
+  // For each vertex, how far (mm) vertices merged into it may deviate.
+  std::vector<double> deviation_;
+  // For each triangle, a bound on its distance from the input mesh. Only used if
+  // ThinParameters::proven is set.
   std::vector<double> moved_;
-  // For each triangle, 1 if it moved in this round. Then it may not move again in this round: the
-  // bounds of moves add up, and they grow least if each triangle moves once per round.
+  // For each triangle, 1 if it moved in this round. It may then not move again in this round: the
+  // bounds of successive moves add up, and they grow least if each triangle moves once per round.
   Flags touched_;
   // For each vertex, the vertex into which it was merged; -1: none.
   std::vector<std::int32_t> into_;
-  double longest_ = 0;  // longest edge allowed, in mm^2
+  double longest_ = 0;  // squared length of the longest edge allowed, mm^2
   Flags partOf_;
   Flags inner_;  // for each vertex, 1 if all its neighbours are in its own part
 };
 
 // Marks in `kept` the vertices of intersecting triangles and all vertices merged into them.
-void keepAbout(const SelfIntersections& found, const Thinned& thinned, const Thinner& thinner,
-               Flags& kept) {
-  Flags meets(kept.size(), 0);
+void keepAround(const SelfIntersections& found, const Thinned& thinned, const Thinner& thinner,
+                Flags& kept) {
+  Flags intersects(kept.size(), 0);
   const auto mark = [&](std::int32_t t) {
-    for (const std::int32_t v : thinned.mesh.triangles[t]) meets[thinned.source[v]] = 1;
+    for (const std::int32_t v : thinned.mesh.triangles[t]) intersects[thinned.source[v]] = 1;
   };
   for (const auto& [first, second] : found.pairs) {
     mark(first);
     mark(second);
   }
   for (std::size_t v = 0; v < kept.size(); ++v) {
-    if (meets[thinner.heirOf(static_cast<std::int32_t>(v))]) kept[v] = 1;
+    if (intersects[thinner.remainingVertex(static_cast<std::int32_t>(v))]) kept[v] = 1;
   }
 }
 
@@ -368,18 +373,18 @@ void keepAbout(const SelfIntersections& found, const Thinned& thinned, const Thi
 
 Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase, RunContext& run,
                 std::vector<char> kept) {
-  const Manner manner = mannerOf(purpose);
+  const ThinParameters parameters = parametersFor(purpose);
   kept.resize(mesh.vertices.size(), 0);
   std::int64_t before = std::numeric_limits<std::int64_t>::max();
   for (;;) {
-    Thinner thinner(mesh, limit, manner, kept, phase, run);
+    Thinner thinner(mesh, limit, parameters, kept, phase, run);
     thinner.work();
     Thinned thinned = thinner.result(mesh);
     const SelfIntersections found = findSelfIntersections(thinned.mesh, {}, run);
     // If the number of pairs no longer decreases, the input already had the remaining pairs.
     if (found.count == 0 || found.count >= before) return thinned;
     before = found.count;
-    keepAbout(found, thinned, thinner, kept);
+    keepAround(found, thinned, thinner, kept);
   }
 }
 

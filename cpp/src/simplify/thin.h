@@ -26,7 +26,8 @@ namespace swept {
 
 /// Purpose of the thinning. Surfaces: surface recognition grows over triangles and needs many
 /// well-shaped ones. Collapse: edge collapses accept triangles of any shape. Sweep: for a body that
-/// is swept, the limit holds everywhere: each mesh lies within it of the other (mapped_move.h).
+/// is swept, the limit holds everywhere: each mesh lies within the limit of the other
+/// (mapped_move.h).
 enum class ThinFor { Collapse, Surfaces, Sweep };
 
 struct Thinned {
@@ -37,7 +38,7 @@ struct Thinned {
 };
 
 /// Returns the thinned mesh. `phase`: the phase for progress reports. `kept`: for each vertex, 1 if
-/// it must stay; empty: none must stay. A triangle with three such vertices stays, too.
+/// it must stay; empty: none must stay. A triangle stays, too, if all its vertices must.
 Thinned thinOut(const TriMesh& mesh, double limit, ThinFor purpose, Phase phase, RunContext& run,
                 std::vector<char> kept = {});
 

@@ -80,7 +80,7 @@ class TriangleFans {
 
   /// Returns whether visit(corners) is true for all triangles at v that do not contain u.
   template <class Visit>
-  bool allAbout(std::int32_t v, std::int32_t u, const Visit& visit) const {
+  bool allAround(std::int32_t v, std::int32_t u, const Visit& visit) const {
     std::int32_t h = fan_[v];
     do {
       const Corners c{v, target(h), third(h)};
@@ -104,7 +104,7 @@ class TriangleFans {
       const std::uint32_t a = opposite_[nextHalfEdge(side)], b = opposite_[previousHalfEdge(side)];
       opposite_[a] = b;
       opposite_[b] = a;
-      // Half-edges that remain replace those of the two removed triangles.
+      // In fan_, remaining half-edges replace those of the two removed triangles.
       fan_[start_[a]] = static_cast<std::int32_t>(a);
       fan_[start_[b]] = static_cast<std::int32_t>(b);
     }

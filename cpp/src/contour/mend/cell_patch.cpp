@@ -31,8 +31,8 @@ class Patcher {
     firstAdded_ = count;
   }
 
-  /// Fills each ring by a fan about the n-th wanted position of its vertex. Returns false if fans
-  /// intersect, or if a ring has no n-th position.
+  /// Fills each ring by a fan about the n-th preferred position of its vertex. Returns false if
+  /// fans intersect, or if a ring has no n-th position.
   bool fans(std::size_t n) {
     patch_ = {};
     for (std::size_t r = 0; r < rings_.size(); ++r) {
@@ -112,8 +112,8 @@ class Patcher {
     return true;
   }
 
-  /// Connects a ring with its small copy by triangles. Closes the copy by the part of the small
-  /// walls on one side of it.
+  /// Connects a ring with its small copy by triangles. Closes the copy with that part of the small
+  /// cell's walls that lies on one side of the copy.
   template <class Copy>
   void fill(std::size_t r, const RingSides& sides, bool left, const Copy& copy) {
     const std::vector<Eigen::Vector3d> walls = sides.wallPoints(r);

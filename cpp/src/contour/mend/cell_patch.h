@@ -1,16 +1,17 @@
 // Fills the pieces of surface in one cell with triangles that do not intersect.
 //
-// In: the rings of the cell (cell_rings.h), the points on them, and the wanted positions of their
-// vertices. Out: triangles that fill every ring inside the cell, and the points that they add.
-// Cost: microseconds per cell.
+// In: the rings of the cell (cell_rings.h), the points on the rings, and preferred positions of
+// their vertices. Out: triangles that fill every ring inside the cell, and the points that they
+// add. Cost: microseconds per cell.
 // Promise: triangles of one cell share nothing but corners and edges of their own ring, and stay in
 // the cell.
 // Method: each ring is filled by a fan about one vertex if an exact test finds no two fans that
 // intersect. Otherwise all rings are shrunk towards one common point of the cell. Seen from this
 // point, no two points of the cell's walls lie in the same direction, so the shrinking rings sweep
 // surfaces that do not intersect. Each ring ends as a small copy of itself, on the walls of a small
-// copy of the cell. The copy is filled by the part of these small walls on one side of it. If rings
-// are nested, an outer ring ends at a smaller copy of the cell than the rings inside it.
+// copy of the cell. The copy is filled with that part of the small cell's walls that lies on one
+// side of the copy. If rings are nested, an outer ring ends at a smaller copy of the cell than the
+// rings inside it.
 // Source: own method.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -28,12 +29,12 @@ namespace swept {
 struct PatchRing {
   /// The crossings of the ring, each followed by the point on the chord to the next crossing.
   std::vector<Eigen::Vector3d> points;
-  std::vector<Eigen::Vector3d> vertices;  ///< wanted positions of the vertex, the best first
+  std::vector<Eigen::Vector3d> vertices;  ///< preferred positions of the vertex, the best first
 };
 
 struct CellPatch {
-  std::vector<Eigen::Vector3d> added;  ///< mm
-  std::vector<std::size_t> ringOf;     ///< per point of `added`
+  std::vector<Eigen::Vector3d> added;  ///< positions of the added points, mm
+  std::vector<std::size_t> ringOf;     ///< per added point: index of its ring
   /// The corner indices count the points of all rings first, then the points of `added`.
   std::vector<std::array<std::int32_t, 3>> triangles;
   std::vector<std::int8_t> slotOf;  ///< per triangle: the slot of its crossing

@@ -73,18 +73,18 @@ Eigen::Vector3d chordPoint(const Cell& cell, int face, int from, int to,
                         q = apartPosition(cell, to, crossings);
   Eigen::Vector3d middle = (p + q) / 2;
   if (from >> 1 != to >> 1) return middle;
-  // `across`: the axis of the face at right angles to the edge. `room`: distance to the nearest
+  // `across`: the axis of the face at right angles to the edge. `gap`: distance to the nearest
   // other chord.
   const int edge = from >> 1, across = 3 - (edge >> 2) - (face >> 1);
-  double room = (q - p).cwiseAbs().maxCoeff();
+  double gap = (q - p).cwiseAbs().maxCoeff();
   for (const FaceStep& step : kFaceWalks[face]) {
     if (step.edge == edge) continue;
     for (const int slot : {2 * step.edge, 2 * step.edge + 1}) {
       if (!cell.has(slot)) continue;
-      room = std::min(room, std::abs(apartPosition(cell, slot, crossings)[across] - p[across]));
+      gap = std::min(gap, std::abs(apartPosition(cell, slot, crossings)[across] - p[across]));
     }
   }
-  middle[across] += (p[across] < 0.5 ? 0.25 : -0.25) * room;
+  middle[across] += (p[across] < 0.5 ? 0.25 : -0.25) * gap;
   return middle;
 }
 

@@ -32,8 +32,9 @@ std::vector<CellRing> ringsOf(const Cell& cell, const Crossing* crossings);
 double apartFraction(const Cell& cell, int slot, const Crossing* crossings);
 Eigen::Vector3d apartPosition(const Cell& cell, int slot, const Crossing* crossings);
 
-/// Returns a point on the chord of a face between two slots: its middle, moved into the face if
-/// both slots lie on one edge. No other chord of the face lies between the point and the chord.
+/// Returns a point for the chord of a face between two slots: the middle of the chord, moved into
+/// the face if both slots lie on one edge. No other chord of the face lies between the point and
+/// the chord.
 Eigen::Vector3d chordPoint(const Cell& cell, int face, int from, int to, const Crossing* crossings);
 
 }  // namespace swept

@@ -51,7 +51,7 @@ class PlaneSeparation {
   PlaneSeparation(const Surface& surface, const HermiteGrid& grid, const Polygons& polygons)
       : surface_(surface), grid_(grid), polygons_(polygons) {}
 
-  /// Adds the pairs (a polygon of vertex A, a polygon of vertex B) that no plane separates.
+  /// Adds the pairs (a polygon of vertex A, a polygon of vertex B) that no tested plane separates.
   void find(std::span<const std::uint32_t> ofA, std::span<const std::uint32_t> ofB,
             std::int32_t origin, CrossingPairs& entangled) {
     const Eigen::Vector3d between = meanNormal(ofA) - meanNormal(ofB);

@@ -18,7 +18,7 @@ inline Eigen::Vector3d homeCell(const Eigen::Vector3d& now, const Eigen::Vector3
   return escaped ? Eigen::Vector3d(mass.array().floor()) : cell;
 }
 
-/// Returns the nearest point of the cell that keeps the margin to its walls.
+/// Returns the point of the cell nearest to x that keeps kCellMargin from the walls.
 inline Eigen::Vector3d intoCell(const Eigen::Vector3d& x, const Eigen::Vector3d& cell) {
   return x.cwiseMax((cell.array() + kCellMargin).matrix())
       .cwiseMin((cell.array() + 1 - kCellMargin).matrix());

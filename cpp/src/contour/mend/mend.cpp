@@ -33,7 +33,7 @@ constexpr double kReturnFractions[] = {1e-3, 1e-2, 0.1, 1};
 
 using Triangle = std::array<std::int32_t, 3>;
 
-/// Changes the surface in place, near the pairs that intersected at first.
+/// Changes the surface in place, near the pairs of triangles that intersect at the start.
 class Mender {
  public:
   Mender(Surface& surface, const HermiteGrid& grid, const SelfIntersections& found, RunContext& run)
@@ -48,10 +48,10 @@ class Mender {
     region_ = nearPairs(nullptr);
   }
 
-  /// Adds the vertices that were moved or added to `surface_.mended`.
-  void noteVertices() {
+  /// Appends the moved and the new vertices to `surface_.mended`.
+  void recordVertices() {
     std::vector<std::int32_t>& mended = surface_.mended;
-    for (const auto& [v, place] : before_) mended.push_back(v);
+    for (const auto& [v, position] : before_) mended.push_back(v);
     for (std::size_t v = vertexCount_; v < mesh_.vertices.size(); ++v)
       mended.push_back(static_cast<std::int32_t>(v));
     sortUnique(mended);
@@ -61,8 +61,8 @@ class Mender {
   const SelfIntersections& left() const { return pairs_; }
 
   /// Gives area back to triangles whose corners were moved onto one point or line: their vertices
-  /// move back part of the way. If that does not help, the middle one of three collinear corners
-  /// moves off the line by a tiny distance.
+  /// move part of the way back. If this does not help, the corner opposite the longest side moves
+  /// off the line by a tiny distance.
   void restoreAreas() {
     for (const double back : kReturnFractions) {
       std::vector<std::int32_t> vertices;
@@ -75,7 +75,7 @@ class Mender {
         const auto at = before_.find(v);
         if (at != before_.end()) mesh_.vertices[v] += back * (at->second - mesh_.vertices[v]);
       }
-      findAgainAround(vertices);
+      retestAround(vertices);
     }
     for (const double aside : kStepsAside) {
       std::vector<std::int32_t> vertices;
@@ -84,7 +84,7 @@ class Mender {
       }
       if (vertices.empty()) return;
       sortUnique(vertices);
-      findAgainAround(vertices);
+      retestAround(vertices);
     }
   }
 
@@ -111,7 +111,7 @@ class Mender {
     const std::vector<std::int32_t> near = nearPairs(&region_);
     if (round == 0) {
       vertices.erase(std::remove_if(vertices.begin(), vertices.end(),
-                                    [&](std::int32_t v) { return settled(v); }),
+                                    [&](std::int32_t v) { return canStay(v); }),
                      vertices.end());
     }
     const TrianglesAround around = trianglesAround(vertices, near);
@@ -126,7 +126,7 @@ class Mender {
     changed_.insert(changed_.end(), moved.begin(), moved.end());
     sortUnique(changed_);
     blocks_.update(mesh_, changed_);
-    findAgain(near);
+    retest(near);
   }
 
  private:
@@ -190,7 +190,7 @@ class Mender {
 
   /// Returns whether the vertex need not move because fans round it suffice: no other vertex shares
   /// its cell, and the vertex lies inside the cell.
-  bool settled(std::int32_t v) const {
+  bool canStay(std::int32_t v) const {
     return static_cast<std::size_t>(v) >= surface_.dualVertices ||
            surface_.cellFlags[v] == Surface::kInsideCell;
   }
@@ -270,7 +270,7 @@ class Mender {
   }
 
   /// Moves the corner opposite the longest side away from that side. Returns the corner.
-  std::int32_t stepAside(const Triangle& triangle, double far) {
+  std::int32_t stepAside(const Triangle& triangle, double distance) {
     int longest = 0;
     Eigen::Vector3d side = Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k) {
@@ -286,19 +286,19 @@ class Mender {
     const double length = square.norm();
     const std::int32_t corner = triangle[(longest + 2) % 3];
     mesh_.vertices[corner] +=
-        far * (length > 0 ? Eigen::Vector3d(square / length) : Eigen::Vector3d::UnitX());
+        distance * (length > 0 ? Eigen::Vector3d(square / length) : Eigen::Vector3d::UnitX());
     return corner;
   }
 
-  void findAgainAround(const std::vector<std::int32_t>& vertices) {
+  void retestAround(const std::vector<std::int32_t>& vertices) {
     changed_ = touching(vertices, region_);
     sortUnique(changed_);
     blocks_.update(mesh_, changed_);
-    findAgain(nearPairs(&region_));
+    retest(nearPairs(&region_));
   }
 
   /// Keeps the pairs of which neither triangle has changed, and tests all other pairs again.
-  void findAgain(const std::vector<std::int32_t>& near) {
+  void retest(const std::vector<std::int32_t>& near) {
     std::vector<std::int32_t> candidates;
     candidates.reserve(near.size() + changed_.size());
     std::set_union(near.begin(), near.end(), changed_.begin(), changed_.end(),
@@ -322,9 +322,9 @@ class Mender {
   TriangleBlocks blocks_;
   std::size_t vertexCount_;  // number of vertices before mending
   SelfIntersections pairs_;
-  std::vector<std::int32_t> region_;                          // triangles near the first pairs
-  std::vector<std::uint8_t> marked_;                          // per vertex; zero between uses
-  std::vector<std::int32_t> changed_;                         // triangles changed in this round
+  std::vector<std::int32_t> region_;   // triangles near the initial pairs
+  std::vector<std::uint8_t> marked_;   // per vertex: 1 during a search for its triangles
+  std::vector<std::int32_t> changed_;  // triangles changed in this round
   std::unordered_map<std::int32_t, Eigen::Vector3d> before_;  // first positions of moved vertices
   // Crossings whose polygons have been considered for fanning.
   std::unordered_set<std::uint32_t> fanned_;
@@ -341,7 +341,7 @@ SelfIntersections mendSelfIntersections(Surface& surface, const HermiteGrid& gri
     mender.mendRound(round);
   }
   mender.restoreAreas();
-  mender.noteVertices();
+  mender.recordVertices();
   return mender.left();
 }
 

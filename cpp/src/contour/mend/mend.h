@@ -7,15 +7,16 @@
 // Promise: only polygons near a pair change. The number of rounds has a fixed limit, so the result
 // does not depend on time or threads.
 // Source: fans about the crossing after Ju and Udeshi 2006; docs/contouring.md, "Pairs of triangles
-// that meet".
+// that intersect".
 //
 // Each round replaces polygons near a pair by fans about their crossing. Every triangle then stays
 // in the cells round its lattice edge. Each round also moves the vertices of components that share
 // a cell towards their mass points, which lie in the hull of their crossings: half way in the first
-// round, all the way later. Every other round also aligns the two sides of thin walls
-// (wall_sides.h). Later rounds also replace the other polygons round the pairs' vertices by fans. A
-// triangle lies within the cells round one lattice edge, so it can only intersect triangles a few
-// cells away. The region that is tested again is wider than the change by this distance.
+// round, the whole way in later rounds. Every other round also aligns the two sides of thin walls
+// (wall_sides.h). Later rounds also replace the other polygons round the vertices of the pairs by
+// fans. A triangle lies within the cells round one lattice edge, so it can only intersect triangles
+// a few cells away. The region that is tested again extends beyond the changed triangles by this
+// distance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

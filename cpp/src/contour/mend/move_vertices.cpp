@@ -12,7 +12,7 @@
 namespace swept {
 namespace {
 
-using Places = std::unordered_map<std::int32_t, Eigen::Vector3d>;
+using Positions = std::unordered_map<std::int32_t, Eigen::Vector3d>;
 
 bool hasArea(const TriMesh& mesh, std::int32_t t) {
   const auto& [a, b, c] = mesh.triangles[t];
@@ -23,7 +23,7 @@ bool hasArea(const TriMesh& mesh, std::int32_t t) {
 /// Returns the moves that were taken back.
 std::vector<VertexMove> applyMoves(TriMesh& mesh, const GridPlan& plan,
                                    const std::vector<VertexMove>& moves, RunContext& run) {
-  Places before;  // first positions of the vertices that have moved
+  Positions before;  // first positions of the vertices that have moved
   for (const VertexMove& move : moves) {
     before.emplace(move.vertex, mesh.vertices[move.vertex]);
     mesh.vertices[move.vertex] = move.position;
@@ -37,7 +37,7 @@ std::vector<VertexMove> applyMoves(TriMesh& mesh, const GridPlan& plan,
                                part.push_back(static_cast<std::int32_t>(t));
                            });
   std::vector<VertexMove> back;
-  const auto takeBack = [&](std::int32_t t) {
+  const auto undo = [&](std::int32_t t) {
     for (const std::int32_t v : mesh.triangles[t]) {
       const auto at = before.find(v);
       if (at == before.end()) continue;
@@ -52,11 +52,11 @@ std::vector<VertexMove> applyMoves(TriMesh& mesh, const GridPlan& plan,
     run.checkpoint(Phase::Check);
     left = before.size();
     for (const std::int32_t t : members) {
-      if (!hasArea(mesh, t)) takeBack(t);
+      if (!hasArea(mesh, t)) undo(t);
     }
     for (const auto& [a, b] : findNearPairs(mesh, members, near, run).pairs) {
-      takeBack(a);
-      takeBack(b);
+      undo(a);
+      undo(b);
     }
   }
   return back;

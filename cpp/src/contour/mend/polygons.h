@@ -13,7 +13,8 @@
 
 namespace swept {
 
-/// Margin in cells, far above the rounding of a position (about 1e-12 of a cell at 4,096 cells).
+/// Margin (cells) of tests of positions, far above their rounding (about 1e-12 of a cell in a grid
+/// of 4,096 cells).
 constexpr double kRounding = 1e-7;
 
 struct Polygon {

@@ -67,7 +67,8 @@ class Rebuilder {
     return cells_.size() > before;
   }
 
-  /// Rebuilds the cells from the original surface, and returns the pairs that intersect now.
+  /// Rebuilds the cells from the original surface, and returns the pairs of triangles that
+  /// intersect now.
   SelfIntersections rebuild() {
     reset();
     collectCells();
@@ -186,8 +187,8 @@ class Rebuilder {
     return found->second;
   }
 
-  /// Adds the points that neighbouring cells share: crossings, and points on the chords of their
-  /// walls.
+  /// Adds the points that neighbouring cells share: crossings, and points of the chords on the
+  /// walls between the cells.
   void addFixedPoints() {
     crossingAt_.clear();
     chordAt_.clear();
@@ -316,9 +317,9 @@ class Rebuilder {
     return mesh_.vertices[vertex];
   }
 
-  /// Adds the end of a strip at a chord. If the next cell has a vertex for each side of the chord,
-  /// a strip joined these two vertices to the vertices of this cell. This strip now ends at the
-  /// chord.
+  /// Adds a triangle that ends a strip at a chord. If the two crossings of the chord have different
+  /// vertices in the neighbouring cell, a strip joined these vertices to the vertices of this cell.
+  /// The strip now ends at the chord.
   void addStrip(const CellIndex& index, const RebuiltCell& cell, const CellRing& ring,
                 std::size_t n, std::int32_t chord) {
     const int face = ring.faces[n];
@@ -360,7 +361,7 @@ class Rebuilder {
   std::map<std::uint32_t, OldPolygon> polygons_;                   // by crossing
   std::map<std::uint32_t, std::int32_t> crossingAt_;               // crossing -> its vertex
   std::map<std::pair<std::uint32_t, int>, std::int32_t> chordAt_;  // crossing and side -> vertex
-  std::vector<std::int32_t> removed_;                              // triangles, in rising order
+  std::vector<std::int32_t> removed_;                              // triangles, in ascending order
 };
 
 }  // namespace

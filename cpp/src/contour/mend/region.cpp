@@ -42,7 +42,8 @@ std::vector<std::int32_t> TriangleBlocks::near(const TriMesh& mesh,
                                                const std::vector<std::int32_t>* among) const {
   const Eigen::Vector3i last = size_ - Eigen::Vector3i::Ones();
   const Eigen::Vector3i reach = Eigen::Vector3i::Constant(reachCells);
-  std::vector<std::uint64_t> marks(number(last) / 64 + 1, 0);  // one bit per block
+  // One bit per block: 1 if the block is near a member.
+  std::vector<std::uint64_t> marks(number(last) / 64 + 1, 0);
   parallelBlocks(members.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const auto& [a, b, c] = mesh.triangles[members[n]];

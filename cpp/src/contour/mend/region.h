@@ -1,6 +1,6 @@
-// Selects the triangles of a surface that are near given triangles of it, by blocks of cells.
+// Selects the triangles of a surface that are near some given ones, by blocks of cells.
 // Memory: one bit per block of the grid, and one block number per triangle. This number is valid as
-// long as the first corner of the triangle stays where it is.
+// long as the first corner of the triangle does not move.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,7 +12,8 @@
 
 namespace swept {
 
-/// A triangle spans two cells, so it cannot intersect triangles more than this many cells away.
+/// A triangle spans at most two cells along each axis, so it cannot intersect triangles more than
+/// this many cells away.
 constexpr int kReachCells = 4;
 /// Triangles of one parallel task.
 constexpr std::size_t kTrianglesPerTask = 1 << 15;

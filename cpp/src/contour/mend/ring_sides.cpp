@@ -15,9 +15,9 @@ RingSides::Cut RingSides::cut(const CellRing& ring) const {
   Cut out;
   out.corners.fill(Side::Unknown);
   for (int face = 0; face < kFaces; ++face) cutFace(ring, face, out);
-  // A face without chords lies wholly on one side: the side of any of its corners. Faces with
-  // chords determine the side of their corners first; the loop then passes the sides on from face
-  // to face.
+  // A face without chords lies wholly on one side of the ring: the side of any of its corners.
+  // Faces with chords determine the side of their corners first; the loop then passes the sides on
+  // from face to face.
   const auto firstCorner = static_cast<std::int32_t>(2 * ring.slots.size());
   for (int round = 0; round < kFaces; ++round) {
     for (std::size_t p = 0; p < out.pieces.size(); ++p) {
@@ -47,7 +47,7 @@ void RingSides::cutFace(const CellRing& ring, int face, Cut& out) const {
   }
   const std::size_t n = walk.size();
   const auto isCrossing = [&](std::size_t k) { return walk[k] < 2 * count; };
-  const auto placeOf = [&](std::int32_t number) {
+  const auto walkIndexOf = [&](std::int32_t number) {
     return static_cast<std::size_t>(std::find(walk.begin(), walk.end(), number) - walk.begin());
   };
   std::vector<bool> visited(n);
@@ -68,7 +68,7 @@ void RingSides::cutFace(const CellRing& ring, int face, Cut& out) const {
       const std::int32_t chord = forward ? k : (k + count - 1) % count;
       piece.corners.push_back(walk[next]);
       piece.corners.push_back(2 * chord + 1);
-      at = placeOf(2 * (forward ? (k + 1) % count : chord));
+      at = walkIndexOf(2 * (forward ? (k + 1) % count : chord));
       side = forward ? Side::Left : Side::Right;
     } while (at != start);
     if ((face & 1) == 0) {  // the walk round this face is clockwise seen from outside
@@ -107,9 +107,9 @@ Nesting RingSides::nesting() const {
   Nesting best;
   int fewest = 0;
   // The rings divide the walls of the cell into regions. Any allowed choice of sides leaves exactly
-  // one region out of all chosen sides. Try each region beside ring `root`: on its right if `left`,
-  // otherwise on its left. Each other ring then gets the side without `root`. Take the choice whose
-  // sides contain the fewest corners of the cell.
+  // one region outside all chosen sides. Try each region beside ring `root`: on its right if
+  // `left`, otherwise on its left. Each other ring then gets the side without `root`. Take the
+  // choice whose sides contain the fewest corners of the cell.
   for (std::size_t root = 0; root < count; ++root) {
     for (const bool left : {true, false}) {
       Nesting nesting{std::vector<bool>(count), std::vector<int>(count, 1)};

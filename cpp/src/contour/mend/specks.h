@@ -1,4 +1,5 @@
-// Drops specks: closed shells round one or two lattice edges, far smaller than a cell.
+// Drops specks: closed shells round one or two lattice edges, with a far smaller volume than a
+// cell.
 //
 // In: a surface and its intersecting pairs. Out: the surface without specks, and their number.
 // Units: cells, cubic cells. Cost: O(triangles).
@@ -34,9 +35,9 @@ constexpr double kSpeckVolume = 0.01, kFlatVolume = 1e-9;
 Specks dropSpecks(Surface& surface, double cell, double maxVolume, SelfIntersections& pairs,
                   RunContext& run);
 
-/// Turns over shells that are inside out and less than 4 cells across. A sheet thinner than the
-/// rounding of its vertices can become such a shell. The mesh must be closed and have no
-/// misoriented edges. Returns the number of turned shells.
+/// Reverses the triangles of shells that are inside out and less than 4 cells across. A sheet
+/// thinner than the rounding of its vertices can become such a shell. The mesh must be closed and
+/// have no misoriented edges. Returns the number of reversed shells.
 std::int64_t turnInsideOut(Surface& surface, const MeshTopology& topology, double cell,
                            RunContext& run);
 

@@ -53,7 +53,7 @@ class PolygonSorter {
   }
 
   /// Returns true only if the polygon certainly lies in the tetrahedra of its own lattice edge.
-  bool lies(const PolygonEdge& edge, std::uint32_t crossing) const {
+  bool liesInTetrahedra(const PolygonEdge& edge, std::uint32_t crossing) const {
     const Polygon polygon = polygons_.of(crossing);
     return polygon.count == 2 ? quadLies(edge, polygons_.triangles(polygon))
                               : fanLies(edge, polygon);
@@ -63,7 +63,7 @@ class PolygonSorter {
   bool inside(std::int32_t v) const {
     return (surface_.cellFlagsOf(v) & Surface::kInsideCell) != 0;
   }
-  /// Does the test of lies() for a fan, whose centre must lie on the lattice edge.
+  /// Does the test of liesInTetrahedra() for a fan, whose centre must lie on the lattice edge.
   bool fanLies(const PolygonEdge& edge, const Polygon& polygon) const {
     const Triangle* triangles = &surface_.mesh.triangles[polygon.first];
     const Eigen::Vector3d centre = local(edge, triangles[0][0]);
@@ -137,7 +137,8 @@ class PolygonSorter {
   Polygons polygons_;
 };
 
-/// Compares the triangles of each pair of polygons exactly.
+/// Compares the triangles of each pair of polygons exactly. Returns the pairs of triangles that
+/// intersect.
 std::vector<std::pair<std::int32_t, std::int32_t>> compareEntangled(
     const Surface& surface, const Polygons& polygons, const CrossingPairs& entangled) {
   return gather<std::pair<std::int32_t, std::int32_t>>(
@@ -160,19 +161,20 @@ SelfIntersections findSurfaceIntersections(const Surface& surface, const Hermite
                                            RunContext& run, std::int64_t* unsure) {
   const PolygonSorter sorter(surface, grid);
   const std::size_t layers = grid.layers.size();
-  std::vector<std::uint8_t> settled(grid.crossings.size(), 0);
+  std::vector<std::uint8_t> isCertain(grid.crossings.size(), 0);
   parallelFor(layers, [&](std::size_t i) {
     run.checkpoint(Phase::Check);
     sorter.forLayer(i, [&](const PolygonEdge& edge, std::uint32_t crossing) {
-      settled[crossing] = sorter.lies(edge, crossing);
+      isCertain[crossing] = sorter.liesInTetrahedra(edge, crossing);
     });
   });
-  const CrossingPairs entangled = entangledPolygons(surface, grid, sorter.polygons(), settled, run);
+  const CrossingPairs entangled =
+      entangledPolygons(surface, grid, sorter.polygons(), isCertain, run);
   const std::vector<std::int32_t> members =
       gather<std::int32_t>(surface.mesh.triangles.size(), kTrianglesPerTask,
                            [&](std::size_t t, std::vector<std::int32_t>& part) {
                              const std::uint32_t crossing = surface.crossingOf[t];
-                             if (crossing == Surface::kNoCrossing || settled[crossing] == 0)
+                             if (crossing == Surface::kNoCrossing || isCertain[crossing] == 0)
                                part.push_back(static_cast<std::int32_t>(t));
                            });
   if (unsure != nullptr) *unsure = static_cast<std::int64_t>(members.size());

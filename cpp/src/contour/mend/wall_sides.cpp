@@ -59,12 +59,12 @@ Vec3 directionAmong(const std::vector<Vec3>& normals) {
 
 /// A lattice edge through the wall.
 struct Through {
-  Vec3 middle, across;  // in cells; `across` points from the side of a to the side of b
+  Vec3 middle, across;  // cells: the point between its crossings; the vector from side a to side b
 };
 
-class Layer {
+class WallGeometry {
  public:
-  Layer(const Surface& surface, const HermiteGrid& grid, const TrianglesAround& around)
+  WallGeometry(const Surface& surface, const HermiteGrid& grid, const TrianglesAround& around)
       : surface_(surface), grid_(grid), around_(around) {}
 
   /// Returns all lattice edges through the wall. Returns none if the wall is thicker than
@@ -100,9 +100,9 @@ class Layer {
     return intoCell(now, homeCell(now, mass));
   }
 
-  /// Returns half of the vector (cells) by which a and b will be apart. Requires that both vertices
-  /// have been moved onto their common point.
-  Vec3 half(const WallSides& sides, const std::vector<Through>& edges) const {
+  /// Returns half of the vector (cells) from a to b after the two are moved apart. Requires that
+  /// both vertices lie at their common point.
+  Vec3 halfOffset(const WallSides& sides, const std::vector<Through>& edges) const {
     std::vector<Vec3> normals;  // pointing into the wall from the side of a
     addNormals(sides.a, -1, normals);
     addNormals(sides.b, 1, normals);
@@ -111,12 +111,12 @@ class Layer {
     double thickness = 0;
     for (const Through& edge : edges) thickness += std::abs(direction.dot(edge.across));
     thickness /= static_cast<double>(edges.size());
-    return direction * std::min(std::max(thickness / 2, kMinHalfThickness), roomAt(sides));
+    return direction * std::min(std::max(thickness / 2, kMinHalfThickness), maxOffset(sides));
   }
 
  private:
   /// Returns half the distance from the common point of the two sides to the walls of its cell.
-  double roomAt(const WallSides& sides) const {
+  double maxOffset(const WallSides& sides) const {
     const Vec3 at = (surface_.mesh.vertices[sides.a] - grid_.plan.origin) / grid_.plan.cell;
     const Vec3 local = at.array() - at.array().floor();
     return std::min(local.minCoeff(), 1 - local.maxCoeff()) / 2;
@@ -165,13 +165,13 @@ std::vector<WallSides> wallSides(const Surface& surface, const SelfIntersections
   }
   tbb::parallel_sort(found.begin(), found.end());
   std::vector<WallSides> out;
-  std::unordered_set<std::int32_t> taken;
+  std::unordered_set<std::int32_t> used;
   for (std::size_t n = 0; n < found.size(); ++n) {
     if (n > 0 && found[n] == found[n - 1]) continue;
     const auto [a, b] = found[n];
-    if (taken.contains(a) || taken.contains(b)) continue;
-    taken.insert(a);
-    taken.insert(b);
+    if (used.contains(a) || used.contains(b)) continue;
+    used.insert(a);
+    used.insert(b);
     out.push_back({a, b});
   }
   return out;
@@ -179,7 +179,7 @@ std::vector<WallSides> wallSides(const Surface& surface, const SelfIntersections
 
 void alignWallSides(Surface& surface, const HermiteGrid& grid, const std::vector<WallSides>& sides,
                     const TrianglesAround& around, double maxThickness) {
-  const Layer layer(surface, grid, around);
+  const WallGeometry geometry(surface, grid, around);
   auto& x = surface.mesh.vertices;
   constexpr std::size_t kBlock = 64;
   const auto forAll = [&](const auto& use) {
@@ -188,19 +188,19 @@ void alignWallSides(Surface& surface, const HermiteGrid& grid, const std::vector
     });
   };
   std::vector<std::vector<Through>> edges(sides.size());
-  forAll([&](std::size_t n) { edges[n] = layer.throughWall(sides[n], maxThickness); });
+  forAll([&](std::size_t n) { edges[n] = geometry.throughWall(sides[n], maxThickness); });
   forAll([&](std::size_t n) {
     if (edges[n].empty()) return;
     x[sides[n].a] = x[sides[n].b] =
-        grid.plan.origin + grid.plan.cell * layer.commonPoint(sides[n], edges[n]);
+        grid.plan.origin + grid.plan.cell * geometry.commonPoint(sides[n], edges[n]);
   });
-  std::vector<Vec3> half(sides.size(), Vec3::Zero());
+  std::vector<Vec3> halfOffset(sides.size(), Vec3::Zero());
   forAll([&](std::size_t n) {
-    if (!edges[n].empty()) half[n] = grid.plan.cell * layer.half(sides[n], edges[n]);
+    if (!edges[n].empty()) halfOffset[n] = grid.plan.cell * geometry.halfOffset(sides[n], edges[n]);
   });
   forAll([&](std::size_t n) {
-    x[sides[n].a] -= half[n];
-    x[sides[n].b] += half[n];
+    x[sides[n].a] -= halfOffset[n];
+    x[sides[n].b] += halfOffset[n];
   });
 }
 

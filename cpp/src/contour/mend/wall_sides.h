@@ -1,7 +1,7 @@
 // Aligns the two sides of walls so thin that their triangles intersect.
 //
-// In: surface, its grid, the triangles round the vertices. Out: moved vertices; the triangles stay
-// the same. Units: mm; thickness in cells. Cost: some microseconds per pair.
+// In: a surface, its grid, and the triangles round the vertices. Out: the same triangles with moved
+// vertices. Units: mm; thickness in cells. Cost: some microseconds per pair.
 // Source: own method; directions by Badoiu and Clarkson 2003, "Smaller core-sets for balls".
 //
 // If a wall is thinner than the error of the vertices on its two sides, the sides may cross. Two
@@ -21,7 +21,8 @@
 
 namespace swept {
 
-/// Sorted pairs of a vertex and a triangle at that vertex that belongs to a crossing's polygon.
+/// Sorted pairs (vertex, triangle). The triangle has the vertex as a corner and belongs to the
+/// polygon of a crossing.
 using TrianglesAround = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 /// Returns the crossings whose polygons meet in a vertex, in ascending order.

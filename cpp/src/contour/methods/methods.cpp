@@ -49,7 +49,7 @@ std::uint32_t slotsOf(std::uint32_t stops, std::uint32_t mask) {
   return slots;
 }
 
-/// Returns the smallest cosine between two normals of the set.
+/// Returns the smallest cosine between the normals of two crossings in these slots.
 float agreement(const Cell& cell, std::uint32_t slots, const Crossing* crossings) {
   float least = 1;
   for (int s = 0; s < kSlots; ++s) {
@@ -106,10 +106,10 @@ void findEquivalence(const Cell& cell, Components& out) {
   const WalkTable::Entry& entry = walkTable().entries[crossed];
   for (int group = 0; group < entry.count; ++group) {
     // A walk from an outside corner stops at the crossings that are seen from this corner.
-    const std::uint32_t mine = entry.stops[group] & cell.mask;
-    if (mine == 0) continue;
+    const std::uint32_t seen = entry.stops[group] & cell.mask;
+    if (seen == 0) continue;
     for (int slot = 0; slot < kSlots; ++slot) {
-      if (mine >> slot & 1u) out.of[slot] = static_cast<std::int8_t>(out.count);
+      if (seen >> slot & 1u) out.of[slot] = static_cast<std::int8_t>(out.count);
     }
     ++out.count;
   }

@@ -25,7 +25,7 @@ void findEquivalence(const Cell& cell, Components& out);
 /// Greedy (J. Brummer, bachelor's thesis, Mainz 2017, section 4.2.2). Walks start at every corner,
 /// follow uncrossed edges and stop at a set of crossings. The set whose normals differ least
 /// becomes a component, its crossings are removed, and the search repeats. Two cells that share a
-/// face may decide differently about it.
+/// face may pair its crossings differently.
 void findGreedy(const Cell& cell, const Crossing* crossings, Components& out);
 
 /// Table of all walks over uncrossed edges, one entry for each configuration of crossed edges. An

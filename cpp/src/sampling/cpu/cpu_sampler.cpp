@@ -103,8 +103,8 @@ class ItemSampler {
     });
   }
   /// Once there are many crossings, removes those that are neither first nor last on their lattice
-  /// edge. There are many of them if faces slide within their own surface, because they cross the
-  /// same edges at every placement. `last`: true for the last call of the item.
+  /// edge. Faces that slide within their own surface cause many such crossings, because they cross
+  /// the same edges at every placement. `last`: true for the last call of the item.
   void thin(bool last) {
     if (out_.records.size() < limit_ && !(last && thinned_)) return;
     keepEnds(out_.records, input_.grid);
@@ -264,15 +264,15 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   const bool byClusters = input.motion.continuous || input.inside != nullptr;
   const FaceClusters& clusters =
       byClusters || input.clusters != nullptr ? clustersOf(input, own) : own;
-  // Finds the steps that the previous run sampled, too. The cache only keeps items of one
+  // Finds the steps that the previous run has sampled already. The cache only keeps items of one
   // placement.
   std::vector<SampleCache::Key> keys;
-  std::vector<std::uint8_t> known(items.size(), 0);
+  std::vector<std::uint8_t> cached(items.size(), 0);
   if (input.cache != nullptr && input.motion.continuous && items.front().end == 1) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       keys.push_back(SampleCache::keyOf(input, items[i].begin));
-      known[i] = input.cache->find(keys[i], items[i].begin, chunks[i]);
-      if (known[i] != 0) input.cache->countHit();
+      cached[i] = input.cache->find(keys[i], items[i].begin, chunks[i]);
+      if (cached[i] != 0) input.cache->countHit();
     }
   }
   std::optional<PlaceGroups> ownGroups;
@@ -281,12 +281,12 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
   CrossingBudget budget(run, input.grid.cell);
   // Each thread has its own buffers, which keep their capacity, and its own posed vertices for a
   // union.
-  tbb::enumerable_thread_specific<std::vector<CrossingRecord>> rooms;
+  tbb::enumerable_thread_specific<std::vector<CrossingRecord>> buffers;
   tbb::enumerable_thread_specific<PosedVertices> posed([&] { return PosedVertices(input); });
   parallelFor(items.size(), [&](std::size_t i) {
-    if (known[i] != 0) return;
-    std::vector<CrossingRecord>& room = rooms.local();
-    chunks[i].records.swap(room);
+    if (cached[i] != 0) return;
+    std::vector<CrossingRecord>& buffer = buffers.local();
+    chunks[i].records.swap(buffer);
     if (input.motion.continuous) {
       SweepSampler(input, clusters, groups, chunks[i], budget).sample(items[i], run);
     } else {
@@ -296,9 +296,9 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
       else
         sampler.sampleAll(items[i], run);
     }
-    orderByLayer(chunks[i], input.grid, room);
+    orderByLayer(chunks[i], input.grid, buffer);
   });
-  rooms.clear();
+  buffers.clear();
   posed.clear();
   if (!keys.empty()) input.cache->replace(keys, chunks);
   if (input.crossings != nullptr) {

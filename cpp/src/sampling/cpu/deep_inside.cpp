@@ -15,14 +15,14 @@ namespace {
 
 /// The number of whole copies is the number of placements divided by kPlacementsPerCopy, but at
 /// most kMaxWholeCopies. A motion with merged steps has few placements for the length of its path,
-/// so the divisor is kMergedPerCopy. With 128 instead of 32, two wheels along 124,992 poses, of
-/// which 2,153 remain after merging, take 1.6 times as long. If the number of copies is below
-/// kMinCopies, none are sampled. If it is kWithExtreme or more, the copies include the placements
-/// farthest along many directions.
+/// so the divisor is kMergedPerCopy. With 128 instead of 32, sampling two wheels along 124,992
+/// poses, of which 2,153 remain after merging, takes 1.6 times as long. If the number of copies is
+/// below kMinCopies, none are sampled. If it is kWithExtreme or more, the copies include the
+/// placements farthest along many directions.
 constexpr std::size_t kPlacementsPerCopy = 128, kMergedPerCopy = 32, kMinCopies = 8,
                       kWithExtreme = 176, kMaxWholeCopies = 256;
 /// The map is used only if it hides at least this fraction of the crossings of kTrials other
-/// copies. For thin parts that travel far it hides little, and its queries take time.
+/// copies. For thin parts that travel far, the map hides little, and its queries take time.
 constexpr double kMinHidden = 0.5;
 constexpr std::size_t kTrials = 8;
 
@@ -44,9 +44,9 @@ bool hidesEnough(const SamplerInput& input, const InsideMap& inside) {
 }
 
 /// The positions of four points of the body at every placement. They suffice to compare placements.
-class Places {
+class PointPositions {
  public:
-  Places(const SamplerInput& input) {
+  PointPositions(const SamplerInput& input) {
     const Eigen::AlignedBox3d box = boxOf(input.body);
     const Eigen::Vector3d half = box.sizes() / 2;
     at_.resize(input.motion.placements.size());
@@ -62,18 +62,18 @@ class Places {
   }
 
   /// For each of some directions, adds the placements that carry a point of the body farthest in
-  /// this direction. The body at these placements forms the surface of the sweep, or lies close
-  /// below it.
+  /// this direction. The body at these placements touches the surface of the sweep, or comes close
+  /// to it.
   void addExtreme(std::vector<std::size_t>& chosen) const {
     constexpr int kFine = 2;
     for (int x = -kFine; x <= kFine; ++x) {
       for (int y = -kFine; y <= kFine; ++y) {
         for (int z = -kFine; z <= kFine; ++z) {
           if (std::max({std::abs(x), std::abs(y), std::abs(z)}) != kFine) continue;
-          const Eigen::Vector3f way = Eigen::Vector3d(x, y, z).normalized().cast<float>();
+          const Eigen::Vector3f direction = Eigen::Vector3d(x, y, z).normalized().cast<float>();
           const bool coarse = (x | y | z) % kFine == 0;
           for (int point = 0; point < (coarse ? 4 : 1); ++point) {
-            chosen.push_back(farthestAlong(way, point));
+            chosen.push_back(farthestAlong(direction, point));
           }
         }
       }
@@ -81,10 +81,11 @@ class Places {
     sortUnique(chosen);
   }
 
-  /// Adds placements until there are `count`. Each is the one farthest from all chosen before.
+  /// Adds placements until there are `count`. Each time, adds the placement that is farthest from
+  /// those chosen so far.
   void addSpread(std::vector<std::size_t>& chosen, std::size_t count) const {
     std::vector<float> distance(at_.size(), std::numeric_limits<float>::max());
-    const auto take = [&](std::size_t from) {
+    const auto updateDistances = [&](std::size_t from) {
       for (std::size_t k = 0; k < at_.size(); ++k) {
         float square = 0;
         for (int point = 0; point < 4; ++point) {
@@ -93,22 +94,22 @@ class Places {
         distance[k] = std::min(distance[k], square);
       }
     };
-    for (const std::size_t k : chosen) take(k);
+    for (const std::size_t k : chosen) updateDistances(k);
     while (chosen.size() < count) {
       const auto next = static_cast<std::size_t>(
           std::max_element(distance.begin(), distance.end()) - distance.begin());
       if (!(distance[next] > 0)) return;
       chosen.push_back(next);
-      take(next);
+      updateDistances(next);
     }
   }
 
  private:
-  std::size_t farthestAlong(const Eigen::Vector3f& way, int point) const {
+  std::size_t farthestAlong(const Eigen::Vector3f& direction, int point) const {
     std::size_t best = 0;
     float most = -std::numeric_limits<float>::max();
     for (std::size_t k = 0; k < at_.size(); ++k) {
-      const float along = way.dot(at_[k][point]);
+      const float along = direction.dot(at_[k][point]);
       if (along > most) {
         most = along;
         best = k;
@@ -126,16 +127,16 @@ std::optional<InsideMap> findDeepInside(const SamplerInput& input, RunContext& r
   const std::size_t placements = input.motion.placements.size();
   const std::size_t perCopy = input.motion.mergeError > 0 ? kMergedPerCopy : kPlacementsPerCopy;
   const std::size_t count = std::min(kMaxWholeCopies, placements / perCopy);
-  // With a cache, nothing may be hidden. The next run may reuse the crossings of one part of the
-  // motion, although the parts that would have hidden some crossings have changed.
+  // With a cache, nothing may be hidden: the next run may reuse the crossings of one part of the
+  // motion, although other parts, which would have hidden some crossings, have changed.
   const bool mayHide = input.cull && input.orientable && input.fillsHollows && !input.cache;
   if (count < kMinCopies || !mayHide) {
     return std::nullopt;
   }
-  const Places places(input);
+  const PointPositions positions(input);
   std::vector<std::size_t> chosen;
-  if (count >= kWithExtreme) places.addExtreme(chosen);
-  places.addSpread(chosen, count);
+  if (count >= kWithExtreme) positions.addExtreme(chosen);
+  positions.addSpread(chosen, count);
   Motion copies;
   for (const std::size_t k : chosen) copies.placements.push_back(input.motion.placements[k]);
   SamplerInput some{input.body, input.topology, copies, input.grid, false, input.orientable};

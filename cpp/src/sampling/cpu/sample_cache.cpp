@@ -16,10 +16,10 @@ SampleCache::Key SampleCache::keyOf(const SamplerInput& input, std::size_t place
   for (int step = -1; step <= 1; ++step) {
     // At the ends of the motion one neighbour is missing. Zeros replace it in the key; no rotation
     // matrix has only zeros.
-    const bool there =
+    const bool exists =
         !(step < 0 && placement == 0) &&
         placement + static_cast<std::size_t>(step + 1) <= input.motion.placements.size();
-    if (!there) {
+    if (!exists) {
       n += 12;
       continue;
     }

@@ -1,7 +1,8 @@
 // Keeps the crossings of each step of a continuous motion for the next run with the same body.
 // After a change of a few poses, only the steps near them are sampled again.
 // The crossings of a step depend on the grid, on culling and on three placements: its own, the one
-// before it (for culling by direction) and the one after it. The key contains their exact numbers.
+// before it (for culling by direction) and the one after it. The key contains the exact values of
+// all these.
 // Memory: the chunks of the previous run, up to kMaxBytes. Not safe for several threads at a time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -23,8 +24,8 @@ class SampleCache {
   using Key = std::array<double, 43>;
   static Key keyOf(const SamplerInput& input, std::size_t placement);
 
-  /// Copies the chunk with this key to `out`, and changes its elements to `placement`. Returns
-  /// false if the key is unknown.
+  /// Copies the chunk with this key to `out`, and sets the placement of its elements to
+  /// `placement`. Returns false if the key is unknown.
   bool find(const Key& key, std::size_t placement, RecordChunk& out) const;
   /// Replaces the contents: chunks[k] holds the crossings for keys[k].
   void replace(const std::vector<Key>& keys, const std::vector<RecordChunk>& chunks);

@@ -9,9 +9,9 @@ namespace {
 /// Faces per item of a union. An item of this size takes some milliseconds, and several cores can
 /// share the faces of a large body.
 constexpr std::size_t kFaces = 8192;
-/// About this many items of a union keep all cores busy. More items take more memory, because each
-/// has its own list of grid layers. If a map of the inside can hide faces, there are fewer and
-/// longer items (kCulledItems), because blocks of many placements are decided at once.
+/// Number of items of a union: enough to keep all cores busy. More items would take more memory,
+/// because each has its own list of grid layers. If a map of the inside can hide faces, there are
+/// fewer and longer items (kCulledItems), because blocks of many placements are decided at once.
 constexpr std::size_t kUnionItems = 4096, kCulledItems = 512;
 
 }  // namespace

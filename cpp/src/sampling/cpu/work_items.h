@@ -13,8 +13,9 @@ namespace swept {
 
 /// Approximate number of work items of a continuous motion.
 constexpr std::size_t kMotionItems = 48;
-/// A work item with at least this many placements or crossings may collect many crossings that
-/// cannot matter. Such an item removes them from time to time (thinning).
+/// A work item with at least kMinThinPlacements placements may collect many crossings that cannot
+/// matter. Once it has kMinThinRecords crossings, it removes such crossings from time to time
+/// (thinning).
 constexpr std::size_t kMinThinPlacements = 16, kMinThinRecords = std::size_t{1} << 20;
 
 /// A work item: the faces [faceBegin, faceEnd) at the placements [begin, end).

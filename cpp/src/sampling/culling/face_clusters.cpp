@@ -10,8 +10,8 @@
 namespace swept {
 namespace {
 
-/// Smallest cosine of the angle between a normal and that of the first face: a cone of at most 10
-/// degrees.
+/// Smallest cosine of the angle between a normal and that of the first face of the cluster: a cone
+/// of at most 10 degrees.
 constexpr float kMinCosine = 0.985f;
 constexpr std::uint32_t kNone = 0xffffffffu;
 

@@ -24,7 +24,7 @@ struct FaceCluster {
 
 struct FaceClusters {
   /// Largest number of faces of a cluster. Larger clusters have wider normal cones, so culling
-  /// could keep or drop fewer clusters as a whole.
+  /// could decide fewer clusters as a whole.
   static constexpr std::uint32_t kMaxFaces = 24;
 
   std::vector<FaceCluster> clusters;
@@ -34,8 +34,8 @@ struct FaceClusters {
   /// Edges whose two faces are in one cluster, sorted by cluster.
   std::vector<std::uint32_t> innerEdges;
   std::vector<std::uint32_t> borderEdges;  ///< all other edges, sorted by pair of clusters
-  /// Data of these edges for sampling, in the same order: the indices in `faces` of the two faces
-  /// (twice the left one for a boundary edge), and the end vertices.
+  /// Data of the inner and the border edges for sampling, in the same order: the indices in `faces`
+  /// of the two faces (for a boundary edge, both are the left face), and the end vertices.
   struct EdgeEnds {
     std::uint32_t left, right;
     std::int32_t a, b;
@@ -56,7 +56,7 @@ struct FaceClusters {
   /// the first border without a cluster on its right.
   std::vector<std::uint32_t> firstBorder;
 
-  /// Data for the first test of a face, in the order of `faces`.
+  /// Data for the first, quick test of a face (swept_elements.h), in the order of `faces`.
   struct FaceBall {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();  ///< mm
     float radius = 0;                                  ///< mm; the ball contains all corners

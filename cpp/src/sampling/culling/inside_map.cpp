@@ -14,7 +14,7 @@ constexpr std::uint8_t kDeepest = 255;
 
 /// Computes for each block the distance to the nearest block that holds 0. A step to any of the 26
 /// neighbours counts as one. A forward pass considers half of the neighbours, a backward pass the
-/// others. Blocks at the rim of the lattice hold 0.
+/// others. Blocks at the border of the lattice hold 0, because the border lies outside.
 class Distances {
  public:
   Distances(std::vector<std::uint8_t>& depth, const std::array<std::size_t, 3>& blocks)
@@ -27,14 +27,14 @@ class Distances {
   }
 
  private:
-  /// Processes one row of blocks. With `way` -1, considers the rows before it and, in the row, the
-  /// block before; with 1, those after.
-  void pass(std::size_t row, int way) {
+  /// Processes one row of blocks. `direction` -1: uses the values of the preceding rows and, within
+  /// the row, of the preceding block. 1: uses those of the following ones.
+  void pass(std::size_t row, int direction) {
     const auto i = static_cast<std::ptrdiff_t>(row / blocks_[1]);
     const auto j = static_cast<std::ptrdiff_t>(row % blocks_[1]);
     std::fill(near_.begin(), near_.end(), kDeepest);
-    for (int dj = -1; dj <= 1; ++dj) take(i + way, j + dj);
-    take(i, j + way);
+    for (int dj = -1; dj <= 1; ++dj) takeMinimum(i + direction, j + dj);
+    takeMinimum(i, j + direction);
     std::uint8_t* values = depth_.data() + row * blocks_[2];
     const std::size_t n = blocks_[2];
     const auto limit = [&](std::size_t k, std::uint8_t beside) {
@@ -48,12 +48,12 @@ class Distances {
       if (k + 1 < n) limit(k, near_[k + 1]);
     }
     for (std::size_t k = 1; k < n; ++k) {
-      if (way < 0) limit(k, values[k - 1]);
-      if (way > 0) limit(n - 1 - k, values[n - k]);
+      if (direction < 0) limit(k, values[k - 1]);
+      if (direction > 0) limit(n - 1 - k, values[n - k]);
     }
   }
   /// Replaces each value of near_ by the value of the row (i, j) if that is smaller.
-  void take(std::ptrdiff_t i, std::ptrdiff_t j) {
+  void takeMinimum(std::ptrdiff_t i, std::ptrdiff_t j) {
     if (i < 0 || j < 0 || i >= static_cast<std::ptrdiff_t>(blocks_[0]) ||
         j >= static_cast<std::ptrdiff_t>(blocks_[1])) {
       return;
@@ -145,15 +145,15 @@ void InsideMap::findFronts(const MarkedEdges& marked, const SignRuns& signs, con
   });
 }
 
-/// The part of hides() for lines along the axis W. Returns true if, on each line that the triangle
-/// may meet, all its possible crossings are hidden.
+/// The part of hides() for lines along the axis W. Returns true if all possible crossings of the
+/// triangle with such lines are hidden.
 template <int W>
 bool InsideMap::hidesAlong(const std::array<Eigen::Vector3d, 3>& corner,
                            const Eigen::Vector3d& normal, const Eigen::Array3d& low,
                            const Eigen::Array3d& high, double reach) const {
   constexpr int U = W == 0 ? 1 : 0, V = W == 2 ? 1 : 2;
-  /// If the sine of the angle between plane and lines is below this, the plane does not narrow the
-  /// range.
+  /// If the sine of the angle between the plane of the triangle and the lines is below this, the
+  /// plane does not narrow the range of possible crossings.
   constexpr double kMinSlope = 1e-3;
   const double across = std::abs(normal[W]);
   const bool steep = across < kMinSlope * normal.norm();

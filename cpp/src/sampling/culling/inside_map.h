@@ -1,6 +1,6 @@
-// A map of the lattice points that certainly lie inside the swept volume, with their depth (the
-// distance to the nearest other point, in blocks of cells). An element of the sweep lies deep
-// inside if the map shows that it cannot reach the surface of the swept volume.
+// A map of the lattice points that certainly lie inside the swept volume, with their depth: the
+// distance (in blocks of cells) to the nearest point that may lie outside. An element of the sweep
+// lies deep inside if the map shows that it cannot reach the surface of the swept volume.
 // In: marked edges and signs of some whole copies of the body. Each copy lies in the swept volume.
 // Out: for a box, a triangle or a crossing, whether it can be left out ("hidden").
 // Units: cells. Cost: O(lattice points) once; a few look-ups per query.

@@ -24,13 +24,13 @@ struct ShownCluster {
 };
 using ShownClusters = std::vector<ShownCluster>;  // in ascending order
 
-/// A trial (pipeline/sampling_trial.h) samples only a part of the clusters. It takes or leaves this
-/// many successive clusters together. They are near each other, so a trial also covers the borders
-/// between clusters.
+/// A trial (pipeline/sampling_trial.h) samples only a part of the clusters. It includes or omits
+/// this many successive clusters together. Successive clusters are near each other, so a trial also
+/// covers the borders between clusters.
 constexpr std::size_t kClustersTogether = 16;
 
-/// Returns one of `parts` equal parts of the clusters, spread over the body. 1: all clusters; 0:
-/// none.
+/// Returns one of `parts` equal parts of the clusters, spread over the body. Returns all clusters
+/// if `parts` is 1, and none if it is 0.
 inline ShownClusters allClusters(const FaceClusters& clusters, std::size_t parts = 1) {
   ShownClusters all;
   for (std::uint32_t c = 0; parts > 0 && c < clusters.clusters.size(); ++c) {
@@ -44,7 +44,7 @@ class KeptElements {
   KeptElements(const SamplerInput& input, const FaceClusters& clusters)
       : input_(input), clusters_(clusters), before_(input, clusters), after_(input, clusters) {}
 
-  /// Goes to a placement. This is fastest for the next one.
+  /// Goes to a placement. This is fastest if it is the one after the current placement.
   void goTo(std::size_t placement) {
     if (placement > 0 && placement == placement_ + 1) {
       std::swap(before_, after_);
@@ -132,7 +132,7 @@ class KeptElements {
   }
   static constexpr std::size_t kNowhere = ~std::size_t{0} - 1;
   bool hasAfter() const { return placement_ < input_.motion.steps(); }
-  /// True if both faces of an edge move in the same direction; then its side patch is enclosed.
+  /// True if both faces of an edge move in the same direction, so that its side patch is enclosed.
   bool inSameDirection(const FaceClusters::EdgeEnds& ends, bool opposed) const {
     const int left = after_.ofIndex(ends.left), right = after_.ofIndex(ends.right);
     return left != 0 && left == (opposed ? -right : right);

@@ -191,7 +191,7 @@ StepBlocks::StepBlocks(const SamplerInput& input, const FaceClusters& clusters,
     narrows_ |= bounds_.hasInside() || c.radius < 0.5 * input.grid.cell;
   }
   below_.resize(1 + kMaxLevels);
-  if (!groups.empty()) narrows_ = false;  // every group has been tested face by face
+  if (!groups.empty()) narrows_ = false;  // all groups have been tested already
   if (!narrows_) return;
   std::vector<PlaceBounds::Box> boxes;
   boxes.reserve(end - begin);

@@ -1,6 +1,7 @@
-// Decides which clusters of faces can matter at which placements. These clusters are "shown", all
-// others are hidden. A block of placements is decided as a whole: a cluster that is hidden for the
-// block is not tested again at its single placements.
+// Decides which clusters of faces can matter (have crossings that change the result) at which
+// placements. These clusters are "shown", all others are hidden. A block of placements is decided
+// as a whole: a cluster that is hidden for the block is not tested again at the placements of the
+// block.
 //
 // In: body, motion, clusters and, if there is one, the map of the inside.
 // Out: the clusters shown at every placement.
@@ -13,7 +14,7 @@
 // is an affine map and the largest deviation from it. The map takes the bounding ball of a cluster
 // to a box that contains all its copies and side patches. There are two kinds of blocks: 8 or 64
 // successive placements; and PlaceGroups, which are placements at nearly the same position and
-// orientation, to which a recorded motion often returns.
+// orientation. A recorded motion often returns to such placements.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -24,17 +25,17 @@
 
 namespace swept {
 
-/// Bounds on a group of placements. Each of them maps a point x of the body to about turn (x -
+/// Bounds on a group of placements. Each placement maps a point x of the body to about turn * (x -
 /// centre of the body) + place, in cells.
 struct PlaceBlock {
   Eigen::Matrix3d turn;
   Eigen::Vector3d place;
   double placeSpread = 0;  ///< largest deviation at the centre, cells
-  double turnSpread = 0;   ///< further deviation per mm of distance from the centre
+  double turnSpread = 0;   ///< further deviation, cells per mm of distance from the centre
 };
 
-/// Computes bounds of placements. A placement is a vector of twelve numbers here, and a box bounds
-/// each of them.
+/// Computes bounds of placements. A placement is treated as a vector of twelve numbers, and a box
+/// bounds each of these numbers.
 class PlaceBounds {
  public:
   PlaceBounds(const SamplerInput& input, const FaceClusters& clusters);
@@ -52,7 +53,8 @@ class PlaceBounds {
   Box boxOf(std::size_t k) const;
   static PlaceBlock blockOf(const Box& box);
 
-  /// Returns whether the copies and side patches of a cluster in these placements can matter.
+  /// Returns whether the copies and side patches of a cluster at the placements of the block can
+  /// matter.
   bool shows(const PlaceBlock& block, const FaceCluster& cluster) const;
   /// Returns whether the copies of one face can matter. Requires the map of the inside.
   bool shows(const PlaceBlock& block, std::uint32_t face) const;
@@ -84,8 +86,8 @@ class PlaceGroups {
   const ShownClusters& shownAt(std::size_t placement) const { return shown_[groupOf_[placement]]; }
 
  private:
-  /// Returns the boxes of the groups of at most `cells` in size, and sets the group of each
-  /// placement. Ends early if there are too many groups to save time.
+  /// Groups placements so that no group is larger than `cells`. Returns the boxes of the groups,
+  /// and sets the group of each placement. Ends early if there are too many groups to save time.
   static std::vector<PlaceBounds::Box> group(const std::vector<PlaceBounds::Box>& boxes,
                                              double cells, double radius,
                                              std::vector<std::uint32_t>& groupOf);

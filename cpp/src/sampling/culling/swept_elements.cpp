@@ -36,8 +36,8 @@ int FaceDirections::decideCluster(const FaceCluster& cluster) const {
                         travel * (step.angle * step.angle + kNormalRounding +
                                   snapAngle(cluster.minHeight, input_->grid.cell)) +
                         step.snap;
-  // Finds the smallest |n . d| over the normal cone, at one end of the step. Returns the sign of n
-  // . d, or 0 if n . d may be within the margin.
+  // Finds the smallest |n . d| over the normal cone, at one end of the step. Returns 0 if this
+  // value is within the margin, otherwise the sign of n . d.
   const auto side = [&](double along) {
     const double across = std::sqrt(std::max(0.0, length * length - along * along));
     const double least = std::abs(along) * cluster.cosCone - across * cluster.sinCone;

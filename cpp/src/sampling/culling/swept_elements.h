@@ -27,7 +27,7 @@
 
 namespace swept {
 
-/// Returns the clusters of the input. If it has none, builds them in `own`.
+/// Returns the clusters of the input. If the input has none, builds them in `own`.
 const FaceClusters& clustersOf(const SamplerInput& input, FaceClusters& own);
 
 /// The step placements[k] -> placements[k + 1] in coordinates of the body at its start: a point p
@@ -36,10 +36,10 @@ struct MotionStep {
   MotionStep() = default;
   MotionStep(const SamplerInput& input, std::size_t k);
 
-  Eigen::Matrix3d bend, turnBack;
+  Eigen::Matrix3d bend, turnBack;  ///< turnBack: inverse of the turn of the step
   Eigen::Vector3d shift;
   double angle = 0;  ///< rad, upper bound of the turn
-  double snap = 0;   ///< mm, bound on the effect of snapping
+  double snap = 0;   ///< mm, bound on the change of a displacement by snapping
 };
 
 /// Returns a bound (mm) on the rounding of a displacement in single precision. `farthest`: largest

@@ -102,29 +102,30 @@ class CandidateSearch {
   void queryAt(std::size_t v) {
     const Eigen::Vector3d& x = input_.body.vertices[v];
     std::array<Eigen::Vector3d, kMaxNormals> queried;
-    std::array<std::uint32_t, kMaxNormals> answer{};
+    std::array<std::uint32_t, kMaxNormals> winnerOf{};
     std::size_t count = 0;
-    const auto put = [&](const Eigen::Vector3d& n) {
+    const auto queryNormal = [&](const Eigen::Vector3d& n) {
       for (std::size_t i = 0; i < count; ++i) {
         if (queried[i].dot(n) > kMinSameCosine) return;
       }
       Query atVertex{space_.gradient(x, n), 0};
-      answer[count] = query(atVertex.gradient, count > 0 ? answer[0] : 0, &atVertex.best);
+      winnerOf[count] = query(atVertex.gradient, count > 0 ? winnerOf[0] : 0, &atVertex.best);
       queried[count] = n;
-      insert(winners_[v], answer[count]);
+      insert(winners_[v], winnerOf[count]);
       queries_[v].push_back(atVertex);
       ++count;
     };
-    put(normals_[v]);
+    queryNormal(normals_[v]);
     for (const std::uint32_t corner : corners_.asTheyStand(v)) {
       if (count == kMaxNormals) break;
-      put(input_.topology.normals[corner / 3].cast<double>());
+      queryNormal(input_.topology.normals[corner / 3].cast<double>());
     }
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
-        // For two normals of faces, only those of a crease have an arc between them queried.
+        // The arc between the normals of two faces is queried only at a crease.
         if (i > 0 && queried[i].dot(queried[j]) > 0.9) continue;
-        queryBetween(x, queried[i], answer[i], x, queried[j], answer[j], kArcDepth, winners_[v]);
+        queryBetween(x, queried[i], winnerOf[i], x, queried[j], winnerOf[j], kArcDepth,
+                     winners_[v]);
       }
     }
     queries_[v].shrink_to_fit();

@@ -7,9 +7,9 @@
 // A query at a vertex with a normal finds its winner: the placement with the largest advance along
 // the normal (placement_space.h). Every vertex queries its own normal and the normals of its faces.
 // If two winners differ, normals in between are queried, too. The same is done for pairs of
-// adjacent vertices. Then a vertex passes its winners on to its neighbours, as long as their
-// advance there is within a slack of the best one. Reason: at a ridge the envelope changes from one
-// placement to another, and both surfaces must reach the ridge.
+// adjacent vertices. Then a vertex passes its winners on to its neighbours. A neighbour accepts a
+// winner if its advance there is within a slack of the best advance there. Reason: at a ridge the
+// envelope changes from one placement to another, and both surfaces must reach the ridge.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -25,7 +25,8 @@ namespace swept::dense {
 struct DenseSettings;
 
 struct FacePlacements {
-  std::vector<std::uint64_t> start;      ///< per face, and one more entry for the end
+  /// Per face: its first index in `placement`; with one more entry at the end.
+  std::vector<std::uint64_t> start;
   std::vector<std::uint32_t> placement;  ///< sorted within a face
 };
 

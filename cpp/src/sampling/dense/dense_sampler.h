@@ -7,8 +7,8 @@
 // Source: docs/pipeline.md, "Dense motions".
 //
 // The sampler chooses the (face, placement) pairs that can reach the envelope (candidates.h) and a
-// few whole copies that close the inside. Then it tests against all placements where this choice
-// leaves the envelope open, and adds the missing pairs, round by round (leak_repair.h).
+// few whole copies that close the inside. Then it finds where this choice leaves the envelope open,
+// by tests against all placements, and adds the missing pairs, round by round (leak_repair.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -28,8 +28,8 @@ struct DenseSettings {
   /// Largest displacement from the mean placement, as a fraction of the body's radius.
   double maxReach = 0.25;
   double maxRemainder = 2;  ///< cells, largest error of the linear form (placement_space.h)
-  /// A winner (candidates.h) is passed on if its advance is little less than the best one at the
-  /// vertex: at most this (cells) plus the error of the linear form.
+  /// A winner (candidates.h) is passed on to a vertex if its advance there is less than the best
+  /// advance by at most this (cells) plus the error of the linear form.
   double slackCells = 0.3;
   /// A placement counts as missed only if it reaches beyond a point by more than this (cells).
   double marginCells = 0.05;
@@ -43,7 +43,7 @@ struct DenseSettings {
   std::size_t maxAtVertex = 96;  ///< a vertex accepts at most this many placements
   int wholeCopies = 12;
   /// Largest fraction of the surface points that may remain open. Above it, all copies are sampled
-  /// instead, unless these are more than bruteForcePairs pairs.
+  /// instead, unless they have more than bruteForcePairs pairs.
   double maxOpenFraction = 1e-3;
   double bruteForcePairs = 2e9;
   int rounds = 6;  ///< largest number of repair rounds
@@ -56,7 +56,7 @@ struct DenseSurface {
 
 /// Returns nothing if motion or body are not suitable: no union of copies, too few copies,
 /// displacements too large, an open body, or culling switched off. Also returns nothing if too many
-/// surface points remain wrong, and the whole union is small enough to be sampled instead.
+/// surface points remain open, and the whole union is small enough to be sampled instead.
 std::optional<DenseSurface> sampleDense(const SamplerInput& input, const DenseSettings& settings,
                                         RunContext& run);
 

@@ -23,16 +23,16 @@ constexpr std::size_t kFacesOfPatch = 1300, kMinPatches = 4, kMaxPatches = 12, k
 /// Only the middle of a patch is sampled: 1 / kPartOfPatch of its faces. The faces missing around
 /// the patch have no effect there.
 constexpr std::size_t kPartOfPatch = 6;
-/// Largest number of faces at one vertex that join a patch. At the hub of a fan, the faces lie far
-/// apart.
+/// Largest number of faces at one vertex that are added to a patch, because the faces of a large
+/// fan lie far apart.
 constexpr std::size_t kMaxOfStar = 48;
 /// Number of exact tests that are timed, and number of exact tests that a run needs for each open
 /// point.
 constexpr std::size_t kTests = 500;
 constexpr double kFollowed = 3;
-/// Bytes per item. Placement: in the tree and in cells. Face: in the lists of candidates, whole
-/// copies and leaks. Pair: a candidate, while lists of blocks are joined. Sorted: a crossing in the
-/// batch that is being sorted.
+/// Bytes per placement (in the tree and in cells), per face (in the lists of candidates, whole
+/// copies and leaks), per candidate pair (while the lists of blocks are joined), and per crossing
+/// of the batch that is being sorted.
 constexpr double kPlacementBytes = 250, kFaceBytes = 300, kPairBytes = 8,
                  kSortedBytes = 2 * sizeof(CrossingRecord);
 
@@ -43,32 +43,32 @@ struct Patches {
   std::vector<std::uint32_t> faceOf;  ///< per face: its index in the body
 };
 
-enum Place : std::uint8_t { kNone, kRim, kMiddle };
+enum PatchPart : std::uint8_t { kNone, kRim, kMiddle };
 
 /// Adds one patch: the faces around a first face, the nearest ones first.
 void addPatch(const TriMesh& body, const ListsByKey<>& corners, std::size_t number,
-              std::size_t patches, std::vector<Place>& places) {
+              std::size_t patches, std::vector<PatchPart>& partOf) {
   const std::size_t first = (2 * number + 1) * body.triangles.size() / (2 * patches);
   std::vector<std::uint32_t> faces{static_cast<std::uint32_t>(first)};
-  std::vector<bool> taken(body.triangles.size()), spread(body.vertices.size());
-  taken[first] = true;
+  std::vector<bool> added(body.triangles.size()), spread(body.vertices.size());
+  added[first] = true;
   for (std::size_t n = 0; n < faces.size() && faces.size() < kFacesOfPatch; ++n) {
     for (const std::int32_t v : body.triangles[faces[n]]) {
       if (spread[static_cast<std::size_t>(v)]) continue;
       spread[static_cast<std::size_t>(v)] = true;
       const auto star = corners.asTheyStand(static_cast<std::size_t>(v));
       const std::size_t some = std::min(star.size(), kMaxOfStar);
-      const std::size_t from = star.size() * number / patches;  // other faces for other patches
+      const std::size_t from = star.size() * number / patches;  // each patch takes other faces
       for (std::size_t i = 0; i < some && faces.size() < kFacesOfPatch; ++i) {
         const std::uint32_t face = star[(i * star.size() + from) / some] / 3;
-        if (!taken[face]) faces.push_back(face);
-        taken[face] = true;
+        if (!added[face]) faces.push_back(face);
+        added[face] = true;
       }
     }
   }
   for (std::size_t n = 0; n < faces.size(); ++n)
-    places[faces[n]] =
-        std::max(places[faces[n]], n < kFacesOfPatch / kPartOfPatch ? kMiddle : kRim);
+    partOf[faces[n]] =
+        std::max(partOf[faces[n]], n < kFacesOfPatch / kPartOfPatch ? kMiddle : kRim);
 }
 
 Patches somePatchesOf(const TriMesh& body) {
@@ -82,12 +82,12 @@ Patches somePatchesOf(const TriMesh& body) {
   }
   ListsByKey<> corners = halfEdgesByVertex(body);
   for (std::size_t v = 0; v < corners.keys(); ++v) corners.of(v);
-  std::vector<Place> places(faces, kNone);
-  for (std::size_t n = 0; n < patches; ++n) addPatch(body, corners, n, patches, places);
+  std::vector<PatchPart> partOf(faces, kNone);
+  for (std::size_t n = 0; n < patches; ++n) addPatch(body, corners, n, patches, partOf);
   Patches some;
   std::vector<std::int32_t> number(body.vertices.size(), -1);
   for (std::size_t f = 0; f < faces; ++f) {
-    if (places[f] == kNone) continue;
+    if (partOf[f] == kNone) continue;
     auto t = body.triangles[f];
     for (std::int32_t& v : t) {
       std::int32_t& known = number[static_cast<std::size_t>(v)];
@@ -98,7 +98,7 @@ Patches somePatchesOf(const TriMesh& body) {
       v = known;
     }
     some.mesh.triangles.push_back(t);
-    some.inner.push_back(places[f] == kMiddle);
+    some.inner.push_back(partOf[f] == kMiddle);
     some.faceOf.push_back(static_cast<std::uint32_t>(f));
   }
   return some;

@@ -13,8 +13,8 @@
 namespace swept::dense {
 namespace {
 
-// Largest number of covered points. It limits time and memory: the table of this many points takes
-// several hundred MB.
+// Largest number of covered points that are followed. It limits time and memory: a table of this
+// many points takes several hundred MB.
 constexpr std::size_t kMaxFollowed = 6'000'000;
 constexpr std::size_t kMaxTried = 8;  // placements tested exactly per point
 constexpr std::size_t kTrialPoints = 4000;
@@ -22,10 +22,10 @@ constexpr std::size_t kTrialPoints = 4000;
 using Lattice = std::array<std::int32_t, 3>;
 
 /// Searches for placements whose copies cover lattice points.
-class CoverSearch {
+class CoveringSearch {
  public:
-  CoverSearch(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
-              double margin)
+  CoveringSearch(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
+                 double margin)
       : input_(input), tests_(tests), space_(space), margin_(margin) {}
 
   struct Covered {
@@ -85,12 +85,12 @@ class CoverSearch {
   double margin_;
 };
 
-class LeakFinder : CoverSearch {
+class LeakFinder : CoveringSearch {
  public:
   LeakFinder(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
              const MarkedEdges& marked, const SignRuns& signs, double margin, ClearPoints& clear,
              RunContext& run)
-      : CoverSearch(input, tests, space, margin),
+      : CoveringSearch(input, tests, space, margin),
         marked_(marked),
         signs_(signs),
         clear_(clear),
@@ -122,16 +122,16 @@ class LeakFinder : CoverSearch {
     const double above = n.dot(from - a), below = n.dot(to - a);
     if ((above > 0) == (below > 0) || above == below) return false;
     const Eigen::Vector3d x = from + (to - from) * (above / (above - below));
-    const double room = -1e-9 * n.squaredNorm();
-    return n.dot((b - a).cross(x - a)) >= room && n.dot((c - b).cross(x - b)) >= room &&
-           n.dot((a - c).cross(x - c)) >= room;
+    const double least = -1e-9 * n.squaredNorm();
+    return n.dot((b - a).cross(x - a)) >= least && n.dot((c - b).cross(x - b)) >= least &&
+           n.dot((a - c).cross(x - c)) >= least;
   }
   /// Finds the triangles of the body that the segment meets, sorted.
   void findHits(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                 std::vector<std::uint32_t>& out) const {
     out.clear();
-    tests_.tree.forBox(from.cwiseMin(to), from.cwiseMax(to), [&](std::uint32_t place) {
-      const auto t = static_cast<std::uint32_t>(tests_.tree.item(place));
+    tests_.tree.forBox(from.cwiseMin(to), from.cwiseMax(to), [&](std::uint32_t index) {
+      const auto t = static_cast<std::uint32_t>(tests_.tree.item(index));
       if (meets(t, from, to)) out.push_back(t);
     });
     std::sort(out.begin(), out.end());
@@ -163,7 +163,7 @@ class LeakFinder : CoverSearch {
                 const ClearPoints::Point point{orderOf(axis, j, edge.k, side), e.index(),
                                                e.placement};
                 ++tested[layer];
-                while (at != known.end() && at->place < point.place) ++at;
+                while (at != known.end() && at->key < point.key) ++at;
                 const bool isKnown = at != known.end() && *at == point;
                 if (!isKnown && findCover(g, point.face, point.placement, scratch, cover)) {
                   found[layer].push_back(cover);
@@ -196,8 +196,8 @@ class LeakFinder : CoverSearch {
     if (cover_.size() > kMaxFollowed) out_.complete = false;
   }
 
-  /// Goes from a covered point to its six neighbours. Adds neighbours that are covered, too, and
-  /// missing pairs.
+  /// Goes from a covered point to its six neighbours. Adds the neighbours that are also covered,
+  /// and the missing pairs.
   void step(const Covered& from, Scratch& s, std::vector<Covered>& covered,
             std::vector<std::pair<std::uint32_t, std::uint32_t>>& missing) const {
     const Lattice g = unpack(from.point);
@@ -215,11 +215,11 @@ class LeakFinder : CoverSearch {
         }
         findHits(inBody(g, from.placement), y, s.hit);
         Covered other{};
-        bool elsewhere = false;
+        bool coveredElsewhere = false;
         for (const std::uint32_t f : s.hit) {
-          if ((elsewhere = findCover(to, f, from.placement, s, other))) break;
+          if ((coveredElsewhere = findCover(to, f, from.placement, s, other))) break;
         }
-        if (elsewhere) {
+        if (coveredElsewhere) {
           covered.push_back(other);
         } else {
           for (const std::uint32_t f : s.hit) missing.emplace_back(f, from.placement);
@@ -261,8 +261,8 @@ class LeakFinder : CoverSearch {
 
 LeakTrial tryLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                    const ChosenFaces& chosen, double margin) {
-  const CoverSearch search(input, tests, space, margin);
-  CoverSearch::Scratch scratch;
+  const CoveringSearch search(input, tests, space, margin);
+  CoveringSearch::Scratch scratch;
   const MarkedEdges& marked = chosen.marked;
   std::size_t ends = 0, tried = 0, open = 0, closed = 0;
   const std::size_t step = 1 + chosen.crossings / kTrialPoints;
@@ -274,7 +274,7 @@ LeakTrial tryLeaks(const SamplerInput& input, const BodyTests& tests, const Plac
         input.motion.placements[e.placement].rotation * input.topology.normals[face].cast<double>();
     if ((normal[axis] > 0) != high || ends++ % step != 0) return;
     ++tried;
-    CoverSearch::Covered cover{};
+    CoveringSearch::Covered cover{};
     if (!search.findCover(g, face, e.placement, scratch, cover)) {
       ++closed;
       return;

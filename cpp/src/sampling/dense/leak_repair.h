@@ -4,13 +4,13 @@
 // Source: own method; docs/pipeline.md, "Dense motions".
 //
 // The chosen pairs can be wrong in one way only: a point that the body covers at some placement may
-// be outside by these pairs. A point that is inside by these pairs is inside, because each sampled
-// crossing belongs to the sweep. The search tests each lattice point next to the surface against
-// all placements. A support query gives the placement that moves the surface farthest there. An
-// exact test shows whether the body at this placement covers the point. From a covered point, the
-// search follows unmarked edges to the surface of the body at this placement. An unmarked edge that
-// this surface crosses is a hole. The missing pair is the triangle at the crossing, with this
-// placement.
+// lie outside according to these pairs. A point that lies inside according to them is truly inside,
+// because each sampled crossing belongs to the sweep. The search tests each lattice point next to
+// the surface against all placements. A support query gives the placement that moves the surface
+// farthest there. An exact test shows whether the body at this placement covers the point. From a
+// covered point, the search follows unmarked edges to the surface of the body at this placement. An
+// unmarked edge that this surface crosses is a hole. The missing pair is the triangle at the
+// crossing, with this placement.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -30,28 +30,30 @@ namespace swept::dense {
 
 struct LeakSearch {
   std::int64_t tested = 0;  ///< number of surface points (outside ends of edges) that were tested
-  /// Number of these points that some placement covers. By the chosen pairs, they are outside.
+  /// Number of these points that the body covers at some placement. According to the chosen pairs,
+  /// they lie outside.
   std::int64_t covered = 0;
-  double deepest = 0;    ///< mm: largest advance of a missed placement beyond such a point
+  double deepest = 0;    ///< mm: largest advance of a missed placement beyond a covered point
   bool complete = true;  ///< false: the search stopped at a limit
   /// Missing (face, placement) pairs, sorted; each occurs once.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> missing;
 };
 
-/// Surface points that no placement covers, by layer, in the order of the tests. Whether a point is
-/// covered does not depend on the choice of pairs, so the next round need not test these points
-/// again.
+/// Surface points that the body covers at no placement, by layer, in the order of the tests.
+/// Whether a point is covered does not depend on the choice of pairs, so the next round need not
+/// test these points again.
 struct ClearPoints {
   struct Point {
-    /// Key made of the lattice point, and of axis and side of its edge.
-    std::uint64_t place;
+    /// Key of the lattice edge within its layer, and of the end of the edge at which the point
+    /// lies.
+    std::uint64_t key;
     std::uint32_t face, placement;
     bool operator==(const Point&) const = default;
   };
   std::vector<std::vector<Point>> layers;
 };
 
-/// Exact tests of points and segments against the body. Build it once for all calls.
+/// Data for exact tests of points and segments against the body. One object serves all calls.
 struct BodyTests {
   explicit BodyTests(const TriMesh& body)
       : rays(body), tree(boxTreeOf(body.vertices, body.triangles)) {}
@@ -79,9 +81,9 @@ struct LeakTrial {
   double seconds = 0;  ///< CPU seconds per point
 };
 
-/// Estimates without signs how much the choice leaves open. A point counts as open if a placement
-/// covers it that was not chosen for the face. A point covered by a chosen placement does not lie
-/// next to the surface and does not count.
+/// Estimates without signs how much the choice leaves open. A point counts as open if the body
+/// covers it at a placement that was not chosen for the face. A point that the body covers at a
+/// chosen placement does not lie next to the surface and does not count.
 LeakTrial tryLeaks(const SamplerInput& input, const BodyTests& tests, const PlacementSpace& space,
                    const ChosenFaces& chosen, double margin);
 

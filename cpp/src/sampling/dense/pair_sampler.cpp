@@ -58,7 +58,8 @@ void PairSampler::sampleItem(const Item& item, RecordChunk& chunk) const {
   }
 }
 
-/// Turns the edges marked so far into records again, two per edge.
+/// Turns the edges marked so far into records again: two per edge, or one if its first and last
+/// crossing are the same.
 void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
   const std::size_t layers = marked_.layers.size();
   // Layers per task; each task writes one chunk.
@@ -72,9 +73,9 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
     struct Carried {
       std::uint32_t from = 0xffffffffu, to = 0;
     };
-    std::vector<Carried> lately(1024);
+    std::vector<Carried> recent(1024);
     const auto elementOf = [&](std::uint32_t element) {
-      Carried& slot = lately[element % lately.size()];
+      Carried& slot = recent[element % recent.size()];
       if (slot.from != element) {
         slot = {element, static_cast<std::uint32_t>(chunk.elements.size())};
         chunk.elements.push_back(marked_.elements[element]);
@@ -82,7 +83,7 @@ void PairSampler::carryOver(std::vector<RecordChunk>& chunks) {
       return slot.to;
     };
     // Returns the middle of the interval of numbers that a fixed-point fraction represents.
-    // Rounding it gives the same fraction again.
+    // Rounding this middle down gives the same fraction again.
     constexpr double kHalf = 0.5 / ((1 << CrossingRecord::kFractionBits) - 1);
     const auto fractionOf = [](float f) { return std::min(static_cast<double>(f) + kHalf, 1.0); };
     for (std::size_t i = begin; i < end; ++i) {

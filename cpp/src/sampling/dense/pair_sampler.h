@@ -2,7 +2,7 @@
 // In: pairs. Out: marked edges.
 // Memory: the crossings of one batch (bounded) and the marked edges so far, never all raw
 //        crossings.
-// Promise: the result depends on the pairs only.
+// Promise: the result depends only on the pairs.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -46,7 +46,7 @@ class PairSampler {
 
   const SamplerInput& input_;
   RunContext& run_;
-  std::vector<Placement> placements_;  // placements whose results are in cells
+  std::vector<Placement> placements_;  // from body coordinates (mm) to grid coordinates (cells)
   // 0, 1, 2 ...: each entry serves as a list of one placement.
   std::vector<std::uint32_t> identity_;
   std::vector<Item> items_;

@@ -4,7 +4,8 @@
 // Units: mm. The turn w is multiplied by the body's radius, so that all six coordinates are
 // lengths.
 // Cost: O(n log n) to build; microseconds per query.
-// Promise: of equal values the lower index wins, so results are the same for any number of threads.
+// Promise: of placements with equal advance, the one with the lowest index wins, so results are the
+// same for any number of threads.
 // Source: docs/pipeline.md, "Dense motions".
 //
 // Let a body point have the position c + q at a mean placement (c: centre of the body). At another
@@ -48,10 +49,11 @@ class PlacementSpace {
   /// dot(gradient(x, n), point(placement)).
   Point6 gradient(const Eigen::Vector3d& x, const Eigen::Vector3d& n) const;
   const Point6& point(std::uint32_t placement) const { return points_[placement]; }
-  /// Returns the placement of largest advance. `guess` only makes the search faster.
+  /// Returns the placement with the largest advance. `guess`: a placement with which the search
+  /// starts; it only affects the speed.
   Best support(const Point6& gradient, std::uint32_t guess) const;
   /// Collects placements with an advance above `minAdvance` in `out`, unsorted. Stops after
-  /// `maxCount`: the branches of the tree with the highest bounds are searched first, but the
+  /// `maxCount` placements. Branches of the tree with higher bounds are searched first, but the
   /// placements found need not be the best ones.
   void above(const Point6& gradient, float minAdvance, std::size_t maxCount,
              std::vector<Best>& out) const;
@@ -71,8 +73,8 @@ class PlacementSpace {
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
   template <class IsWanted, class Visit>
   void descend(const Point6& gradient, const IsWanted& isWanted, const Visit& visit) const;
-  /// A gradient split for bounds over boxes: its positive part applies to their upper sides, the
-  /// negative part to their lower sides.
+  /// A gradient split into its positive and its negative part. For a bound over a box, the positive
+  /// part is multiplied by the upper limits of the box, the negative part by the lower limits.
   struct Split {
     Point6 up, down;
     explicit Split(const Point6& g) {

@@ -22,7 +22,7 @@ struct Brick {
   }
 };
 
-/// Returns the bricks; those of one slab of layers are adjacent in the list, by y, then by z.
+/// Returns the bricks, slab by slab. Within a slab of layers they are ordered by y, then by z.
 /// Throws Error(DeviceUnavailable) if not even the smallest brick (1 x 1 x 32 points) fits.
 std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
                               std::uint64_t budgetBytes);

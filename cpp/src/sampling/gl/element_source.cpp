@@ -114,9 +114,9 @@ std::vector<ElementChunk> planChunks(const ElementSource& source, std::uint64_t 
       1, std::min<std::uint64_t>(window - 1, 0xfffffff0u / std::max(1u, source.perPlacement)));
   for (std::uint64_t base = 0; base < source.placements; base += maxCount) {
     const std::uint64_t count = std::min<std::uint64_t>(maxCount, source.placements - base);
-    const std::uint64_t held = std::min<std::uint64_t>(count + 1, source.placements - base);
+    const std::uint64_t needed = std::min<std::uint64_t>(count + 1, source.placements - base);
     chunks.push_back({base * source.perPlacement, count * source.perPlacement,
-                      static_cast<std::uint32_t>(base), static_cast<std::uint32_t>(held)});
+                      static_cast<std::uint32_t>(base), static_cast<std::uint32_t>(needed)});
   }
   return chunks;
 }

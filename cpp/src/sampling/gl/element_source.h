@@ -1,9 +1,9 @@
 // Numbers the elements of the swept surface for the device, and prepares the data for culling.
 // Elements are numbered placement by placement: at each placement all faces and then, for a
 // continuous motion, the side patches of all edges in the step that starts there. Faces and edges
-// have the order in which the CPU sampler visits them, so that of equal crossings the same element
-// wins. The shader derives the elements from their numbers and decides itself which of them are
-// enclosed (docs/gpu.md).
+// have the order in which the CPU sampler visits them. So if several elements cross an edge at the
+// same point, both samplers choose the same element. The shader derives the elements from their
+// numbers and decides which of them are enclosed (docs/gpu.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,7 +21,7 @@ struct ElementSource {
 
   Culling culling = kNone;
   std::uint32_t faces = 0;         ///< number of faces of the body
-  std::uint32_t perPlacement = 0;  ///< faces, or faces and edges
+  std::uint32_t perPlacement = 0;  ///< number of elements: faces, or faces and edges
   std::uint32_t placements = 0;
   std::vector<std::uint32_t> faceOrder, edgeOrder;  ///< empty: the order of the body
   std::vector<std::int32_t> topology;               ///< buffer of shaders/element.glsl
@@ -41,7 +41,7 @@ struct ElementSource {
 
 /// Consecutive placements whose data are on the device at the same time.
 struct ElementChunk {
-  std::uint64_t first = 0, count = 0;                   ///< elements
+  std::uint64_t first = 0, count = 0;                   ///< range of element numbers
   std::uint32_t placementBase = 0, placementCount = 0;  ///< the placements that the chunk needs
 };
 

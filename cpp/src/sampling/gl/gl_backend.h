@@ -15,7 +15,7 @@ struct GlSetup {
   std::shared_ptr<GlLoader> loader;  ///< null: the system's EGL library
   DeviceWish wish;
   GlSettings settings;
-  int verifiedElements = 512, verifiedEdges = 512;
+  int verifiedElements = 512, verifiedEdges = 512;  ///< numbers of random checks (gl_verify.h)
   double assumedRatio = 0;  ///< testing hook: ratio of GPU to CPU seconds; 0: measure it
 };
 

@@ -16,13 +16,14 @@
 namespace swept::gl {
 
 struct DeviceWish {
-  std::string name;           ///< part of vendor, renderer or version, any case; empty: any device
+  /// Text that vendor, renderer or version must contain (case ignored). Empty: any device.
+  std::string name;
   bool hardwareOnly = false;  ///< true: does not even open software rasterisers
 };
 
 struct Limits {
   std::int64_t storageBytes = 0;  ///< largest size of one shader storage block
-  int storageBlocks = 0;          ///< storage blocks of a compute shader
+  int storageBlocks = 0;          ///< largest number of storage blocks in a compute shader
 };
 
 /// Advice for the user: the last part of all messages about a device that cannot be used.

@@ -138,7 +138,8 @@ void GlPasses::useBrick(const Brick& brick) {
   gl.Uniform1ui(kCulling, source_.culling);
 }
 
-/// Runs the current program on the elements [first, end) of the chunk, numbered from its first one.
+/// Runs the current program on the elements [first, end) of the chunk. Number 0 is the first
+/// element of the chunk.
 void GlPasses::run(const ElementChunk& chunk, std::uint64_t first, std::uint64_t end,
                    std::uint64_t epochFirst, const std::function<void()>& afterDispatch) {
   const GlApi& gl = context_.gl();

@@ -26,7 +26,7 @@ struct GlSettings {
   /// Bytes of placements and steps per chunk; 0: derived from the limits.
   std::uint64_t chunkBytes = 0;
   double fenceTimeoutSeconds = 10;
-  /// Elements in the first dispatch; later ones have more or fewer.
+  /// Number of elements in the first dispatch; later dispatches have more or fewer.
   std::uint32_t firstBatch = 1024;
   bool adaptBatch = true;
   std::uint64_t epochElements = 0xfffffff0u;  ///< limit for 32-bit element numbers

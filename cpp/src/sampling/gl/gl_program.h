@@ -13,7 +13,8 @@ namespace swept::gl {
 /// A linked program. Throws Error(DeviceUnavailable, "ShaderFailed") with the driver's log.
 class Program {
  public:
-  /// Compiles and links the program. `keep` is "mark.glsl" or "winner.glsl".
+  /// Compiles and links the program. `keep`: the shader file that defines keep(), "mark.glsl" or
+  /// "winner.glsl".
   Program(const GlContext& context, const std::string& keep);
   ~Program();
   Program(const Program&) = delete;

@@ -15,7 +15,8 @@
 namespace swept::gl {
 namespace {
 
-// How often the device is opened again after a loss. If it is lost once more, the sampler fails.
+// How many times the device is opened again after a loss. If it is lost once more, the sampler
+// fails.
 constexpr int kReopenings = 1;
 constexpr float kFractionUnits = (1 << CrossingRecord::kFractionBits) - 1;
 

@@ -1,6 +1,8 @@
 // Samples on the GPU in two passes (gl_passes.h). The CPU computes the signs in between.
-// In: body, motion, grid. Out: the marked edges of sampleCpu(), bit for bit. Elements and fractions
-// are set for contributing edges only.
+// In: body, motion, grid. Out: marked edges. Without culling they are those of sampleCpu(); with
+// culling, more edges deep inside may be marked, but the contributing edges are the same. Elements
+// and fractions are set for contributing edges only; fractions may differ by the rounding of one
+// unit.
 // Cost: time O(elements x bricks + crossings), device memory within a budget.
 // Source: J. Brummer, bachelor's thesis, Mainz 2017, chapter 3; docs/gpu.md.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -28,8 +30,8 @@ class GlSampler {
   /// Pass 1. After a first loss of the device, repeats the brick on a new context; after a second
   /// loss throws Error(DeviceLost).
   MarkedEdges mark(RunContext& run);
-  /// Pass 2. Throws Error(DeviceLost) in the same way, and also if an edge has no
-  /// winner (EdgeWinner).
+  /// Pass 2. Handles losses of the device like mark(). Also throws Error(DeviceLost) if an edge has
+  /// no winner (EdgeWinner).
   void resolve(MarkedEdges& marked, const SignRuns& signs, RunContext& run);
 
   const std::string& device() const { return deviceName_; }

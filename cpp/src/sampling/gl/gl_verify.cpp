@@ -37,12 +37,12 @@ std::string edgeName(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
 /// A test case: an octahedron that turns and moves. Its sweep consists of faces and side patches.
 /// Some vertices and edges lie exactly on lattice lines. The memory budget of the test cuts its
 /// grid into two bricks (brick_plan.h).
-struct KnownField {
+struct KnownSweep {
   TriMesh body;
   Motion motion;
   GridPlan grid;
 
-  KnownField() {
+  KnownSweep() {
     for (int axis = 0; axis < 3; ++axis) {
       for (const double side : {-4.0, 4.0}) {
         body.vertices.push_back(side * Eigen::Vector3d::Unit(axis));
@@ -99,11 +99,11 @@ std::vector<KnownEdge> contributingEdges(const MarkedEdges& marked, const GridPl
 
 /// Compares with the CPU. Without culling, all marks must be equal. With culling, the device may
 /// keep more elements than the CPU, but the contributing edges must be equal.
-void testKnownField(const std::shared_ptr<GlDevice>& device, bool cull, double fenceTimeoutSeconds,
+void testKnownSweep(const std::shared_ptr<GlDevice>& device, bool cull, double fenceTimeoutSeconds,
                     RunContext& run) {
-  const KnownField field;
-  const BodyTopology topology = buildTopology(field.body);
-  const SamplerInput input{field.body, topology, field.motion, field.grid, cull, true};
+  const KnownSweep sweep;
+  const BodyTopology topology = buildTopology(sweep.body);
+  const SamplerInput input{sweep.body, topology, sweep.motion, sweep.grid, cull, true};
   GlSettings settings;
   // Half of the layers fit into one brick.
   settings.budgetBytes = 2 * 12 * 23 * 3 * 2 * sizeof(std::uint32_t);
@@ -125,10 +125,10 @@ void testKnownField(const std::shared_ptr<GlDevice>& device, bool cull, double f
       if (!same) reportGarbage(name, "in the self-test, it marked wrong edges of the grid");
     }
   }
-  const SignRuns signs = findOutside(seen, field.grid, run);
+  const SignRuns signs = findOutside(seen, sweep.grid, run);
   sampler.resolve(seen, signs, run);
-  const auto expected = contributingEdges(known, field.grid, findOutside(known, field.grid, run));
-  const auto got = contributingEdges(seen, field.grid, signs);
+  const auto expected = contributingEdges(known, sweep.grid, findOutside(known, sweep.grid, run));
+  const auto got = contributingEdges(seen, sweep.grid, signs);
   constexpr float kStep = 2.0f / (1 << CrossingRecord::kFractionBits);
   if (expected.size() != got.size()) {
     reportGarbage(name, "in the self-test, it found a wrong number of edges at the surface");
@@ -149,7 +149,7 @@ void testKnownField(const std::shared_ptr<GlDevice>& device, bool cull, double f
 
 void selfTest(const std::shared_ptr<GlDevice>& device, double fenceTimeoutSeconds,
               RunContext& run) {
-  for (const bool cull : {false, true}) testKnownField(device, cull, fenceTimeoutSeconds, run);
+  for (const bool cull : {false, true}) testKnownSweep(device, cull, fenceTimeoutSeconds, run);
 }
 
 void verifyMarks(const SamplerInput& input, const MarkedEdges& marked, const std::string& device,
@@ -205,8 +205,8 @@ void verifySigns(const SamplerInput& input, const MarkedEdges& marked, const Sig
       high[axis] = std::max(high[axis], g);
     }
   }
-  // For 64 random lines: how the winding number changes at their lattice points, ordered by
-  // position along the line.
+  // For 64 random lattice lines along z: the changes of the winding number at their lattice points,
+  // ordered by k.
   using Line = std::pair<std::int32_t, std::int32_t>;
   std::map<Line, std::map<std::int32_t, int>> lines;
   for (int n = 0; n < 64; ++n) {
@@ -260,7 +260,7 @@ void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const S
     }
   }
   const std::uint64_t stride = std::max<std::uint64_t>(1, total / static_cast<unsigned>(samples));
-  std::uint64_t wait = random.below(stride);
+  std::uint64_t toSkip = random.below(stride);
   constexpr double kStep = 2.0 / (1 << CrossingRecord::kFractionBits);
   const auto verify = [&](int axis, std::int32_t i, std::int32_t j, const MarkedEdge& edge) {
     for (const bool low : {true, false}) {
@@ -281,8 +281,8 @@ void verifyWinners(const SamplerInput& input, const MarkedEdges& marked, const S
     for (int axis = 0; axis < 3; ++axis) {
       forContributing(marked, signs, input.grid, i, axis,
                       [&](std::int32_t j, const MarkedEdge& edge, std::uint8_t) {
-                        if (wait-- != 0) return;
-                        wait = random.below(2 * stride - 1);
+                        if (toSkip-- != 0) return;
+                        toSkip = random.below(2 * stride - 1);
                         verify(axis, i, j, edge);
                       });
     }

@@ -1,8 +1,9 @@
 // Tests whether the device computes correctly: with a known case at the start, and with random
 // parts of every run.
 //
-// All checks compare with the exact predicates of the CPU, without any tolerance. They throw
-// Error(DeviceLost, "DeviceGarbage") with the device, the expected value and the position.
+// All checks compare with the exact predicates of the CPU. Only fractions may differ, by at most
+// 2^-22 of an edge. Failures throw Error(DeviceLost, "DeviceGarbage") with the device and the
+// position.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -13,12 +14,13 @@
 
 namespace swept::gl {
 
-/// Samples a small turning body on the device, without and with culling, and compares every mark,
-/// fraction and element with the CPU's.
+/// Samples a small turning body on the device, without and with culling. Compares the marks
+/// (without culling) and the contributing edges with those of the CPU. Then calls verifyWinners()
+/// for all edges.
 void selfTest(const std::shared_ptr<GlDevice>& device, double fenceTimeoutSeconds, RunContext& run);
 
-/// Checks that every crossing of about `samples` random elements is marked. The elements are among
-/// those that culling on the CPU keeps, at 16 random placements.
+/// Chooses about `samples` random elements that culling on the CPU keeps, at 16 random placements.
+/// Checks that every lattice edge that they cross is marked.
 void verifyMarks(const SamplerInput& input, const MarkedEdges& marked, const std::string& device,
                  int samples);
 
