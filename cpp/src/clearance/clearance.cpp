@@ -45,7 +45,7 @@ void summarise(ClearanceReport& report) {
   report.summary = summary.text;
 }
 
-/// Returns the neighbours to check, and adds the names of the ignored ones to the report.
+/// Returns the neighbours to check, and adds the names of the ignored neighbours to the report.
 std::vector<const ClearanceNeighbour*> withoutIgnored(const std::vector<ClearanceNeighbour>& all,
                                                       ClearanceReport& report) {
   std::vector<const ClearanceNeighbour*> kept;

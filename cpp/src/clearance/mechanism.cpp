@@ -1,7 +1,6 @@
 // Checks a mechanism. The parts are prepared in parallel. Boxes over time discard the pairs of
 // parts that stay far apart. Each remaining pair is searched like a moving body and a part that
-// stands still. As the part that stands still, the search takes the one in whose coordinates the
-// other one moves less.
+// stands still. The part in whose coordinates the other one moves less counts as standing still.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/mechanism.h"
 
@@ -52,7 +51,8 @@ double rangeOf(const std::vector<MechanismPart>& parts, const std::vector<Prepar
   return std::max(range, rules.largestRequired() + 2 * chord + 2 * options.tolerance);
 }
 
-/// Result for one pair of parts that was searched.
+/// Result for one pair of parts. `joined`: the parts do not move relative to each other. `near` is
+/// empty if the parts are joined or never nearer than the range.
 struct Looked {
   bool joined = false;
   std::optional<PairClearance> near;

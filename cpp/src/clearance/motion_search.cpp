@@ -57,8 +57,8 @@ class MinimumSearch {
     queue_.push({key, number_++, node, hint, level});
   }
 
-  // Measures the distance at the representative poses of some nodes spread over the motion. This
-  // gives a first upper bound. Starts the queue with these nodes.
+  // Starts the queue with some nodes spread over the motion. Measures the distance at their
+  // representative poses, which gives a first upper bound.
   void seed() {
     std::vector<MotionNode> nodes{c_.motion.root()};
     for (bool grown = true; grown && nodes.size() < 32;) {
@@ -230,8 +230,8 @@ double largestDistance(const MotionBound& b, const PairDistance& d) {
   return std::min(d.distance + b.reach, std::hypot(along, b.reach));
 }
 
-/// Returns whether the pair of triangles found last (hint) is nearer than the level in the whole
-/// node.
+/// Returns whether the pair of triangles found last (`item.hint`) is nearer than the level
+/// everywhere in the node.
 bool hintIsBelow(const SearchContext& c, const LevelItem& item, const MotionBound& b,
                  double level) {
   // If the reach is at least the level, largestDistance() is never below the level.

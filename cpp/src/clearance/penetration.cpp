@@ -24,12 +24,14 @@ constexpr std::size_t kMaxPieces = 1000;
 constexpr std::size_t kPiecesPerRound = 64;  // pieces per round; fixed, see motion_search.cpp
 
 struct PieceSearch {
-  double bound = 0;    // mm, no point of the piece can lie deeper in this part of the motion
+  double bound = 0;    // mm, in this part of the motion no point of the piece lies deeper
   double promise = 0;  // mm, depth that some point is likely to reach
   std::int64_t number = 0;
   MotionNode motion;
   Piece piece;
-  double excess = 0;  // mm, `bound` minus the depth at the centre of the piece
+  // mm, upper bound of the depth of all points of the piece minus the depth of its centre, both at
+  // the representative pose
+  double excess = 0;
   double radius = 0;
   double reach = 0;
 };

@@ -16,8 +16,9 @@
 namespace swept::clearance {
 
 /// Finds the deepest point over the motion to within max(tolerance, 1 % of the depth), if `effort`
-/// suffices. depthBound is the proven limit. known = false if neither mesh is closed or no point
-/// lies inside. The search starts at `touch`, where the surfaces are known to be near.
+/// suffices. `effort` limits the number of measured pieces. depthBound is the proven limit. known =
+/// false if neither mesh is closed or no point lies inside. The search starts at `touch`, where the
+/// surfaces are known to be near.
 PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touch, double tolerance,
                                      std::int64_t effort);
 

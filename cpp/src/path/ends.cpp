@@ -134,7 +134,7 @@ bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
         return false;
     const NeighbourClearance row = checkNeighbour(scene, demand, i, tree, 0, run);
     if (row.verdict != ClearanceVerdict::Clash) continue;
-    // An open mesh has no depth. So nothing is proven if its surface intersects the part.
+    // If the surfaces of two open meshes intersect, the depth is unknown and nothing is proven.
     if (!row.penetration.known || row.penetration.depthBound > end.allowedDepth[i]) return false;
   }
   return true;

@@ -140,8 +140,8 @@ class PathFinder {
         none.blocked[i] = ends_[leg + 1].allowedDepth[i] >= 0 ? 1 : 0;
       return none;
     }
-    // No proof is possible if the task only gives a radius: the part may reach this distance inside
-    // the region that the proof covers.
+    // If the task gives only a radius, no proof is possible. The part may be this far from its goal
+    // while it is still inside the region that the proof covers.
     task.provable = !ends_[leg].touches() && !ends_[leg + 1].touches() &&
                     (task_.start || task_.extraction->direction);
     // Part of the time is reserved to find the largest clearance for which there is a path.
@@ -247,7 +247,7 @@ class PathFinder {
     report_.summary = figuresText(report_);
   }
 
-  // Replaces the pose by the given one, because conversions have rounded it.
+  // Replaces a pose of the path by the given pose, because conversions have rounded it.
   static void takeEnd(Pose& pose, const Pose& given) {
     pose.translation = given.translation;
     pose.rotation = given.rotation.normalized();

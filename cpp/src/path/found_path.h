@@ -16,8 +16,8 @@ constexpr double kPathSpeed = 100;  // mm per second along a path
 /// Returns the smallest guaranteed distance of the rows. `rows` must not be empty.
 double smallestGuaranteed(const std::vector<NeighbourClearance>& rows);
 
-/// Returns the clearance of moves that are proven to keep the required distances. The rows alone
-/// may give up to one tolerance less than what is proven.
+/// Returns the clearance of a path whose moves are proven to keep the required distances. The
+/// guaranteed distances of the rows alone may be smaller by up to one tolerance.
 double certainClearance(const std::vector<NeighbourClearance>& rows, const Demand& demand);
 
 /// Checks the motion with checkPair() (clearance/pair_check.h), whose verdict is final. Returns one
@@ -32,7 +32,8 @@ void leadOutside(const Scene& scene, std::vector<NeighbourClearance>& rows);
 /// Adds length and total rotation of the path with these keys to the report.
 void takeLength(const std::vector<State>& keys, PathReport& report);
 
-/// Returns, for example, "path of 8 keys, 468 mm and 124 degrees, clearance at least 1.16 mm".
+/// Returns, for example, "path of 8 keys, length 468 mm, total turn 124 degrees, clearance at least
+/// 1.16 mm".
 std::string figuresText(const PathReport& report);
 
 }  // namespace swept::path

@@ -20,17 +20,17 @@ namespace {
 
 using namespace path;
 
-constexpr double kMinRaise = 1.05;  // raising ends when the step is smaller than this factor
+constexpr double kMinRaise = 1.05;  // raising ends when the factor is not larger than this
 constexpr double kRaise = 1.5;      // first factor from one clearance to the next
-// A piece ends after this fraction of the part of a move that is proven free.
+// If only the beginning of a move is proven free, a free piece takes this fraction of it.
 constexpr double kGapFraction = 0.98;
-// In radii of the part: shorter pieces of a move get no key.
+// Smallest length of a new piece of a move, in radii of the part.
 constexpr double kMinPieceLength = 1e-4;
 constexpr double kBudgetFraction = 0.25;  // fraction of the budget for one search
 
 struct Piece {
   std::vector<State> keys;  // consecutive
-  bool free = false;        // true: all moves between the keys are proven to keep the clearance
+  bool free = false;        // true: all moves between the keys are proven to keep the rule
 };
 
 // The pieces between two consecutive locked keys.
@@ -214,8 +214,8 @@ class Improver {
       }
   }
 
-  // Raises the clearance step by step. Each step starts from the given motion. It is accepted only
-  // if the whole result keeps the raised clearance.
+  // Raises the clearance step by step. Each step starts from the given motion, and is accepted only
+  // if the whole result outside the release zones keeps the raised clearance.
   void raise(std::vector<Stretch>& best, Demand& demand, double clearance) {
     double reached = std::max(clearance, demand_.tolerance), step = kRaise;
     while (step > kMinRaise && timer_.seconds() < o_.budgetSeconds) {

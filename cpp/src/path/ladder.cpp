@@ -62,7 +62,7 @@ class Search {
 
 class SixDimensions {
  public:
-  /// `shifts`: a search over grids that continues beside the searches in six dimensions.
+  /// `shifts`: a search over grids that continues in parallel to the searches in six dimensions.
   SixDimensions(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,
                 ShiftSearch& shifts, RunContext& run)
       : scene_(scene), leg_(leg), limits_(limits), shifts_(shifts), run_(run) {

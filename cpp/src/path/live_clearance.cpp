@@ -46,8 +46,8 @@ LiveDistance LiveClearance::at(const Pose& pose) {
   const Eigen::Vector3d& t = state.pose.translation;
   LiveDistance best;
   best.distance = std::numeric_limits<double>::infinity();
-  // The neighbour that was nearest at the previous placement is measured first. The others can then
-  // be discarded quickly.
+  // The neighbour that was nearest at the previous placement is measured first. Most others can
+  // then be discarded quickly.
   const std::size_t first = memory.last;
   for (std::size_t k = 0; k < scene.count() && best.distance > 0; ++k) {
     const std::size_t i = (first + k) % scene.count();

@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 double largest(const Rule& rule) { return *std::max_element(rule.begin(), rule.end()); }
 
-// Returns how far the part extends from its middle in the direction -d, in its orientation at
+// Returns how far (mm) the part extends from its middle in the direction -d, in its orientation at
 // `state`.
 double reachBack(const Scene& scene, const State& state, const Vector3d& d) {
   const Vector3d local = state.pose.rotation.conjugate() * d;

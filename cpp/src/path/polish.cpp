@@ -9,8 +9,8 @@ namespace {
 constexpr int kTrialsToGiveUp = 40;
 constexpr int kPasses = 3;  // each takes shortcuts, then removes keys
 constexpr int kTrialsToMerge = 24;
-/// Two keys are replaced by one whose distance from the line between them is at most this fraction
-/// of their distance.
+/// A key that replaces two others lies at most this fraction of their distance beside the move
+/// between them.
 constexpr double kAside = 0.7;
 
 class Shortener {
@@ -36,7 +36,7 @@ class Shortener {
   // Removes keys without which the path is still free.
   void dropKeys() {
     for (std::size_t first = 0; first + 2 < keys_.size(); ++first) {
-      // Tries to move straight to a key far ahead, then to keys half as far.
+      // Tries a move to the last key, then to a key half as far ahead, and so on.
       for (std::size_t reach = keys_.size() - 1 - first; reach >= 2; reach = reach / 2) {
         if (!isFree(keys_[first], keys_[first + reach])) continue;
         keys_.erase(keys_.begin() + static_cast<std::ptrdiff_t>(first) + 1,

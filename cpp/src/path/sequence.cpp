@@ -19,8 +19,8 @@ namespace {
 
 using namespace path;
 
-// Limits of the number of moves per search while the order is searched for: the first limit, the
-// factor from round to round, and the largest limit. Round 0 allows only the quick methods.
+// While the order is searched for, the number of moves per search is limited: the limit of round 1,
+// the factor from round to round, and the largest limit. Round 0 uses only the quick methods.
 constexpr std::int64_t kFirstMoves = 20000, kMoreMoves = 4, kMaxMoves = 1000000000;
 
 class Sequencer {
@@ -62,7 +62,9 @@ class Sequencer {
   struct Left {
     std::size_t part;
     PathReport last = {};
-    int tried = -1;  // round of its last search; -1: none since a part that blocked it was removed
+    // Round of the last search for this part. -1: no search since a part that blocked it was
+    // removed.
+    int tried = -1;
     bool final = false;  // proven: it cannot be removed while the other parts are there
   };
 

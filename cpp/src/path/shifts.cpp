@@ -29,8 +29,8 @@ bool within(const SearchSpace& space, const State& state) {
          (state.middle.array() <= space.high.array()).all();
 }
 
-// Best-first search over one grid. The order is by the shortest length so far plus the remaining
-// distance.
+// Best-first search over one grid. The next placement is the one with the smallest sum of the
+// length of the path so far and the straight distance to the start.
 class GridSearch {
  public:
   GridSearch(const Scene& scene, const Rule& rule, const SearchSpace& space, const State& start,
@@ -126,7 +126,8 @@ bool blocked(const Scene& scene, const Rule& rule, const State& middle, double h
     if (distance > 0 && distance + halfDiagonal < rule[i]) return true;
     if (distance > 0 && !pair.containedAt(R, t)) continue;
     const double depth = halfDiagonal - rule[i];
-    // If the surfaces intersect, a cube smaller than the required distance is always blocked.
+    // If the surfaces intersect and half the diagonal is less than the required distance, the whole
+    // cube is blocked.
     if (depth < 0 || clearance::overlapsBy(pair, R, t, depth)) return true;
   }
   return false;

@@ -24,8 +24,8 @@
 
 namespace swept::path {
 
-/// Searches grids of placements between all pairs of a start and a goal, one grid after the other.
-/// The search can be continued step by step, beside other searches.
+/// Searches grids of placements for each pair of a start and a goal, one grid after the other. The
+/// search can be continued step by step, in parallel to other searches.
 class ShiftSearch {
  public:
   /// `places`: largest number of placements that are examined on one grid.
@@ -50,7 +50,8 @@ class ShiftSearch {
 };
 
 /// Returns true only if it is proven that no path without turning leads from the goal to the start.
-/// If `start` is null, no path may lead out of the search space. Gives up once isLate() is true.
+/// If `start` is null, the proof is that no such path leads out of the search space. Gives up once
+/// isLate() is true.
 bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, const State* start,
               const State& goal, int places, const std::function<bool()>& isLate, RunContext& run);
 

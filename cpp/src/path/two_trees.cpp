@@ -16,7 +16,7 @@ constexpr int kSlides = 5, kPushes = 60;
 constexpr double kPushFraction = 0.5;  // fraction of the rounds that push
 constexpr double kMaxPush = 3;         // longest push, in radii of the part or in rad
 constexpr double kMaxRounding = 1e-9;  // largest fraction of a move that counts as a rounding error
-// Smallest fraction of a wanted move that the allowed move must keep.
+// Smallest fraction of a wanted move that the allowed move must achieve in the wanted direction.
 constexpr double kStepBeyond = 0.05;
 // Resolution at which the search finds where a move is blocked, as a fraction of the move.
 constexpr double kFinest = 1.0 / 16;
@@ -70,7 +70,8 @@ int TwoTrees::nearest(int tree, const State& to) const {
   return best;
 }
 
-// Selects a few random nodes, and returns the one with the fewest trials and the sparsest cell.
+// Selects a few random nodes. Returns the one with the smallest weight: few trials so far, and few
+// nodes in its cell.
 int TwoTrees::sparse(int tree) {
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -148,8 +149,8 @@ int TwoTrees::push(int tree, int from) {
   return slide(tree, from, {nullptr, drive, step, kMaxPush * scene_.radius(), kPushes}, reached);
 }
 
-// Returns a move along or about an axis of the world or of the part, or a random direction. The
-// twist is longer than any push.
+// Returns a move along or about an axis of the world, an axis of the part, or a random direction.
+// The twist is longer than any push.
 Twist TwoTrees::randomDrive(const State& at) {
   const double kind = random_.fraction();
   Vector3d d = random_.direction();

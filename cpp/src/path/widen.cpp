@@ -26,13 +26,13 @@ constexpr double kFirst = 2e-3;           // radii; the first raise
 constexpr double kMinUsefulRaise = 2e-6;  // radii; smaller raises are not worth the time
 constexpr double kMaxRaise = 0.25;        // radii; largest raise of all steps together
 constexpr double kRaise = 2;              // factor from one raise to the next
-// The search ends when the next raise to try is at most this many times the last one that worked.
+// The search ends when the next raise to try is at most this multiple of the last successful one.
 constexpr double kBracketRatio = 1.4;
 constexpr double kMaxLengthening = 1.25;  // the path may become longer by this factor
 constexpr int kShortcutsOfWidened = 100;  // shortcuts of the widened path
 
-/// The distance of a pair of triangles, as a linear function of the twists of the two keys beside
-/// it: row . (before * twist of the key + after * twist of the next key) >= least.
+/// A linear inequality for the twists of two successive keys, which opens a pair of triangles
+/// between them: row . (before * twist of the key + after * twist of the next key) >= least.
 struct Opening {
   std::size_t key;
   double before, after;
