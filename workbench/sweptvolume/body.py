@@ -22,7 +22,7 @@ class Body:
     part gives no triangles."""
 
     def __init__(self, parts, placement, labels):
-        # (label, 4x4 matrix to the world, result of reader(), label, root and sub)
+        # Per part: label, 4x4 matrix to the world, function from convert.reader(), convert.owner().
         self._parts = parts
         self.placement = placement
         self.labels = labels

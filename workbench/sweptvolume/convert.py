@@ -33,8 +33,8 @@ def pose_arrays(placements):
 
 
 def matrices_from(translations, rotations):
-    """Returns the same poses as 4x4 matrices (n,4,4), equal to those of matrix_of() to the last
-    bit."""
+    """Returns the poses of pose_arrays() as 4x4 matrices (n,4,4), equal to those of matrix_of() to
+    the last bit."""
     x, y, z, w = np.asarray(rotations).T
     size = np.sqrt(x * x + y * y + z * z + w * w)
     x, y, z, w = x / size, y / size, z / size, w / size

@@ -55,7 +55,8 @@ def problem():
 
 
 def tell_if_missing():
-    """Prints in the report view, once in a session, how to get the core. Never raises."""
+    """If the core is missing, prints in the report view, once in a session, how to get it. Never
+    raises."""
     global _told
     if not _told and not available():
         _told = True
@@ -162,7 +163,8 @@ def arguments(request):
 
 
 def outcome_of(found, request=None):
-    """Converts a result to an Outcome. With a request, it may be possible to simplify it again."""
+    """Converts a result to an Outcome. If the request has a tolerance, the Outcome can usually be
+    simplified again."""
     options = request.options if request is not None else {}
     again = options.get("tolerance", 0) > 0 and not options.get("conservative")
     if again:  # an open surface is not simplified

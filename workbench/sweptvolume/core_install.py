@@ -27,7 +27,7 @@ PACKAGE, SIZE = "swept-volume", 4
 DEFAULT_INDEX = "https://pypi.org/simple"
 #: Whether the package is published on DEFAULT_INDEX. Until then its name there may belong to anybody.
 PUBLISHED = False
-#: What the package consists of.
+#: Patterns for the files and folders of the installed package.
 _PARTS = ("_swept*", "swept_volume", "swept_volume-*.dist-info")
 #: Where the Addon Manager keeps the interpreter that the user has chosen for pip.
 _PREFERENCES = "User parameter:BaseApp/Preferences/Addons"

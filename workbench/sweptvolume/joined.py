@@ -7,7 +7,7 @@ import numpy as np
 from . import core
 
 
-#: The fields of an Outcome that are kept after its envelope was joined.
+#: Fields of an Outcome that are still needed after its envelope was joined to others.
 _Joined = collections.namedtuple("_Joined", "report sources parts")
 
 

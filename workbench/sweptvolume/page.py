@@ -139,8 +139,8 @@ class _OfMechanism(_Request):
 
 
 def _file_of(document, is_changed):
-    """Returns (name, whether it was changed since saving, path) of the document's file, or None if
-    there is no file."""
+    """Returns (name, note, path) of the document's file, or None if there is no file. The note says
+    that the document was changed since it was saved, or is ""."""
     if not document.FileName or not os.path.isfile(document.FileName):
         return None
     how = translate("SweptVolume", "changed since it was saved") if is_changed else ""

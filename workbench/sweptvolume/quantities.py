@@ -43,7 +43,7 @@ def count(value):
 
 
 def quantity(value, digits=DIGITS):
-    """Formats a length (mm) with the unit that FreeCAD would choose. Rounds it before, because the
+    """Formats a length (mm) with the unit that FreeCAD would choose. Rounds it first, because the
     distance of parts in contact may differ from 0 by rounding errors."""
     value = round(float(value), MOST_DECIMALS)
     factor, name = _preferred(value)

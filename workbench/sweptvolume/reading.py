@@ -83,9 +83,9 @@ def beside(document, parts, key, call):
 
 
 def first(document, words, key, call):
-    """Returns whether parts are so large that they must be read first; then call() follows later.
-    words: a function that returns contents.words(). Its exceptions are ignored here and reach
-    the next caller."""
+    """Returns whether parts are so large that they must be read first. If so, call() follows when
+    they are read. words: a function that returns contents.words(). Its exceptions are ignored here
+    and reach the next caller."""
     try:
         parts = contents.unread(words())
     except (InputProblem, RuntimeError, AttributeError):
@@ -110,6 +110,6 @@ def _look_later(obj, parts):
 
 
 def watch():
-    """Makes objects with large parts check for changes only after reading in the background, from
-    now on."""
+    """From now on, objects with large parts check for changes only after these were read in the
+    background."""
     status.read_beside = _look_later

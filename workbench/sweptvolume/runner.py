@@ -21,7 +21,7 @@ from .texts import translate
 
 #: Interval (ms) between two checks of the progress.
 POLL = 100
-#: Time (ms) after which an applied result is freed, so that the window draws it first.
+#: Time (ms) after which an applied result is freed. The window is drawn before that.
 FORGET = 400
 #: Time (ms) in which a cancelled run may end by itself. So Stop takes effect within 0.3 s, including
 #: the interval between two checks.
@@ -65,10 +65,10 @@ class Task:
         raise NotImplementedError
 
     def after(self, value):
-        """Makes changes that Undo must not keep, after finish(). GUI thread."""
+        """Called after finish(). Makes changes that do not belong to the undo step. GUI thread."""
 
     def drop(self, value):
-        """Handles a result that nobody uses: removes the files that it refers to."""
+        """Discards a result that was not applied: removes the files that it refers to."""
 
     def fail(self, text, cancelled=False):
         """Stores the text of a failed run in the document."""

@@ -93,8 +93,8 @@ def worst_first(rows):
 
 
 def _start(words):
-    """Starts a process of the package in its own folder, which contains nothing else that could be
-    imported."""
+    """Starts Python with these arguments in the folder of the core and the package. Nothing else
+    could be imported from there."""
     python = interpreter.find()
     if python is None:
         text = translate(

@@ -96,7 +96,7 @@ def _rename(obj, plan):
 
 
 def keep(obj, hash_at_start):
-    """Marks the result, which was just written, as the result of the inputs with this hash."""
+    """Stores that the result that was just written belongs to the inputs with this hash."""
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     follow_all_visible(obj)
     update_status(obj)

@@ -196,8 +196,8 @@ class Plan(StillParts):
         return self._words
 
     def checked_hash(self):
-        """As hash(), but raises InputProblem, whose text says why inputs are unusable. Any thread,
-        if the words were prepared() for that."""
+        """As hash(), but raises InputProblem, whose text says why inputs are unusable. Any thread
+        may call this after contents.prepared() was called for the words."""
         return status.VERSION + contents.short(contents.texts(self.words()))
 
     def hash_of_before(self):

@@ -158,8 +158,8 @@ class Plan:
         return self._words
 
     def checked_hash(self, without=()):
-        """As hash(), but raises InputProblem, whose text says why inputs are unusable. Any thread,
-        if the words were prepared() for that."""
+        """As hash(), but raises InputProblem, whose text says why inputs are unusable. Any thread
+        may call this after contents.prepared() was called for the words."""
         return status.VERSION + self._hash(contents.texts(self.words()), without)
 
     def hash_of_before(self):
@@ -205,7 +205,8 @@ class Plan:
         return [g.body_request(deflection, STRAIGHT * cell, options, read) for g in groups]
 
     def coarse_requests(self, cells):
-        """As requests(), for a quick preview: `cells` along the longest side, not simplified."""
+        """Returns requests() for a quick preview: with `cells` cells along the longest side, and
+        without simplification."""
         values = dict(
             self.values,
             Accuracy=0.0,

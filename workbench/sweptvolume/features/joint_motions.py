@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Creates the motions of all parts that one driver or simulation moves, and reads them again. All
-parts are recorded in one run of the source."""
+"""Creates the motions of all parts that one driver or simulation moves, and updates them. All parts
+are recorded in one run of the source."""
 from .. import convert
 from ..convert import InputProblem
 from ..texts import translate
@@ -71,7 +71,7 @@ def take(document, settings, run):
 
 
 def of_source(document, settings):
-    """Runs the source, and returns what take() returns."""
+    """Runs the source, and returns the result of take()."""
     return take(document, settings, begin(document, settings).run())
 
 

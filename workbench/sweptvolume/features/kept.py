@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Keeps the last simplified envelope so that it can be simplified to another tolerance.
 
-Keeps only one, because it is large, until its document is closed. Only for the GUI thread.
+Keeps only one envelope, because envelopes are large, and only until its document is closed. Only
+for the GUI thread.
 """
 import FreeCAD as App
 

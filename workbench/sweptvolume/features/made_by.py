@@ -154,7 +154,8 @@ def find(obj):
 
 def _rename(obj, record):
     """Updates labels and paths in a record, so that they stay correct after renaming and
-    regrouping. If the result is up to date, its parts are in the order of the inputs."""
+    regrouping. If the result is up to date, its parts have the order of the inputs, which
+    identifies them."""
     if obj.Status != UP_TO_DATE:
         for part in record.parts:
             place = row_names.pair_at(obj.Document, [part["root"], part["sub"]])

@@ -297,8 +297,9 @@ class Plan(StillParts):
         return whole(self.reading())
 
     def reading(self):
-        """As request(), but in steps: a generator whose return value is the Request. Between two
-        steps the window may handle events, but the document must not change (check_unchanged())."""
+        """Does the same as request(), but in steps: a generator whose return value is the Request.
+        Between two steps the window may handle events, but the document must not change
+        (check_unchanged())."""
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         tolerance = float(self.values["Accuracy"])
         parts, ways, notes, names = [], [], [], self.names()

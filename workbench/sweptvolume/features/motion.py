@@ -192,7 +192,8 @@ def reload_source(obj):
 
 
 def take(obj, poses):
-    """Stores poses from the source of a motion, converted to the coordinates of the motion."""
+    """Stores poses that were read from the source of a motion. poses: in the coordinates of the
+    motion."""
     store(obj, poses)
     obj.SourceHash = motion_source.signature(obj)
 
@@ -262,7 +263,8 @@ def motion_from_objects(document, objects, interpolation="Linear", step=1.0):
 
 
 def capture(obj, placement, time=None):
-    """Adds a placement (in world coordinates) as the last pose. The motion then has stored poses."""
+    """Adds a placement (in world coordinates) as the last pose. If the motion has a source, it
+    loses the source."""
     times = list(obj.Times)
     if time is None:
         time = times[-1] + 1.0 if times else 0.0

@@ -13,8 +13,8 @@ from .motion_properties import NAMES, USED
 
 def settings_of(obj):
     """Returns the source of a motion object as a plain value. Raises InputProblem."""
-    # These settings come from a document of an earlier version and are damaged. Otherwise
-    # take_over() would have converted and removed them.
+    # Settings that are still stored as text are damaged. Otherwise take_over() would have converted
+    # and removed them.
     if obj.SourceSettings:
         raise sources.damaged()
     values = {key: getattr(obj, NAMES[key]) for key in USED.get(obj.SourceType, ())}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that move rigidly together, their motion, and their reference part, converted from the
+"""Converts parts that move rigidly together, their motion and their reference part from the
 document to plain arrays for the core. Reads documents only in the GUI thread.
 """
 import FreeCAD as App
@@ -24,14 +24,16 @@ from . import motion as motion_feature
 
 
 def _in_world(motion, standing):
-    """Returns (poses, base): the poses of a motion in world coordinates, and the frame from which
-    the poses move a part whose present placement is `standing`."""
+    """Returns (poses, base). poses: those of the motion's pivot, in world coordinates. base: the
+    present placement of the frame that these poses move. standing: the present placement of the
+    part."""
     poses = motion_feature.world_poses_of(motion)
     base = base_of(poses, motion.PoseType, standing, motion_feature.container_of(motion))
     return poses.carried(), base.multiply(shift_to(poses.pivot))
 
 
-#: Deviation over one step, as a fraction of the deviation over two: it grows with the square.
+#: Deviation over one step, as a fraction of the deviation over two steps: the deviation grows with
+#: the square of the length.
 SINGLE_STEP = 0.25
 
 
@@ -165,7 +167,7 @@ class Way:
         return seen, sorted(set(knots).union(inside)), kind == "None"
 
     def request(self, body, tolerance, options):
-        """Returns a run of the core for a body (of core.Request) in the base frame. tolerance: as
+        """Returns the core.Request that moves a body. The body is in the base frame. tolerance: as
         in trajectory()."""
         if tolerance not in self._found:
             poses, interpolation = self.trajectory(tolerance)
@@ -284,12 +286,12 @@ class Moving:
         return self.way().trajectory(tolerance)
 
     def request(self, body, tolerance, options):
-        """Returns a run of the core for a body (of core.Request) in the base frame."""
+        """Returns the core.Request that moves a body. The body is in the base frame."""
         return self.way().request(body, tolerance, options)
 
     def body_request(self, deflection, tolerance, options, read=convert.body_from):
-        """Returns a run of the core for the parts themselves. deflection: mm, for solids; read: a
-        function like convert.body_from()."""
+        """Returns the core.Request that moves the parts themselves. deflection: mm, for solids;
+        read: a function like convert.body_from()."""
         way = self.way()
         body = Seen(read(self.pairs, deflection), way.into_base, self.motion)
         return way.request(body, tolerance, options)

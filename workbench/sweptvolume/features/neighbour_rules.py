@@ -130,9 +130,9 @@ def of(rules, root, path):
 def merged(rules, shown, given, of=of):
     """Returns the rules after the user changed some. shown: all neighbours whose rules the user
     saw. given: {pair: Rule} of those that now have a rule. A neighbour whose rule was changed gets
-    a rule of its own, and rules of groups stay. Only if a neighbour in a group was set back to the
-    default, which no rule can say, the rules of its groups become rules of the other neighbours
-    shown."""
+    a rule of its own, and rules of groups stay. No rule can say that the default holds again. So if
+    a neighbour in a group was set back to the default, the group loses its rule, and its other
+    neighbours that are shown get this rule instead."""
     wanted = {pair: given.get(pair, Rule()) for pair in shown}
     freed = [p for p in shown if not wanted[p].asks() and of(rules, *p).asks()]
     found = {

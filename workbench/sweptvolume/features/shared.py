@@ -60,7 +60,8 @@ def is_shared(obj):
 
 
 class Request:
-    """Input of one run: two sides (name, body, chord error in mm), independent of any document."""
+    """Input of one run: two sides, each (name, body, chord error in mm), independent of any
+    document."""
 
     def __init__(self, first, second):
         self.first, self.second = first, second

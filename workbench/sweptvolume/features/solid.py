@@ -98,7 +98,8 @@ def checked_hash(source, wanted):
 
 
 def hash_of(words):
-    """Returns the hash for the result of words_of(). Any thread, if it was prepared() for that."""
+    """Returns the hash for the result of words_of(). Any thread may call this after
+    contents.prepared() was called for them."""
     return status.VERSION + contents.short(contents.texts(words))
 
 

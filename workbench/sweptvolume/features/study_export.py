@@ -32,7 +32,7 @@ def file_name(label):
     ()+,@.-_."""
     kept = "".join(c if c.isalnum() or c in "()+,@.-_ " else "_" for c in label)
     kept = kept[:_MOST_LETTERS].strip(" .")
-    # These names are taken by files in the folder of the results.
+    # Files in the folder of the results have these names.
     taken = kept.casefold() in ("", "study.csv", "study.json", PAGE)
     return kept + "_" if taken else kept
 

@@ -235,8 +235,8 @@ class ResultPanel(StayingPanel):
         self.table.choose(index)
 
     def go_through(self, by):
-        """Goes to the next row in the order from worst to best (1), or back (-1). Without a chosen
-        row, goes to the worst."""
+        """Chooses the next row (1) or the previous row (-1) in the order from worst to best.
+        Without a chosen row, chooses the worst."""
         place = self._place_among_worst() + by
         if 0 <= place < len(self.worst_first):
             self.choose(self.worst_first[place])

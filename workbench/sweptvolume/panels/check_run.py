@@ -22,7 +22,7 @@ class CheckRun:
         raise NotImplementedError
 
     def start(self):
-        plans = []  # one plan for both functions, because it keeps what it has read
+        plans = []  # both functions use one plan, because it keeps the data that it has read
 
         def plan():
             plans[:] = plans or [self.plan()]

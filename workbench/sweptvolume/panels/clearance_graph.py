@@ -12,7 +12,7 @@ from ..texts import translate
 from .widgets import QtWidgets
 
 COLOURS = ("#1f77b4", "#d95f02", "#2ca02c", "#9467bd", "#8c564b", "#17becf", "#7f7f7f", "#bcbd22")
-#: Colour of all lines beyond COLOURS; their names are not listed at the side.
+#: Colour of all further lines; their names are not listed at the side.
 OTHERS = "#609a9a9a"
 LEFT, RIGHT, TOP, BOTTOM = 46, 8, 8, 30
 #: The scale changes from linear to logarithmic at the smallest required distance divided by BEND.

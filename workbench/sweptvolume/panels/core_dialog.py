@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Offers to install the core: says what is fetched from where, shows progress, can be cancelled.
-FreeCAD can be used while the dialog is open."""
+"""Offers to install the core: lists what is fetched and from where, shows the progress, and can be
+cancelled. FreeCAD can be used while the dialog is open."""
 import os
 import sys
 import threading
@@ -138,7 +138,7 @@ class CoreDialog(QtWidgets.QDialog):
         self.done.setEnabled(not running)
 
     def _say(self, label, text):
-        """Shows a text, and makes the window high enough for all of them."""
+        """Shows a text in a label, and makes the window high enough for all its texts."""
         if label.text() == text and label.isVisible() == bool(text):
             return
         show_message(label, text)

@@ -21,7 +21,7 @@ from .widgets import QtWidgets
 
 #: Time (ms) from the last change to a new estimate and preview.
 ESTIMATE_DELAY = 250
-#: Time (ms) from the end of a run to closing the panel, so that the window draws the result first.
+#: Time (ms) from the end of a run to closing the panel. The window draws the result in this time.
 CLOSE_DELAY = 150
 #: Largest number of cells that can be typed. The core reports its limit; a smaller limit of the
 #: field would silently cut off digits.
@@ -324,8 +324,8 @@ class EnvelopePanel(StartPanel):
         self.preview.want(plan.coarse_requests)
 
     def finest(self):
-        """Returns the number of cells of the fine preview: the requested one, but limited for
-        speed."""
+        """Returns the number of cells of the fine preview: the requested number, but at most
+        MOST_CELLS."""
         by_cells = self.by.currentData() == "Resolution"
         return min(self.resolution.value(), MOST_CELLS) if by_cells else MOST_CELLS
 
@@ -462,6 +462,6 @@ def show(document, pairs=(), motion_obj=None, obj=None, start=False):
     panel = EnvelopePanel(document, pairs, motion_obj, obj)
     opened[:] = [panel]
     focus.show(panel)
-    if start and not panel.message.text():  # with a message, the user must first choose something
+    if start and not panel.message.text():  # a message says that an input is missing
         panel.start()
     return panel

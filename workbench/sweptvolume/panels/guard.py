@@ -15,7 +15,7 @@ from .widgets import QtCore, QtWidgets
 
 #: Exceptions caused by the input or the machine. All others are faults of the workbench.
 EXPECTED = (InputProblem, core.CoreError, core.CoreMissing, OSError)
-#: A typed length counts as understood if it agrees with the field's value up to rounding.
+#: Largest relative difference between a typed length and the value of its field, due to rounding.
 AGREES = 1e-6
 
 

@@ -34,7 +34,7 @@ class History:
         self.before, self.undone = [], []
 
     def note(self, keys, row):
-        """Stores a change. Does nothing if the keys have not changed."""
+        """Stores a change of the keys. If they have not changed, stores only the current row."""
         if content(keys) == content(self.now[0]):
             self.now = self.now[0], row
             return

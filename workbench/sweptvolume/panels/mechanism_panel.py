@@ -17,7 +17,7 @@ from .tasks import MechanismTask, PairContactsTask
 from .widgets import QtWidgets
 
 DEFAULTS = {"RequiredDistance": 5.0, "Accuracy": 0.01, "MeshDeflection": 0.05, "Range": 0.0}
-#: With more pairs than this, the table lists only those that came close or have a rule.
+#: If there are more pairs, the table lists only those that came close or have a rule.
 MOST_PAIRS = 300
 
 

@@ -126,7 +126,7 @@ class PlayedPanel(check_result.ResultPanel):
 
     def left_row(self):
         """Called when the view no longer shows the moment of a row. The line stays until the next
-        answer."""
+        distance is known."""
 
     def place(self, time, marked=()):
         self.ghosts.show([course(time) for course in self.courses], marked)
@@ -188,7 +188,8 @@ class PlayedPanel(check_result.ResultPanel):
     # --- the parts, read in the background
 
     def ready(self):
-        """Returns whether the parts can be drawn. If not, they are read, and shown() follows."""
+        """Returns whether the parts can be drawn. If not, they are read, and parts_read()
+        follows."""
         if self.ghosts is not None:
             return True
         if self.shapes is None and self.obj is not None:

@@ -66,7 +66,7 @@ class StartPanel:
         return False
 
     def reject(self):
-        """Cancel: first stops the run, if there is one. A run writes nothing before its end."""
+        """Cancel: first stops the run, if there is one. Until then, the run has written nothing."""
         if self.run is not None:
             self.run.ended.disconnect(self.ended)
             self.run.cancel()
@@ -82,7 +82,7 @@ class StayingPanel(StartPanel):
 
     def watched(self):
         """Returns the observer of the document: it closes the panel with the document, and shows
-        the result again when it or its state has changed."""
+        the result again when the result or its state has changed."""
         return widgets.DocumentWatch(self.document, self.reject, self._look_again)
 
     def _state(self):

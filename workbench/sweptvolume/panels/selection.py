@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The selection, sorted by what the commands can use. Keeps sub paths through groups and links."""
+"""Returns the selected objects that the commands can use. Keeps sub paths through groups and
+links."""
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -55,7 +56,7 @@ def parts():
 
 
 def spaces():
-    """Returns the selected solids and meshes, including results of ours."""
+    """Returns the selected solids and meshes, including results of this workbench."""
     return _with_geometry(lambda target: True)
 
 

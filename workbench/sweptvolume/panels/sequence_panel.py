@@ -33,8 +33,8 @@ class SequencePanel(SearchPanel):
     def __init__(self, document, pairs=(), obj=None):
         self.obj, self.ghost, self.ghosts, self.shapes, self.courses = obj, None, None, None, []
         self.looked = -1
-        # Settings of an object that no field shows are kept: accuracy, and rules of the parts among
-        # each other.
+        # Settings of the object that no field shows are kept: the accuracy, and rules for pairs of
+        # moving parts.
         self.tolerance, self.own_rules = path_plan.DEFAULTS["Accuracy"], {}
         self.looks = QtCore.QTimer()
         self.looks.timeout.connect(self._look)

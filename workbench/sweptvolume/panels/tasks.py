@@ -272,7 +272,7 @@ class ShapesTask(Task):
 
 
 def warn_of(report, label):
-    """Prints what was given up to get a valid solid."""
+    """Prints the core's note about what it gave up to get a valid solid."""
     if report.get("note"):
         App.Console.PrintMessage("{}: {}\n".format(label, report["note"]))
 

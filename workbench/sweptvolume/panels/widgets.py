@@ -20,8 +20,8 @@ shiboken = importlib.import_module("shiboken" + QtCore.qVersion()[0].replace("5"
 
 #: In Qt 6, QAction is in QtGui.
 Action = getattr(QtGui, "QAction", None) or QtWidgets.QAction
-#: If a run reports nothing new, the progress bar moves on its own: half of the rest up to
-#: MOST_CREPT in this time (s).
+#: While a run reports nothing new, the progress bar moves by itself: in CREEP seconds by half of
+#: its distance from MOST_CREPT.
 CREEP, MOST_CREPT = 30.0, 0.98
 #: Margins inside a box with a title: left, top, right, bottom. The title is on the upper border.
 MARGINS = (6, 10, 6, 6)
@@ -84,7 +84,7 @@ def _quantity_field():
         try:
             field.objectName()
             return forget_with(field)
-        except RuntimeError:  # kept and unused, so that the next field gets another address
+        except RuntimeError:  # this field stays alive, so the next one gets another address
             if attempt == 9:
                 raise
 
@@ -187,8 +187,8 @@ def to_first_field(form):
 
 
 class DocumentWatch:
-    """Calls gone() soon after a document was closed, and changed() soon after objects came or went,
-    or states, names or what is visible may have changed, until stop() is called."""
+    """Calls gone() soon after a document was closed. Calls changed() soon after objects were added
+    or deleted, or their states, names or visibility may have changed. Ends with stop()."""
 
     def __init__(self, document, gone, changed=None):
         self.name, self.gone, self.changed, self._waits = document.Name, gone, changed, False

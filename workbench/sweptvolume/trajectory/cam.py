@@ -77,7 +77,8 @@ class _Reader:
         for axis in target:
             if axis in words:
                 target[axis] = words[axis] + (self.state[axis] if self.relative else 0.0)
-        # The position before is not known, so the motion begins at the first target.
+        # The position before the first move is not known, so the motion begins at the target of
+        # this move.
         if not self.found:
             self._arrive(target, 0.0)
             return

@@ -247,8 +247,8 @@ def _turns_by_tangent(samples):
 
 def _turns_by_second(samples, others, objects):
     """Returns rotations: x points along the tangent, z as closely as possible to the point of the
-    second curve. If that point lies on the line of the tangent, z is carried on from the pose
-    before."""
+    second curve. If that point lies on the line of the tangent, the rotation of the pose before
+    turns with the tangent."""
     turns, before = [], None
     for (point, tangent), other in zip(samples, others):
         up = other - point

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Edits a list of key poses. The operations work on copies, so an edit is undone by discarding its
-result."""
+"""Edits a list of key poses. Keys copies the lists that it is given, so discarding it discards all
+edits."""
 import bisect
 import math
 import re

@@ -206,8 +206,8 @@ def straightened(at, knots, reach, tolerance):
 
 
 def _leaves(at, a, here, b, there, reach):
-    """Returns a bound (mm) on the deviation of the path from a to b from the straight one,
-    evaluated at three times."""
+    """Returns how far (mm) a point within `reach` can be from its place on the straight segment, at
+    three times between a and b."""
     most = 0.0
     for u in (0.25, 0.5, 0.75):
         true = at(a + (b - a) * u)

@@ -3,7 +3,7 @@
 
 Positions are cubic Hermite pieces. Rotations are cumulative cubic pieces on the unit quaternions
 (Kim, Kim and Shin 1995): q(u) = q0 exp(w0 b1) exp(w b2) exp(w1 b3). So the angular velocity is
-continuous, too. Each key has one `Tangent`, which gives both velocities.
+continuous, too. The tangent of a key (TANGENTS) determines both velocities.
 """
 import math
 

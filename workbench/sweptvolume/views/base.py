@@ -16,8 +16,8 @@ reading.watch()
 
 
 def shown_icon(name):
-    """Returns the path of an icon after FreeCAD has drawn it once. Qt 6 draws no SVG files if its
-    plug-in for them is missing; the tree would then show a default icon."""
+    """Returns the path of an icon that FreeCAD has loaded itself. Otherwise the tree would show a
+    default icon if Qt 6 lacks its plug-in for SVG files."""
     path = icon(name)
     Gui.getIcon(path)
     return path
@@ -78,7 +78,7 @@ class View:
 
     def attach(self, view):
         self.Object = view.Object
-        for name in self.PARENTS:  # they may have been set before there was a view
+        for name in self.PARENTS:  # the links may have been set before there was a view
             self._tell_parents(view.Object, name)
 
     #: Names of the object's links to objects that show it as a child in the tree.
