@@ -31,7 +31,7 @@ class SweptVolumeWorkbench(FreeCADGui.Workbench):
         from sweptvolume import core
         from sweptvolume.panels import core_dialog
 
-        core.tell_if_missing()
+        core.warn_if_missing()
         core_dialog.offer_once()
 
     def ContextMenu(self, recipient):

@@ -149,14 +149,14 @@ def _bytes_of(shape):
             return file.read()
 
 
-def _shape_of(taken):
+def _shape_of(data):
     """Returns the shape from the bytes of _bytes_of()."""
     import Part
 
     shape = Part.Shape()
     with passing(".bin") as path:
         with open(path, "wb") as file:
-            file.write(taken)
+            file.write(data)
         try:
             shape.importBinary(path)
         except Exception:  # if the disk is full, FreeCAD raises an error without a reason
@@ -242,9 +242,9 @@ def _local(shape):
 def _read_shape(shape):
     local = _local(shape)
     points, counts = [], [len(local.Solids), len(local.Shells), len(local.Faces)]
-    for items, look in ((local.Faces, _face_points), (local.Edges, _edge_points)):
+    for items, points_of in ((local.Faces, _face_points), (local.Edges, _edge_points)):
         for item in items:
-            found = look(item)
+            found = points_of(item)
             points += found
             counts.append(len(found))
     points += [vertex.Point for vertex in local.Vertexes]

@@ -154,8 +154,10 @@ def _outermost(points):
     """Returns the indices of the outermost points in evenly distributed directions."""
     count = np.arange(DIRECTIONS) + 0.5
     down, round_ = np.arccos(1 - 2 * count / DIRECTIONS), np.pi * (1 + 5**0.5) * count
-    ways = np.stack([np.cos(round_) * np.sin(down), np.sin(round_) * np.sin(down), np.cos(down)])
-    found = [(points @ ways[:, k : k + 32]).argmax(axis=0) for k in range(0, DIRECTIONS, 32)]
+    directions = np.stack(
+        [np.cos(round_) * np.sin(down), np.sin(round_) * np.sin(down), np.cos(down)]
+    )
+    found = [(points @ directions[:, k : k + 32]).argmax(axis=0) for k in range(0, DIRECTIONS, 32)]
     return np.unique(np.concatenate(found))
 
 

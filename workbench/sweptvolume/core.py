@@ -15,7 +15,7 @@ from .core_texts import said
 
 _module = None
 _problem = None
-_told = False
+_warned = False
 
 
 class CoreMissing(RuntimeError):
@@ -54,12 +54,12 @@ def problem():
     return "" if available() else _problem
 
 
-def tell_if_missing():
+def warn_if_missing():
     """If the core is missing, prints in the report view, once in a session, how to get it. Never
     raises."""
-    global _told
-    if not _told and not available():
-        _told = True
+    global _warned
+    if not _warned and not available():
+        _warned = True
         App.Console.PrintWarning(_problem + "\n")
 
 

@@ -175,14 +175,14 @@ def version_in(path):
     return versions.pop()
 
 
-def _check_version(version, place):
+def _check_version(version, source):
     if version != __version__:
         text = translate(
             "SweptVolume",
             'The core in "{0}" has version {1}, but the workbench has version {2}: choose a '
             "core of version {2}.",
         )
-        raise Failed(text.format(place, version, __version__))
+        raise Failed(text.format(source, version, __version__))
 
 
 def _move(staged, folder):

@@ -200,7 +200,7 @@ def _inputs(req):
     return found
 
 
-def _told(report):
+def _translated(report):
     """Returns the report with its findings and notes in the user's language."""
     findings = [dict(w, text=said(w["code"], w["text"])) for w in report.get("warnings", [])]
     findings += [{"code": "", "text": note} for note in report.get("notes", [])]
@@ -211,7 +211,7 @@ def text(req, control, pictures=(), view=True):
     """Returns the text of the page, in any thread. pictures: (caption, media type, bytes). Raises
     core.CoreError, InputProblem."""
     return core.report_page(
-        _told(req.report),
+        _translated(req.report),
         control,
         title=req.title,
         language=req.language,

@@ -96,20 +96,20 @@ def first(document, words, key, call):
     return True
 
 
-def _look_later(obj, parts):
+def _compare_later(obj, parts):
     document, name = obj.Document, obj.Name
 
-    def look():
+    def compare():
         again = document.getObject(name)
         if again is not None:
             with quietly(again):
                 again.Proxy.look(again)
-            status.tell_users(again)
+            status.update_users(again)
 
-    beside(document, parts, name, look)
+    beside(document, parts, name, compare)
 
 
 def watch():
     """From now on, objects with large parts check for changes only after these were read in the
     background."""
-    status.read_beside = _look_later
+    status.read_beside = _compare_later

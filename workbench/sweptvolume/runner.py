@@ -121,7 +121,7 @@ class Run(QtCore.QObject):
         self._fetching = None
         self._steps = None  # the generator of the remaining steps, or None
         self._timer = QtCore.QTimer()
-        self._timer.timeout.connect(self._look)
+        self._timer.timeout.connect(self._emit_progress)
 
     def start(self):
         _runs.append(self)
@@ -195,7 +195,7 @@ class Run(QtCore.QObject):
         for thread in self.threads():
             thread.wait()
 
-    def _look(self):
+    def _emit_progress(self):
         self.progress.emit(self.control.progress(), self.control.phase())
 
     def _worked(self):

@@ -145,43 +145,43 @@ def _ask_to_stop(process):
         process.send_signal(signal.SIGINT)
 
 
-def _followed(process, told, cancelled):
-    """Passes each line to told() until the process has ended. Returns the text of its standard
+def _followed(process, on_line, cancelled):
+    """Passes each line to on_line() until the process has ended. Returns the text of its standard
     error. Raises core.CoreError if the study was cancelled."""
-    output, asked = _Output(process), False
+    output, stopping = _Output(process), False
     try:
         while True:
-            if not asked and cancelled():
+            if not stopping and cancelled():
                 _ask_to_stop(process)
-                asked = True
+                stopping = True
             try:
                 line = output.lines.get(timeout=_POLL)
             except queue.Empty:
                 continue
             if line is None:
                 break
-            told(line)
+            on_line(line)
         process.wait(_LEAVE)
     finally:
         if process.poll() is None:
             process.kill()
             process.wait()
-    if asked:
+    if stopping:
         raise core.cancelled()
     return output.text()
 
 
-def run(path, output, jobs, told, cancelled):
+def run(path, output, jobs, on_row, cancelled):
     """Computes the remaining runs of a study and its page, in `jobs` processes (0: one for each
     core).
 
-    Calls told(row, done, runs) in this thread for each run. Kept results come first; for them, done
+    Calls on_row(row, done, runs) in this thread for each run. Kept results come first; for them, done
     and runs are None. cancelled() returns whether to stop. Returns the report of the study
     (docs/report.md). Raises core.CoreError, core.CoreMissing, InputProblem."""
 
     def take(line):
         found = json.loads(line.decode("utf-8"))
-        told(found["row"], found.get("done"), found.get("runs"))
+        on_row(found["row"], found.get("done"), found.get("runs"))
 
     with tempfile.TemporaryDirectory() as folder:
         report = os.path.join(folder, "report.json")
@@ -204,13 +204,13 @@ def run(path, output, jobs, told, cancelled):
 #: for that of the study, "print", or a file).
 _PAGE = """
 import sys, swept_volume as sv
-path, output, way, template = sys.argv[1:]
+path, output, relative, template = sys.argv[1:]
 text = None
 if template:
     own = template == "print"
     text = sv.page_template(template) if own else open(template, encoding="utf-8").read()
 try:
-    page = sv.study_page(path, output=output, folder=way, template=text)
+    page = sv.study_page(path, output=output, folder=relative, template=text)
 except (sv.Error, OSError) as error:
     sys.exit(str(error))
 sys.stdout.buffer.write(page.encode())
@@ -221,9 +221,9 @@ def page(path, output, target, template, cancelled):
     """Returns the page of all runs as text, for a file at `target`. template: "" for that of the
     study, "print" for the built-in one for PDF, or a file. Raises core.CoreError,
     core.CoreMissing, InputProblem."""
-    way = os.path.relpath(output, os.path.dirname(os.path.abspath(target)))
-    way = "" if way == "." else way.replace(os.sep, "/") + "/"
-    process, lines = _start(["-c", _PAGE, path, output, way, template]), []
+    relative = os.path.relpath(output, os.path.dirname(os.path.abspath(target)))
+    relative = "" if relative == "." else relative.replace(os.sep, "/") + "/"
+    process, lines = _start(["-c", _PAGE, path, output, relative, template]), []
     errors = _followed(process, lines.append, cancelled)
     if process.returncode != 0:
         raise InputProblem(errors)

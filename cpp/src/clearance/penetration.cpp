@@ -148,7 +148,7 @@ class DepthSearch {
   }
 
   double tryAt(double u, bool ofBody, const Vector3d& local);
-  void tryRound(double u, double width, bool ofBody, const Vector3d& local);
+  void refineTime(double u, double width, bool ofBody, const Vector3d& local);
   void begin(const Minimum& touch);
   void sharpen();
   void finish();
@@ -188,7 +188,7 @@ double DepthSearch::tryAt(double u, bool ofBody, const Vector3d& local) {
 
 // Improves the time at which a point is deepest, by a golden section search between the motion
 // parameters u - width and u + width.
-void DepthSearch::tryRound(double u, double width, bool ofBody, const Vector3d& local) {
+void DepthSearch::refineTime(double u, double width, bool ofBody, const Vector3d& local) {
   double low = std::max(0.0, u - width);
   double high = std::min(c_.motion.largestParameter(), u + width);
   for (int i = 0; i < 40; ++i) {
@@ -218,7 +218,7 @@ void DepthSearch::begin(const Minimum& touch) {
   const auto tryPoint = [&](bool ofBody, const Vector3d& local) {
     tryAt(touch.parameter, ofBody, local);
     if (!c_.motion.isContinuous()) return;
-    for (const double width : {1.0, 0.05, 0.002}) tryRound(touch.parameter, width, ofBody, local);
+    for (const double width : {1.0, 0.05, 0.002}) refineTime(touch.parameter, width, ofBody, local);
   };
   tryPoint(true, onBody);
   tryPoint(false, touch.at.onNeighbour);
@@ -241,7 +241,7 @@ void DepthSearch::sharpen() {
     }
   }
   if (c_.motion.isContinuous())
-    tryRound(best_.parameter, bestSpan_ > 0 ? 4 * bestSpan_ : 1.0, ofBody, local);
+    refineTime(best_.parameter, bestSpan_ > 0 ? 4 * bestSpan_ : 1.0, ofBody, local);
 }
 
 void DepthSearch::finish() {
@@ -308,7 +308,7 @@ PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touc
   return DepthSearch(context, tolerance, effort).run(touch);
 }
 
-bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, double atLeast) {
+bool overlapsAtLeast(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, double atLeast) {
   if (atLeast < 0) return true;
   struct Open {
     double promise;  // see PieceSearch::promise; one deep point suffices, so promising pieces come

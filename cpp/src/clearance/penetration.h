@@ -25,7 +25,7 @@ PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touc
 /// Returns true only if a surface point of one mesh lies at least `atLeast` (mm) deep inside the
 /// other at this pose. May return false although there is such a point, because the effort is
 /// limited.
-bool overlapsBy(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
-                double atLeast);
+bool overlapsAtLeast(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
+                     double atLeast);
 
 }  // namespace swept::clearance

@@ -32,7 +32,7 @@ struct Demand {
 /// Returns the distance (mm) that the triangles must keep. It is slightly larger than the distance
 /// that the check accepts as clear, so that rounding does not matter. `chordErrors`: sum for both
 /// parts.
-double apartBy(double required, double chordErrors, double tolerance);
+double distanceToKeep(double required, double chordErrors, double tolerance);
 
 /// Returns what the rules of the neighbours and the options require together.
 Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options);
@@ -54,7 +54,7 @@ struct End {
 
 /// Returns how deep (mm) the part may lie in a neighbour that it touches at an end. `row`: result
 /// of the check of this neighbour at that end.
-double mostDepth(const NeighbourClearance& row, double tolerance, double release);
+double largestAllowedDepth(const NeighbourClearance& row, double tolerance, double release);
 
 /// Checks one neighbour with checkPair() (clearance/pair_check.h). `required`: mm.
 NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std::size_t neighbour,
@@ -62,8 +62,8 @@ NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std:
                                   RunContext& run);
 
 /// Does the same as examineEnd() but does not search for exits, so the result has none.
-End touchedAt(const Scene& scene, const Demand& demand, const State& state, const std::string& what,
-              RunContext& run);
+End examineContacts(const Scene& scene, const Demand& demand, const State& state,
+                    const std::string& what, RunContext& run);
 
 /// Examines an end of the path. `what`: "goal", "start" or "via". Throws Error(InvalidInput) with
 /// GoalBlocked, StartBlocked or ViaBlocked, and Error(Cancelled).
@@ -72,7 +72,7 @@ End examineEnd(const Scene& scene, const Demand& demand, const State& state,
 
 /// Returns true only if it is proven that the motion stays within `end.allowedDepth`: the part
 /// never lies deeper than allowed in a neighbour that it touches at this end.
-bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
-                   const Trajectory& motion, RunContext& run);
+bool staysWithinDepth(const Scene& scene, const Demand& demand, const End& end,
+                      const Trajectory& motion, RunContext& run);
 
 }  // namespace swept::path

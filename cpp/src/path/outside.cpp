@@ -40,9 +40,9 @@ End outside(const Scene& scene, const Demand& demand, const State& goal,
   };
   if (extraction.direction) {
     const Vector3d d = extraction.direction->normalized();
-    const double way =
+    const double distance =
         front(scene, d) + reachBack(scene, goal, d) + largest(demand.apart) - d.dot(goal.middle);
-    tryShift(std::max(1.001 * way, 1e-3 * scene.radius()) * d);
+    tryShift(std::max(1.001 * distance, 1e-3 * scene.radius()) * d);
     return end;
   }
   for (int x = -1; x <= 1; ++x)
@@ -53,8 +53,8 @@ End outside(const Scene& scene, const Demand& demand, const State& goal,
   return end;
 }
 
-std::function<bool(const State&)> outTest(const Scene& scene, const Demand& demand,
-                                          const State& goal, const Extraction& extraction) {
+std::function<bool(const State&)> outsideTest(const Scene& scene, const Demand& demand,
+                                              const State& goal, const Extraction& extraction) {
   if (!extraction.direction)
     return [middle = goal.middle, radius = extraction.radius](const State& state) {
       return (state.middle - middle).norm() >= radius;

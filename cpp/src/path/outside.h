@@ -17,7 +17,7 @@ End outside(const Scene& scene, const Demand& demand, const State& goal,
 /// Returns a function that tests whether a state is outside. Without a direction, outside means at
 /// least the radius of the extraction away from the goal. With a direction, the whole part must lie
 /// beyond the box of all neighbours, by at least the largest required distance.
-std::function<bool(const State&)> outTest(const Scene& scene, const Demand& demand,
-                                          const State& goal, const Extraction& extraction);
+std::function<bool(const State&)> outsideTest(const Scene& scene, const Demand& demand,
+                                              const State& goal, const Extraction& extraction);
 
 }  // namespace swept::path

@@ -60,7 +60,7 @@ class Feature:
     def onDocumentRestored(self, obj):
         self.add_properties(obj)
         with quietly(obj):
-            renamed.take_over(obj, renamed.RENAMED.get(self.KIND, {}))
+            renamed.move_values(obj, renamed.RENAMED.get(self.KIND, {}))
 
     def look(self, obj):
         """Compares the present inputs with those of the stored result, if there is one, and sets

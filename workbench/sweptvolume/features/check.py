@@ -39,7 +39,7 @@ class Check(Result):
     def onChanged(self, obj, name):
         missing.changed(obj, name)
 
-    def shortened(self, obj):
+    def shorten_links(self, obj):
         """Rewrites the links of the check and of its rules so that they begin below the groups
         around the check."""
         if PARTS_PROPERTY in obj.PropertiesList:

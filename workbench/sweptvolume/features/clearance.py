@@ -79,11 +79,11 @@ class Clearance(Check):
         return summary(report)
 
     def onDocumentRestored(self, obj):
-        of_before = "Seen" not in obj.PropertiesList
+        from_old_version = "Seen" not in obj.PropertiesList
         with quietly(obj):
             super().onDocumentRestored(obj)
             containers.shorten(obj)  # documents of earlier versions may have circular links
-            if of_before:
+            if from_old_version:
                 follow_all_visible(obj)
                 plan = Plan.of(obj)
                 status.renew(obj, status.hash_or_problem(plan.hash_of_before)[0], plan.hash())

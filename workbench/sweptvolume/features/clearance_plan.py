@@ -89,7 +89,7 @@ class Plan(StillParts):
             {name: getattr(obj, name).Value for name in cls.SETTINGS},
             obj.Envelope,
         )
-        plan.rules = plan.asked_of(obj, neighbour_rules)
+        plan.rules = plan.rules_of(obj, neighbour_rules)
         return plan
 
     def write(self, obj):
@@ -157,8 +157,8 @@ class Plan(StillParts):
         """As mechanism_plan.Plan.seen(), for all moving parts."""
         moving = self.moving()
         body = convert.body_from(self.pairs, self.seen_deflection())
-        way = moving.way()
-        return [(Seen(body, way.into_base), way.course())]
+        rigid = moving.rigid_motion()
+        return [(Seen(body, rigid.into_base), rigid.course())]
 
     def rename(self, report):
         """Updates the names in the rows of a report to the present labels of the parts. Returns
@@ -215,12 +215,12 @@ class Plan(StillParts):
         moving = self.moving()
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         straight = 0.5 * float(self.values["Accuracy"])
-        way, parts = moving.way(), convert.body_from(self.pairs, deflection)
-        body = way.request(Seen(parts, way.into_base, moving.motion), straight, {})
-        chord = chord_of(self.pairs, deflection) + (straight if way.curved() else 0.0)
+        rigid, parts = moving.rigid_motion(), convert.body_from(self.pairs, deflection)
+        body = rigid.request(Seen(parts, rigid.into_base, moving.motion), straight, {})
+        chord = chord_of(self.pairs, deflection) + (straight if rigid.curved() else 0.0)
         neighbours, notes, ignored = self.still_parts(deflection)
         notes += self.moved_too()
-        off, text = way.hidden()
+        off, text = rigid.frame_deviation()
         if off > float(self.values["Accuracy"]):
             notes.append(text)
         if moving.motion.Message:

@@ -16,10 +16,10 @@ _LISTS, _SINGLES = ("MovingParts", "Neighbours", "Parts"), ("Reference",)
 _observer = None
 
 
-def is_held(obj):
+def is_contained(obj):
     """Returns whether a group or a link array contains an object and shows it in the tree."""
     lists = [getattr(user, "Group", []) + getattr(user, "ElementList", []) for user in obj.InList]
-    return any(obj in held for held in lists)
+    return any(obj in members for members in lists)
 
 
 def standing(document):
@@ -28,7 +28,9 @@ def standing(document):
 
     Document.RootObjects is not suitable: it contains only objects that no other object refers to.
     """
-    return [o for o in document.Objects if not kind_of(o) and _has_geometry(o) and not is_held(o)]
+    return [
+        o for o in document.Objects if not kind_of(o) and _has_geometry(o) and not is_contained(o)
+    ]
 
 
 def _has_geometry(obj):
@@ -104,9 +106,9 @@ def shorten(holder):
     for name in _LISTS + _SINGLES:
         if name in holder.PropertiesList:
             set_pairs(holder, name, convert.pairs_of(getattr(holder, name)))
-    shortened = getattr(holder.Proxy, "shortened", None)
-    if shortened is not None:
-        shortened(holder)
+    shorten_links = getattr(holder.Proxy, "shorten_links", None)
+    if shorten_links is not None:
+        shorten_links(holder)
 
 
 def _touch_checks(document, but=None):
@@ -125,7 +127,7 @@ def _touch_users(obj):
                 ours.touch()
 
 
-def _tell_what_names(obj):
+def _update_labels_in_users(obj):
     """Updates our objects that show the label of an object. FreeCAD does not recompute them after a
     change of a label. Undo restores the texts by itself."""
     for ours in obj.InListRecursive:
@@ -133,17 +135,17 @@ def _tell_what_names(obj):
             if ours.Document.Transacting:
                 ours.touch()
             else:
-                status.look_again(ours)
+                status.compare_again(ours)
 
 
-def _look_behind(broken):
+def _update_users_of_failed(broken):
     """Updates our objects that depend on a failed object. FreeCAD's recompute stops at the failed
     object and does not reach them. An example is a link that shows nothing because its target,
     or the target's document, is gone."""
     for ours in broken.InListRecursive:
         if kind_of(ours):
-            status.look_again(ours)
-            status.tell_users(ours)
+            status.compare_again(ours)
+            status.update_users(ours)
 
 
 class _Observer:
@@ -165,7 +167,7 @@ class _Observer:
         if document.Restoring:
             return
         if name == "Label":
-            _tell_what_names(obj)
+            _update_labels_in_users(obj)
         elif name in ("Visibility", "VisibilityList"):  # VisibilityList is that of a link array
             if not kind_of(obj):
                 _touch_users(obj)
@@ -190,7 +192,7 @@ class _Observer:
             return
         for obj in document.Objects:
             if "Invalid" in obj.State:
-                _look_behind(obj)
+                _update_users_of_failed(obj)
 
     def slotDeletedObject(self, obj):  # noqa: N802
         """Removes our links to a deleted object. Undo may delete an object to which such a link

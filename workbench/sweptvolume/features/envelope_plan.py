@@ -19,7 +19,7 @@ MOST_CELLS = 8000
 #: Largest deviation of the straight segments that approximate a smooth motion, in cells.
 STRAIGHT = 0.02
 #: Deflection of solids for the closer estimate, as a fraction of the part's size.
-LOOK_DEFLECTION = 2e-3
+TRIAL_DEFLECTION = 2e-3
 
 
 class Plan:
@@ -65,14 +65,14 @@ class Plan:
         containers.set_pairs(obj, "MovingParts", self.pairs)
         obj.Motion = self.motion
         obj.Motions = self.motions
-        self.tell_motions()
+        self.assign_parts()
         containers.set_pairs(obj, "Reference", [self.reference] if self.reference else [])
         obj.ReferenceMotion = self.reference_motion
         for name, value in self.values.items():
             if getattr(getattr(obj, name), "Value", getattr(obj, name)) != value:
                 setattr(obj, name, value)
 
-    def tell_motions(self):
+    def assign_parts(self):
         """Assigns the moving parts to motions that have no parts yet."""
         for motion in {m.Name: m for m in self.motions or [self.motion] if m is not None}.values():
             if is_motion(motion):
@@ -226,7 +226,7 @@ class Plan:
         groups, found = self.groups(), []
         cell = self.cell(groups)
         for group in groups:
-            off, text = group.hidden()
+            off, text = group.frame_deviation()
             if off > cell:
                 found.append({"code": "FramesFarApart", "text": text})
             if group.motion.Message:
@@ -262,7 +262,7 @@ class Plan:
         groups = self.groups()
         size = min(float(np.ptp(group.corners(), axis=0).max()) for group in groups)
         outlines = [group.outline() for group in groups]
-        requests = self.requests(LOOK_DEFLECTION * size, read)
+        requests = self.requests(TRIAL_DEFLECTION * size, read)
 
         def found(control):
             for outline in outlines:

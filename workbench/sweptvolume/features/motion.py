@@ -45,7 +45,7 @@ class Motion(Feature):
             look(obj)
         except (InputProblem, core.CoreMissing) as problem:
             set_changed(obj, "Status", str(problem))
-            status.tell_users(obj)  # FreeCAD does not recompute the users of a failed object
+            status.update_users(obj)  # FreeCAD does not recompute the users of a failed object
             raise
         set_changed(obj, "Count", len(poses))
         span = poses.times[-1] - poses.times[0] if len(poses) else 0.0
@@ -55,15 +55,15 @@ class Motion(Feature):
         missing.changed(obj, name)
 
     def onDocumentRestored(self, obj):
-        of_before = "SourceCount" not in obj.PropertiesList
+        from_old_version = "SourceCount" not in obj.PropertiesList
         super().onDocumentRestored(obj)
-        if of_before:
-            motion_source.take_over(obj)
+        if from_old_version:
+            motion_source.convert_old_settings(obj)
         motion_source.show_settings(obj)
         if obj.SourceType == "File":  # the file may have changed while the document was closed
             look(obj)
             if obj.Status:
-                status.tell_users(obj)
+                status.update_users(obj)
 
 
 def look(obj):

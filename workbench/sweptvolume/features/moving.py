@@ -84,7 +84,7 @@ def grouped(pairs, motions, *reference):
     return groups
 
 
-class Way:
+class RigidMotion:
     """The motion of parts that move rigidly together. Created in the GUI thread, where it reads the
     document; its methods then work in any thread. moving: a Moving that was checked."""
 
@@ -111,8 +111,8 @@ class Way:
         """Returns the placements of trajectory() as a function of time (s)."""
         return course(self.poses, self.interpolation)
 
-    def hidden(self):
-        """As Moving.hidden()."""
+    def frame_deviation(self):
+        """As Moving.frame_deviation()."""
         if not self.from_joints or self.interpolation == "None":
             return 0.0, ""
         poses = self.poses
@@ -244,25 +244,25 @@ class Moving:
             words += motion_feature.words_of_before(self.reference_motion)
         return words
 
-    def way(self):
-        """Returns the Way, which reads the document. Raises InputProblem."""
+    def rigid_motion(self):
+        """Returns the RigidMotion, which reads the document. Raises InputProblem."""
         self.check()
-        return Way(self)
+        return RigidMotion(self)
 
     def into_base(self):
         """Returns the 4x4 matrix from the present world coordinates to the frame to which the
         placements apply."""
-        return self.way().into_base
+        return self.rigid_motion().into_base
 
     def corners(self):
         """Returns the corners of the parts' bounding boxes in the base frame (k,3). Fast."""
         return convert.transform(self.into_base(), convert.box_corners(self.pairs))
 
-    def hidden(self):
+    def frame_deviation(self):
         """Returns (mm, text): how far the part may deviate from its interpolated path between two
         frames of a mechanism. The estimate compares each frame with the placement interpolated
         between the frames before and after it. 0 if the poses are keys."""
-        return self.way().hidden()
+        return self.rigid_motion().frame_deviation()
 
     def outline(self):
         """Returns a function for any thread. It returns the outermost points of the parts in the
@@ -278,20 +278,20 @@ class Moving:
 
     def course(self):
         """Returns the placements of trajectory() as a function of time (s)."""
-        return self.way().course()
+        return self.rigid_motion().course()
 
     def trajectory(self, tolerance):
         """Returns (Poses, interpolation of the core). tolerance: mm by which straight segments may
         deviate from a curved motion."""
-        return self.way().trajectory(tolerance)
+        return self.rigid_motion().trajectory(tolerance)
 
     def request(self, body, tolerance, options):
         """Returns the core.Request that moves a body. The body is in the base frame."""
-        return self.way().request(body, tolerance, options)
+        return self.rigid_motion().request(body, tolerance, options)
 
     def body_request(self, deflection, tolerance, options, read=convert.body_from):
         """Returns the core.Request that moves the parts themselves. deflection: mm, for solids;
         read: a function like convert.body_from()."""
-        way = self.way()
-        body = Seen(read(self.pairs, deflection), way.into_base, self.motion)
-        return way.request(body, tolerance, options)
+        rigid_motion = self.rigid_motion()
+        body = Seen(read(self.pairs, deflection), rigid_motion.into_base, self.motion)
+        return rigid_motion.request(body, tolerance, options)

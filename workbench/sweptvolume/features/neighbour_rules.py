@@ -136,9 +136,9 @@ def merged(rules, shown, given, of=of):
     wanted = {pair: given.get(pair, Rule()) for pair in shown}
     freed = [p for p in shown if not wanted[p].asks() and of(rules, *p).asks()]
     found = {
-        held: rule
-        for held, rule in rules.items()
-        if not any(of({held: rule}, *pair).asks() for pair in freed)
+        key: rule
+        for key, rule in rules.items()
+        if not any(of({key: rule}, *pair).asks() for pair in freed)
     }
     own = {pair: rule for pair, rule in wanted.items() if of(found, *pair) != rule}
     return {**found, **own}

@@ -54,7 +54,7 @@ def of(rules, one, other):
     Raises InputProblem if two rules contradict each other and neither is more specific: one has
     the smaller group around the first part, the other around the second."""
     # The rules that apply: (lengths of the paths to both groups, rule, pair).
-    held = []
+    applying = []
     for pair, rule in rules.items():
         for a, b in (pair, pair[::-1]):
             holds = all(
@@ -62,8 +62,10 @@ def of(rules, one, other):
                 for (above, sub), (root, path) in ((a, one), (b, other))
             )
             if holds:
-                held.append(((len(a[1]), len(b[1])), rule, pair))
-    narrowest = [row for row in held if not any(_narrower(other[0], row[0]) for other in held)]
+                applying.append(((len(a[1]), len(b[1])), rule, pair))
+    narrowest = [
+        row for row in applying if not any(_narrower(other[0], row[0]) for other in applying)
+    ]
     for _, rule, pair in narrowest[1:]:
         if rule != narrowest[0][1]:
             raise _contradiction((one, other), narrowest[0][2], pair)

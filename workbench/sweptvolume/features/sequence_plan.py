@@ -163,9 +163,9 @@ class Plan(mechanism_plan.Plan):
             report[name] = [new.get(known, known) for known in report[name]]
         for step in report["steps"]:
             step["part"] = new.get(step["part"], step["part"])
-            way_out = step.get("escape")
-            if way_out is not None:
-                way_out["blockers"] = [new.get(known, known) for known in way_out["blockers"]]
+            escape = step.get("escape")
+            if escape is not None:
+                escape["blockers"] = [new.get(known, known) for known in escape["blockers"]]
         return True
 
     # --- the run
@@ -179,7 +179,7 @@ class Plan(mechanism_plan.Plan):
             if group is None:
                 rows.append(self._searched(pair, names[pair], deflection))
                 continue
-            parts = self._moving_parts(group, group.way(), names, deflection, straight)
+            parts = self._moving_parts(group, group.rigid_motion(), names, deflection, straight)
             rows += [Row(part) for part in parts]
             notes += [group.motion.Message] if group.motion.Message else []
         still = []
@@ -220,10 +220,10 @@ class Plan(mechanism_plan.Plan):
         found, deflection = [], self.seen_deflection()
         begins = [step["begin"] for step in self.steps] or [0.0] * len(self.pairs)
         for pair, group, begin in zip(self.pairs, self.groups(), begins):
-            way = group.way()
-            body = Seen(convert.body_from([pair], deflection), way.into_base)
-            times = way.poses.times
-            found.append((body, _delayed(way.course(), times[0], times[-1], begin)))
+            rigid = group.rigid_motion()
+            body = Seen(convert.body_from([pair], deflection), rigid.into_base)
+            times = rigid.poses.times
+            found.append((body, _delayed(rigid.course(), times[0], times[-1], begin)))
         return found
 
 

@@ -202,7 +202,7 @@ def apply(obj, outcome, hash_at_start):
     obj.Depth = row.get("penetration", {}).get("depth", 0.0)
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     update_status(obj)
-    status.tell_users(obj)
+    status.update_users(obj)
 
 
 def notes_of(obj):
@@ -233,7 +233,7 @@ def fail(obj, text, tried, cancelled=False):
     """Stores the error of a run without a result; the stored mesh is kept. tried: hash of the
     inputs of the run."""
     status.mark_failure(obj, Plan.of(obj).hash, text, tried, cancelled)
-    status.tell_users(obj)
+    status.update_users(obj)
 
 
 def compute(obj, control=None):

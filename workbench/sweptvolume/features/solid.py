@@ -69,10 +69,10 @@ class Solid(Feature):
         missing.changed(obj, name)
 
     def onDocumentRestored(self, obj):
-        of_before = "Placed" not in obj.PropertiesList
+        from_old_version = "Placed" not in obj.PropertiesList
         with quietly(obj):
             super().onDocumentRestored(obj)
-            if of_before:
+            if from_old_version:
                 status.remember_place(obj)
                 before = status.hash_or_problem(lambda: hash_of_before(obj))[0]
                 status.renew(obj, before, input_hash(obj))
@@ -176,15 +176,15 @@ def notes_of(obj):
                 "up to {0}. Allow more faces, or set a Tolerance.",
             )
         notes.append(text.format(quantity(off), quantity(wanted)))
-    asked = max(wanted, off, LEAST_GAP)
-    if obj.EdgeTolerance.Value > asked:
+    largest_gap = max(wanted, off, LEAST_GAP)
+    if obj.EdgeTolerance.Value > largest_gap:
         text = translate(
             "SweptVolume",
             "At one edge, the gap between two faces of the solid is {0}. It should be at most {1}: the "
             "Tolerance or the deviation of the solid from the envelope, whichever is larger, but at "
             "least 0.001 mm. A smaller Tolerance gives more faces and smaller gaps.",
         )
-        notes.append(text.format(quantity(obj.EdgeTolerance.Value), quantity(asked)))
+        notes.append(text.format(quantity(obj.EdgeTolerance.Value), quantity(largest_gap)))
     return "\n".join(notes)
 
 
@@ -325,14 +325,14 @@ def apply(obj, value, hash_at_start):
     obj.EdgeTolerance = max((edge.Tolerance for edge in shape.Edges), default=0.0)
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     update_status(obj)
-    status.tell_users(obj)
+    status.update_users(obj)
 
 
 def fail(obj, text, tried, cancelled=False):
     """Stores the error of a run without a result; the stored shape is kept. tried: hash of the
     inputs of the run."""
     status.mark_failure(obj, lambda: input_hash(obj), text, tried, cancelled)
-    status.tell_users(obj)
+    status.update_users(obj)
 
 
 def compute(obj, control=None):

@@ -89,14 +89,14 @@ def is_behind(obj):
     return kind_of(obj) != "" and getattr(obj, "Status", "") in (STALE, FAILED, CANCELLED)
 
 
-def look_again(obj):
+def compare_again(obj):
     """Lets one of our objects compare its inputs with its result, outside a recompute of the
     document."""
     with quietly(obj):
         obj.Proxy.look(obj)
 
 
-def tell_users(obj):
+def update_users(obj):
     """Lets our objects that use this one compare their inputs again, because it was changed outside
     a recompute of the document, or because the recompute stops at it."""
     seen, waiting = [obj], [obj]
@@ -105,7 +105,7 @@ def tell_users(obj):
             if kind_of(user) and user not in seen:
                 seen.append(user)
                 waiting.append(user)
-                look_again(user)
+                compare_again(user)
 
 
 def renew(obj, before, now):

@@ -85,7 +85,7 @@ class StillParts:
     """Base class of plans. A plan has `document`, `pairs` (the moving parts), `neighbours`,
     `all_visible`, `rules` ({(root, sub): Rule}), `values` (settings) and is_own()."""
 
-    def asked_of(self, obj, rules):
+    def rules_of(self, obj, rules):
         """Returns the rules of an object. rules: the module that reads them. Stores in `lost` the
         text about deleted or damaged inputs."""
         self.lost = missing.text(obj)

@@ -33,8 +33,8 @@ def file_name(label):
     kept = "".join(c if c.isalnum() or c in "()+,@.-_ " else "_" for c in label)
     kept = kept[:_MOST_LETTERS].strip(" .")
     # Files in the folder of the results have these names.
-    taken = kept.casefold() in ("", "study.csv", "study.json", PAGE)
-    return kept + "_" if taken else kept
+    is_reserved = kept.casefold() in ("", "study.csv", "study.json", PAGE)
+    return kept + "_" if is_reserved else kept
 
 
 def numbered(names, same=str):
@@ -50,7 +50,7 @@ def numbered(names, same=str):
     return found
 
 
-class Look:
+class PageStyle:
     """Title, language and template of the study's pages."""
 
     def __init__(self, name, language_code, template):
@@ -58,7 +58,7 @@ class Look:
 
     @classmethod
     def now(cls, name):
-        """Returns the Look from the preferences."""
+        """Returns the PageStyle from the preferences."""
         return cls(name, language(), settings.page_template())
 
 
@@ -196,7 +196,7 @@ def _table(run, inputs):
     return table
 
 
-def write(path, runs, look, control):
+def write(path, runs, style, control):
     """Writes a study file and its input files, in any thread. Raises InputProblem, core.CoreError,
     OSError."""
     folder = os.path.dirname(path)
@@ -206,9 +206,9 @@ def write(path, runs, look, control):
         if control.is_cancelled():
             raise core.cancelled()
         tables.append(_table(run, inputs))
-    about = {"name": look.name, "page": True, "language": look.language}
-    if look.template:
-        about["template"] = os.path.abspath(look.template)
+    about = {"name": style.name, "page": True, "language": style.language}
+    if style.template:
+        about["template"] = os.path.abspath(style.template)
     lines = ["[study]"] + ["{} = {}".format(key, _toml(value)) for key, value in about.items()]
     for table in tables:
         lines += ["", "[[run]]"] + ["{} = {}".format(k, _toml(v)) for k, v in table.items()]

@@ -38,15 +38,15 @@ class Request:
     file), and the runs to be written into the file first (None: the file exists). labels:
     Plan.labels()."""
 
-    def __init__(self, file, output, jobs, runs, look, labels):
-        self.file, self.output, self.jobs, self.runs, self.look = file, output, jobs, runs, look
+    def __init__(self, file, output, jobs, runs, style, labels):
+        self.file, self.output, self.jobs, self.runs, self.style = file, output, jobs, runs, style
         self.labels = labels
         self.rows = {}  # name of a run -> its row, added when the run ends
 
     def prepare(self, control):
         """Writes the study file, in any thread. Raises InputProblem, core.CoreError, OSError."""
         if self.runs is not None:
-            study_export.write(self.file, self.runs, self.look, control)
+            study_export.write(self.file, self.runs, self.style, control)
         elif not self.output:
             from .. import studies
 
@@ -189,8 +189,8 @@ class Plan:
             study_export.run_of(name, source, plan)
             for name, source, plan in zip(names, self.sources, plans)
         ]
-        look = study_export.Look.now(self.document.Label)
-        return Request(path, output, self.jobs, runs, look, self.labels())
+        style = study_export.PageStyle.now(self.document.Label)
+        return Request(path, output, self.jobs, runs, style, self.labels())
 
 
 def _stamps(study):

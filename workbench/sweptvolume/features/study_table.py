@@ -38,7 +38,7 @@ def length_text(row):
     return quantity(row["distance"], TABLE_DIGITS) if "distance" in row else ""
 
 
-def told(row):
+def line_of(row):
     """Returns a run in one line."""
     words = [row["run"], state_text(row), verdict_text(row), length_text(row)]
     words.append(row.get("neighbour", ""))

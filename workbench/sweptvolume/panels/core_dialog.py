@@ -57,7 +57,7 @@ class CoreDialog(QtWidgets.QDialog):
         layout.addStretch(1)
         layout.addLayout(self._buttons())
         self.timer = QtCore.QTimer(self)
-        self.timer.timeout.connect(self._look)
+        self.timer.timeout.connect(self._poll)
         self.setMinimumWidth(560)
         self._show_state()
         self._ask_pip()
@@ -181,7 +181,7 @@ class CoreDialog(QtWidgets.QDialog):
         self.stop.setEnabled(False)
         self.run.cancel()
 
-    def _look(self):
+    def _poll(self):
         if self.lookup is not None and not self.lookup.is_alive():
             self._say(self.source, self.found)
             self.lookup = None

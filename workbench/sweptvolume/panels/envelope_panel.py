@@ -11,7 +11,7 @@ from ..features.envelope_properties import BACKENDS, COMPONENTS, MADE_BY
 from ..texts import translate
 from ..views.ghost import CoarseEnvelope
 from . import focus, guard, widgets
-from .look import Look
+from .background_estimate import BackgroundEstimate
 from .parts_box import PartsBox
 from .preview import MOST_CELLS, Preview
 from .read_outs import ReadOuts
@@ -84,7 +84,7 @@ class EnvelopePanel(StartPanel):
         self.timer.timeout.connect(self.settled)
         self.coarse = None
         self.bodies = contents.KeptBodies()
-        self.look = Look(document, self.show_estimate, self.report_estimate)
+        self.background = BackgroundEstimate(document, self.show_estimate, self.report_estimate)
         self.preview = Preview(document, self.show_preview, self.report_preview, self.finest)
         self._connect()
         self.read_outs.show_result(obj)
@@ -350,10 +350,10 @@ class EnvelopePanel(StartPanel):
             guard.check_fields(self.form)
             plan = self.plan()
             text = self._grid_text(plan.estimate()) if plan.is_outlined() else ""
-            self.look.want(plan.closer_estimate(self.bodies.read))
+            self.background.want(plan.closer_estimate(self.bodies.read))
         except Exception as problem:
-            self.look.stop()
-            guard.tell(self.estimate_label, problem)
+            self.background.stop()
+            guard.show_problem(self.estimate_label, problem)
             return
         if text:
             self._show_estimate(text)
@@ -406,7 +406,7 @@ class EnvelopePanel(StartPanel):
         ):
             return False
         self.preview_box.setChecked(False)
-        self.look.stop()
+        self.background.stop()
         self.preview.stop()
         self._remove_coarse()
         self._enable(False)
@@ -449,7 +449,7 @@ class EnvelopePanel(StartPanel):
             return True
         self.closed = True
         self.timer.stop()
-        self.look.stop()
+        self.background.stop()
         self.preview.stop()
         self.read_outs.stop()
         self._remove_coarse()

@@ -146,7 +146,7 @@ class KeysInView:
         if self.preview_box.isChecked():
             self.ask_preview(take=False)
             since = time.perf_counter() - self.drawn
-            if since < SOONEST or since < LATEST and not self.preview.has_made():
+            if since < SOONEST or since < LATEST and not self.preview.has_result():
                 return
             self.preview.take()
         self.draw_dragged()

@@ -26,7 +26,7 @@ class ResultPanel(played_result.PlayedPanel):
     def build_more(self, rows):
         self.wanted = None  # what to show after the parts are read: a row, or nothing
         self.build_played(rows)
-        self.table.itemDoubleClicked.connect(lambda *ignored: self._look())
+        self.table.itemDoubleClicked.connect(lambda *ignored: self._zoom_to_row())
 
     def shown(self):
         self.clear_view()
@@ -56,8 +56,8 @@ class ResultPanel(played_result.PlayedPanel):
         self.place(row["time_seconds"], self.marked(index))
         self.draw_line(*clearance_table.line_of(row))
 
-    @guard.told
-    def _look(self):
+    @guard.shows_problems
+    def _zoom_to_row(self):
         """Moves the camera to the shortest line of the chosen row."""
         if self.chosen_row() >= 0 and self.wanted is not None and self.ghosts is not None:
             marked = self.marked(self.wanted)

@@ -104,7 +104,7 @@ class PlayedPanel(check_result.ResultPanel):
         row = self.report["neighbours"][index] if index is not None else None
         self.clash.setEnabled(row is not None and row["verdict"] == "clash")
 
-    @guard.told
+    @guard.shows_problems
     def keep(self, make):
         """Creates the shared volume whose plan make(index of the chosen row) returns."""
         index = self.chosen_row()
@@ -114,7 +114,7 @@ class PlayedPanel(check_result.ResultPanel):
 
     # --- the player
 
-    @guard.told
+    @guard.shows_problems
     def _moved(self):
         """Handles a move of the player to another time."""
         if getattr(self, "report", None) is None or not self.result.isVisible():
@@ -175,7 +175,7 @@ class PlayedPanel(check_result.ResultPanel):
 
     # --- the section
 
-    @guard.told
+    @guard.shows_problems
     def _cut_again(self):
         if not self.section.isChecked() or self.ends is None:
             if self.cut is not None and widgets.alive(self.document):
@@ -197,7 +197,7 @@ class PlayedPanel(check_result.ResultPanel):
             self.shapes.ended.connect(self._shapes_read)
         return False
 
-    @guard.told
+    @guard.shows_problems
     def _shapes_read(self, run):
         self.shapes = None
         if run.state != "ok" or not widgets.alive(self.document):

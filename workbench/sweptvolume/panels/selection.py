@@ -170,7 +170,7 @@ def of_kind(document, kind):
     return found, len(known)
 
 
-def _wanting(document, kind, none, several):
+def _missing_text(document, kind, none, several):
     """Returns the text about what is missing for a command that acts on one object of a kind.
     `none`: the text if the document has none; `several`: the text (with their number) if one
     must be selected. Returns "" if nothing is missing."""
@@ -196,9 +196,9 @@ def the_motion(document):
     return found
 
 
-def wanting_envelope(document):
+def missing_envelope_text(document):
     """Returns why a command that acts on one envelope cannot run, or ""."""
-    return _wanting(
+    return _missing_text(
         document,
         Envelope.KIND,
         translate(
@@ -208,9 +208,9 @@ def wanting_envelope(document):
     )
 
 
-def wanting_motion(document):
+def missing_motion_text(document):
     """Returns why a command that acts on one motion cannot run, or ""."""
-    return _wanting(
+    return _missing_text(
         document,
         Motion.KIND,
         translate("SweptVolume", "There is no motion in the document: make one with New motion."),

@@ -14,7 +14,7 @@ from .widgets import QtWidgets
 _COLOURS = {"failed": 0, "not clear": 1, "done": 3}
 _ORDER = list(study_table.STATES)
 #: Number of rows that determine the width of a column.
-_LOOKED_AT = 50
+_MEASURED_ROWS = 50
 _TEXTS = (
     lambda row: row["run"],
     study_table.state_text,
@@ -66,7 +66,7 @@ class _Rows(QtCore.QAbstractTableModel):
         if role == QtCore.Qt.DisplayRole:
             return _TEXTS[column](row)
         if role == QtCore.Qt.ToolTipRole:
-            return study_table.told(row)
+            return study_table.line_of(row)
         if role == QtCore.Qt.BackgroundRole and column == 1 and row["state"] in _COLOURS:
             return QtGui.QBrush(QtGui.QColor.fromRgbF(*BANDS[_COLOURS[row["state"]]]))
         return None
@@ -121,7 +121,7 @@ class RowTable(QtWidgets.QTableView):
         header.setFont(font)
         header.setSectionResizeMode(0, modes.Stretch)
         header.setHighlightSections(False)
-        header.setResizeContentsPrecision(_LOOKED_AT)
+        header.setResizeContentsPrecision(_MEASURED_ROWS)
         header.setSortIndicator(-1, QtCore.Qt.AscendingOrder)  # no sorting: the order of the study
         self.setSortingEnabled(True)
         self.setMinimumHeight(180)

@@ -271,7 +271,7 @@ class ShapesTask(Task):
         self.found = value
 
 
-def warn_of(report, label):
+def print_note(report, label):
     """Prints the core's note about what it gave up to get a valid solid."""
     if report.get("note"):
         App.Console.PrintMessage("{}: {}\n".format(label, report["note"]))
@@ -306,7 +306,7 @@ class SolidTask(Task):
             self.obj = solid.make_solid(self.document, self.source)
         solid.set_settings(self.obj, self.settings)
         solid.apply(self.obj, value, self.hash)
-        warn_of(value[1], self.obj.Label)
+        print_note(value[1], self.obj.Label)
         self.obj.purgeTouched()
         if self.source.ViewObject is not None:
             self.source.ViewObject.Visibility = False
@@ -346,7 +346,7 @@ class ExportTask(Task):
             shutil.copymode(self.path, value["beside"])
         os.replace(value["beside"], self.path)
         self.drop(value)
-        warn_of(value, self.path)
+        print_note(value, self.path)
         App.Console.PrintMessage(
             translate("SweptVolume", "Written: {0} ({1})\n").format(
                 self.path, quantities.megabytes(os.path.getsize(self.path))

@@ -196,9 +196,9 @@ class DocumentWatch:
 
     def slotDeletedDocument(self, document):  # noqa: N802
         if document.Name == self.name:
-            QtCore.QTimer.singleShot(0, self._tell)
+            QtCore.QTimer.singleShot(0, self._notify)
 
-    def _tell(self):
+    def _notify(self):
         if self.name:
             self.stop()
             self.gone()
@@ -216,11 +216,11 @@ class DocumentWatch:
         if self.changed is not None and not self._waits and document.Name == self.name:
             # Called later from the event loop, once for all that changes now.
             self._waits = True
-            QtCore.QTimer.singleShot(0, self._tell_change)
+            QtCore.QTimer.singleShot(0, self._notify_change)
 
     slotUndoDocument = slotRedoDocument = slotRecomputedDocument
 
-    def _tell_change(self):
+    def _notify_change(self):
         self._waits = False
         if self.name:
             self.changed()

@@ -40,8 +40,8 @@ def poses(objects, rapid=100.0, convention="Head"):
     """Returns the poses of all moves of one CAM object."""
     if len(objects) != 1 or not is_path(objects[0]):
         raise InputProblem(translate("SweptVolume", "Select one CAM (Path) operation."))
-    place = {"Head": _by_head, "Table": _by_table}[convention]
-    times, found = _Reader(rapid, place).read(objects[0].Path.Commands)
+    placement_of = {"Head": _by_head, "Table": _by_table}[convention]
+    times, found = _Reader(rapid, placement_of).read(objects[0].Path.Commands)
     if len(found) < 2:
         raise InputProblem(
             translate(
@@ -54,8 +54,8 @@ def poses(objects, rapid=100.0, convention="Head"):
 class _Reader:
     """Follows commands. Its state holds the words that remain in force."""
 
-    def __init__(self, rapid, place):
-        self.rapid, self.place, self.feed = rapid, place, rapid
+    def __init__(self, rapid, placement_of):
+        self.rapid, self.placement_of, self.feed = rapid, placement_of, rapid
         self.state = {axis: 0.0 for axis in "XYZABC"}
         self.plane, self.relative = PLANES["G17"], False
         self.times, self.found = [], []
@@ -88,7 +88,7 @@ class _Reader:
 
     def _arrive(self, state, seconds):
         self.times.append(self.times[-1] + seconds if self.times else 0.0)
-        self.found.append(self.place(state))
+        self.found.append(self.placement_of(state))
         self.state = state
 
 

@@ -194,7 +194,7 @@ def straightened(at, knots, reach, tolerance):
         while waiting:
             b, there, depth = waiting[-1]
             a, here = times[-1], placements[-1]
-            if depth < MOST_HALVINGS and _leaves(at, a, here, b, there, reach) > tolerance:
+            if depth < MOST_HALVINGS and _deviation(at, a, here, b, there, reach) > tolerance:
                 middle = 0.5 * (a + b)
                 waiting[-1] = (b, there, depth + 1)
                 waiting.append((middle, at(middle), depth + 1))
@@ -205,7 +205,7 @@ def straightened(at, knots, reach, tolerance):
     return Poses(times, placements)
 
 
-def _leaves(at, a, here, b, there, reach):
+def _deviation(at, a, here, b, there, reach):
     """Returns how far (mm) a point within `reach` can be from its place on the straight segment, at
     three times between a and b."""
     most = 0.0

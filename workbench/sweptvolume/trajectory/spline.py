@@ -114,8 +114,8 @@ class Spline:
             return self._straight(k - 1)
         before, behind = self._straight(k - 1), self._straight(k)
         d0, d1 = self.times[k] - self.times[k - 1], self.times[k + 1] - self.times[k]
-        share = d1 / (d0 + d1)
-        return tuple(a * share + b * (1 - share) for a, b in zip(before, behind))
+        weight = d1 / (d0 + d1)
+        return tuple(a * weight + b * (1 - weight) for a, b in zip(before, behind))
 
     def _straight(self, k):
         """Returns the velocities of the straight line from key k to the next."""

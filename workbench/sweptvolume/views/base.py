@@ -79,7 +79,7 @@ class View:
     def attach(self, view):
         self.Object = view.Object
         for name in self.PARENTS:  # the links may have been set before there was a view
-            self._tell_parents(view.Object, name)
+            self._update_parents(view.Object, name)
 
     #: Names of the object's links to objects that show it as a child in the tree.
     PARENTS = ()
@@ -92,9 +92,9 @@ class View:
         if name == "Status" and getattr(obj, "ViewObject", None) is not None:
             obj.ViewObject.signalChangeIcon()
         if name in self.PARENTS:
-            self._tell_parents(obj, name)
+            self._update_parents(obj, name)
 
-    def _tell_parents(self, obj, name):
+    def _update_parents(self, obj, name):
         links = getattr(obj, name, None)
         now = [h for h in (links if isinstance(links, list) else [links]) if h is not None]
         above = self.__dict__.setdefault("_above", {})

@@ -16,9 +16,9 @@ class EditLock:
     def slotInEdit(self, view):  # noqa: N802
         if self.name and view.Object.Document.Name == self.name:
             # Called later from the event loop, because FreeCAD has not finished opening the editor.
-            QtCore.QTimer.singleShot(0, self._tell)
+            QtCore.QTimer.singleShot(0, self._notify)
 
-    def _tell(self):
+    def _notify(self):
         if self.name:
             self.refuse()
 

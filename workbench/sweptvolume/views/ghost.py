@@ -143,8 +143,8 @@ class Ghosts(Overlay):
         )
         self.copies, self.moving = coin.SoMultipleCopy(), coin.SoMatrixTransform()
         self.copies.addChild(at_keys)
-        self.way, seen = path.Way(), coin.SoAnnotation()  # visible through the parts
-        seen.addChild(self.way.root)
+        self.path_lines, seen = path.PathLines(), coin.SoAnnotation()  # visible through the parts
+        seen.addChild(self.path_lines.root)
         self.root.addChild(seen)
         self.add(KEY_COLOUR, 0.6, self.copies)
         self.paint = self.add(MOVING_COLOUR, 0.35, self.moving, shape)
@@ -160,7 +160,7 @@ class Ghosts(Overlay):
 
     def show_path(self, poses, interpolation):
         """Draws the path as a line with frames."""
-        self.way.show(poses, interpolation)
+        self.path_lines.show(poses, interpolation)
 
     def show_moving(self, placement):
         self.moving.matrix = _matrix(placement)
