@@ -142,7 +142,7 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   run.checkpoint(Phase::Done);
 }
 
-void removeResults(ClearanceReport& report) {
+void removeRows(ClearanceReport& report) {
   report.neighbours.clear();
   report.ignored.clear();
   report.smallest = -1;
@@ -158,7 +158,7 @@ ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory
   report.required = options.required;
   report.tolerance = options.tolerance;
   report.interpolation = interpolationName(trajectory.interpolation);
-  fillGuarded(report, run, "clearance check", "parts and motion", removeResults,
+  fillGuarded(report, run, "clearance check", "parts and motion", removeRows,
               [&] { runCheck(report, body, trajectory, neighbours, options, run); });
   return report;
 }

@@ -229,7 +229,7 @@ void runCheck(MechanismReport& report, const std::vector<MechanismPart>& parts,
   run.checkpoint(Phase::Done);
 }
 
-void removeResults(MechanismReport& report) {
+void removePairs(MechanismReport& report) {
   report.pairs.clear();
   report.ignored.clear();
   report.joined.clear();
@@ -245,7 +245,7 @@ MechanismReport checkMechanism(const std::vector<MechanismPart>& parts,
   MechanismReport report;
   report.required = options.required;
   report.tolerance = options.tolerance;
-  fillGuarded(report, run, "check of the mechanism", "parts and motions", removeResults,
+  fillGuarded(report, run, "check of the mechanism", "parts and motions", removePairs,
               [&] { runCheck(report, parts, options, run); });
   return report;
 }
