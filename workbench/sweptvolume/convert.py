@@ -296,7 +296,7 @@ def leaves(root, sub=""):
             continue
         member = root.getSubObject(sub + child, retType=1)
         if member is not None and _plain_group_of(target, member) is not None:
-            continue  # found through that group
+            continue  # leaves() finds this member through its plain group
         if member is None or _shows(target, child[:-1], member):
             found += leaves(root, sub + child)
     return found
@@ -319,7 +319,8 @@ def solid_like(linked):
 
 
 def solid_leaves(root, sub):
-    """Returns leaves() without the helper geometry that lies beside solids or meshes."""
+    """Returns leaves(). If there are several, leaves out helper geometry (datum planes,
+    sketches)."""
     parts = leaves(root, sub)
     return parts if len(parts) == 1 else [part for part in parts if solid_like(part[0])]
 

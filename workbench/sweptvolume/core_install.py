@@ -2,8 +2,8 @@
 """Installs the core for this user, as the Addon Manager does it: by pip, into FreeCAD's folder for
 Python packages. Works without a window; a thread does the work.
 
-pip writes into a folder of its own beside the target. Only a complete core of the workbench's version
-is moved to the target. So a cancelled or failed installation leaves everything as it was.
+pip writes into a separate folder inside the target folder. Only a complete core of the workbench's
+version is moved to the target. So a cancelled or failed installation leaves everything as it was.
 """
 import glob
 import importlib
@@ -186,8 +186,8 @@ def _check_version(version, source):
 
 
 def _move(staged, folder):
-    """Replaces the core in a folder by that in another one. Windows cannot delete a loaded library,
-    but can move it: such leftovers are deleted at the next installation."""
+    """Replaces the core in `folder` by the core in `staged`. Windows cannot delete a loaded
+    library, but can move it: such leftovers are deleted at the next installation."""
     old = tempfile.mkdtemp(prefix=".swept-old-", dir=folder)
     try:
         _move_parts(folder, old)

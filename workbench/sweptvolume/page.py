@@ -26,7 +26,7 @@ def is_pdf(path):
 
 
 def check_target(path):
-    """As targets.check_target(), for the file types of reports."""
+    """Calls targets.check_target() with the file types of reports."""
     targets.check_target(path, SUFFIXES)
 
 

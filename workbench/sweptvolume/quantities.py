@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Formats numbers for people: in the units of FreeCAD's preferences, with the separators of the
+"""Formats numbers for users: in the units of FreeCAD's preferences, with the separators of the
 user's language, and rounded to significant digits, so that 0.1 mm never becomes "0.00 in"."""
 import math
 

@@ -75,7 +75,7 @@ class Reader:
 
 
 def beside(document, parts, key, call):
-    """As Reader.ask(), for the reader of the document."""
+    """Calls Reader.ask() of the document's reader."""
     reader = _readers.get(document.Name)
     if reader is None or reader.document is not document:
         reader = _readers[document.Name] = Reader(document)

@@ -201,7 +201,7 @@ def run(path, output, jobs, on_row, cancelled):
 
 
 #: Arguments: study, folder of the results, relative path from the page to that folder, template (""
-#: for that of the study, "print", or a file).
+#: for the template of the study, "print", or a file).
 _PAGE = """
 import sys, swept_volume as sv
 path, output, relative, template = sys.argv[1:]
@@ -218,8 +218,8 @@ sys.stdout.buffer.write(page.encode())
 
 
 def page(path, output, target, template, cancelled):
-    """Returns the page of all runs as text, for a file at `target`. template: "" for that of the
-    study, "print" for the built-in one for PDF, or a file. Raises core.CoreError,
+    """Returns the page of all runs as text, for a file at `target`. template: "" for the template
+    of the study, "print" for the built-in template for PDF, or a file. Raises core.CoreError,
     core.CoreMissing, InputProblem."""
     relative = os.path.relpath(output, os.path.dirname(os.path.abspath(target)))
     relative = "" if relative == "." else relative.replace(os.sep, "/") + "/"

@@ -35,7 +35,7 @@ from .clearance_table import summary, worst
 TYPE = "App::FeaturePython"
 FAR = 1e9  # mm, distance if there is no neighbour
 
-#: Verdict of the core -> text for people.
+#: Verdict of the core -> text for users.
 VERDICTS = {
     "clear": QT_TRANSLATE_NOOP("SweptVolume", "Clear"),
     "below": QT_TRANSLATE_NOOP("SweptVolume", "Below required"),

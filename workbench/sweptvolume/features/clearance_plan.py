@@ -154,7 +154,8 @@ class Plan(StillParts):
         return [text.format(listed(names))]
 
     def seen(self):
-        """As mechanism_plan.Plan.seen(), for all moving parts."""
+        """Returns the same as mechanism_plan.Plan.seen(), but one entry for all moving parts
+        together."""
         moving = self.moving()
         body = convert.body_from(self.pairs, self.seen_deflection())
         rigid = moving.rigid_motion()
@@ -196,8 +197,8 @@ class Plan(StillParts):
         return self._words
 
     def checked_hash(self):
-        """As hash(), but raises InputProblem, whose text says why inputs are unusable. Any thread
-        may call this after contents.prepared() was called for the words."""
+        """Returns the same as hash(), but raises InputProblem if inputs are unusable; its text says
+        why. Any thread may call this after contents.prepared() was called for the words."""
         return status.VERSION + contents.short(contents.texts(self.words()))
 
     def hash_of_before(self):

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Links from objects of this workbench ("our objects") to parts in groups (App::Part and similar).
-A group depends on its contents. So a link that begins at a group around its own object would be
-circular. A link through a group also breaks if the part leaves the group. Therefore our links begin
-at the part itself, below all groups. Such a link does not report moves of a group; _Observer does.
+"""Links from objects of this workbench to parts in groups (App::Part and similar). A group depends
+on its contents. So if an object is in a group, a link from this object to the group would be
+circular. A link through a group also breaks if the part leaves the group. Therefore these links
+begin at the part itself, below all groups. Such a link does not report moves of a group; _Observer
+does.
 """
 import FreeCAD as App
 
@@ -89,7 +90,8 @@ def _held_by(root, sub):
 
 
 def set_pairs(holder, name, pairs):
-    """Writes pairs into one of our link properties if they differ from its value."""
+    """Writes pairs into a link property of an object of this workbench if they differ from its
+    value."""
     links = links_for(holder, pairs)
     if name in _SINGLES:
         links = links[:1]
@@ -102,7 +104,8 @@ def set_pairs(holder, name, pairs):
 
 
 def shorten(holder):
-    """Rewrites the links of one of our objects so that they begin below the groups around it."""
+    """Rewrites the links of an object of this workbench so that they begin below the groups around
+    it."""
     for name in _LISTS + _SINGLES:
         if name in holder.PropertiesList:
             set_pairs(holder, name, convert.pairs_of(getattr(holder, name)))
@@ -120,7 +123,7 @@ def _touch_checks(document, but=None):
 
 
 def _touch_users(obj):
-    """Touches our objects that use an object or a group around it."""
+    """Touches the objects of this workbench that use an object or a group around it."""
     for used in [obj] + around(obj):
         for ours in used.InList:
             if kind_of(ours):
@@ -128,8 +131,8 @@ def _touch_users(obj):
 
 
 def _update_labels_in_users(obj):
-    """Updates our objects that show the label of an object. FreeCAD does not recompute them after a
-    change of a label. Undo restores the texts by itself."""
+    """Updates the objects of this workbench that show the label of an object. FreeCAD does not
+    recompute them after a change of a label. Undo restores the texts by itself."""
     for ours in obj.InListRecursive:
         if kind_of(ours) and ours.Proxy.NAMES_PARTS:
             if ours.Document.Transacting:
@@ -139,9 +142,9 @@ def _update_labels_in_users(obj):
 
 
 def _update_users_of_failed(broken):
-    """Updates our objects that depend on a failed object. FreeCAD's recompute stops at the failed
-    object and does not reach them. An example is a link that shows nothing because its target,
-    or the target's document, is gone."""
+    """Updates the objects of this workbench that depend on a failed object. FreeCAD's recompute
+    stops at the failed object and does not reach them. An example is a link that shows nothing
+    because its target, or the target's document, is gone."""
     for ours in broken.InListRecursive:
         if kind_of(ours):
             status.compare_again(ours)
@@ -168,7 +171,7 @@ class _Observer:
             return
         if name == "Label":
             _update_labels_in_users(obj)
-        elif name in ("Visibility", "VisibilityList"):  # VisibilityList is that of a link array
+        elif name in ("Visibility", "VisibilityList"):  # VisibilityList: property of a link array
             if not kind_of(obj):
                 _touch_users(obj)
         elif hasattr(obj, "Group"):
@@ -195,8 +198,8 @@ class _Observer:
                 _update_users_of_failed(obj)
 
     def slotDeletedObject(self, obj):  # noqa: N802
-        """Removes our links to a deleted object. Undo may delete an object to which such a link
-        still leads, because the links are set outside the undo record."""
+        """Removes links to a deleted object from checks. Undo may delete an object to which such a
+        link still leads, because the links are set outside the undo record."""
         for check in set(obj.InList):
             if kind_of(check) and obj in getattr(check, "Seen", []):
                 check.Seen = [seen for seen in check.Seen if seen is not obj]

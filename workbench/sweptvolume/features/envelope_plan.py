@@ -130,7 +130,7 @@ class Plan:
         return found
 
     def options(self):
-        """Returns the settings in the form of the core. Raises CoreError, CoreMissing."""
+        """Returns the settings as the core takes them. Raises CoreError, CoreMissing."""
         found = self._settings()
         if "accuracy" in found:
             # The envelopes of several groups are sampled again to join them. Each of the two
@@ -158,8 +158,8 @@ class Plan:
         return self._words
 
     def checked_hash(self, without=()):
-        """As hash(), but raises InputProblem, whose text says why inputs are unusable. Any thread
-        may call this after contents.prepared() was called for the words."""
+        """Returns the same as hash(), but raises InputProblem if inputs are unusable; its text says
+        why. Any thread may call this after contents.prepared() was called for the words."""
         return status.VERSION + self._hash(contents.texts(self.words()), without)
 
     def hash_of_before(self):
@@ -172,15 +172,15 @@ class Plan:
         for name in ("backend", "sources") + tuple(without):
             del options[name]
         if not options["position_filter"]:
-            # With a filter of 0, the hash equals that of documents without this property.
+            # With a filter of 0, the hash is the same as in documents without this property.
             del options["position_filter"]
         options = json.dumps(contents.steady(options), sort_keys=True)
         words = [options, repr(contents.steady(self.values["MeshDeflection"]))]
         return contents.short(words + inputs)
 
     def cell(self, groups):
-        """Returns the cell size (mm): the given one, or the one from the resolution and the
-        bounding boxes of the parts."""
+        """Returns the cell size (mm): the given size, or else a size computed from the resolution
+        and the bounding boxes of the parts."""
         given = self.options()["cell"]
         if given > 0:
             return given
@@ -240,8 +240,8 @@ class Plan:
         )
 
     def estimate(self):
-        """Estimates the run from the outermost points of the parts. Returns the dict of the core.
-        Grid and cell are those of the run."""
+        """Estimates the run from the outermost points of the parts. Returns the core's estimate
+        (dict). Its grid and cell are the same as in the run."""
         groups, options = self.groups(), self.options()
         if len(groups) > 1:
             options["cell"] = self.cell(groups)

@@ -101,8 +101,8 @@ def reload(obj):
 
 
 def sources_in(document):
-    """Returns the sources of the document that move several parts, each once: those of its motions,
-    and its simulations."""
+    """Returns the sources that move several parts, each once: the sources of the document's
+    motions, and its simulations."""
     found = []
     for obj in objects_of_kind(document, motion_feature.Motion.KIND):
         if obj.SourceType in sources.FROM_JOINTS and obj.SourceObjects:

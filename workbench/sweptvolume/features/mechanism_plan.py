@@ -36,7 +36,7 @@ class Part:
         return self._rigid.request(self.body, self._straight, {}) if self.moves() else None
 
     def row(self):
-        """Returns the part in the form of core.mechanism(). Any thread. Raises InputProblem."""
+        """Returns the part as core.mechanism() takes it. Any thread. Raises InputProblem."""
         arrays = self.name, self.body.vertices, self.body.triangles
         run = self.run
         if run is None:
@@ -218,7 +218,7 @@ class Plan(StillParts):
         return status.hash_or_problem(self.checked_hash)[0]
 
     def words(self):
-        """As clearance_plan.Plan.words()."""
+        """Returns the same as clearance_plan.Plan.words()."""
         if self._words is None:
             self._words = self._words_now()
         return self._words
@@ -241,7 +241,7 @@ class Plan(StillParts):
             raise InputProblem(text)
 
     def checked_hash(self):
-        """As clearance_plan.Plan.checked_hash()."""
+        """Returns the same as clearance_plan.Plan.checked_hash()."""
         return status.VERSION + contents.short(contents.texts(self.words()))
 
     def count_pairs(self):

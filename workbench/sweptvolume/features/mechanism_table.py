@@ -5,7 +5,7 @@ from .. import quantities
 from ..texts import translate
 from . import clearance_table
 
-#: Titles that replace those of the clearance table, because both parts may move.
+#: Words that replace words in the titles of the clearance table, because both parts may move.
 _TITLES = {"Body": "First", "Neighbour": "Second"}
 
 
@@ -31,7 +31,7 @@ def summary(report):
 
 
 def worst(report):
-    """As clearance_table.worst()."""
+    """Returns the same as clearance_table.worst()."""
     return clearance_table.worst(as_rows(report))
 
 

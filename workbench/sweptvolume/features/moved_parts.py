@@ -64,8 +64,8 @@ class Run(Recording):
 
 
 def read(document, settings):
-    """As sources.read(). If the source moves several parts, `moved` of the poses lists the objects
-    that moved beside the recorded part."""
+    """Returns the same as sources.read(). If the source moves several parts, `moved` of the poses
+    lists the other objects that moved."""
     if settings.kind not in sources.FROM_JOINTS:
         return sources.read(settings)
     part = sources.watched(settings)

@@ -112,7 +112,7 @@ class RigidMotion:
         return course(self.poses, self.interpolation)
 
     def frame_deviation(self):
-        """As Moving.frame_deviation()."""
+        """Returns the same as Moving.frame_deviation()."""
         if not self.from_joints or self.interpolation == "None":
             return 0.0, ""
         poses = self.poses
@@ -143,7 +143,7 @@ class RigidMotion:
         return between(placements[k - 1], placements[k + 1], u, self.interpolation)
 
     def trajectory(self, tolerance):
-        """As Moving.trajectory()."""
+        """Returns the same as Moving.trajectory()."""
         if not self.curved():
             return self.poses, INTERPOLATIONS[self.interpolation]
         at, knots = self.course(), self.poses.times

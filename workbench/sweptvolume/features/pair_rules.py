@@ -21,8 +21,8 @@ def label_of(pair):
 
 
 def read(obj):
-    """Returns {key: Rule} of one of our objects. Raises InputProblem if the lengths of its lists do
-    not match."""
+    """Returns the rules of an object as {key: Rule}. Raises InputProblem if the lengths of its
+    lists do not match."""
     parts = convert.pairs_of(obj.RuleParts)
     if not len(parts) == 2 * len(obj.RuleKinds) == 2 * len(obj.RuleLengths):
         raise InputProblem(
@@ -38,7 +38,7 @@ def read(obj):
 
 
 def write(obj, rules):
-    """Writes rules into one of our objects if they differ from its rules."""
+    """Writes rules into an object if they differ from its rules."""
     given = []
     for (one, other), rule in rules.items():
         if rule.asks():
@@ -88,7 +88,7 @@ def _contradiction(parts, first, second):
 
 
 def merged(rules, shown, given):
-    """As neighbour_rules.merged(), for pairs."""
+    """Does the same as neighbour_rules.merged(), for pairs."""
     return neighbour_rules.merged(rules, shown, given, of)
 
 

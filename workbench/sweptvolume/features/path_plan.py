@@ -102,7 +102,7 @@ class PathPlan:
         return matrix_of(placement.multiply(shift_to(self.pivot)))
 
     def _still_parts(self, deflection):
-        """Returns the neighbours in the form of the core."""
+        """Returns the neighbours as core_paths.PathRequest takes them."""
         return rows_beside(self.document, self.pairs, self.neighbours, self.rules, deflection)
 
     def _options(self, deflection):
@@ -120,13 +120,13 @@ class PathPlan:
 
 
 def beside(document, pairs, neighbours=None):
-    """Returns a plan whose leaves() and still_parts() are the parts beside the moving ones.
+    """Returns a plan whose leaves() and still_parts() are the neighbours of the moving parts.
     neighbours None: all visible parts."""
     return clearance_plan.Plan(document, pairs, None, neighbours or [], neighbours is None, {})
 
 
 def rows_beside(document, pairs, neighbours, rules, deflection):
-    """Returns the neighbours in the form of core_paths.PathRequest."""
+    """Returns the neighbours as core_paths.PathRequest takes them."""
     still = beside(document, pairs, neighbours)
     still.rules = rules
     return [

@@ -2,8 +2,8 @@
 """Reads the inputs of a sequence from an object or a panel (parts in their order, each with a
 motion or a search, and parts that stand still), and converts them to plain values for the core.
 
-The goal of a part without a motion is its present placement. Its poses are those of its middle, as
-in path_plan."""
+The goal of a part without a motion is its present placement. The poses of a new path are poses of
+the part's middle, as in path_plan."""
 import itertools
 import math
 
@@ -16,8 +16,8 @@ from .base import UP_TO_DATE
 from .mechanism_plan import Part
 from .moving import Moving, Seen, middle_of
 
-#: Values of a search besides the settings of the object. Out: mm by which a part must be taken out.
-#: MostMoves: as in the command-line program; 0: no limit.
+#: Values of a search that the object does not store. Out: distance (mm) by which a part must be
+#: removed. MostMoves: as in the command-line program; 0: no limit.
 SEARCH = {
     "Order": "given",
     "Out": 100.0,
@@ -37,7 +37,7 @@ class Row:
         self.part, self.pivot, self.goal = part, pivot, goal
 
     def row(self, out):
-        """Returns the part in the form of the core. Any thread."""
+        """Returns the part as the core takes it. Any thread."""
         name, vertices, triangles, motion, interpolation, chord = self.part.row()
         extract = out if motion is None else None
         places = self.goal, None, extract, []
@@ -74,8 +74,8 @@ class Request:
 
 class Plan(mechanism_plan.Plan):
     """motions: one for each of pairs, None if a path is searched for; search: values of SEARCH;
-    steps: those of the stored report in the order of the parts, or none if the report is out of
-    date; known: hash of the inputs of the stored report."""
+    steps: steps of the stored report in the order of the parts, empty if the report is out of date;
+    known: hash of the inputs of the stored report."""
 
     SETTINGS = ("RequiredDistance", "ReleaseDistance", "Accuracy", "MeshDeflection")
 
@@ -126,7 +126,7 @@ class Plan(mechanism_plan.Plan):
         return groups
 
     def words(self):
-        """As clearance_plan.Plan.words(), but the order of the parts matters."""
+        """Returns the same as clearance_plan.Plan.words(), but the order of the parts matters."""
         if self._words is None:
             beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
             words = []
@@ -214,9 +214,9 @@ class Plan(mechanism_plan.Plan):
     # --- pictures
 
     def seen(self):
-        """As mechanism_plan.Plan.seen(), on the time axis of the stored result: before its motion a
-        part waits at its first key, and afterwards it stays at its last key. Raises
-        InputProblem."""
+        """Returns the same as mechanism_plan.Plan.seen(), but on the time axis of the stored
+        result: before its motion a part waits at its first key, and afterwards it stays at its last
+        key. Raises InputProblem."""
         found, deflection = [], self.seen_deflection()
         begins = [step["begin"] for step in self.steps] or [0.0] * len(self.pairs)
         for pair, group, begin in zip(self.pairs, self.groups(), begins):

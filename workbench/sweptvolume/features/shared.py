@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Shared volume: the space that two sides have in common, as a mesh in the document. A side
-consists of parts, envelopes or their solids. A side with a motion is placed where the motion is at
-a given time (core: docs/overlap.md).
+consists of parts, envelopes or their solids. If a side has a motion, its pose at a given time is
+used (core: docs/overlap.md).
 
 As with the envelope, `execute` only updates the state. A run consists of Plan.request(), work() and
 apply().
@@ -67,7 +67,8 @@ class Request:
         self.first, self.second = first, second
 
     def rows(self):
-        """Returns the sides in the form of core_overlap.shared(). Any thread. Raises InputProblem."""
+        """Returns the sides as core_overlap.shared() takes them. Any thread. Raises
+        InputProblem."""
         return [
             (name, body.vertices, body.triangles, chord)
             for name, body, chord in (self.first, self.second)
@@ -124,7 +125,7 @@ class Plan:
         return status.hash_or_problem(self.checked_hash)[0]
 
     def words(self):
-        """As clearance_plan.Plan.words()."""
+        """Returns the same as clearance_plan.Plan.words()."""
         if self._words is None:
             self._check()
             words = []
@@ -138,7 +139,7 @@ class Plan:
         return self._words
 
     def checked_hash(self):
-        """As clearance_plan.Plan.checked_hash()."""
+        """Returns the same as clearance_plan.Plan.checked_hash()."""
         return status.VERSION + contents.short(contents.texts(self.words()))
 
     def _check(self):

@@ -125,7 +125,7 @@ def hash_of_before(obj):
 
 def _words(source, wanted):
     words = [str(wanted["merge"])]
-    # With default values, the hashed words equal those of older versions, which lacked these
+    # With default values, the hashed words are the same as in older versions, which lacked these
     # properties. So solids of older documents stay up to date.
     if wanted["tolerance"] > 0:
         words.append(repr(contents.steady(wanted["tolerance"])))
@@ -212,7 +212,7 @@ class Request:
         return Request(self.vertices, self.triangles, self.name, self.exact, wanted)
 
     def options(self):
-        """Returns the settings in the form of the core."""
+        """Returns the settings as the core takes them."""
         reach = float(np.abs(self.vertices).max()) if len(self.vertices) else 1.0
         if self.settings["tessellated"]:
             return {

@@ -63,8 +63,8 @@ class PageStyle:
 
 
 class Run:
-    """One run. body: core.Request; neighbours: clearance_plan.Request or None; options: those of
-    each stage."""
+    """One run. body: core.Request; neighbours: clearance_plan.Request or None; options: {stage: its
+    options}."""
 
     def __init__(self, name, part, motion, body, neighbours, options):
         self.name, self.part, self.motion = name, file_name(part), file_name(motion)

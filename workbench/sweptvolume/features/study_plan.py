@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads the runs of a study from its object or a panel: those of a study file, or envelopes and
+"""Reads the runs of a study from its object or a panel: the runs in a study file, or envelopes and
 clearance checks of the document."""
 import contextlib
 import hashlib
@@ -145,15 +145,16 @@ class Plan:
         return self._plans, self._names
 
     def words(self):
-        """As clearance_plan.Plan.words()."""
+        """Returns the same as clearance_plan.Plan.words()."""
         if self._words is None:
             self.place()  # raises InputProblem for missing inputs
             self._words = [word for plan in self._read()[0] for word in plan.words()]
         return self._words
 
     def checked_hash(self):
-        """As clearance_plan.Plan.checked_hash(). Files count by size and time of their last change.
-        The run itself compares their bytes and computes only new content."""
+        """Returns the same as clearance_plan.Plan.checked_hash(). For a file, the hash contains its
+        size and the time of its last change. The run itself compares their bytes and computes only
+        new content."""
         if self.sources:
             plans, names = self._read()
             found = [plan.checked_hash() for plan in plans] + names
@@ -176,7 +177,7 @@ class Plan:
         return found
 
     def hash(self):
-        """As clearance_plan.Plan.hash()."""
+        """Returns the same as clearance_plan.Plan.hash()."""
         return status.hash_or_problem(self.checked_hash)[0]
 
     def request(self):

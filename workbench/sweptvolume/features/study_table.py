@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rows of a study for people: their order, their texts, and a summary line."""
+"""Texts about the rows of a study, and a summary line."""
 from ..quantities import TABLE_DIGITS, number, quantity
 from ..texts import QT_TRANSLATE_NOOP, translate
 from .clearance import VERDICTS
 
-#: State of a run -> text for people.
+#: State of a run -> text for users.
 STATES = {
     "failed": QT_TRANSLATE_NOOP("SweptVolume", "Failed"),
     "not clear": QT_TRANSLATE_NOOP("SweptVolume", "Not clear"),

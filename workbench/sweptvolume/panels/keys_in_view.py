@@ -49,7 +49,8 @@ class KeysInView:
         self.live.begin(self.pair, body)
 
     def _begin_pivot(self, middle):
-        """Sets the pivot to that of the motion. A new motion gets the middle of the part."""
+        """Sets the pivot to the pivot of the motion, or for a new motion to the middle of the
+        part."""
         point = middle if self.obj is None else None
         if self.obj is not None and self.obj.Pivot.Length and len(self.keys):
             place = self.body.placement.inverse()

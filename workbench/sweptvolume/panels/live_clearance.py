@@ -17,7 +17,7 @@ POLL = 20
 
 
 class Answer:
-    """The answer to a request. number: that of the request; matrix: placement of the part (4x4);
+    """The answer to a request. number: number of the request; matrix: placement of the part (4x4);
     distance: to the nearest neighbour (mm; 0: clash); name: of this neighbour; points: the two
     nearest points (mm, world), both None if one part lies inside the other."""
 
@@ -88,8 +88,8 @@ class _LiveTask(NewestTask):
 
 
 class LiveClearance:
-    """Keeps at most one run in progress. Calls show(answer) and report(text) in the window's
-    thread."""
+    """Answers requests for distances in the background, with at most one run in progress. Calls
+    show(answer) and report(text) in the window's thread."""
 
     def __init__(self, document, scene, show, report):
         self.document, self.show, self.report = document, show, report

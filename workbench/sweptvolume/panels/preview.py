@@ -57,8 +57,8 @@ def request_for(body, poses, base, interpolation, resolution):
 class _PreviewTask(NewestTask):
     """Computes envelopes for requests. Each result is (drawn, seconds).
 
-    compute: core.compute(), or that of a session that already knows the body. settle(request,
-    control): called after each run, in the same thread."""
+    compute: core.compute(), or core_previews.Sessions.compute(), which keeps data about the body.
+    settle(request, control): called after each run, in the same thread."""
 
     def __init__(self, document, requests, compute, settle=None):
         super().__init__(document, "Preview", requests)

@@ -28,7 +28,7 @@ def _item(text, data):
 
 
 def _state(item):
-    """Returns text and data of a cell, for another cell."""
+    """Returns the text and the data of a cell, so that another cell can get them."""
     return item.text(), item.data(QtCore.Qt.UserRole)
 
 

@@ -88,7 +88,7 @@ def moved_part(obj):
 
 
 def ours():
-    """Returns whether one of our objects is selected."""
+    """Returns whether an object of this workbench is selected."""
     return _first(_ours) is not None
 
 
@@ -156,7 +156,7 @@ def source():
 
 
 def placed():
-    """Returns the selected objects that have a placement and are not ours."""
+    """Returns the selected objects that have a placement and do not belong to this workbench."""
     return list(_targets(lambda target: hasattr(target, "Placement") and not _ours(target)))
 
 
@@ -252,5 +252,6 @@ def _targets(test):
 
 
 def plain():
-    """Returns the selected objects that are not ours, with or without a placement."""
+    """Returns the selected objects that do not belong to this workbench, with or without a
+    placement."""
     return list(_targets(lambda target: not _ours(target)))

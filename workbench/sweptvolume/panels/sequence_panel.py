@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Task panel of a sequence: parts in their order with their motions, parts that stand still, rules.
-Finds the paths in this order, or order_button an order, and plays all paths as one motion. Writes
-nothing before a search has found all paths. Then it writes their motions and the sequence as one
-undo step."""
+Finds the paths in this order, or finds an order, and plays all paths as one motion. Writes nothing
+before a search has found all paths. Then it writes their motions and the sequence as one undo
+step."""
 from PySide import QtCore
 
 from .. import runner

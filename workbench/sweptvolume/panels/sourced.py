@@ -14,7 +14,7 @@ def is_sourced(obj):
 
 
 def name_of(obj):
-    """Returns the name of the source, for people."""
+    """Returns the name of the source, for users."""
     if obj.SourceType == "File":
         return os.path.basename(obj.SourceFile)
     return ", ".join(source.Label for source in obj.SourceObjects)

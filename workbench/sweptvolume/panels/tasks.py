@@ -280,7 +280,7 @@ def print_note(report, label):
 class SolidTask(Task):
     """Converts an envelope to a solid, as one undo step. Creates the object if there is none yet.
 
-    settings: as in features.solid.DEFAULTS; if None, those of the object."""
+    settings: as in features.solid.DEFAULTS; if None, the settings of the object."""
 
     def __init__(self, document, source=None, obj=None, settings=None):
         self.title = translate("SweptVolume", "Make solid")

@@ -68,9 +68,9 @@ def _quantity(unit, value, minimum, step):
 
 
 def forget_with(widget):
-    """Makes PySide forget the wrapper of a widget. PySide finds wrappers by address. It forgets
-    those of deleted widgets, but not those of widgets that FreeCAD created. While such a wrapper
-    exists, a new widget of any type at that address would get it.
+    """Makes PySide forget the wrapper of a widget. PySide finds wrappers by address. It forgets the
+    wrapper of a deleted widget only if Python created the widget, not if FreeCAD did. While such a
+    wrapper exists, a new widget of any type at that address would get it.
     """
     widget.destroyed.connect(lambda: shiboken.invalidate(widget))
     return widget

@@ -16,8 +16,8 @@ _CALLS = ("generateSimulation", "numberOfFrames", "updateForFrame")
 
 
 def is_simulation(obj):
-    """Returns whether an object is a simulation. Only its properties distinguish it, because its
-    type is that of any Python object."""
+    """Returns whether an object is a simulation. Only its properties distinguish a simulation,
+    because all objects made in Python have the same type."""
     names = getattr(obj, "PropertiesList", [])
     return {"aTimeStart", "bTimeEnd", "cTimeStepOutput"}.issubset(names)
 

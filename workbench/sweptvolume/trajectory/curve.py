@@ -113,7 +113,7 @@ class _Track:
         self.total = self.ends[-1]
 
     def sample(self, length):
-        """Returns (point, unit tangent) at a length. At a corner they are those of the edge before
+        """Returns (point, unit tangent) at a length. At a corner, both belong to the edge before
         it."""
         k = bisect.bisect_left(self.ends, length, 1, len(self.edges)) - 1
         return self.on_edge(k, length - self.ends[k])

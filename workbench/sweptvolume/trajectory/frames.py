@@ -22,8 +22,8 @@ def change(matrices):
 
 
 class Recording:
-    """places: (root, sub) of the recorded parts. times (s). placements: a list for each place, with
-    one placement for each time. note: the note about the run, when it has ended."""
+    """places: (root, sub) of the recorded parts. times: s. placements: for each of `places` a list
+    with one placement for each time. note: the note about the run, when it has ended."""
 
     def __init__(self, frames, places):
         self.frames, self.places = frames, list(places)

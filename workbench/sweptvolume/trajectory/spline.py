@@ -106,7 +106,7 @@ class Spline:
 
     def _mean(self, k, after, alone):
         """Returns the velocities of the parabola through the adjacent keys. At the ends and at a
-        corner, returns those of the straight line."""
+        corner, returns the velocities of the straight line."""
         last = len(self.times) - 1
         if k == 0 or (alone and after and k < last):
             return self._straight(k)

@@ -33,7 +33,7 @@ def state_icon(name, obj):
 
 def verdict_icon(name, obj, verdict=None):
     """Returns the icon of a check: its state or, if the result is current, its worst verdict.
-    verdict: used in place of the object's verdict."""
+    verdict: used instead of the object's verdict."""
     found = state_icon(name, obj)
     if found != icon(name) or not obj.Checked:
         return found
@@ -44,7 +44,7 @@ def verdict_icon(name, obj, verdict=None):
 
 
 def run_command(obj, command):
-    """Runs one of our commands on one object, as if it were selected."""
+    """Selects an object and runs a command of this workbench."""
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(obj)
     Gui.runCommand(command)

@@ -10,7 +10,8 @@ from .surface import fill
 #: apart, and for a clash.
 APART = (0.85, 0.0, 0.6), (1.0, 0.95, 0.45), (0.4, 0.0, 0.28)
 CLASH = (0.95, 0.05, 0.1), (1.0, 1.0, 1.0), (0.6, 0.0, 0.0)
-#: Preferences of FreeCAD, and their values in a fresh profile (red, green, blue, alpha in 32 bits).
+#: FreeCAD's preferences for the background of the 3D view, and their values in a fresh profile
+#: (red, green, blue, alpha in 32 bits).
 _PLAIN, _GRADIENT = {"BackgroundColor": 3940932863}, {
     "BackgroundColor2": 859006463,
     "BackgroundColor3": 2543364607,

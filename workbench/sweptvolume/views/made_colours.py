@@ -91,7 +91,7 @@ def _colour(number, colours):
 
 
 def nodes_of(coloured, transparency):
-    """Returns Coin nodes that draw pieces(). Pieces with the same points limit their node."""
+    """Returns Coin nodes that draw pieces(). Pieces with the same points use the same node."""
     from pivy import coin
 
     nodes, last = [], None

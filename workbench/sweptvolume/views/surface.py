@@ -22,7 +22,7 @@ MOST, CREASE = 40000, 0.6
 
 
 def drawn(vertices, triangles, most=MOST):
-    """Returns a mesh in the form of group_of(): points, normals (may be None), indices."""
+    """Returns a mesh for group_of(): points, normals (may be empty) and indices."""
     try:
         return core.drawable(vertices, triangles, most, CREASE)
     except core.CoreMissing:
@@ -201,7 +201,7 @@ class LightDisplay:
         self.show_nodes(nodes_of(*surface))
 
     def show_nodes(self, nodes):
-        """Draws these nodes in place of FreeCAD's own."""
+        """Draws these nodes instead of FreeCAD's own."""
         self.full()
         self._parent = _parent_of_faces(self.obj.ViewObject)
         if self._parent is not None:
