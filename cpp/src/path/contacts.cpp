@@ -127,7 +127,8 @@ std::vector<Twist> freeMoves(const Scene& scene, const State& state,
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t k = 0; k < 4; ++k) list.addShift(ranked[k].second);
   }
-  // Axes of the neighbours, of the world, and of the part.
+  // Both directions of the main axes of the neighbours (x, y, z here), of the axes of the caller's
+  // world, and of the axes of the part.
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {1.0, -1.0}) list.addShift(sign * Vector3d::Unit(axis));
   for (int axis = 0; axis < 3; ++axis)

@@ -104,7 +104,8 @@ class Scene {
   Memory memory() const;
   bool isFree(const State& state, const Rule& rule, Memory& memory) const;
   /// Returns how far a move is free. Spans of the move are halved until they are proven free or as
-  /// short as `finest`, a fraction of the move. A shortest span without proof counts as blocked.
+  /// short as `finest`, a fraction of the move. A span of that length without proof counts as
+  /// blocked.
   Follow follow(const State& from, const State& to, const Rule& rule, Memory& memory,
                 double finest = 0) const;
 
