@@ -52,7 +52,7 @@ class Body:
 
     @property
     def parts(self):
-        """Returns to which parts the faces belong, as dicts of features.made_by."""
+        """Returns to which parts the faces belong, as a list of dicts (convert.owner())."""
         self.arrays()
         return self._arrays[3]
 

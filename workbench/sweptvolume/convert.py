@@ -349,7 +349,7 @@ def no_part_text():
 
 
 def owner(root, path):
-    """Returns to which part the faces of a solid or mesh belong, in the form of features.made_by."""
+    """Returns a dict that identifies the part to which faces belong. features.made_by stores it."""
     known = {"label": label_of(root, path), "root": root.Name, "sub": path}
     return dict(known, id=object_id(root, path))
 

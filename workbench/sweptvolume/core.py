@@ -203,7 +203,8 @@ def recut(result, tolerance, control):
 
 
 def has_sources(result):
-    """Returns whether results of recut() will know what made their triangles."""
+    """Returns whether recut() of this result will return the sources of the triangles
+    (Outcome.sources)."""
     return result[0].sources is not None
 
 

@@ -67,8 +67,8 @@ def _python():
 
 
 def _environment(python):
-    """Returns the environment for an interpreter: one outside of FreeCAD must not load FreeCAD's
-    modules."""
+    """Returns the environment variables for an interpreter. If it is not FreeCAD's own, it must not
+    load FreeCAD's modules."""
     environment = dict(os.environ, PIP_DISABLE_PIP_VERSION_CHECK="1", PYTHONIOENCODING="utf-8")
     home = os.path.realpath(App.getHomePath())
     if not os.path.realpath(python).startswith((home, os.path.realpath(sys.exec_prefix))):

@@ -12,8 +12,8 @@ _Joined = collections.namedtuple("_Joined", "report sources parts")
 
 
 def join(outcomes, options, control):
-    """Returns the outer surface of several envelopes: their meshes are joined and sampled again at
-    rest.
+    """Returns the outer surface of several envelopes. Their meshes are put together into one body,
+    which is sampled without a motion.
 
     The report includes the effort and the warnings of the earlier runs. Raises CoreError.
     """

@@ -41,7 +41,8 @@ class Reader:
         self._parts, self._calls = [], {}
 
     def ask(self, parts, key, call):
-        """Requests parts (apart.Apart). call() follows in the window's thread, once for each key."""
+        """Starts to read parts (apart.Apart). When all are read, call() is called in the window's
+        thread, once for each key."""
         begins = not self._calls
         self._parts += [part for part in parts if part not in self._parts]
         self._calls[key] = call

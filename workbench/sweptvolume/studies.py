@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs studies (docs/studies.md) beside FreeCAD. The package `swept_volume`, which lies beside the
-compiled core, computes them in its own process, as for `swept study`. So the window never waits,
-and a crash of that process does not affect FreeCAD. Any thread.
+"""Runs studies (docs/studies.md) outside FreeCAD's process. The package `swept_volume`, in the
+folder of the compiled core, computes them in its own process, as `swept study` does. So the window
+never waits, and a crash of that process does not affect FreeCAD. Any thread.
 """
 import importlib
 import json

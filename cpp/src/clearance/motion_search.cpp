@@ -260,7 +260,8 @@ void classify(SearchContext& c, LevelItem& item, double level, double resolution
   }
   if (proof.obstacle.body >= 0) item.hint = proof.obstacle;
   if (last) {
-    // A step without proof counts as below the level. So spans may be too long, never too short.
+    // The node is not split further. Without a proof, it counts as below the level if its reach is
+    // positive. So spans may be too long, never too short.
     const bool below = b.reach > 0 || c.pair.anyNearerThan(b.R, b.t, level, item.hint).body >= 0 ||
                        c.pair.containedAt(b.R, b.t);
     item.outcome = below ? Level::Below : Level::Clear;

@@ -120,8 +120,8 @@ def is_envelope(obj):
 
 
 def work(requests, union_options, control, compute=core.compute):
-    """Computes one envelope, or for several groups of parts their envelopes and the outer surface
-    of all of them. Any thread.
+    """Computes one envelope. For several groups of parts, computes an envelope for each and the
+    outer surface of all. Any thread.
 
     `compute` runs one request. Raises core.CoreError.
     """

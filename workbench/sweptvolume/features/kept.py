@@ -28,7 +28,7 @@ def keep(document, key, outcome):
 
 
 def find(document, key):
-    """Returns the argument for core.recut(), or None."""
+    """Returns the argument for core.recut(), or None if no envelope with this key is kept."""
     return _last[2] if _last is not None and _last[:2] == (document.Name, key) else None
 
 

@@ -93,13 +93,14 @@ def input_hash(obj):
 
 
 def checked_hash(source, wanted):
-    """Returns the hash for a source and settings in the form of DEFAULTS. Raises InputProblem."""
+    """Returns the hash for a source and settings. wanted: a dict like DEFAULTS. Raises
+    InputProblem."""
     return hash_of(words_of(source, wanted))
 
 
 def hash_of(words):
     """Returns the hash for the result of words_of(). Any thread may call this after
-    contents.prepared() was called for them."""
+    contents.prepared(words)."""
     return status.VERSION + contents.short(contents.texts(words))
 
 
@@ -268,7 +269,7 @@ def request_for(source, world=False, **given):
 
 
 def settings(obj):
-    """Returns the settings of a solid object in the form of request_for()."""
+    """Returns the settings of a solid object, as a dict like DEFAULTS."""
     return dict(
         DEFAULTS,
         merge=bool(obj.MergeCoplanar),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts that stand still around moving ones: chosen parts, or all visible parts. Each solid or mesh
-is a part of its own, with its rule."""
+counts as a separate part and has its own rule."""
 from .. import convert
 from ..convert import InputProblem
 from ..texts import translate

@@ -62,8 +62,8 @@ def of(obj):
 
 
 def _packed(obj):
-    """Returns a small archive with the placements in the form of FreeCAD's document files, or b""
-    if there are none."""
+    """Returns a small archive with the placements, as FreeCAD stores them in documents, or b"" if
+    there are none."""
     try:
         return bytes(obj.dumpPropertyContent("Placements", Compression=0))
     except (AttributeError, TypeError):

@@ -34,7 +34,7 @@ class ResultPanel(StayingPanel):
         raise NotImplementedError
 
     def rows_of(self, report):
-        """Returns the report in the form of clearance_table."""
+        """Returns the rows of the report, with the keys that clearance_table reads."""
         return report
 
     def build_more(self, rows):

@@ -74,7 +74,8 @@ class KeysInView:
         self.handle = shift_to(self.body.placement.inverse().multVec(here))
 
     def _show_own_path(self, on):
-        """Shows the path of the document as before (on), or hides it."""
+        """Hides the path that the view of the motion object draws, or (on) restores its earlier
+        visibility."""
         if self.obj is not None and widgets.alive(self.obj):
             view = self.obj.ViewObject
             if not on:

@@ -38,7 +38,7 @@ class _Places:
         return iter(())
 
     def rows(self):
-        """Returns the report in the form of clearance_table."""
+        """Returns the rows of the report, with the keys that clearance_table reads."""
         raise NotImplementedError
 
     def show(self, index):
@@ -136,7 +136,7 @@ class Pictures:
         self.found = []  # (caption, bytes of a bitmap)
 
     def steps(self, control):
-        """A generator, as Task.steps(). Without a 3D view it makes no pictures."""
+        """Makes the pictures. A generator, as Task.steps(). Without a 3D view, there are none."""
         gui = Gui.getDocument(self.document.Name)
         view = gui.ActiveView if gui is not None else None
         if view is None or not hasattr(view, "saveImage"):

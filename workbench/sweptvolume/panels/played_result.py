@@ -44,7 +44,7 @@ class PlayedPanel(check_result.ResultPanel):
     """Subclasses define what moves, and which two parts belong to a row."""
 
     def plan_shown(self):
-        """Returns the plan of `obj`, whose seen() is drawn."""
+        """Returns the plan of `obj`. The parts that its seen() returns are drawn."""
         raise NotImplementedError
 
     def row_scene(self, index):

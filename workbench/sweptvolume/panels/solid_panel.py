@@ -137,7 +137,7 @@ class SolidPanel(StartPanel):
         return " ".join(filter(None, found))
 
     def settings(self):
-        """Returns the settings in the form of features.solid."""
+        """Returns the settings, as a dict like features.solid.DEFAULTS."""
         return {
             "merge": self.merge.isChecked(),
             "tolerance": float(self.tolerance.property("rawValue")),

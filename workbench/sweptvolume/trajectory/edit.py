@@ -202,7 +202,8 @@ def rows_from(text, units):
 
 
 def _quantity_from(text, unit):
-    """Returns a quantity as a number of units, or NaN if the text is not a quantity."""
+    """Parses a text with a unit. Returns the value in `unit`, or NaN if the text is not such a
+    quantity."""
     try:
         quantity, one = App.Units.Quantity(text), App.Units.Quantity("1 " + unit)
         if quantity.Unit == one.Unit:

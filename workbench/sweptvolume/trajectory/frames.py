@@ -75,7 +75,7 @@ def poses_of(frames, part):
 
 
 def check_valid(objects, text):
-    """Raises InputProblem with a text if one of the objects could not be recomputed."""
+    """Raises InputProblem with this text if one of the objects could not be recomputed."""
     if any("Invalid" in obj.State for obj in objects):
         raise InputProblem(text)
 

@@ -107,8 +107,8 @@ class View:
                 QtCore.QTimer.singleShot(0, lambda holder=holder: _show_children(holder))
 
     def claimChildren(self):
-        """Returns the objects made from this one, which the tree shows below it: motion, envelope,
-        solid and check."""
+        """Returns the objects that use this one and that the tree shows below it: motions,
+        envelopes, solids and checks."""
         try:
             users = self.Object.InList
         except (AttributeError, ReferenceError):
