@@ -19,8 +19,8 @@ from sweep_box import box
 
 Array = npt.NDArray[np.float64]
 MM = 1000.0
-#: Largest step of a joint between two poses (rad or m). Between two poses, a link moves along a screw. If
-#: several joints move at once, this is only approximately the true motion.
+#: Largest step of a joint between two poses (rad or m). Between two poses, a link moves along a
+#: screw. If several joints move at once, this is only an approximation.
 STEP = 0.02
 
 

@@ -332,8 +332,8 @@ def _watch():
 
 
 def _stop_all():
-    """Waits a moment for the threads when FreeCAD closes, and ends the process without those that
-    do not stop."""
+    """When FreeCAD closes, waits up to LEAVE for the threads. If a thread is still running, makes
+    the process end without waiting for it."""
     threads = list(_left)
     for run in list(_runs):
         run.lose(run._document)

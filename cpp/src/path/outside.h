@@ -10,7 +10,8 @@
 
 namespace swept::path {
 
-/// Returns free placements outside, with the orientation of the goal, as the exits of an End.
+/// Returns free placements outside (see outsideTest()), with the orientation of the goal. They are
+/// the exits of the End that is returned.
 End outside(const Scene& scene, const Demand& demand, const State& goal,
             const Extraction& extraction);
 

@@ -62,8 +62,8 @@ class Sequencer {
   struct Remaining {
     std::size_t part;
     PathReport last = {};
-    // Round of the last search for this part. -1: no search since a part that blocked it was
-    // removed.
+    // Round of the last search for this part. -1: there was none, or since then a part that blocked
+    // it was removed.
     int tried = -1;
     bool final = false;  // proven: it cannot be removed while the other parts are there
   };

@@ -2,8 +2,8 @@
 """Clearance check: smallest distances of a moving part from its neighbours, kept in the document.
 
 As with the envelope, `execute` only updates the state. A run consists of Plan.request(), work() and
-apply(). The distances are those of the true motion. If an envelope is given, its points are
-coloured by distance; it does not affect the distances.
+apply(). The distances are measured along the motion, not on an envelope. If an envelope is given,
+its points are coloured by distance.
 """
 import json
 import sys

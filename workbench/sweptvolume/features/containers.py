@@ -154,11 +154,11 @@ def _update_users_of_failed(broken):
 class _Observer:
     """Notices changes that FreeCAD's links do not report: objects are added to a group or removed
     from it, groups are moved, objects are shown, hidden, renamed or created, and inputs fail. After
-    Undo it only touches objects, because Undo restores the links itself.
+    Undo, it only marks objects as touched, because Undo restores the links itself.
 
-    Runs at each change of any property. With it, a change of a length takes 58 us of CPU instead of
-    55, of a placement 8 instead of 4, of a name 36 instead of 28. A recompute of 1,000 objects
-    takes no longer.
+    Runs at each change of any property. CPU time of a change with and without this observer: 58 and
+    55 us for a length, 8 and 4 us for a placement, 36 and 28 us for a name. A recompute of 1,000
+    objects takes no longer.
 
     Without it, results would stay "Up to date" after a group was moved, a part hidden, or a link's
     target lost (test_states_in_groups.py, test_states_of_other_documents.py)."""

@@ -29,7 +29,7 @@ class ImprovePlan:
         return [root for root, _ in self.pairs] + [self.motion]
 
     def request(self):
-        """Returns the run as plain values. Raises InputProblem."""
+        """Returns the inputs of the run as plain values. Raises InputProblem."""
         if self.motion.Interpolation == "None":
             raise InputProblem(
                 translate(

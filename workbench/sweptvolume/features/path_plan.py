@@ -82,8 +82,8 @@ class PathPlan:
             )
 
     def request(self):
-        """Returns the search as plain values, and stores the pivot in the plan. Raises
-        InputProblem."""
+        """Returns the inputs of the search as plain values, and stores the pivot in the plan.
+        Raises InputProblem."""
         self.check()
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         body = convert.body_from(self.pairs, deflection)

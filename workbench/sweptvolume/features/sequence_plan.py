@@ -171,7 +171,7 @@ class Plan(mechanism_plan.Plan):
     # --- the run
 
     def request(self):
-        """Returns the search as plain values. Raises InputProblem."""
+        """Returns the inputs of the search as plain values. Raises InputProblem."""
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         straight = 0.5 * float(self.values["Accuracy"])
         names, rows, notes = self.names(), [], []

@@ -3,8 +3,9 @@
 neighbours as the triangles that are checked, motions as poses, rules, and what is computed.
 `run_of()` reads the document; `write()` may run in any thread.
 
-The folder inputs/ beside the file has a subfolder for each content, named after its hash. Existing
-content is not written again, and runs share equal content.
+Meshes and motions are written to subfolders of the folder inputs/ beside the study file. A
+subfolder is named after the hash of what it contains, so equal meshes and motions are written only
+once.
 """
 import hashlib
 import json
@@ -105,14 +106,14 @@ def run_of(name, source, plan):
 
 
 class _Inputs:
-    """The folder of inputs. `used`: names of the content that the study needs."""
+    """The folder of inputs. `used`: names of the subfolders that the study needs."""
 
     def __init__(self, folder):
         self.folder, self.used = os.path.join(folder, INPUTS), set()
 
     def add(self, key, name, make):
-        """Returns the path, relative to the study file, of the content that these bytes (key)
-        identify. make(path) writes the content if it does not exist yet."""
+        """Returns the path, relative to the study file, of the mesh or motion that these bytes
+        (key) identify. If the file does not exist yet, make(path) writes it."""
         place = hashlib.sha256(key).hexdigest()[:16]
         self.used.add(place)
         path = os.path.join(self.folder, place, name)

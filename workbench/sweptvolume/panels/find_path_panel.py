@@ -121,7 +121,7 @@ class FindPathPanel(SearchPanel):
         widgets.show_message(self.message, text.format(path.Label))
 
     def plan(self):
-        """Returns the task of the search. Raises InputProblem."""
+        """Returns the plan (path_plan.PathPlan) for these fields. Raises InputProblem."""
         return path_plan.PathPlan(
             self.document,
             self.pairs,

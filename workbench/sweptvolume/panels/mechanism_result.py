@@ -40,7 +40,8 @@ class ResultPanel(played_result.PlayedPanel):
         return plan
 
     def show_row(self, index):
-        """Shows all parts at the time of a row, its two parts in another colour, and the line."""
+        """Shows all parts at the time of a row, with the two parts of the row in another colour and
+        the shortest line between them."""
         self.wanted = index
         self.show_buttons(index)
         if index is None:

@@ -143,8 +143,8 @@ def hint(field, text):
 
 
 def number_of(flag):
-    """Returns the number of a Qt constant: in PySide2 the constant is a number, in PySide6 it has
-    one."""
+    """Returns the number of a Qt constant. In PySide2 the constant is the number; in PySide6 the
+    number is its attribute `value`."""
     return int(getattr(flag, "value", flag))
 
 

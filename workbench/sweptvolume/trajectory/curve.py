@@ -29,7 +29,8 @@ MAX_POSES = 20_000
 #: An edge is halved at most this often. Its pieces are then about as short as the smallest distance
 #: between two points that can be distinguished.
 MAX_HALVINGS = 24
-#: Turns (rad) between two edges below this are ignored: half a millimetre at a distance of 500 m.
+#: A smaller turn (rad) between two edges is ignored. At a distance of 500 m, this turn moves a
+#: point by half a millimetre.
 CORNER = 1e-6
 #: Fractions between two poses at which the deviation of the curve is measured. Two are irrational:
 #: at simple fractions alone, a helix of several turns would look straight.
