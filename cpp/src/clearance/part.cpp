@@ -113,7 +113,7 @@ std::vector<Part::Piece> Part::cutSlivers(const TriMesh& mesh) {
   constexpr double kSlender = 6;
   const std::size_t count = mesh.triangles.size();
   std::vector<Piece> parts(count);
-  std::vector<std::array<double, 2>> sizes(count);  // longest edge, height over it
+  std::vector<std::array<double, 2>> sizes(count);  // longest edge, height above it
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
     Triangle3d& c = parts[i].corners;
