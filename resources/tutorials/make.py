@@ -100,7 +100,8 @@ def body(doc, place, sizes):
 
 
 def part(doc, name, rows):
-    """Adds a part: one body, or the union of several, from which the bodies after None are cut away."""
+    """Adds a part. rows: the bodies to unite, then optionally None and the bodies to cut away
+    (arguments of body())."""
     at = rows.index(None) if None in rows else len(rows)
     kept = [body(doc, *row) for row in rows[:at]]
     away = [body(doc, *row) for row in rows[at + 1 :]]

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Poses of a cutter from CAM (Path) commands: G0 to G3 with X Y Z I J K R and A B C words.
 
-Convention: a pose is that of the tool relative to the workpiece, with its tip at the programmed
-point. A, B, C are in degrees. Head: they turn the tool about the fixed axes x, then y, then z (R =
-Rz Ry Rx); X Y Z are coordinates of the workpiece. Table: they turn the workpiece with its
-coordinates about the axes of the machine, in that order; X Y Z are coordinates of the machine, and
-the tool keeps its direction.
-G2 and G3 lie in the plane of G17 (xy), G18 (zx) or G19 (yz). The centre is relative to the start
-(G91.1, as in Path), or a radius R is given; helices are possible. G90 and G91 are supported. Feed
-is in mm/s, as Path stores it; G0 moves at `rapid` mm/s.
+Convention: a pose is the placement of the tool relative to the workpiece, with the tip of the tool
+at the programmed point. A, B, C are in degrees. Head: they turn the tool about the fixed axes x,
+then y, then z (R = Rz Ry Rx); X Y Z are coordinates of the workpiece. Table: they turn the
+workpiece with its coordinates about the axes of the machine, in that order; X Y Z are coordinates
+of the machine, and the tool keeps its direction. G2 and G3 lie in the plane of G17 (xy), G18 (zx)
+or G19 (yz). The centre is relative to the start (G91.1, as in Path), or a radius R is given;
+helices are possible. G90 and G91 are supported. Feed is in mm/s, as Path stores it; G0 moves at
+`rapid` mm/s.
 """
 import math
 

@@ -142,7 +142,8 @@ def swept_box(points, poses):
 
 
 def at_time(poses, interpolation, time):
-    """Returns the placement at a time, interpolated as in the core (none: the last pose reached)."""
+    """Returns the placement at a time, interpolated as in the core. Without interpolation, returns
+    the last pose that was reached."""
     return course(poses, interpolation)(time)
 
 

@@ -12,8 +12,8 @@ import FreeCAD as App
 from ..convert import InputProblem
 from ..texts import translate
 
-#: Velocity at a key. Auto: from the adjacent keys. Stop: zero. Corner: that of the straight line on
-#: each side. Given: the velocity stored with the key; the rotation is as for Auto.
+#: Velocity at a key. Auto: from the adjacent keys. Stop: zero. Corner: the velocity of the straight
+#: line on each side. Given: the velocity stored with the key; the rotation is as for Auto.
 TANGENTS = ["Auto", "Stop", "Corner", "Given"]
 _SMALL = 1e-12
 
