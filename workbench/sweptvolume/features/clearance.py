@@ -44,7 +44,7 @@ VERDICTS = {
 }
 _POINT = (float, float, float)
 POSE = {"translation": _POINT, "quaternion_xyzw": (float,) * 4}
-#: The parts of a row in a stored report that are used, with their shapes (base.fits()).
+#: The entries of a row in a stored report that are used, with their shapes (base.fits()).
 ROW = {
     "name": str,
     "verdict": set(VERDICTS),

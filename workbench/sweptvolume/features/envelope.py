@@ -43,7 +43,7 @@ NOTES = {
     "Conservative",
     "CpuSampler",
 }
-#: The parts of a stored report that are used, with their shapes (base.fits()).
+#: The entries of a stored report that are used, with their shapes (base.fits()).
 REPORT = {
     "cell": float,
     "backend": str,

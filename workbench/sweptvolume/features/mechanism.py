@@ -25,7 +25,7 @@ from .mechanism_properties import INPUT, RESULT
 
 TYPE = "App::FeaturePython"
 
-#: The parts of a stored report that are used, with their shapes (base.fits()).
+#: The entries of a stored report that are used, with their shapes (base.fits()).
 REPORT = {
     "summary": str,
     "required": float,

@@ -10,8 +10,8 @@ _TITLES = {"Body": "First", "Neighbour": "Second"}
 
 
 def as_rows(report):
-    """Converts a report to the form of clearance_table: the first part of a pair becomes the body,
-    the second the neighbour."""
+    """Returns the rows of a report with the keys that clearance_table reads: the first part of a
+    pair becomes the body, the second the neighbour."""
     ignored = [" - ".join(pair) for pair in report["ignored"]]
     return dict(report, neighbours=[pair["clearance"] for pair in report["pairs"]], ignored=ignored)
 

@@ -224,7 +224,8 @@ class Moving:
             )
 
     def words(self):
-        """Returns what identifies geometry and motion, as contents.words(). Raises InputProblem."""
+        """Returns what identifies geometry and motion: texts and apart.Apart objects, as from
+        contents.words(). Raises InputProblem."""
         self.check()
         words = contents.words(self.pairs) + motion_feature.words(self.motion)
         if self.reference_motion is not None:

@@ -22,7 +22,7 @@ TYPE = "App::FeaturePython"
 #: Number of obstacles named for a part, the worst first.
 MOST_NAMES = 3
 
-#: The parts of a stored report that are used, with their shapes (base.fits()).
+#: The entries of a stored report that are used, with their shapes (base.fits()).
 REPORT = {
     "verdict": {"found", "not_found", "no_order"},
     "required": float,

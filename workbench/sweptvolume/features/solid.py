@@ -105,7 +105,8 @@ def hash_of(words):
 
 
 def words_of(source, wanted):
-    """Returns what identifies the inputs, as contents.words(). Raises InputProblem."""
+    """Returns what identifies the inputs: texts and apart.Apart objects, as from contents.words().
+    Raises InputProblem."""
     _check_source(source)
     return contents.words([convert.root_path(source)]) + _words(source, wanted)
 

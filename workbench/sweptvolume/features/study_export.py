@@ -140,7 +140,7 @@ class _Inputs:
         return self.add(text.encode(), name + ".csv", write)
 
     def tidy(self):
-        """Removes content that only an earlier export needed."""
+        """Removes subfolders that only an earlier export needed."""
         if os.path.isdir(self.folder):
             for name in os.listdir(self.folder):
                 if name not in self.used and len(name) == 16:

@@ -152,9 +152,9 @@ class Plan:
         return self._words
 
     def checked_hash(self):
-        """Returns the same as clearance_plan.Plan.checked_hash(). For a file, the hash contains its
-        size and the time of its last change. The run itself compares their bytes and computes only
-        new content."""
+        """Returns the same as clearance_plan.Plan.checked_hash(). For a study file, the hash
+        contains size and time of last change of the files that it names. The run itself compares
+        the bytes of these files, and computes only runs whose inputs have changed."""
         if self.sources:
             plans, names = self._read()
             found = [plan.checked_hash() for plan in plans] + names

@@ -11,7 +11,7 @@ STATES = {
     "not run": QT_TRANSLATE_NOOP("SweptVolume", "Not run"),
     "done": QT_TRANSLATE_NOOP("SweptVolume", "Done"),
 }
-#: The parts of a stored report that are used, with their shapes (base.fits()).
+#: The entries of a stored report that are used, with their shapes (base.fits()).
 REPORT = {"runs": [{"run": str, "state": set(STATES)}], "worst": str, "message": str}
 
 
