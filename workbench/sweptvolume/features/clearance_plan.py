@@ -8,7 +8,7 @@ from ..texts import translate
 from . import containers, missing, neighbour_rules, renamed, row_names, status
 from . import envelope as envelope_feature
 from .base import set_changed
-from .moving import Moving, Seen
+from .moving import BodyInFrame, Moving
 from .still_parts import StillParts, chord_of, has_surface, left_out_text, listed, no_neighbour
 
 
@@ -159,7 +159,7 @@ class Plan(StillParts):
         moving = self.moving()
         body = convert.body_from(self.pairs, self.seen_deflection())
         rigid = moving.rigid_motion()
-        return [(Seen(body, rigid.into_base), rigid.course())]
+        return [(BodyInFrame(body, rigid.into_base), rigid.course())]
 
     def rename(self, report):
         """Updates the names in the rows of a report to the present labels of the parts. Returns
@@ -217,7 +217,7 @@ class Plan(StillParts):
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         straight = 0.5 * float(self.values["Accuracy"])
         rigid, parts = moving.rigid_motion(), convert.body_from(self.pairs, deflection)
-        body = rigid.request(Seen(parts, rigid.into_base, moving.motion), straight, {})
+        body = rigid.request(BodyInFrame(parts, rigid.into_base, moving.motion), straight, {})
         chord = chord_of(self.pairs, deflection) + (straight if rigid.curved() else 0.0)
         neighbours, notes, ignored = self.still_parts(deflection)
         notes += self.moved_too()

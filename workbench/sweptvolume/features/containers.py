@@ -69,7 +69,7 @@ def links_for(holder, pairs):
     outer, found, waiting = around(holder), [], list(reversed(pairs))
     while waiting:
         root, sub = waiting.pop()
-        child = _held_by(root, sub)
+        child = _member_on_path(root, sub)
         if child is not None:
             waiting.append((child, sub.split(".", 1)[1]))
         elif root not in outer or sub:
@@ -80,7 +80,7 @@ def links_for(holder, pairs):
     return found
 
 
-def _held_by(root, sub):
+def _member_on_path(root, sub):
     """Returns the direct member of the group `root` through which a path leads, or None if the path
     leads through a link."""
     if "." not in sub or "Group" not in root.PropertiesList:

@@ -39,9 +39,9 @@ def take(document, settings, run):
             "SweptVolume",
             '"{0}" is left out, because it is visible only through a link: add its parts '
             "directly to the assembly, not as a link.",
-        ).format(convert.label_of(*place))
-        for place, obj in zip(moved, objects)
-        if convert.root_path(obj) != place
+        ).format(convert.label_of(*pair))
+        for pair, obj in zip(moved, objects)
+        if convert.root_path(obj) != pair
     ]
     named = [(p, o) for p, o in zip(moved, objects) if convert.root_path(o) == p]
     if not named:
@@ -55,8 +55,8 @@ def take(document, settings, run):
         if is_of_source(obj, settings) and len(obj.SourceObjects) == 2
     }
     motions = []
-    for place, part in named:
-        poses = run.poses_at(place)
+    for pair, part in named:
+        poses = run.poses_of_part(pair)
         poses.moved = [other for _, other in named if other is not part]
         own = sources.Settings(
             settings.kind, objects=[settings.objects[0], part], **settings.values
@@ -66,7 +66,7 @@ def take(document, settings, run):
             motions.append(known[part])
         else:
             motions.append(motion_feature.motion_of_read(document, own, poses))
-            motions[-1].Label = motion_feature.label_for([place])
+            motions[-1].Label = motion_feature.label_for([pair])
     return motions, notes
 
 
@@ -95,7 +95,7 @@ def reload(obj):
     moved = convert.targets(run.moved())
     for each in motions:
         part = each.SourceObjects[1]
-        poses = run.poses_at(convert.root_path(part))
+        poses = run.poses_of_part(convert.root_path(part))
         poses.moved = [other for other in moved if other is not part]
         motion_feature.take(each, motion_source.inside(each, poses))
 

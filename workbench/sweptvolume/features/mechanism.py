@@ -72,7 +72,7 @@ class Outcome:
 def work(request, control):
     """Runs the check, in any thread. Raises core.CoreError, InputProblem."""
     rows = request.rows()
-    options = dict(request.options, rules=request.asked())
+    options = dict(request.options, rules=request.own_rules())
     report = core.mechanism(rows, options, control)
     places = {part.name: part.place for part in request.parts}
     report["places"] = [places[name] for name in report["parts"]]

@@ -11,7 +11,7 @@ from ..trajectory.poses import Poses, at_time
 from . import containers, missing, pair_rules, renamed, row_names, status
 from . import motion as motion_feature
 from .base import set_changed, whole
-from .moving import Seen, grouped
+from .moving import BodyInFrame, grouped
 from .still_parts import StillParts, chord_of, left_out_text
 
 
@@ -82,7 +82,7 @@ class Request:
         self.parts, self.notes = kept, list(dict.fromkeys(self.notes))
         return rows
 
-    def asked(self):
+    def own_rules(self):
         """Returns (name, name, rule) for the pairs that have their own rule."""
         found = []
         for one, other in itertools.combinations(self.parts if self.rules else [], 2):
@@ -331,14 +331,15 @@ class Plan(StillParts):
         return Request(parts, rigid_motions, self.pair_rules, self.all_visible, options, notes)
 
     def seen(self):
-        """Returns, for each moving part, what the pictures of the check need: its coarse mesh (a Seen),
-        and a function that returns its placement at a time (s). Raises InputProblem."""
+        """Returns, for each moving part, what the pictures of the check need: its coarse mesh (a
+        BodyInFrame), and a function that returns its placement at a time (s). Raises
+        InputProblem."""
         found, deflection = [], self.seen_deflection()
         for group in self.groups():
             rigid = group.rigid_motion()
             course = rigid.course()
             for pair in group.pairs:
-                body = Seen(convert.body_from([pair], deflection), rigid.into_base)
+                body = BodyInFrame(convert.body_from([pair], deflection), rigid.into_base)
                 found.append((pair, (body, course)))
         order = {pair: seen for pair, seen in found}
         return [order[pair] for pair in self.pairs]
@@ -348,7 +349,7 @@ class Plan(StillParts):
         path and the straight segments that approximate it."""
         parts, more = [], straight if rigid.curved() else 0.0
         for pair in group.pairs:
-            body = Seen(convert.body_from([pair], deflection), rigid.into_base, group.motion)
+            body = BodyInFrame(convert.body_from([pair], deflection), rigid.into_base, group.motion)
             chord = chord_of([pair], deflection) + more
             parts.append(Part(names[pair], pair, body, chord, rigid, straight))
         return parts

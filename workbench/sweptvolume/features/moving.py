@@ -45,7 +45,7 @@ def middle_of(pairs, placement):
     return App.Vector(*map(float, middle))
 
 
-class Seen:
+class BodyInFrame:
     """A convert.Body in another frame, for any thread. matrix: 4x4 from the world to that frame;
     motion: the object that moves the body, for its sources."""
 
@@ -294,5 +294,5 @@ class Moving:
         """Returns the core.Request that moves the parts themselves. deflection: mm, for solids;
         read: a function like convert.body_from()."""
         rigid_motion = self.rigid_motion()
-        body = Seen(read(self.pairs, deflection), rigid_motion.into_base, self.motion)
+        body = BodyInFrame(read(self.pairs, deflection), rigid_motion.into_base, self.motion)
         return rigid_motion.request(body, tolerance, options)

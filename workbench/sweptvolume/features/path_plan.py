@@ -15,7 +15,7 @@ from ..texts import translate
 from ..trajectory.poses import Poses, shift_to
 from . import clearance_plan, still_parts
 from . import motion as motion_feature
-from .moving import Seen, middle_of
+from .moving import BodyInFrame, middle_of
 
 #: Lengths in mm, the time limit in s, the largest turn in degrees.
 DEFAULTS = {
@@ -90,7 +90,7 @@ class PathPlan:
         self.pivot = middle_of(self.pairs, body.placement)
         base = body.placement.multiply(shift_to(self.pivot))
         return core_paths.PathRequest(
-            Seen(body, matrix_of(base.inverse())),
+            BodyInFrame(body, matrix_of(base.inverse())),
             self._placed(self.goal if self.goal is not None else body.placement),
             self._still_parts(deflection),
             None if self.start is None else self._placed(self.start),

@@ -66,7 +66,7 @@ class Outcome:
 def work(request, control, seen=None):
     """Runs the search, in any thread. Raises core.CoreError, InputProblem."""
     rows = request.parts()
-    options = dict(request.options, rules=request.asked())
+    options = dict(request.options, rules=request.own_rules())
     order = request.search["Order"]
     report = core_paths.find_sequence(rows, request.standing(), order, options, control, seen)
     numbers = {row.part.name: k for k, row in enumerate(request.rows)}

@@ -14,7 +14,7 @@ from ..trajectory.poses import shift_to
 from . import mechanism_plan, pair_rules, path_plan, renamed, row_names, still_parts
 from .base import UP_TO_DATE
 from .mechanism_plan import Part
-from .moving import Moving, Seen, middle_of
+from .moving import BodyInFrame, Moving, middle_of
 
 #: Values of a search that the object does not store. Out: distance (mm) by which a part must be
 #: removed. MostMoves: as in the command-line program; 0: no limit.
@@ -40,8 +40,8 @@ class Row:
         """Returns the part as the core takes it. Any thread."""
         name, vertices, triangles, motion, interpolation, chord = self.part.row()
         extract = out if motion is None else None
-        places = self.goal, None, extract, []
-        return (name, vertices, triangles, chord, *places, motion, interpolation)
+        ends = self.goal, None, extract, []
+        return (name, vertices, triangles, chord, *ends, motion, interpolation)
 
 
 class Request:
@@ -58,7 +58,7 @@ class Request:
     def standing(self):
         return [(p.name, p.body.vertices, p.body.triangles, p.chord) for p in self.still]
 
-    def asked(self):
+    def own_rules(self):
         """Returns (name, name, rule) for the pairs that have their own rule. Raises InputProblem."""
         found = []
         moving = [row.part for row in self.rows]
@@ -193,7 +193,7 @@ class Plan(mechanism_plan.Plan):
         body = convert.body_from([pair], deflection)
         pivot = middle_of([pair], body.placement)
         base = body.placement.multiply(shift_to(pivot))
-        seen = Seen(body, matrix_of(base.inverse()))
+        seen = BodyInFrame(body, matrix_of(base.inverse()))
         chord = still_parts.chord_of([pair], deflection)
         return Row(Part(name, pair, seen, chord), pivot, matrix_of(base))
 
@@ -221,7 +221,7 @@ class Plan(mechanism_plan.Plan):
         begins = [step["begin"] for step in self.steps] or [0.0] * len(self.pairs)
         for pair, group, begin in zip(self.pairs, self.groups(), begins):
             rigid = group.rigid_motion()
-            body = Seen(convert.body_from([pair], deflection), rigid.into_base)
+            body = BodyInFrame(convert.body_from([pair], deflection), rigid.into_base)
             times = rigid.poses.times
             found.append((body, _delayed(rigid.course(), times[0], times[-1], begin)))
         return found

@@ -21,7 +21,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     quietly,
     set_changed,
 )
-from .moving import Moving, Seen
+from .moving import BodyInFrame, Moving
 from .shared_properties import PROPERTIES
 from .still_parts import chord_of
 
@@ -171,7 +171,7 @@ class Plan:
             if motion is not None:
                 moving = Moving(side, motion)
                 there = convert.matrix_of(moving.course()(self.time))
-                body = Seen(body, there @ moving.into_base(), motion)
+                body = BodyInFrame(body, there @ moving.into_base(), motion)
             found.append((name, body, chord_of(side, deflection)))
         return Request(*found)
 

@@ -200,7 +200,7 @@ class Request:
         self.exact = exact
         self.settings = settings
 
-    def but(self, given):
+    def with_settings(self, given):
         """Returns a request with the same mesh and other settings. Raises InputProblem."""
         wanted = dict(self.settings, **given)
         if self.exact and wanted["tolerance"] > 0 and not wanted["tessellated"]:
@@ -266,7 +266,7 @@ def request_for(source, world=False, **given):
     if world:
         placement = convert.global_placement(*convert.root_path(source))
         vertices = convert.transform(convert.matrix_of(placement), vertices)
-    return Request(vertices, triangles, source.Label, exact, DEFAULTS).but(given)
+    return Request(vertices, triangles, source.Label, exact, DEFAULTS).with_settings(given)
 
 
 def settings(obj):

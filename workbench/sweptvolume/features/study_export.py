@@ -114,14 +114,14 @@ class _Inputs:
     def add(self, key, name, make):
         """Returns the path, relative to the study file, of the mesh or motion that these bytes
         (key) identify. If the file does not exist yet, make(path) writes it."""
-        place = hashlib.sha256(key).hexdigest()[:16]
-        self.used.add(place)
-        path = os.path.join(self.folder, place, name)
+        subfolder = hashlib.sha256(key).hexdigest()[:16]
+        self.used.add(subfolder)
+        path = os.path.join(self.folder, subfolder, name)
         if not os.path.exists(path):
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with written_beside(path) as beside:
                 make(beside)
-        return "/".join((INPUTS, place, name))
+        return "/".join((INPUTS, subfolder, name))
 
     def mesh(self, name, vertices, triangles):
         vertices, triangles = np.asarray(vertices, "<f8"), np.asarray(triangles, "<i4")

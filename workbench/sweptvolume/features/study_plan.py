@@ -88,7 +88,7 @@ class Plan:
 
     # --- runs
 
-    def place(self):
+    def paths(self):
         """Returns (study file, folder for results; "" for the one named in the file). Raises
         InputProblem."""
         if self.lost:
@@ -117,7 +117,7 @@ class Plan:
 
     def runs(self):
         """Returns the names of the runs. Raises InputProblem, core.CoreError, core.CoreMissing."""
-        self.place()
+        self.paths()
         return self._read()[1] if self.sources else [run.name for run in self.study().runs]
 
     def study(self):
@@ -127,7 +127,7 @@ class Plan:
             # Imports modules that start processes, so not at FreeCAD's start.
             from .. import studies
 
-            self._study = studies.read(*self.place())
+            self._study = studies.read(*self.paths())
         return self._study
 
     def source_of(self, name):
@@ -147,7 +147,7 @@ class Plan:
     def words(self):
         """Returns the same as clearance_plan.Plan.words()."""
         if self._words is None:
-            self.place()  # raises InputProblem for missing inputs
+            self.paths()  # raises InputProblem for missing inputs
             self._words = [word for plan in self._read()[0] for word in plan.words()]
         return self._words
 
@@ -182,7 +182,7 @@ class Plan:
 
     def request(self):
         """Returns the Request. Raises InputProblem, core.CoreError, core.CoreMissing."""
-        path, output = self.place()
+        path, output = self.paths()
         if not self.sources:
             return Request(path, output, self.jobs, None, None, [])
         plans, names = self._read()

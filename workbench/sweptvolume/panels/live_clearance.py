@@ -7,7 +7,7 @@ from PySide import QtCore
 
 from .. import convert, core_paths, runner
 from ..features import clearance_plan, path_plan, still_parts
-from ..features.moving import Seen
+from ..features.moving import BodyInFrame
 from .newest import NewestTask
 
 #: Deflection (mm) of solids for this measurement.
@@ -57,7 +57,7 @@ class VisibleScene(Scene):
 
     def __init__(self, document, pair, matrix):
         body = convert.body_from([pair], DEFLECTION)
-        self.body = Seen(body, matrix)
+        self.body = BodyInFrame(body, matrix)
         still, notes, _ = path_plan.beside(document, [pair]).still_parts(DEFLECTION)
         self.beside = clearance_plan.Request(None, still, True, {}, None, notes)
         super().__init__(still_parts.chord_of([pair], DEFLECTION) + max(n.chord for n in still))

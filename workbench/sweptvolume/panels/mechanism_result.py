@@ -54,7 +54,7 @@ class ResultPanel(played_result.PlayedPanel):
     def _draw_row(self, index):
         row = self.whole["pairs"][index]["clearance"]
         self.go_to(row["time_seconds"])
-        self.place(row["time_seconds"], self.marked(index))
+        self.show_parts_at(row["time_seconds"], self.marked(index))
         self.draw_line(*clearance_table.line_of(row))
 
     @guard.shows_problems

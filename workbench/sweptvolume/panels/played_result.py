@@ -121,14 +121,14 @@ class PlayedPanel(check_result.ResultPanel):
             return
         self.left_row()
         if self.player.times and self.ready():
-            self.place(self.player.now())
+            self.show_parts_at(self.player.now())
             self._follow(self.player.now())
 
     def left_row(self):
         """Called when the view no longer shows the moment of a row. The line stays until the next
         distance is known."""
 
-    def place(self, time, marked=()):
+    def show_parts_at(self, time, marked=()):
         self.ghosts.show([course(time) for course in self.courses], marked)
         self.graph.mark(time)
 

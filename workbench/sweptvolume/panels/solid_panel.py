@@ -166,7 +166,7 @@ class SolidPanel(StartPanel):
         try:
             guard.check_fields(self.form)
             suffix = os.path.splitext(self.path)[1].lstrip(".").lower() or "brep"
-            self.background.want(*self.mesh.but(self.settings()).estimates(suffix))
+            self.background.want(*self.mesh.with_settings(self.settings()).estimates(suffix))
         except Exception as problem:
             guard.show_problem(self.expected, problem)
 

@@ -43,7 +43,7 @@ class _Rows(QtCore.QAbstractTableModel):
 
     def __init__(self):
         super().__init__()
-        self.rows, self.places = [], {}
+        self.rows, self.numbers = [], {}
         self.heads = (
             translate("SweptVolume", "Run"),
             translate("SweptVolume", "State"),
@@ -88,13 +88,13 @@ class _Rows(QtCore.QAbstractTableModel):
     def take(self, found):
         """Stores rows. found: {name of a run: its row}."""
         for name, row in found.items():
-            place = self.places.get(name)
-            if place is not None and self.rows[place] != row:
-                self.rows[place] = row
-                self.dataChanged.emit(self.index(place, 0), self.index(place, 3))
+            number = self.numbers.get(name)
+            if number is not None and self.rows[number] != row:
+                self.rows[number] = row
+                self.dataChanged.emit(self.index(number, 0), self.index(number, 3))
 
     def _number(self):
-        self.places = {row["run"]: place for place, row in enumerate(self.rows)}
+        self.numbers = {row["run"]: number for number, row in enumerate(self.rows)}
 
 
 class RowTable(QtWidgets.QTableView):
@@ -145,14 +145,14 @@ class RowTable(QtWidgets.QTableView):
 
     def show_report(self, report):
         self._fill(report["runs"])
-        place = self.rows.places.get(report["worst"])
-        if place is not None:
-            self.scrollTo(self.rows.index(place, 0))
+        number = self.rows.numbers.get(report["worst"])
+        if number is not None:
+            self.scrollTo(self.rows.index(number, 0))
 
     def chosen(self):
         """Returns the selected row, or None."""
-        places = self.selectionModel().selectedRows()
-        return self.rows.rows[places[0].row()] if places else None
+        chosen = self.selectionModel().selectedRows()
+        return self.rows.rows[chosen[0].row()] if chosen else None
 
     def _fill(self, rows):
         self.clearSelection()

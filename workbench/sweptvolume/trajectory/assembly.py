@@ -104,5 +104,5 @@ def signature(objects):
     words.append(repr(_seconds(simulation.cTimeStepOutput)))
     for motion in getattr(simulation, "Group", []):
         words += [str(getattr(motion, "Formula", "")), str(getattr(motion, "MotionType", ""))]
-    place = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
-    return " ".join(words) + str(place.tolist())
+    matrix = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
+    return " ".join(words) + str(matrix.tolist())

@@ -108,19 +108,19 @@ class MovingParts(Overlay):
         from pivy import coin
 
         super().__init__(document)
-        self.places, self.paints, self.shown = [], [], []
+        self.transforms, self.paints, self.shown = [], [], []
         for drawn, solid in parts:
-            place, shown = coin.SoMatrixTransform(), coin.SoSwitch()
-            shown.addChild(place)
+            transform, shown = coin.SoMatrixTransform(), coin.SoSwitch()
+            shown.addChild(transform)
             shown.addChild(surface.group_of(drawn, solid))
             self.paints.append(self.add(KEY_COLOUR, 0.45, shown))
-            self.places.append(place)
+            self.transforms.append(transform)
             self.shown.append(shown)
 
     def show(self, placements, marked=()):
         """Shows the parts at these placements. marked: indices of the parts in another colour."""
         for k, placement in enumerate(placements):
-            self.places[k].matrix = _matrix(placement)
+            self.transforms[k].matrix = _matrix(placement)
             self.paints[k].diffuseColor = MOVING_COLOUR if k in marked else KEY_COLOUR
             self.shown[k].whichChild = -3  # -3: all children
 
