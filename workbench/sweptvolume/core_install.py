@@ -25,7 +25,8 @@ from .texts import translate
 PACKAGE, SIZE = "swept-volume", 4
 #: The index that pip uses unless the user has configured another.
 DEFAULT_INDEX = "https://pypi.org/simple"
-#: Whether the package is published on DEFAULT_INDEX. Until then its name there may belong to anybody.
+#: Whether the package is published on DEFAULT_INDEX. If not, the name of the package may belong to
+#: anybody there.
 PUBLISHED = False
 #: Patterns for the files and folders of the installed package.
 _PARTS = ("_swept*", "swept_volume", "swept_volume-*.dist-info")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Protects files that FreeCAD's own writers write: they are written beside the target and replace
-it only when complete. (The core's writers do this themselves.)"""
+"""Lets FreeCAD's own writers write to a temporary file beside the target, which replaces the target
+only when it is complete. (The core's writers do this themselves.)"""
 import contextlib
 import os
 import secrets
