@@ -7,8 +7,10 @@ import FreeCAD
 
 
 def _module_directory(known):
-    """Where this file lies. FreeCAD runs it by exec: __file__ is not defined, but most versions leave
-    the name of the file in InstallFile; else it is the folder on the path that holds the package.
+    """Returns the folder of this file, or None. known: the path of this file, or "".
+
+    FreeCAD runs this file with exec(), so __file__ is not defined. Most versions of FreeCAD store its
+    path in InstallFile. Otherwise, the folder is the one in sys.path that contains the package.
     """
     folders = [os.path.dirname(known)] if known else []
     for folder in folders + [f for f in sys.path if f]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The workbench class. Names at the top of this file are not visible in the methods: import there."""
+"""The workbench class. Its methods cannot see names at the top of this file, so they import them."""
 import FreeCADGui
 
 
@@ -23,14 +23,15 @@ class SweptVolumeWorkbench(FreeCADGui.Workbench):
         commands.load()
         commands.register()
         commands.fill_workbench(self)
-        # The first one looks for plug-ins, 16 ms that no panel has to wait for then.
+        # The first UiLoader searches for plug-ins, which takes 16 ms. Created here, so that no panel
+        # has to wait for it.
         FreeCADGui.UiLoader()
 
     def Activated(self):
         from sweptvolume import core
         from sweptvolume.panels import core_dialog
 
-        core.tell_if_missing()
+        core.warn_if_missing()
         core_dialog.offer_once()
 
     def ContextMenu(self, recipient):

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Wheel of the package `swept_volume` and its compiled core `_swept`, without FreeCAD and OpenCASCADE.
+"""Builds the wheel of the package `swept_volume` and its compiled core `_swept`, without FreeCAD.
 
     python3 -m pip wheel --no-build-isolation --no-deps --wheel-dir out .
 
-CMake does the build; the wheel needs the system libraries that README.md names (TBB, OpenMesh, FCL)
-where it is installed, and numpy. `.ci/wheel` makes wheels that need no library but the C library. CMAKE_ARGS
-in the environment is handed on to CMake. If SWEPT_MODULE in the environment names a compiled module,
-nothing is built: it goes into the wheel as it is (.ci/foreign-wheel).
+CMake builds the core. Where the wheel is installed, it needs numpy and the system libraries that README.md
+names (TBB, OpenMesh, FCL). `.ci/wheel` makes wheels that need only the C library and numpy.
+Environment variables: CMAKE_ARGS is passed to CMake. If SWEPT_MODULE is the path of a compiled module,
+nothing is built, and the wheel gets this module unchanged (.ci/foreign-wheel).
 """
 import os
 import pathlib
@@ -35,8 +35,8 @@ class CMakeBuild(build_ext):
             target.write_bytes(pathlib.Path(MODULE).read_bytes())
             return
         folder = ROOT / "build-wheel"
-        # The libraries of the core are the same for every Python: only the module is built again.
-        fresh = "-U *[Pp]ython* -U *PYTHON*"  # what CMake remembers of another Python
+        # The libraries of the core are the same for every Python, so only the module is built again.
+        fresh = "-U *[Pp]ython* -U *PYTHON*"  # removes what CMake has cached about another Python
         subprocess.check_call(
             f"cmake -S . -B build-wheel -G Ninja {fresh}".split()
             + ["-DCMAKE_BUILD_TYPE=Release", "-DSWEPT_STEP=OFF", "-DSWEPT_TESTS=OFF"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that move at the same time, rules for neighbours, and an installation path.
+"""Checks parts that move at the same time, checks a part with a rule for a neighbour, and finds a path.
 
     python3 assembly.py path.csv
 """

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an end mill cuts: the envelope of a cylinder along a CNC program for three axes.
+"""Computes the volume that an end mill cuts: the envelope of a cylinder that follows a CNC program for three
+axes.
 
     python3 cnc.py ../data/pocket.nc 6 cut.stl
 
-The arguments: program, diameter of the mill in mm, output. Known words: G0, G1, G2 and G3 in the plane XY
-with I and J, G20 and G21, G90 and G91, F; others are left out.
+Arguments: program, diameter of the mill in mm, output. Known words: G0, G1, G2 and G3 in the plane XY with
+I and J, G20 and G21, G90 and G91, F. Other words are ignored.
 """
 import re
 import sys

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The envelope of a mesh object of another library, moved by matrices.
+"""Computes the envelope of a mesh object of another library, which is moved by matrices.
 
     python3 from_arrays.py envelope.ply
 
-Anything that has vertices (N, 3) and faces (M, 3) will do, such as a trimesh.Trimesh.
+Any object with vertices (N, 3) and faces (M, 3) can be used, such as a trimesh.Trimesh.
 """
 import sys
 from typing import NamedTuple

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two parts are installed into a case: the order, a motion for each, whether the spaces that they sweep
-share volume, and a study that checks each motion.
+"""Finds the order in which two parts can be installed into a case, and a motion for each of them. Measures
+the volume that both swept spaces share, and checks each motion with a study.
 
     python3 installation.py folder
 """

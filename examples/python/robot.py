@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The envelope of each link of a robot: a URDF file and a table of joint positions over time.
+"""Computes the envelope of each link of a robot from a URDF file and a table of joint positions over time.
 
     python3 robot.py ../data/arm.urdf ../data/arm.csv envelopes
 
-Writes envelopes/LINK.ply for every link with a box or a cylinder. URDF has m and rad, results are in mm.
+Writes envelopes/LINK.ply for every link with a box or a cylinder. URDF uses m and rad; results are in mm.
 """
 import csv
 import pathlib
@@ -19,8 +19,8 @@ from sweep_box import box
 
 Array = npt.NDArray[np.float64]
 MM = 1000.0
-#: Largest step of a joint between two poses (rad or m). Between two poses a link moves on a screw,
-#: which is not exactly the motion of several joints that move at once.
+#: Largest step of a joint between two poses (rad or m). Between two poses, a link moves along a
+#: screw. If several joints move at once, this is only an approximation.
 STEP = 0.02
 
 
@@ -98,8 +98,8 @@ def link_poses(robot: ElementTree.Element, positions: Dict[str, float]) -> Dict[
 
 
 def positions_over_time(path: str) -> Tuple[Array, List[Dict[str, float]]]:
-    """Returns times and joint positions. Adds rows between those of the file where a joint moves
-    far."""
+    """Returns times (s) and joint positions. Where a joint moves farther than STEP, adds rows between
+    those of the file."""
     with open(path, newline="") as file:
         rows = [{k: float(v) for k, v in row.items()} for row in csv.DictReader(file)]
     dense = [rows[0]]

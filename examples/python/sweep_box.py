@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The envelope of a box that slides and turns, with its smallest distance to a post.
+"""Computes the envelope of a box that slides and turns, and its smallest distance from a post.
 
     python3 sweep_box.py envelope.ply
 """

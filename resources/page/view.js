@@ -9,8 +9,8 @@ TO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONIN
 THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF
 CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER
 DEALINGS IN THE SOFTWARE. */
-// The 3D view of a page: parts, a slider over the frames of the motion, the closest line of each row. What it
-// draws is the JSON in #scene (cpp/src/page/scene.cpp). SPDX-License-Identifier: LGPL-2.1-or-later
+// The 3D view of a page: the parts, a slider over the frames of the motion, and the shortest line of each row.
+// It draws the JSON in #scene (cpp/src/page/scene.cpp). SPDX-License-Identifier: LGPL-2.1-or-later
 import {
   AmbientLight,
   BufferAttribute,
@@ -38,7 +38,7 @@ const COLOURS = {
 };
 const MOVING = [0x3f7fc1, 0x2b9c9c, 0x7a6bd0, 0x2f6690, 0x56b4e9, 0x5b8c5a];
 const PAUSE = 45; // ms between two frames that are played
-// Lights are counted in other units since this revision.
+// Since this revision of three.js, light intensities have another unit.
 const LIGHT = Number(REVISION) >= 155 ? Math.PI : 1;
 
 function bytes(text) {
@@ -63,7 +63,7 @@ class View {
   constructor(data) {
     this.data = data;
     this.canvas = document.getElementById("view-canvas");
-    // Kept for printing and for pictures of the page.
+    // The drawn picture is preserved, because prints and screenshots of the page need it.
     this.renderer = new WebGLRenderer({
       canvas: this.canvas, antialias: true, alpha: true, preserveDrawingBuffer: true,
     });
@@ -137,7 +137,7 @@ class View {
     this.scene.add(this.mark);
   }
 
-  /** The ball that holds everything in all frames. */
+  /** Sets the centre and the size (diagonal) of the box around all parts in all frames. */
   measure() {
     const low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
     for (const mesh of this.parts) {
@@ -284,7 +284,7 @@ class View {
   }
 }
 
-// The place of the view is shown first: it has no size before.
+// The class "with-view" shows the element of the view first, because a hidden element has no size.
 document.documentElement.classList.add("with-view");
 try {
   window.sweptView = new View(JSON.parse(document.getElementById("scene").textContent));

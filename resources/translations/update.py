@@ -3,8 +3,8 @@
 
     python3 resources/translations/update.py
 
-Translations of texts that have not changed are kept. Needs Qt 6's tools: the lupdate of Qt 5 reads only the
-first of several adjacent string literals. Debian has them in qt6-l10n-tools.
+Texts that have not changed keep their translations. Needs lupdate and lrelease of Qt 6, because the lupdate
+of Qt 5 reads only the first of several adjacent string literals. Debian's package is qt6-l10n-tools.
 """
 import glob
 import os
@@ -35,14 +35,15 @@ def sources():
 
 
 def collect(path, language):
-    """Writes the texts of today into the .ts file; what was translated stays, what is gone goes."""
+    """Updates the .ts file to the present texts. Known translations stay; texts that no longer exist are
+    removed."""
     options = ["-silent", "-locations", "none", "-no-obsolete", "-source-language", "en"]
     command = [tool("lupdate"), *options, "-target-language", language, *sources(), "-ts", path]
     subprocess.run(command, check=True)
 
 
 def translations(path):
-    """{(context, text): translation} of a .ts file. The translation is empty where there is none."""
+    """Returns {(context, text): translation} of a .ts file. Without a translation, the value is ""."""
     result = {}
     for context in Tree.parse(path).getroot().iter("context"):
         for message in context.iter("message"):

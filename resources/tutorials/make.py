@@ -3,11 +3,12 @@
 
     FREECAD_USER_HOME=FOLDER xvfb-run -a freecad resources/tutorials/make.py
 
-with resources/demo-user.cfg as FOLDER/user.cfg (no start page). It needs the window: colours are stored too.
+with a copy of resources/demo-user.cfg as FOLDER/user.cfg, which disables the start page. Needs a window,
+because the files store colours, too.
 
-engine_bay.FCStd: a starter motor where it belongs and the parts around it; starter.csv: its installation
-path; exhaust.csv: how the exhaust pipe is lifted into its place. beam_and_posts.FCStd: two posts, and a beam
-on the floor behind them. Lengths are in mm.
+engine_bay.FCStd: a starter motor in its installed position, and the parts around it. starter.csv: its
+installation path. exhaust.csv: the motion that lifts the exhaust pipe into its installed position.
+beam_and_posts.FCStd: two posts, and a beam on the floor behind them. Lengths are in mm.
 """
 import os
 
@@ -19,8 +20,8 @@ from PySide import QtCore
 HERE = os.path.dirname(os.path.realpath(__file__))
 #: Turns a cylinder's axis from z to x.
 ALONG_X = App.Rotation(App.Vector(0, 1, 0), 90)
-#: Name and bodies of each part. A body: position, then radius and length of a cylinder along x, or the
-#: three sides of a box. None: what comes after it is cut away.
+#: Bodies of each part. A body: position, then radius and length of a cylinder along x, or the three sides
+#: of a box. Bodies after None are cut away from the union of those before it.
 PARTS = {
     "Starter": [
         ((-140, 0, 0), (38, 127)),
@@ -56,7 +57,7 @@ COLOURS = {
     "FrameRail": (0.28, 0.30, 0.33),
     "Beam": (0.80, 0.66, 0.44),
 }
-#: s, position, and yaw, pitch, roll in degrees.
+#: Motions of both parts: time (s), position (mm), and yaw, pitch, roll (degrees) of each pose.
 STARTER = [
     (0, (-80, 200, -345), (38, -28, 90)),
     (1, (-88, 130, -330), (30, -26, 90)),
@@ -76,7 +77,7 @@ EXHAUST = [
     (8, (0, 0, -140), (0, 0, 0)),
     (11, (0, 0, 0), (0, 0, 0)),
 ]
-#: Name, sides, where the middle of the box is, angle about z in degrees.
+#: Each box: name, sides, position of its centre, rotation about z (degrees).
 BLOCKS = [
     ("Base", (160, 20, 15), (0, 0, 7.5), 0),
     ("PostLeft", (15, 15, 60), (-50, 0, 45), 0),
@@ -86,7 +87,7 @@ BLOCKS = [
 
 
 def body(doc, place, sizes):
-    """A cylinder along x, or a box."""
+    """Adds a cylinder along x (sizes: radius, length) or a box (sizes: sides). Returns the object."""
     if len(sizes) == 2:
         obj = doc.addObject("Part::Cylinder", "Cylinder")
         obj.Radius, obj.Height = sizes
@@ -99,7 +100,8 @@ def body(doc, place, sizes):
 
 
 def part(doc, name, rows):
-    """A body, the union of several, or what is left of them after a cut."""
+    """Adds a part. rows: the bodies to unite, then optionally None and the bodies to cut away
+    (arguments of body())."""
     at = rows.index(None) if None in rows else len(rows)
     kept = [body(doc, *row) for row in rows[:at]]
     away = [body(doc, *row) for row in rows[at + 1 :]]
@@ -117,7 +119,7 @@ def part(doc, name, rows):
 
 
 def poses(name, rows):
-    """A motion file: time, position, quaternion."""
+    """Writes a motion file: time, position and quaternion of each pose."""
     with open(os.path.join(HERE, name), "w", encoding="utf-8") as file:
         file.write("t,tx,ty,tz,qx,qy,qz,qw\n")
         for time, place, angles in rows:

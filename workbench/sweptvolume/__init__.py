@@ -14,7 +14,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__
 
 
 def _version():
-    """Returns the version in package.xml, the only place that has it."""
+    """Returns the version in package.xml, the only file that states it."""
     with open(os.path.join(ROOT, "package.xml"), encoding="utf-8") as file:
         return re.search("<version>(.*)</version>", file.read())[1]
 
@@ -28,5 +28,5 @@ def resource(*names):
 
 
 def icon(name):
-    """Returns the absolute path of an icon, a form that every FreeCAD version accepts."""
+    """Returns the path of an icon. It is absolute, because every FreeCAD version accepts that."""
     return resource("icons", name + ".svg")

@@ -5,11 +5,14 @@ The text of a shape comes from points of all its edges and faces and from the po
 geometry. The text of a mesh comes from all its points and triangles. Different geometry gives a
 different text. The text is kept for each object: for a shape as long as the object holds the same
 shape (at any placement), for a mesh until FreeCAD reports a change.
+
 Cost: 0.1 to 0.3 ms for each face of a new shape, 0.3 s for a new mesh of 1M triangles, otherwise
-some microseconds. FreeCAD writes display triangles into the topology of its shapes, so only the
-window's thread may read a shape. For other threads, it writes the shape as the bytes of a binary
-file (0.01 ms for each face; a copy by FreeCAD takes 0.05 ms). Another thread creates its own shape
-from the bytes (0.01 ms for each face).
+some microseconds.
+
+FreeCAD writes display triangles into the topology of its shapes, so only the window's thread may
+read a shape. For other threads, the window's thread writes the shape as the bytes of a binary file
+(0.01 ms for each face; a copy by FreeCAD takes 0.05 ms). Another thread creates its own shape from
+the bytes (0.01 ms for each face).
 """
 import collections
 import hashlib
@@ -39,7 +42,8 @@ _observer = None
 
 class Apart:
     """A shape or a mesh in its own coordinates. Created in the window's thread. After detached(),
-    any thread may read it. Values are computed on first use and kept."""
+    any thread may read it. The text, the corners and other values are computed on first use and
+    kept."""
 
     def __init__(self, obj):
         self.is_mesh = obj.isDerivedFrom("Mesh::Feature")
@@ -145,14 +149,14 @@ def _bytes_of(shape):
             return file.read()
 
 
-def _shape_of(taken):
+def _shape_of(data):
     """Returns the shape from the bytes of _bytes_of()."""
     import Part
 
     shape = Part.Shape()
     with passing(".bin") as path:
         with open(path, "wb") as file:
-            file.write(taken)
+            file.write(data)
         try:
             shape.importBinary(path)
         except Exception:  # if the disk is full, FreeCAD raises an error without a reason
@@ -175,9 +179,9 @@ def of(obj):
 
 
 class _Observer:
-    """Removes changed meshes, and deleted objects and documents, from _known. A mesh gives no sign
-    of a change, and comparing a mesh of a million triangles takes 0.3 s. The observer takes 1 us
-    for each change of any property."""
+    """Removes changed meshes, and deleted objects and documents, from _known. Without it, a change
+    would be found only by comparing the triangles, which takes 0.3 s for a million. The observer
+    takes 1 us for each change of any property."""
 
     def slotChangedObject(self, obj, name):  # noqa: N802
         if name == "Mesh":
@@ -215,7 +219,7 @@ def _edge_points(edge):
     try:
         curve, (low, high) = edge.Curve, edge.ParameterRange
         return [edge.valueAt(low + (high - low) * u) for u in _EDGE] + _poles(curve)
-    except (TypeError, RuntimeError, AttributeError):  # a sphere: no curve at its pole
+    except (TypeError, RuntimeError, AttributeError):  # the edge at a sphere's pole has no curve
         return [vertex.Point for vertex in edge.Vertexes]
 
 
@@ -238,9 +242,9 @@ def _local(shape):
 def _read_shape(shape):
     local = _local(shape)
     points, counts = [], [len(local.Solids), len(local.Shells), len(local.Faces)]
-    for items, look in ((local.Faces, _face_points), (local.Edges, _edge_points)):
+    for items, points_of in ((local.Faces, _face_points), (local.Edges, _edge_points)):
         for item in items:
-            found = look(item)
+            found = points_of(item)
             points += found
             counts.append(len(found))
     points += [vertex.Point for vertex in local.Vertexes]

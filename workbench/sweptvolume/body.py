@@ -22,7 +22,7 @@ class Body:
     part gives no triangles."""
 
     def __init__(self, parts, placement, labels):
-        # (label, 4x4 matrix to the world, result of reader(), label, root and sub)
+        # Per part: label, 4x4 matrix to the world, function from convert.reader(), convert.owner().
         self._parts = parts
         self.placement = placement
         self.labels = labels
@@ -52,7 +52,7 @@ class Body:
 
     @property
     def parts(self):
-        """Returns to which parts the faces belong, as dicts of features.made_by."""
+        """Returns to which parts the faces belong, as a list of dicts (convert.owner())."""
         self.arrays()
         return self._arrays[3]
 

@@ -23,9 +23,8 @@ DIRECTIONS, OUTLINE_CHORD = 642, 0.002
 
 
 def steady(value):
-    """Rounds a number, or the numbers in a dict, to the digits that a saved document keeps.
-    Documents keep sixteen digits; a hash of the seventeenth would make every result stale after
-    reopening."""
+    """Rounds a number, or the numbers in a dict, to twelve digits. A saved document keeps sixteen:
+    a hash of later digits would make every result stale after reopening."""
     if isinstance(value, dict):
         return {name: steady(one) for name, one in value.items()}
     return float("{:.12g}".format(value)) if isinstance(value, float) else value
@@ -97,7 +96,7 @@ class KeptBodies:
         self._kept = []
 
     def read(self, pairs, deflection):
-        """As convert.body_from()."""
+        """Does the same as convert.body_from()."""
         key = words(pairs), deflection
         found = [body for known, body in self._kept if known == key]
         body = found[0] if found else convert.body_from(pairs, deflection)
@@ -155,8 +154,10 @@ def _outermost(points):
     """Returns the indices of the outermost points in evenly distributed directions."""
     count = np.arange(DIRECTIONS) + 0.5
     down, round_ = np.arccos(1 - 2 * count / DIRECTIONS), np.pi * (1 + 5**0.5) * count
-    ways = np.stack([np.cos(round_) * np.sin(down), np.sin(round_) * np.sin(down), np.cos(down)])
-    found = [(points @ ways[:, k : k + 32]).argmax(axis=0) for k in range(0, DIRECTIONS, 32)]
+    directions = np.stack(
+        [np.cos(round_) * np.sin(down), np.sin(round_) * np.sin(down), np.cos(down)]
+    )
+    found = [(points @ directions[:, k : k + 32]).argmax(axis=0) for k in range(0, DIRECTIONS, 32)]
     return np.unique(np.concatenate(found))
 
 
@@ -164,7 +165,8 @@ def _outermost(points):
 
 
 def signature_of_before(pairs):
-    """Returns the signature of version 1, to recognise its results. It contains only sizes."""
+    """Returns the signature that version 1 of the workbench stored, to recognise its results. This
+    signature contains only placements and sizes."""
     words = []
     for root, sub in pairs:
         for linked, path in convert.leaves(root, sub):

@@ -33,8 +33,8 @@ def pose_arrays(placements):
 
 
 def matrices_from(translations, rotations):
-    """Returns the same poses as 4x4 matrices (n,4,4), equal to those of matrix_of() to the last
-    bit."""
+    """Returns the poses of pose_arrays() as 4x4 matrices (n,4,4), equal to those of matrix_of() to
+    the last bit."""
     x, y, z, w = np.asarray(rotations).T
     size = np.sqrt(x * x + y * y + z * z + w * w)
     x, y, z, w = x / size, y / size, z / size, w / size
@@ -296,7 +296,7 @@ def leaves(root, sub=""):
             continue
         member = root.getSubObject(sub + child, retType=1)
         if member is not None and _plain_group_of(target, member) is not None:
-            continue  # found through that group
+            continue  # leaves() finds this member through its plain group
         if member is None or _shows(target, child[:-1], member):
             found += leaves(root, sub + child)
     return found
@@ -319,7 +319,8 @@ def solid_like(linked):
 
 
 def solid_leaves(root, sub):
-    """Returns leaves() without the helper geometry that lies beside solids or meshes."""
+    """Returns leaves(). If there are several, leaves out helper geometry (datum planes,
+    sketches)."""
     parts = leaves(root, sub)
     return parts if len(parts) == 1 else [part for part in parts if solid_like(part[0])]
 
@@ -348,7 +349,7 @@ def no_part_text():
 
 
 def owner(root, path):
-    """Returns to which part the faces of a solid or mesh belong, in the form of features.made_by."""
+    """Returns a dict that identifies the part to which faces belong. features.made_by stores it."""
     known = {"label": label_of(root, path), "root": root.Name, "sub": path}
     return dict(known, id=object_id(root, path))
 

@@ -15,7 +15,7 @@ from .core_texts import said
 
 _module = None
 _problem = None
-_told = False
+_warned = False
 
 
 class CoreMissing(RuntimeError):
@@ -54,11 +54,12 @@ def problem():
     return "" if available() else _problem
 
 
-def tell_if_missing():
-    """Prints in the report view, once in a session, how to get the core. Never raises."""
-    global _told
-    if not _told and not available():
-        _told = True
+def warn_if_missing():
+    """If the core is missing, prints in the report view, once in a session, how to get it. Never
+    raises."""
+    global _warned
+    if not _warned and not available():
+        _warned = True
         App.Console.PrintWarning(_problem + "\n")
 
 
@@ -162,7 +163,8 @@ def arguments(request):
 
 
 def outcome_of(found, request=None):
-    """Converts a result to an Outcome. With a request, it may be possible to simplify it again."""
+    """Converts a result to an Outcome. If the request has a tolerance, the Outcome can usually be
+    simplified again."""
     options = request.options if request is not None else {}
     again = options.get("tolerance", 0) > 0 and not options.get("conservative")
     if again:  # an open surface is not simplified
@@ -201,7 +203,8 @@ def recut(result, tolerance, control):
 
 
 def has_sources(result):
-    """Returns whether results of recut() will know what made their triangles."""
+    """Returns whether recut() of this result will return the sources of the triangles
+    (Outcome.sources)."""
     return result[0].sources is not None
 
 

@@ -2,8 +2,8 @@
 """Installs the core for this user, as the Addon Manager does it: by pip, into FreeCAD's folder for
 Python packages. Works without a window; a thread does the work.
 
-pip writes into a folder of its own beside the target. Only a complete core of the workbench's version
-is moved to the target. So a cancelled or failed installation leaves everything as it was.
+pip writes into a separate folder inside the target folder. Only a complete core of the workbench's
+version is moved to the target. So a cancelled or failed installation leaves everything as it was.
 """
 import glob
 import importlib
@@ -25,9 +25,10 @@ from .texts import translate
 PACKAGE, SIZE = "swept-volume", 4
 #: The index that pip uses unless the user has configured another.
 DEFAULT_INDEX = "https://pypi.org/simple"
-#: Whether the package is published on DEFAULT_INDEX. Until then its name there may belong to anybody.
+#: Whether the package is published on DEFAULT_INDEX. If not, the name of the package may belong to
+#: anybody there.
 PUBLISHED = False
-#: What the package consists of.
+#: Patterns for the files and folders of the installed package.
 _PARTS = ("_swept*", "swept_volume", "swept_volume-*.dist-info")
 #: Where the Addon Manager keeps the interpreter that the user has chosen for pip.
 _PREFERENCES = "User parameter:BaseApp/Preferences/Addons"
@@ -67,8 +68,8 @@ def _python():
 
 
 def _environment(python):
-    """Returns the environment for an interpreter: one outside of FreeCAD must not load FreeCAD's
-    modules."""
+    """Returns the environment variables for an interpreter. If it is not FreeCAD's own, it must not
+    load FreeCAD's modules."""
     environment = dict(os.environ, PIP_DISABLE_PIP_VERSION_CHECK="1", PYTHONIOENCODING="utf-8")
     home = os.path.realpath(App.getHomePath())
     if not os.path.realpath(python).startswith((home, os.path.realpath(sys.exec_prefix))):
@@ -175,19 +176,19 @@ def version_in(path):
     return versions.pop()
 
 
-def _check_version(version, place):
+def _check_version(version, source):
     if version != __version__:
         text = translate(
             "SweptVolume",
             'The core in "{0}" has version {1}, but the workbench has version {2}: choose a '
             "core of version {2}.",
         )
-        raise Failed(text.format(place, version, __version__))
+        raise Failed(text.format(source, version, __version__))
 
 
 def _move(staged, folder):
-    """Replaces the core in a folder by that in another one. Windows cannot delete a loaded library,
-    but can move it: such leftovers are deleted at the next installation."""
+    """Replaces the core in `folder` by the core in `staged`. Windows cannot delete a loaded
+    library, but can move it: such leftovers are deleted at the next installation."""
     old = tempfile.mkdtemp(prefix=".swept-old-", dir=folder)
     try:
         _move_parts(folder, old)

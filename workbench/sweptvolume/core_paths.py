@@ -8,9 +8,9 @@ class PathRequest:
     """Input of one search, independent of any document.
 
     body: has vertices (n,3) mm, in the coordinates to which the placements apply, and triangles
-    (m,3); any thread may create them. goal, start: (4,4). extract, in place of a start: mm, or a
-    direction (x, y, z). neighbours: (name, body in the world, mesh deflection in mm, rule as text
-    or None). options: those of the module's find_path()."""
+    (m,3); any thread may create them. goal, start: (4,4). extract (if start is None): a distance in
+    mm, or a direction (x, y, z). neighbours: (name, body in the world, mesh deflection in mm, rule
+    as text or None). options: those of the module's find_path()."""
 
     def __init__(self, body, goal, neighbours, start, extract, options):
         self.body = body
@@ -25,7 +25,8 @@ class PathRequest:
 
 
 def rows_of(neighbours):
-    """Returns neighbours in the form of the module. Raises InputProblem if one gives no triangles."""
+    """Returns neighbours as the module takes them. Raises InputProblem if one gives no
+    triangles."""
     return [
         (name, body.vertices, body.triangles, chord, own) for name, body, chord, own in neighbours
     ]
@@ -65,8 +66,8 @@ def _keys(found):
 
 
 def improve_path(request, neighbours, options, control):
-    """As find_path(), for a core.Request. neighbours: the result of PathRequest.rows(). Raises
-    CoreError."""
+    """Improves the motion of a core.Request. neighbours: the result of PathRequest.rows(). Returns
+    and raises the same as find_path()."""
     vertices, triangles, motion, interpolation = core.arguments(request)
     with core.errors():
         report, found = core.module().improve_path(
@@ -89,8 +90,8 @@ def sequence_watch():
 
 
 def find_sequence(rows, still, order, options, control, seen=None):
-    """Returns the report (dict, docs/paths.md). rows, still: in the form of the module's
-    find_sequence(). order: "given" or "find". seen: a sequence_watch(). Raises CoreError."""
+    """Returns the report (dict, docs/paths.md). rows, still: as the module's find_sequence() takes
+    them. order: "given" or "find". seen: a sequence_watch(). Raises CoreError."""
     with core.errors():
         return core.module().find_sequence(
             rows, still, order, run=control.context, watch=seen, **options

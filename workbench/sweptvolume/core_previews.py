@@ -6,8 +6,8 @@ import numpy as np
 
 from .core import arguments, errors, module, outcome_of
 
-#: A body with more triangles than this is simplified for quick previews; number of cells along its
-#: longest side for that.
+#: HEAVY: a body with more triangles is simplified for previews. LIGHT_CELLS: number of cells along
+#: its longest side when it is simplified.
 HEAVY, LIGHT_CELLS = 20000, 64
 
 
@@ -31,8 +31,8 @@ def _same_body(one, other):
 
 
 class Sessions:
-    """Runs coarse envelopes of bodies whose motion is edited. Keeps the core's data about a body
-    from run to run, for the last few bodies and settings. Any thread may call it, one run at a
+    """Computes coarse envelopes of bodies whose motion is edited. Keeps the core's data about a
+    body from run to run, for the last few bodies and settings. Any thread may call it, one run at a
     time.
     """
 
@@ -42,7 +42,8 @@ class Sessions:
         self._kept, self._light, self._lock = [], [], threading.Lock()
 
     def compute(self, request, control):
-        """As the module's compute(), but the surface is only accurate enough for display."""
+        """Returns an Outcome like core.compute(), but its surface is only accurate enough for
+        display."""
         with self._lock, errors():
             session = self._session(request)
             _, _, motion, interpolation = arguments(request)

@@ -16,8 +16,8 @@ from .texts import translate
 
 def package_folders():
     """Returns the folders in which the Addon Manager of this FreeCAD keeps Python packages. The
-    folder that it installs into comes first. Since FreeCAD 0.21, each version of Python has its
-    own."""
+    folder into which it installs comes first. Since FreeCAD 0.21, that is a folder for each version
+    of Python."""
     common = os.path.join(App.getUserAppDataDir(), "AdditionalPythonPackages")
     own = os.path.join(common, "py{}{}".format(*sys.version_info[:2]))
     first = tuple(int(number) for number in App.Version()[:2]) >= (0, 21)

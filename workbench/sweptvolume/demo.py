@@ -86,7 +86,8 @@ def look(document):
 
 
 def view_rotation():
-    """Returns the camera orientation: from outside, in front and below, where the starter comes in."""
+    """Returns the camera orientation: from outside, in front of the starter and slightly above
+    it."""
     out = App.Vector(-0.42, 0.86, 0.30).normalize()  # from the scene to the camera
     right = App.Vector(0, 0, 1).cross(out).normalize()
     up = out.cross(right)

@@ -16,7 +16,7 @@ MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".3mf")
 
 
 def check_target(path):
-    """As targets.check_target(), for the file types of envelopes."""
+    """Calls targets.check_target() with the file types of envelopes."""
     targets.check_target(path, SOLID_SUFFIXES + MESH_SUFFIXES)
 
 
@@ -37,7 +37,7 @@ def outdated_note(source):
 
 
 def request(source, settings=None):
-    """Reads the envelope in world coordinates. settings: those of a solid
+    """Reads the envelope in world coordinates. settings: settings of a solid
     (features.solid.DEFAULTS)."""
     return solid.request_for(source, world=True, **(settings or {}))
 

@@ -28,7 +28,7 @@ def find():
     for path in filter(None, found):
         words = [path, "-c", "import sys; print('{}.{}'.format(*sys.version_info))"]
         with contextlib.suppress(OSError, subprocess.SubprocessError):
-            told = subprocess.run(words, capture_output=True, text=True, timeout=30, **HIDDEN)
-            if told.stdout.strip() == VERSION:
+            answer = subprocess.run(words, capture_output=True, text=True, timeout=30, **HIDDEN)
+            if answer.stdout.strip() == VERSION:
                 return path
     return None

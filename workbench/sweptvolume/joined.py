@@ -7,13 +7,13 @@ import numpy as np
 from . import core
 
 
-#: The fields of an Outcome that are kept after its envelope was joined.
+#: Fields of an Outcome that are still needed after its envelope was joined to others.
 _Joined = collections.namedtuple("_Joined", "report sources parts")
 
 
 def join(outcomes, options, control):
-    """Returns the outer surface of several envelopes: their meshes are joined and sampled again at
-    rest.
+    """Returns the outer surface of several envelopes. Their meshes are put together into one body,
+    which is sampled without a motion.
 
     The report includes the effort and the warnings of the earlier runs. Raises CoreError.
     """
@@ -34,7 +34,7 @@ def _completed(joined, earlier):
     """Adds the sources, warnings and effort of the earlier runs to the outcome of the joining
     run."""
     if joined.sources is not None:
-        _hand_on_sources(joined, earlier)
+        _copy_sources(joined, earlier)
     report = joined.report
     report["joined"] = len(earlier)
     # Where two envelopes barely overlap, a gap may remain between their meshes. So the errors of
@@ -49,7 +49,7 @@ def _completed(joined, earlier):
     return joined
 
 
-def _hand_on_sources(joined, outcomes):
+def _copy_sources(joined, outcomes):
     """Copies the sources: a joined triangle gets the source of the triangle of an envelope on which
     it lies."""
     kinds, faces, times, parts, first = [], [], [], [], 0

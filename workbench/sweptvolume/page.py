@@ -26,7 +26,7 @@ def is_pdf(path):
 
 
 def check_target(path):
-    """As targets.check_target(), for the file types of reports."""
+    """Calls targets.check_target() with the file types of reports."""
     targets.check_target(path, SUFFIXES)
 
 
@@ -139,8 +139,8 @@ class _OfMechanism(_Request):
 
 
 def _file_of(document, is_changed):
-    """Returns (name, whether it was changed since saving, path) of the document's file, or None if
-    there is no file."""
+    """Returns (name, note, path) of the document's file, or None if there is no file. The note says
+    that the document was changed since it was saved, or is ""."""
     if not document.FileName or not os.path.isfile(document.FileName):
         return None
     how = translate("SweptVolume", "changed since it was saved") if is_changed else ""
@@ -200,7 +200,7 @@ def _inputs(req):
     return found
 
 
-def _told(report):
+def _translated(report):
     """Returns the report with its findings and notes in the user's language."""
     findings = [dict(w, text=said(w["code"], w["text"])) for w in report.get("warnings", [])]
     findings += [{"code": "", "text": note} for note in report.get("notes", [])]
@@ -211,7 +211,7 @@ def text(req, control, pictures=(), view=True):
     """Returns the text of the page, in any thread. pictures: (caption, media type, bytes). Raises
     core.CoreError, InputProblem."""
     return core.report_page(
-        _told(req.report),
+        _translated(req.report),
         control,
         title=req.title,
         language=req.language,

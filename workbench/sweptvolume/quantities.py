@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Formats numbers for people: in the units of FreeCAD's preferences, with the separators of the
+"""Formats numbers for users: in the units of FreeCAD's preferences, with the separators of the
 user's language, and rounded to significant digits, so that 0.1 mm never becomes "0.00 in"."""
 import math
 
@@ -43,7 +43,7 @@ def count(value):
 
 
 def quantity(value, digits=DIGITS):
-    """Formats a length (mm) with the unit that FreeCAD would choose. Rounds it before, because the
+    """Formats a length (mm) with the unit that FreeCAD would choose. Rounds it first, because the
     distance of parts in contact may differ from 0 by rounding errors."""
     value = round(float(value), MOST_DECIMALS)
     factor, name = _preferred(value)

@@ -41,7 +41,8 @@ class Reader:
         self._parts, self._calls = [], {}
 
     def ask(self, parts, key, call):
-        """Requests parts (apart.Apart). call() follows in the window's thread, once for each key."""
+        """Starts to read parts (apart.Apart). When all are read, call() is called in the window's
+        thread, once for each key."""
         begins = not self._calls
         self._parts += [part for part in parts if part not in self._parts]
         self._calls[key] = call
@@ -75,7 +76,7 @@ class Reader:
 
 
 def beside(document, parts, key, call):
-    """As Reader.ask(), for the reader of the document."""
+    """Calls Reader.ask() of the document's reader."""
     reader = _readers.get(document.Name)
     if reader is None or reader.document is not document:
         reader = _readers[document.Name] = Reader(document)
@@ -83,9 +84,9 @@ def beside(document, parts, key, call):
 
 
 def first(document, words, key, call):
-    """Returns whether parts are so large that they must be read first; then call() follows later.
-    words: a function that returns contents.words(). Its exceptions are ignored here and reach
-    the next caller."""
+    """Returns whether parts are so large that they must be read first. If so, call() follows when
+    they are read. words: a function that returns contents.words(). Its exceptions are ignored here
+    and reach the next caller."""
     try:
         parts = contents.unread(words())
     except (InputProblem, RuntimeError, AttributeError):
@@ -96,20 +97,20 @@ def first(document, words, key, call):
     return True
 
 
-def _look_later(obj, parts):
+def _compare_later(obj, parts):
     document, name = obj.Document, obj.Name
 
-    def look():
+    def compare():
         again = document.getObject(name)
         if again is not None:
             with quietly(again):
                 again.Proxy.look(again)
-            status.tell_users(again)
+            status.update_users(again)
 
-    beside(document, parts, name, look)
+    beside(document, parts, name, compare)
 
 
 def watch():
-    """Makes objects with large parts check for changes only after reading in the background, from
-    now on."""
-    status.read_beside = _look_later
+    """From now on, objects with large parts check for changes only after these were read in the
+    background."""
+    status.read_beside = _compare_later

@@ -21,7 +21,7 @@ from .texts import translate
 
 #: Interval (ms) between two checks of the progress.
 POLL = 100
-#: Time (ms) after which an applied result is freed, so that the window draws it first.
+#: Time (ms) after which an applied result is freed. The window is drawn before that.
 FORGET = 400
 #: Time (ms) in which a cancelled run may end by itself. So Stop takes effect within 0.3 s, including
 #: the interval between two checks.
@@ -65,10 +65,10 @@ class Task:
         raise NotImplementedError
 
     def after(self, value):
-        """Makes changes that Undo must not keep, after finish(). GUI thread."""
+        """Called after finish(). Makes changes that do not belong to the undo step. GUI thread."""
 
     def drop(self, value):
-        """Handles a result that nobody uses: removes the files that it refers to."""
+        """Discards a result that was not applied: removes the files that it refers to."""
 
     def fail(self, text, cancelled=False):
         """Stores the text of a failed run in the document."""
@@ -121,7 +121,7 @@ class Run(QtCore.QObject):
         self._fetching = None
         self._steps = None  # the generator of the remaining steps, or None
         self._timer = QtCore.QTimer()
-        self._timer.timeout.connect(self._look)
+        self._timer.timeout.connect(self._emit_progress)
 
     def start(self):
         _runs.append(self)
@@ -195,7 +195,7 @@ class Run(QtCore.QObject):
         for thread in self.threads():
             thread.wait()
 
-    def _look(self):
+    def _emit_progress(self):
         self.progress.emit(self.control.progress(), self.control.phase())
 
     def _worked(self):
@@ -332,8 +332,8 @@ def _watch():
 
 
 def _stop_all():
-    """Waits a moment for the threads when FreeCAD closes, and ends the process without those that
-    do not stop."""
+    """When FreeCAD closes, waits up to LEAVE for the threads. If a thread is still running, makes
+    the process end without waiting for it."""
     threads = list(_left)
     for run in list(_runs):
         run.lose(run._document)

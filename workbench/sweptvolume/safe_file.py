@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Protects files that FreeCAD's own writers write: they are written beside the target and replace
-it only when complete. (The core's writers do this themselves.)"""
+"""Lets FreeCAD's own writers write to a temporary file beside the target, which replaces the target
+only when it is complete. (The core's writers do this themselves.)"""
 import contextlib
 import os
 import secrets
@@ -12,8 +12,8 @@ from .texts import translate
 @contextlib.contextmanager
 def written_beside(path):
     """Yields the path of an empty file of the same type in the same folder, readable only by its
-    owner. If the block succeeds, the file replaces `path` and gets the permissions of the old
-    file, or of a new file. Otherwise it is removed, and `path` does not change."""
+    owner. If the block succeeds, the file replaces `path` and gets its permissions, or the default
+    ones if `path` did not exist. Otherwise the file is removed, and `path` does not change."""
     suffix = os.path.splitext(path)[1]
     beside = "{}.{}{}".format(path, secrets.token_hex(4), suffix)
     handle = os.open(beside, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Preferences of the user (Edit > Preferences > Swept Volume). The defaults equal those of the
-preferences page."""
+"""Preferences of the user (Edit > Preferences > Swept Volume). The default values are the same as
+on the preferences page."""
 import FreeCAD as App
 
 PATH = "User parameter:BaseApp/Preferences/Mod/SweptVolume"

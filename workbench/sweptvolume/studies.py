@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs studies (docs/studies.md) beside FreeCAD. The package `swept_volume`, which lies beside the
-compiled core, computes them in its own process, as for `swept study`. So the window never waits,
-and a crash of that process does not affect FreeCAD. Any thread.
+"""Runs studies (docs/studies.md) outside FreeCAD's process. The package `swept_volume`, in the
+folder of the compiled core, computes them in its own process, as `swept study` does. So the window
+never waits, and a crash of that process does not affect FreeCAD. Any thread.
 """
 import importlib
 import json
@@ -93,8 +93,8 @@ def worst_first(rows):
 
 
 def _start(words):
-    """Starts a process of the package in its own folder, which contains nothing else that could be
-    imported."""
+    """Starts Python with these arguments in the folder of the core and the package. Nothing else
+    could be imported from there."""
     python = interpreter.find()
     if python is None:
         text = translate(
@@ -145,43 +145,43 @@ def _ask_to_stop(process):
         process.send_signal(signal.SIGINT)
 
 
-def _followed(process, told, cancelled):
-    """Passes each line to told() until the process has ended. Returns the text of its standard
+def _followed(process, on_line, cancelled):
+    """Passes each line to on_line() until the process has ended. Returns the text of its standard
     error. Raises core.CoreError if the study was cancelled."""
-    output, asked = _Output(process), False
+    output, stopping = _Output(process), False
     try:
         while True:
-            if not asked and cancelled():
+            if not stopping and cancelled():
                 _ask_to_stop(process)
-                asked = True
+                stopping = True
             try:
                 line = output.lines.get(timeout=_POLL)
             except queue.Empty:
                 continue
             if line is None:
                 break
-            told(line)
+            on_line(line)
         process.wait(_LEAVE)
     finally:
         if process.poll() is None:
             process.kill()
             process.wait()
-    if asked:
+    if stopping:
         raise core.cancelled()
     return output.text()
 
 
-def run(path, output, jobs, told, cancelled):
+def run(path, output, jobs, on_row, cancelled):
     """Computes the remaining runs of a study and its page, in `jobs` processes (0: one for each
     core).
 
-    Calls told(row, done, runs) in this thread for each run. Kept results come first; for them, done
+    Calls on_row(row, done, runs) in this thread for each run. Kept results come first; for them, done
     and runs are None. cancelled() returns whether to stop. Returns the report of the study
     (docs/report.md). Raises core.CoreError, core.CoreMissing, InputProblem."""
 
     def take(line):
         found = json.loads(line.decode("utf-8"))
-        told(found["row"], found.get("done"), found.get("runs"))
+        on_row(found["row"], found.get("done"), found.get("runs"))
 
     with tempfile.TemporaryDirectory() as folder:
         report = os.path.join(folder, "report.json")
@@ -201,16 +201,16 @@ def run(path, output, jobs, told, cancelled):
 
 
 #: Arguments: study, folder of the results, relative path from the page to that folder, template (""
-#: for that of the study, "print", or a file).
+#: for the template of the study, "print", or a file).
 _PAGE = """
 import sys, swept_volume as sv
-path, output, way, template = sys.argv[1:]
+path, output, relative, template = sys.argv[1:]
 text = None
 if template:
     own = template == "print"
     text = sv.page_template(template) if own else open(template, encoding="utf-8").read()
 try:
-    page = sv.study_page(path, output=output, folder=way, template=text)
+    page = sv.study_page(path, output=output, folder=relative, template=text)
 except (sv.Error, OSError) as error:
     sys.exit(str(error))
 sys.stdout.buffer.write(page.encode())
@@ -218,12 +218,12 @@ sys.stdout.buffer.write(page.encode())
 
 
 def page(path, output, target, template, cancelled):
-    """Returns the page of all runs as text, for a file at `target`. template: "" for that of the
-    study, "print" for the built-in one for PDF, or a file. Raises core.CoreError,
+    """Returns the page of all runs as text, for a file at `target`. template: "" for the template
+    of the study, "print" for the built-in template for PDF, or a file. Raises core.CoreError,
     core.CoreMissing, InputProblem."""
-    way = os.path.relpath(output, os.path.dirname(os.path.abspath(target)))
-    way = "" if way == "." else way.replace(os.sep, "/") + "/"
-    process, lines = _start(["-c", _PAGE, path, output, way, template]), []
+    relative = os.path.relpath(output, os.path.dirname(os.path.abspath(target)))
+    relative = "" if relative == "." else relative.replace(os.sep, "/") + "/"
+    process, lines = _start(["-c", _PAGE, path, output, relative, template]), []
     errors = _followed(process, lines.append, cancelled)
     if process.returncode != 0:
         raise InputProblem(errors)

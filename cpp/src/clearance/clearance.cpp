@@ -45,7 +45,7 @@ void summarise(ClearanceReport& report) {
   report.summary = summary.text;
 }
 
-/// Returns the neighbours to check, and adds the names of the ignored ones to the report.
+/// Returns the neighbours to check, and adds the names of the ignored neighbours to the report.
 std::vector<const ClearanceNeighbour*> withoutIgnored(const std::vector<ClearanceNeighbour>& all,
                                                       ClearanceReport& report) {
   std::vector<const ClearanceNeighbour*> kept;
@@ -69,7 +69,7 @@ double allowedDepth(const NeighbourClearance& row, const ClearanceOptions& optio
 
 /// Adds a finding about allowed contacts for which a larger depth than allowed could not be
 /// excluded. The text names the contact with the largest bound.
-void tellUnproven(ClearanceReport& report, const ClearanceOptions& options) {
+void warnUnproven(ClearanceReport& report, const ClearanceOptions& options) {
   Finding finding{"ContactNotProven", 0, {}, ""};
   const NeighbourClearance* worst = nullptr;
   for (std::size_t i = 0; i < report.neighbours.size(); ++i) {
@@ -135,14 +135,14 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
   }
   for (const Finding& finding : openFindings(names, closed, moving.closed()))
     report.warnings.push_back(finding);
-  tellUnproven(report, options);
+  warnUnproven(report, options);
   summarise(report);
   report.seconds.push_back({"search", timer.lap()});
   report.seconds.push_back({"total", timer.seconds()});
   run.checkpoint(Phase::Done);
 }
 
-void takeBack(ClearanceReport& report) {
+void removeRows(ClearanceReport& report) {
   report.neighbours.clear();
   report.ignored.clear();
   report.smallest = -1;
@@ -158,7 +158,7 @@ ClearanceReport checkClearance(const TriMesh& body, const Trajectory& trajectory
   report.required = options.required;
   report.tolerance = options.tolerance;
   report.interpolation = interpolationName(trajectory.interpolation);
-  fillGuarded(report, run, "clearance check", "parts and motion", takeBack,
+  fillGuarded(report, run, "clearance check", "parts and motion", removeRows,
               [&] { runCheck(report, body, trajectory, neighbours, options, run); });
   return report;
 }

@@ -22,10 +22,10 @@ Vector3d seen(const Matrix3d& R, const Vector3d& t, bool ofBody, const Vector3d&
   return ofBody ? Vector3d(R * local + t) : Vector3d(R.transpose() * (local - t));
 }
 
-// Returns an upper bound of the depth of all points of the piece. `place`: the triangle nearest to
-// the centre. The distance from a triangle is convex, so it is largest at a corner of the piece.
-// Where faces lie flat on each other, the bound equals the depth, whatever the size of the piece
-// is.
+// Returns an upper bound of the depth of all points of the piece. `place`: place (box_tree.h) of
+// the triangle nearest to the centre. The distance from a triangle is convex, so it is largest at a
+// corner of the piece. Where faces lie flat on each other, the bound equals the depth, whatever the
+// size of the piece is.
 template <class Corners>
 double farthestCorner(const PairSearch& pair, const Matrix3d& R, const Vector3d& t,
                       const Piece& piece, std::int32_t place, const Corners& corners) {

@@ -12,20 +12,21 @@
 
 namespace swept::clearance {
 
-/// A piece of surface: a node of the hierarchy, or a triangle cut from the triangle of a leaf.
+/// A piece of surface: the triangles of a node of the hierarchy, or one triangle of the mesh or a
+/// part of it.
 struct Piece {
   bool ofBody = true;
   BoxTree::Node node;
   bool isTriangle = false;
   Triangle3d corners;
-  /// Place (in the tree) of a triangle of the other part that is probably near; -1: none is known.
+  /// Place in the other part's tree of a triangle that is probably near; -1: none is known.
   std::int32_t near = -1;
 };
 
 struct Probe {
-  double depth = 0;  // depth of the centre of the piece
+  double depth = 0;  // mm, depth of the centre of the piece
   double radius = 0;
-  double most = 0;               // upper bound of the depth of all points of the piece
+  double most = 0;               // mm, upper bound of the depth of all points of the piece
   Eigen::Vector3d surfacePoint;  // the centre, in the neighbour's frame at the representative pose
   double surfaceDepth = 0;
   std::int32_t near = -1;  ///< see Piece
@@ -33,17 +34,18 @@ struct Probe {
 
 inline Eigen::Vector3d centroid(const Triangle3d& c) { return (c[0] + c[1] + c[2]) / 3.0; }
 
-/// Returns how deep a point of one mesh lies below the surface of the other; negative if outside.
-/// `local` is in the frame of the mesh to which the point belongs.
+/// Returns how deep (mm) a point of one mesh lies below the surface of the other; negative if
+/// outside. `local` is the point in the frame of its own mesh: the body if `ofBody`, otherwise the
+/// neighbour.
 double depthIn(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
                bool ofBody, const Eigen::Vector3d& local);
 Probe probe(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
             const Piece& piece);
-/// Appends the smaller pieces of a piece: the children of a node, or the four triangles into which
-/// a triangle is cut.
+/// Appends the pieces into which a piece is divided: the children of its node, or the four quarters
+/// of its triangle.
 void cutPiece(const PairSearch& pair, const Piece& piece, std::vector<Piece>& out);
-/// Returns the root piece of each part whose other part is closed, because nothing lies inside an
-/// open part.
+/// Returns the whole surface of each part as one piece, but only if the other part is closed: no
+/// point lies inside an open part.
 std::vector<Piece> roots(const PairSearch& pair);
 
 }  // namespace swept::clearance

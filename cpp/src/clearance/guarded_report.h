@@ -15,14 +15,14 @@
 
 namespace swept::clearance {
 
-/// Calls work() with the thread count of the run. If work() fails, takeBack(report) removes partial
-/// results, because an unfinished run must not look like a result. In messages, `what` names the
-/// computation and `inputs` names its input.
-template <class Report, class TakeBack, class Work>
+/// Calls work() with the thread count of the run. If work() fails, removeResults(report) removes
+/// partial results, because an unfinished run must not look like a result. In messages, `what`
+/// names the computation and `inputs` names its input.
+template <class Report, class RemoveResults, class Work>
 void fillGuarded(Report& report, RunContext& run, const std::string& what,
-                 const std::string& inputs, const TakeBack& takeBack, const Work& work) {
+                 const std::string& inputs, const RemoveResults& removeResults, const Work& work) {
   const auto fail = [&](Status status, const std::string& code, const std::string& text) {
-    takeBack(report);
+    removeResults(report);
     report.status = status;
     report.code = code;
     report.message = text;

@@ -1,7 +1,6 @@
 // Checks a mechanism. The parts are prepared in parallel. Boxes over time discard the pairs of
 // parts that stay far apart. Each remaining pair is searched like a moving body and a part that
-// stands still. As the part that stands still, the search takes the one in whose coordinates the
-// other one moves less.
+// stands still. The part in whose coordinates the other one moves less counts as standing still.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/mechanism.h"
 
@@ -52,17 +51,19 @@ double rangeOf(const std::vector<MechanismPart>& parts, const std::vector<Prepar
   return std::max(range, rules.largestRequired() + 2 * chord + 2 * options.tolerance);
 }
 
-/// Result for one pair of parts that was searched.
-struct Looked {
+/// Result for one pair of parts. `joined`: the parts do not move relative to each other. `near` is
+/// empty if the parts are joined or never nearer than the range.
+struct PairResult {
   bool joined = false;
   std::optional<PairClearance> near;
 };
 
-class PairLook {
+class MechanismPairCheck {
  public:
-  PairLook(const std::vector<MechanismPart>& parts, const std::vector<PreparedPart>& prepared,
-           const PairRules& rules, const MechanismOptions& options, const MechanismReport& report,
-           RunContext& run)
+  MechanismPairCheck(const std::vector<MechanismPart>& parts,
+                     const std::vector<PreparedPart>& prepared, const PairRules& rules,
+                     const MechanismOptions& options, const MechanismReport& report,
+                     RunContext& run)
       : parts_(parts),
         prepared_(prepared),
         rules_(rules),
@@ -70,15 +71,15 @@ class PairLook {
         report_(report),
         run_(run) {}
 
-  Looked operator()(PartPair pair) const {
+  PairResult operator()(PartPair pair) const {
     const PreparedPart& first = prepared_[pair.first];
     const PreparedPart& second = prepared_[pair.second];
     const std::vector<double> times = joinedTimes(first.motion, second.motion, report_.time);
     const double one = relativeTravel(first.motion, second.motion, times);
     const double other = relativeTravel(second.motion, first.motion, times);
-    Looked looked;
-    looked.joined = std::min(one, other) <= o_.tolerance;
-    if (looked.joined) return looked;
+    PairResult result;
+    result.joined = std::min(one, other) <= o_.tolerance;
+    if (result.joined) return result;
     // True: the second part is the moving body, in the frame of the first.
     const bool turned = other < one;
     const PreparedPart& body = turned ? second : first;
@@ -93,16 +94,16 @@ class PairLook {
         {parts_[pair.first].name + " - " + parts_[pair.second].name, frameChord, rule}, motion,
         {required, o_.tolerance, bodyChord, o_.intervalTolerance, o_.curveSamples, o_.penetration},
         run_);
-    if (!std::isfinite(row.distance)) return looked;
-    looked.near = PairClearance{pair, required, poseAt(first, row.timeSeconds),
+    if (!std::isfinite(row.distance)) return result;
+    result.near = PairClearance{pair, required, poseAt(first, row.timeSeconds),
                                 poseAt(second, row.timeSeconds), row};
-    NeighbourClearance& found = looked.near->clearance;
+    NeighbourClearance& found = result.near->clearance;
     toWorld(found, frame);
     if (turned) exchange(found);
-    found.pose = looked.near->poseOfFirst;
+    found.pose = result.near->poseOfFirst;
     found.closed = first.part.closed() && second.part.closed();
     found.penetration.pose = poseAt(first, found.penetration.timeSeconds);
-    return looked;
+    return result;
   }
 
  private:
@@ -158,14 +159,14 @@ std::vector<PartPair> candidates(const std::vector<PreparedPart>& prepared, cons
 }
 
 /// Counts the pairs that no rule excludes and in which at least one part moves.
-std::int64_t askedPairs(const std::vector<PreparedPart>& prepared, const PairRules& rules) {
+std::int64_t countCheckedPairs(const std::vector<PreparedPart>& prepared, const PairRules& rules) {
   const std::int64_t all = std::ssize(prepared);
   const std::int64_t still = std::count_if(prepared.begin(), prepared.end(),
                                            [](const auto& part) { return !part.motion.moves(); });
-  std::int64_t asked = all * (all - 1) / 2 - still * (still - 1) / 2;
+  std::int64_t checked = all * (all - 1) / 2 - still * (still - 1) / 2;
   for (const PartPair& pair : rules.ignored())
-    asked -= prepared[pair.first].motion.moves() || prepared[pair.second].motion.moves();
-  return asked;
+    checked -= prepared[pair.first].motion.moves() || prepared[pair.second].motion.moves();
+  return checked;
 }
 
 void addFindings(MechanismReport& report, std::vector<PreparedPart>& prepared) {
@@ -178,10 +179,10 @@ void addFindings(MechanismReport& report, std::vector<PreparedPart>& prepared) {
     report.warnings.push_back(std::move(finding));
 }
 
-void summarise(MechanismReport& report, std::int64_t asked) {
+void summarise(MechanismReport& report, std::int64_t checked) {
   std::vector<const NeighbourClearance*> rows;
   for (const PairClearance& pair : report.pairs) rows.push_back(&pair.clearance);
-  std::string head = counted(asked, "pair") + " checked";
+  std::string head = counted(checked, "pair") + " checked";
   if (rows.empty()) head += ", none closer than " + numberText(report.range, 4) + " mm";
   const Summary summary = summaryOf(rows, head);
   report.smallest = summary.smallest;
@@ -206,23 +207,23 @@ void runCheck(MechanismReport& report, const std::vector<MechanismPart>& parts,
   run.checkpoint(Phase::Motion);
   const std::vector<PartPair> pairs = candidates(prepared, rules, report);
   report.seconds.push_back({"boxes", timer.lap()});
-  std::vector<Looked> looked(pairs.size());
-  const PairLook look(parts, prepared, rules, options, report, run);
+  std::vector<PairResult> results(pairs.size());
+  const MechanismPairCheck check(parts, prepared, rules, options, report, run);
   std::atomic<std::uint64_t> done{0};
   parallelFor(pairs.size(), [&](std::size_t i) {
     // While a thread waits for others that work on its pair, it must not start a second pair, which
     // would take more memory.
-    tbb::this_task_arena::isolate([&] { looked[i] = look(pairs[i]); });
+    tbb::this_task_arena::isolate([&] { results[i] = check(pairs[i]); });
     run.checkpoint(Phase::Check, ++done, pairs.size());
   });
-  const std::int64_t asked = askedPairs(prepared, rules);
+  const std::int64_t checked = countCheckedPairs(prepared, rules);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (looked[i].joined) report.joined.push_back(pairs[i]);
-    if (looked[i].near) report.pairs.push_back(std::move(*looked[i].near));
+    if (results[i].joined) report.joined.push_back(pairs[i]);
+    if (results[i].near) report.pairs.push_back(std::move(*results[i].near));
   }
-  report.farPairs = asked - std::ssize(report.joined) - std::ssize(report.pairs);
+  report.farPairs = checked - std::ssize(report.joined) - std::ssize(report.pairs);
   addFindings(report, prepared);
-  summarise(report, asked - std::ssize(report.joined));
+  summarise(report, checked - std::ssize(report.joined));
   report.seconds.push_back({"search", timer.lap()});
   report.seconds.push_back({"total", timer.seconds()});
   run.checkpoint(Phase::Done);

@@ -57,8 +57,8 @@ class MinimumSearch {
     queue_.push({key, number_++, node, hint, level});
   }
 
-  // Measures the distance at the representative poses of some nodes spread over the motion. This
-  // gives a first upper bound. Starts the queue with these nodes.
+  // Starts the queue with some nodes spread over the motion. Measures the distance at their
+  // representative poses, which gives a first upper bound.
   void seed() {
     std::vector<MotionNode> nodes{c_.motion.root()};
     for (bool grown = true; grown && nodes.size() < 32;) {
@@ -82,26 +82,27 @@ class MinimumSearch {
       // Here it only matters whether the surfaces intersect. If one part lies in the middle of the
       // other, all directions are about equally near, so a search for the exact distance would take
       // long.
-      const double below = overlap ? std::min(meeting(), result_.distance) : result_.distance;
+      const double below =
+          overlap ? std::min(contactDistance(), result_.distance) : result_.distance;
       const PairDistance d = c_.pair.distanceAt(b.R, b.t, below, result_.at.pair);
       ++c_.queries;
       if (overlap && !overlapping) overlapping = b.parameter;
-      take(d, b.parameter, node.to - node.from);
+      keepSmaller(d, b.parameter, node.to - node.from);
       push(node, overlap ? -b.reach : d.distance - b.reach, d.pair, 0);
     }
-    if (overlapping && result_.distance > slack_) takeInside(*overlapping);
+    if (overlapping && result_.distance > slack_) setInside(*overlapping);
   }
 
   /// Returns the smallest distance, in mm, at which surfaces count as apart.
-  double meeting() const { return std::max(slack_, std::numeric_limits<double>::min()); }
+  double contactDistance() const { return std::max(slack_, std::numeric_limits<double>::min()); }
 
-  void takeInside(double parameter) {
+  void setInside(double parameter) {
     result_.inside = true;
     result_.distance = 0;
     result_.parameter = parameter;
   }
 
-  void take(const PairDistance& d, double parameter, double span) {
+  void keepSmaller(const PairDistance& d, double parameter, double span) {
     if (d.pair.body < 0 || d.distance >= result_.distance) return;
     result_.distance = d.distance;
     result_.parameter = parameter;
@@ -144,8 +145,8 @@ class MinimumSearch {
     c_.run.checkpoint(Phase::Check);
     for (std::size_t i = 0; i < batch_.size(); ++i) {
       const Examined& e = examined_[i];
-      if (e.inside && !result_.inside) takeInside(e.parameter);
-      take(e.at, e.parameter, e.span);
+      if (e.inside && !result_.inside) setInside(e.parameter);
+      keepSmaller(e.at, e.parameter, e.span);
       if (e.finished) continue;
       children_.clear();
       c_.motion.split(batch_[i].node, children_);
@@ -168,7 +169,7 @@ class MinimumSearch {
       const PairDistance d = c_.pair.distanceAt(pose.rotation.toRotationMatrix(), pose.translation,
                                                 kInfinity, result_.at.pair);
       ++c_.queries;
-      take(d, u, span_);
+      keepSmaller(d, u, span_);
       return d.distance;
     };
     measure(low);  // finds a minimum at the very start or end of the motion exactly
@@ -230,8 +231,8 @@ double largestDistance(const MotionBound& b, const PairDistance& d) {
   return std::min(d.distance + b.reach, std::hypot(along, b.reach));
 }
 
-/// Returns whether the pair of triangles found last (hint) is nearer than the level in the whole
-/// node.
+/// Returns whether the pair of triangles found last (`item.hint`) is nearer than the level
+/// everywhere in the node.
 bool hintIsBelow(const SearchContext& c, const LevelItem& item, const MotionBound& b,
                  double level) {
   // If the reach is at least the level, largestDistance() is never below the level.
@@ -259,7 +260,8 @@ void classify(SearchContext& c, LevelItem& item, double level, double resolution
   }
   if (proof.obstacle.body >= 0) item.hint = proof.obstacle;
   if (last) {
-    // A step without proof counts as below the level. So spans may be too long, never too short.
+    // The node is not split further. Without a proof, it counts as below the level if its reach is
+    // positive. So spans may be too long, never too short.
     const bool below = b.reach > 0 || c.pair.anyNearerThan(b.R, b.t, level, item.hint).body >= 0 ||
                        c.pair.containedAt(b.R, b.t);
     item.outcome = below ? Level::Below : Level::Clear;
@@ -332,15 +334,15 @@ std::vector<std::pair<double, double>> sampleDistances(SearchContext& c, int sam
   const double start = poses.front().timeSeconds;
   const double end = poses.back().timeSeconds;
   for (int i = 0; i < samples; ++i) {
-    const double share = samples > 1 ? double(i) / (samples - 1) : 0.0;
-    const double time = start + share * (end - start);
+    const double fraction = samples > 1 ? double(i) / (samples - 1) : 0.0;
+    const double time = start + fraction * (end - start);
     const auto after = std::upper_bound(poses.begin(), poses.end(), time,
                                         [](double x, const Pose& p) { return x < p.timeSeconds; });
     const auto k = std::max<std::ptrdiff_t>(0, after - poses.begin() - 1);
     double u = double(k);
     if (c.motion.isContinuous() && k + 1 < std::ssize(poses))
       u += (time - poses[k].timeSeconds) / (poses[k + 1].timeSeconds - poses[k].timeSeconds);
-    parameters.push_back(end > start ? std::min(u, largest) : std::round(share * largest));
+    parameters.push_back(end > start ? std::min(u, largest) : std::round(fraction * largest));
   }
   if (samples > 0) parameters.push_back(extra);
   std::sort(parameters.begin(), parameters.end());

@@ -1,8 +1,8 @@
 // Finds the smallest distance over a whole motion, the time spans in which the distance is below a
 // given value, and samples of the distance for a graph.
 // In:      a pair of meshes and the tree of the motion (motion_tree.h).
-// Out:     plain values. They do not depend on the number of threads: nodes are examined in rounds
-//          of fixed size and merged in order.
+// Out:     results that do not depend on the number of threads: nodes are examined in rounds of
+//          fixed size, and the results of a round are merged in order.
 // Units:   mm.
 // Cost:    one proof or distance query for each node whose parent could not be discarded.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -49,8 +49,8 @@ using OverlapTest =
     std::function<bool(const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double atLeast)>;
 
 /// Returns spans of the motion parameter, in ascending order. Together they contain all times with
-/// a distance below `level` (> 0). Each end of a span is too far out by at most `resolution` (mm of
-/// travel). Without interpolation, a single pose gives a span with from == to.
+/// a distance below `level` (mm, > 0). At each end, a span extends beyond these times by at most
+/// `resolution` (mm of travel). Without interpolation, a single pose gives a span with from == to.
 std::vector<std::pair<double, double>> spansBelow(SearchContext& context, double level,
                                                   double resolution, const OverlapTest& overlaps);
 

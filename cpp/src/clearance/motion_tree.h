@@ -8,8 +8,8 @@
 // Cost:    O(n log n) for n poses, about 600 bytes per pose.
 // The class MotionSteps supplies the steps: those of one body in the world, or those of one moving
 // body relative to another (relative_motion.h).
-// Why:     The corners of a box suffice. A displacement is an affine function of the point, so its
-// length is convex and largest at a corner of any box that contains the body.
+// Why:     For the bounds, the corners of a box suffice. A displacement is an affine function of
+// the point, so its length is convex and largest at a corner of any box that contains the body.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -34,7 +34,8 @@ class MotionSteps {
   virtual Pose poseAt(std::int64_t step, double s) const = 0;
   virtual Flow flowAt(std::int64_t step, double s) const = 0;
   /// Returns an upper bound (mm) of how far any point deviates in the step from the chord between
-  /// its two end positions. The bound is an eighth of the largest acceleration.
+  /// its two end positions. The bound is an eighth of the largest acceleration, in mm per unit of s
+  /// squared.
   virtual double bulge(std::int64_t step) const = 0;
 };
 

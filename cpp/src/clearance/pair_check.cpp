@@ -95,7 +95,7 @@ class PairCheck {
     // No overlap is deeper than the bound of the whole motion.
     const double deepest = row.penetration.depthBound;
     const OverlapTest overlaps = [&](const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double d) {
-      return d <= deepest && overlapsBy(context.pair, R, t, d);
+      return d <= deepest && overlapsAtLeast(context.pair, R, t, d);
     };
     const auto timesBelow = [&](double level) {
       std::vector<TimeInterval> times;

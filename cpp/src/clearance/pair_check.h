@@ -1,4 +1,4 @@
-// Checks one neighbour: computes the row of the report for it.
+// Computes the row of the report for one neighbour.
 // In:      two parts, which are prepared once for many motions, and the tree of one motion
 //          (motion_tree.h).
 // Out:     the row that docs/clearance.md describes.

@@ -17,7 +17,7 @@
 
 namespace swept::clearance {
 
-/// A pair of triangles, given by their places in the two trees; -1 means none.
+/// A pair of triangles, given by their places (box_tree.h) in the two trees; -1 means none.
 struct LeafPair {
   std::int32_t body = -1;
   std::int32_t neighbour = -1;

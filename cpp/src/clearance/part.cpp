@@ -113,7 +113,7 @@ std::vector<Part::Piece> Part::cutSlivers(const TriMesh& mesh) {
   constexpr double kSlender = 6;
   const std::size_t count = mesh.triangles.size();
   std::vector<Piece> parts(count);
-  std::vector<std::array<double, 2>> sizes(count);  // longest edge, height over it
+  std::vector<std::array<double, 2>> sizes(count);  // longest edge, height above it
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
     Triangle3d& c = parts[i].corners;
@@ -123,8 +123,8 @@ std::vector<Part::Piece> Part::cutSlivers(const TriMesh& mesh) {
     sizes[i] = {edge, edge > 0 ? (c[1] - c[0]).cross(c[2] - c[0]).norm() / edge : 0.0};
     sum += edge;
   }
-  // Slivers are cut into pieces of about this length. It is increased until there are at most half
-  // as many new pieces as triangles.
+  // Least length of the pieces into which slivers are cut. It is increased until there are at most
+  // half as many new pieces as triangles.
   double least = sum / static_cast<double>(count) / 16;
   const auto lengthFor = [&](std::size_t i) { return std::max(3 * sizes[i][1], least); };
   const auto extra = [&] {

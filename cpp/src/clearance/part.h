@@ -46,7 +46,7 @@ class Part {
   /// Returns the box of a node. The box of the root is exact; others are rounded outward.
   Box box(BoxTree::Node node) const;
   const Plate* plate(BoxTree::Node node) const { return plates_.of(node); }
-  /// Returns the vertices of the triangle, or of the piece of a triangle, at a place of the tree.
+  /// Returns the vertices of the triangle, or of the piece of a triangle, at a place (box_tree.h).
   const Triangle3d& corners(std::uint32_t place) const { return corners_[place]; }
   std::int64_t triangle(std::uint32_t place) const { return triangles_[place]; }
 

@@ -24,12 +24,14 @@ constexpr std::size_t kMaxPieces = 1000;
 constexpr std::size_t kPiecesPerRound = 64;  // pieces per round; fixed, see motion_search.cpp
 
 struct PieceSearch {
-  double bound = 0;    // mm, no point of the piece can lie deeper in this part of the motion
+  double bound = 0;    // mm, in this part of the motion no point of the piece lies deeper
   double promise = 0;  // mm, depth that some point is likely to reach
   std::int64_t number = 0;
   MotionNode motion;
   Piece piece;
-  double excess = 0;  // mm, `bound` minus the depth at the centre of the piece
+  // mm, upper bound of the depth of all points of the piece minus the depth of its centre, both at
+  // the representative pose
+  double excess = 0;
   double radius = 0;
   double reach = 0;
 };
@@ -146,7 +148,7 @@ class DepthSearch {
   }
 
   double tryAt(double u, bool ofBody, const Vector3d& local);
-  void tryRound(double u, double width, bool ofBody, const Vector3d& local);
+  void refineTime(double u, double width, bool ofBody, const Vector3d& local);
   void begin(const Minimum& touch);
   void sharpen();
   void finish();
@@ -186,7 +188,7 @@ double DepthSearch::tryAt(double u, bool ofBody, const Vector3d& local) {
 
 // Improves the time at which a point is deepest, by a golden section search between the motion
 // parameters u - width and u + width.
-void DepthSearch::tryRound(double u, double width, bool ofBody, const Vector3d& local) {
+void DepthSearch::refineTime(double u, double width, bool ofBody, const Vector3d& local) {
   double low = std::max(0.0, u - width);
   double high = std::min(c_.motion.largestParameter(), u + width);
   for (int i = 0; i < 40; ++i) {
@@ -216,7 +218,7 @@ void DepthSearch::begin(const Minimum& touch) {
   const auto tryPoint = [&](bool ofBody, const Vector3d& local) {
     tryAt(touch.parameter, ofBody, local);
     if (!c_.motion.isContinuous()) return;
-    for (const double width : {1.0, 0.05, 0.002}) tryRound(touch.parameter, width, ofBody, local);
+    for (const double width : {1.0, 0.05, 0.002}) refineTime(touch.parameter, width, ofBody, local);
   };
   tryPoint(true, onBody);
   tryPoint(false, touch.at.onNeighbour);
@@ -239,7 +241,7 @@ void DepthSearch::sharpen() {
     }
   }
   if (c_.motion.isContinuous())
-    tryRound(best_.parameter, bestSpan_ > 0 ? 4 * bestSpan_ : 1.0, ofBody, local);
+    refineTime(best_.parameter, bestSpan_ > 0 ? 4 * bestSpan_ : 1.0, ofBody, local);
 }
 
 void DepthSearch::finish() {
@@ -306,7 +308,7 @@ PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touc
   return DepthSearch(context, tolerance, effort).run(touch);
 }
 
-bool overlapsBy(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, double atLeast) {
+bool overlapsAtLeast(const PairSearch& pair, const Matrix3d& R, const Vector3d& t, double atLeast) {
   if (atLeast < 0) return true;
   struct Open {
     double promise;  // see PieceSearch::promise; one deep point suffices, so promising pieces come

@@ -16,15 +16,16 @@
 namespace swept::clearance {
 
 /// Finds the deepest point over the motion to within max(tolerance, 1 % of the depth), if `effort`
-/// suffices. depthBound is the proven limit. known = false if neither mesh is closed or no point
-/// lies inside. The search starts at `touch`, where the surfaces are known to be near.
+/// suffices. `effort` limits the number of measured pieces. depthBound is the proven limit. known =
+/// false if neither mesh is closed or no point lies inside. The search starts at `touch`, where the
+/// surfaces are known to be near.
 PenetrationResult deepestPenetration(SearchContext& context, const Minimum& touch, double tolerance,
                                      std::int64_t effort);
 
 /// Returns true only if a surface point of one mesh lies at least `atLeast` (mm) deep inside the
 /// other at this pose. May return false although there is such a point, because the effort is
 /// limited.
-bool overlapsBy(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
-                double atLeast);
+bool overlapsAtLeast(const PairSearch& pair, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
+                     double atLeast);
 
 }  // namespace swept::clearance

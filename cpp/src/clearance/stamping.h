@@ -1,4 +1,4 @@
-// Computes the smallest distance slowly, as a reference: with one distance query of the library FCL
+// Computes the smallest distance as a reference, slowly: with one distance query of the library FCL
 // at each pose.
 // In:      body, poses, neighbour.
 // Out:     the smallest distance and the pose at which it occurs.

@@ -12,8 +12,8 @@ namespace {
 /// Returns whether row a counts as nearer than row b. Allowed contacts come last, because their
 /// distance of 0 is intended.
 bool nearer(const NeighbourClearance& a, const NeighbourClearance& b) {
-  const bool meantA = a.rule.contact && a.meetsRule(), meantB = b.rule.contact && b.meetsRule();
-  if (meantA != meantB) return meantB;
+  const bool allowedA = a.rule.contact && a.meetsRule(), allowedB = b.rule.contact && b.meetsRule();
+  if (allowedA != allowedB) return allowedB;
   if (a.distance - a.chordError != b.distance - b.chordError && (a.distance > 0 || b.distance > 0))
     return a.distance - a.chordError < b.distance - b.chordError;
   return a.penetration.depth > b.penetration.depth;
@@ -36,9 +36,9 @@ Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std:
   for (std::size_t i = 0; i < rows.size(); ++i) {
     clashes += rows[i]->verdict == ClearanceVerdict::Clash;
     const bool contact = rows[i]->verdict == ClearanceVerdict::Contact;
-    const bool meant = contact && rows[i]->rule.contact.has_value();
-    allowed += meant;
-    contacts += contact && !meant;
+    const bool isAllowed = contact && rows[i]->rule.contact.has_value();
+    allowed += isAllowed;
+    contacts += contact && !isAllowed;
     below += rows[i]->verdict == ClearanceVerdict::BelowRequired;
     if (summary.smallest < 0 || nearer(*rows[i], *rows[summary.smallest]))
       summary.smallest = static_cast<int>(i);
@@ -57,9 +57,9 @@ Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std:
   const std::string length = lengthText(deep ? row.penetration.depth : row.distance);
   summary.text += (deep ? ", deepest clash " : ", smallest distance ") + length + " mm";
   const std::string certain = lengthText(row.guaranteed);
-  const bool told = timed == Timed::Yes;
+  const bool withTime = timed == Timed::Yes;
   if (!deep && certain != length) summary.text += " (guaranteed: " + certain + " mm)";
-  if (told) summary.text += " at t = " + numberText(row.timeSeconds) + " s";
+  if (withTime) summary.text += " at t = " + numberText(row.timeSeconds) + " s";
   if (!row.name.empty()) summary.text += " (" + row.name + ")";
   return summary;
 }

@@ -148,7 +148,7 @@ void Assembled::requireApart(std::size_t parts, const PathOptions& o, RunContext
     const NeighbourRule rule = rules_.of(pairs[p].parts);
     const double required = std::max(rule.required.value_or(0), o.tolerance);
     const double chords = placed_[i].chordError + placed_[j].chordError;
-    const double apart = apartBy(required, chords, o.tolerance);
+    const double apart = distanceToKeep(required, chords, o.tolerance);
     ClearanceOptions options;
     options.tolerance = o.tolerance;
     options.bodyChordError = placed_[i].chordError;
@@ -160,7 +160,7 @@ void Assembled::requireApart(std::size_t parts, const PathOptions& o, RunContext
         clearance::MotionTree(still, box.centre, box.half), options, run);
     run.checkpoint(Phase::Motion, ++done, pairs.size());
     if (row.verdict == ClearanceVerdict::Clear && row.distance >= apart) return;
-    const double most = mostDepth(row, o.tolerance, o.release);
+    const double most = largestAllowedDepth(row, o.tolerance, o.release);
     pairs[p].intersect = row.verdict == ClearanceVerdict::Clash &&
                          (!row.penetration.known || row.penetration.depthBound > most);
     near[p] = pairs[p].intersect || o.release <= 0 ? 1 : 0;
@@ -186,10 +186,11 @@ void Assembled::refuseWorst(const std::vector<NearPair>& pairs, const PathOption
   if (worst.intersect)
     refuse("PartsIntersect",
            text +
-               (o.release > 0 ? ", but at most " +
-                                    numberText(mostDepth(worst.row, o.tolerance, o.release), 4) +
-                                    " mm is allowed within the release distance"
-                              : "") +
+               (o.release > 0
+                    ? ", but at most " +
+                          numberText(largestAllowedDepth(worst.row, o.tolerance, o.release), 4) +
+                          " mm is allowed within the release distance"
+                    : "") +
                "; move one of the parts, or ignore the pair");
   refuse("PartsTooNear", text + ", but " +
                              numberText(rules_.of(worst.parts).required.value_or(0), 6) +

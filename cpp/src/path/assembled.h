@@ -1,8 +1,8 @@
 // Places the parts of a sequence at their goals, and checks them before any search begins.
 // In:      the moving parts, the parts that stand still, and the rules for pairs.
-// Out:     the neighbours of each step.
+// Out:     the neighbours of a part, given which other parts are already installed.
 // Units:   mm.
-// Cost:    one exact check for each pair of parts whose boxes are near each other.
+// Cost:    one exact check for each pair of parts of which at least one moves.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -26,8 +26,8 @@ class Assembled {
   Assembled(const std::vector<SequencePart>& parts, const std::vector<StillPart>& still,
             const SequenceOptions& options, RunContext& run);
 
-  /// Returns the neighbours of a part while the parts marked in `installed` are at their goals, and
-  /// no other moving parts are there.
+  /// Returns the neighbours of a part: the moving parts marked in `installed`, at their goals, and
+  /// the parts that stand still. The other moving parts are absent.
   std::vector<ClearanceNeighbour> neighboursOf(std::size_t part,
                                                const std::vector<char>& installed) const;
   /// Returns the box around all parts at their goals, mm.

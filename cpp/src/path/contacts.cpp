@@ -14,8 +14,8 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t kMaxPairs = 4000, kMaxContacts = 200;
 
-// Returns how fast a contact opens, as a linear function of the twist. Rotations are multiplied by
-// the radius of the part, as in the length of moves.
+// Returns the gradient of the contact's distance with respect to the twist. The rotation of the
+// twist is scaled by the radius of the part, as in Scene::length().
 Vector6d opening(const Scene& scene, const State& state, const Contact& contact) {
   Vector6d row;
   row << contact.normal, (contact.point - state.middle).cross(contact.normal) / scene.radius();
@@ -115,8 +115,8 @@ std::vector<Twist> freeMoves(const Scene& scene, const State& state,
         list.addShift((mean.dot(d) < 0 ? -sign : sign) * d);
       }
     list.addShift(mean);
-    // Sorts directions by the smallest component along a contact normal. The best direction leads
-    // away from all contacts.
+    // Sorts directions by their smallest component along any contact normal, largest first. If this
+    // component is positive, the direction leads away from all contacts.
     std::vector<std::pair<double, Vector3d>> ranked;
     for (const Vector3d& d : spreadDirections()) {
       double least = 1;
@@ -127,7 +127,8 @@ std::vector<Twist> freeMoves(const Scene& scene, const State& state,
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t k = 0; k < 4; ++k) list.addShift(ranked[k].second);
   }
-  // Axes of the neighbours, of the world, and of the part.
+  // Both directions of the main axes of the neighbours (x, y, z here), of the axes of the caller's
+  // world, and of the axes of the part.
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {1.0, -1.0}) list.addShift(sign * Vector3d::Unit(axis));
   for (int axis = 0; axis < 3; ++axis)

@@ -71,7 +71,7 @@ void findExits(const Scene& scene, const Demand& demand, End& end, RunContext& r
       bool free = true;
       for (std::size_t k = 1; k < keys.size() && free; ++k)
         free = scene.follow(keys[k - 1], keys[k], inside, memory).fraction >= 1;
-      if (free && releasedClean(scene, demand, end, motionOf(keys, scene.interpolation()), run))
+      if (free && staysWithinDepth(scene, demand, end, motionOf(keys, scene.interpolation()), run))
         end.exits.push_back(keys);
       break;
     }
@@ -81,7 +81,7 @@ void findExits(const Scene& scene, const Demand& demand, End& end, RunContext& r
 
 }  // namespace
 
-double apartBy(double required, double chordErrors, double tolerance) {
+double distanceToKeep(double required, double chordErrors, double tolerance) {
   return std::max(required, tolerance) + chordErrors + 1e-7;
 }
 
@@ -93,7 +93,7 @@ Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOpt
     demand.chordError.push_back(n.chordError);
     demand.names.push_back(n.name);
     demand.apart.push_back(
-        apartBy(required, options.bodyChordError + n.chordError, options.tolerance));
+        distanceToKeep(required, options.bodyChordError + n.chordError, options.tolerance));
   }
   demand.bodyChordError = options.bodyChordError;
   demand.tolerance = options.tolerance;
@@ -122,30 +122,30 @@ Rule End::ruleInside(const Demand& demand) const {
   return rule;
 }
 
-bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
-                   const Trajectory& motion, RunContext& run) {
+bool staysWithinDepth(const Scene& scene, const Demand& demand, const End& end,
+                      const Trajectory& motion, RunContext& run) {
   const clearance::MotionTree tree = scene.motionTree(motion);
   for (std::size_t i = 0; i < scene.count(); ++i) {
     if (end.allowedDepth[i] < 0) continue;
     const clearance::PairSearch pair(scene.part(), scene.neighbour(i));
     for (const Pose& pose : motion.poses)
-      if (clearance::overlapsBy(pair, pose.rotation.toRotationMatrix(), pose.translation,
-                                1.01 * end.allowedDepth[i]))
+      if (clearance::overlapsAtLeast(pair, pose.rotation.toRotationMatrix(), pose.translation,
+                                     1.01 * end.allowedDepth[i]))
         return false;
     const NeighbourClearance row = checkNeighbour(scene, demand, i, tree, 0, run);
     if (row.verdict != ClearanceVerdict::Clash) continue;
-    // An open mesh has no depth. So nothing is proven if its surface intersects the part.
+    // If the surfaces of two open meshes intersect, the depth is unknown and nothing is proven.
     if (!row.penetration.known || row.penetration.depthBound > end.allowedDepth[i]) return false;
   }
   return true;
 }
 
-double mostDepth(const NeighbourClearance& row, double tolerance, double release) {
+double largestAllowedDepth(const NeighbourClearance& row, double tolerance, double release) {
   return std::max(tolerance + row.chordError, 0.1 * release);
 }
 
-End touchedAt(const Scene& scene, const Demand& demand, const State& state, const std::string& what,
-              RunContext& run) {
+End examineContacts(const Scene& scene, const Demand& demand, const State& state,
+                    const std::string& what, RunContext& run) {
   End end{state, std::vector<double>(scene.count(), -1), {}};
   const clearance::MotionTree still = scene.motionTree({{state.pose}, Interpolation::None});
   const double release = what == "via" ? 0 : demand.release;
@@ -155,7 +155,7 @@ End touchedAt(const Scene& scene, const Demand& demand, const State& state, cons
         scene, demand, i, still, std::max(demand.required[i], demand.tolerance), run);
     if (row.verdict == ClearanceVerdict::Clear && row.distance >= demand.apart[i]) continue;
     const double touch = demand.tolerance + row.chordError;
-    const double most = mostDepth(row, demand.tolerance, release);
+    const double most = largestAllowedDepth(row, demand.tolerance, release);
     const bool clash = row.verdict == ClearanceVerdict::Clash;
     const bool deep = clash && (!row.penetration.known || row.penetration.depthBound > most);
     if (release <= 0 || deep) refuse(what, row, demand.required[i], release, most);
@@ -166,7 +166,7 @@ End touchedAt(const Scene& scene, const Demand& demand, const State& state, cons
 
 End examineEnd(const Scene& scene, const Demand& demand, const State& state,
                const std::string& what, RunContext& run) {
-  End end = touchedAt(scene, demand, state, what, run);
+  End end = examineContacts(scene, demand, state, what, run);
   const bool touches = std::any_of(end.allowedDepth.begin(), end.allowedDepth.end(),
                                    [](double depth) { return depth >= 0; });
   if (touches)

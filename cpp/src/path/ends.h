@@ -1,5 +1,5 @@
 // Examines the start, the goal or another required placement of a path. Checks whether the part is
-// free there. If the part touches a neighbour, finds moves that end the contact ("exits").
+// free there. If the part touches a neighbour, finds moves away from the contact ("exits").
 // In:      a placement through which a path must pass.
 // Out:     exits from this placement to placements that keep the required distance from each
 //        neighbour; or an Error that names the blocking neighbour and the distance or depth.
@@ -25,16 +25,16 @@ struct Demand {
   std::vector<std::string> names;
   double bodyChordError = 0;
   double tolerance = 0;
-  double release = 0;
+  double release = 0;  ///< mm, release distance of the start and the goal
   bool turns = true;
 };
 
 /// Returns the distance (mm) that the triangles must keep. It is slightly larger than the distance
 /// that the check accepts as clear, so that rounding does not matter. `chordErrors`: sum for both
 /// parts.
-double apartBy(double required, double chordErrors, double tolerance);
+double distanceToKeep(double required, double chordErrors, double tolerance);
 
-/// Combines the rules of the neighbours and the options.
+/// Returns what the rules of the neighbours and the options require together.
 Demand demandOf(const std::vector<ClearanceNeighbour>& neighbours, const PathOptions& options);
 
 struct End {
@@ -52,27 +52,27 @@ struct End {
   Rule ruleInside(const Demand& demand) const;
 };
 
-/// Returns how deep (mm) the part may lie in a neighbour that it touches at an end. `row`: the
-/// check at that end.
-double mostDepth(const NeighbourClearance& row, double tolerance, double release);
+/// Returns how deep (mm) the part may lie in a neighbour that it touches at an end. `row`: result
+/// of the check of this neighbour at that end.
+double largestAllowedDepth(const NeighbourClearance& row, double tolerance, double release);
 
 /// Checks one neighbour with checkPair() (clearance/pair_check.h). `required`: mm.
 NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std::size_t neighbour,
                                   const clearance::MotionTree& motion, double required,
                                   RunContext& run);
 
-/// Does the same as examineEnd(), but does not search for exits; the result has none.
-End touchedAt(const Scene& scene, const Demand& demand, const State& state, const std::string& what,
-              RunContext& run);
+/// Does the same as examineEnd() but does not search for exits, so the result has none.
+End examineContacts(const Scene& scene, const Demand& demand, const State& state,
+                    const std::string& what, RunContext& run);
 
 /// Examines an end of the path. `what`: "goal", "start" or "via". Throws Error(InvalidInput) with
 /// GoalBlocked, StartBlocked or ViaBlocked, and Error(Cancelled).
 End examineEnd(const Scene& scene, const Demand& demand, const State& state,
                const std::string& what, RunContext& run);
 
-/// Returns whether the motion stays within `end.allowedDepth`: the part never lies deeper than
-/// allowed in a neighbour that it touches at this end.
-bool releasedClean(const Scene& scene, const Demand& demand, const End& end,
-                   const Trajectory& motion, RunContext& run);
+/// Returns true only if it is proven that the motion stays within `end.allowedDepth`: the part
+/// never lies deeper than allowed in a neighbour that it touches at this end.
+bool staysWithinDepth(const Scene& scene, const Demand& demand, const End& end,
+                      const Trajectory& motion, RunContext& run);
 
 }  // namespace swept::path

@@ -33,7 +33,7 @@ class PathFinder {
         limits_{timer_, options.budgetSeconds, options.seed, watch, options.mostSteps},
         demand_(demandOf(neighbours, options)) {}
 
-  void findIt() {
+  void search() {
     prepare();
     report_.seconds.push_back({"prepare", timer_.lap()});
     std::vector<State> keys;
@@ -43,7 +43,7 @@ class PathFinder {
       report_.steps += found.steps;
       if (found.keys.empty()) {
         report_.seconds.push_back({"search", timer_.lap()});
-        takeFailure(found);
+        storeFailure(found);
         return;
       }
       if (method.empty() || found.method == "six dimensions") method = found.method;
@@ -53,7 +53,7 @@ class PathFinder {
     }
     report_.method = method;
     report_.seconds.push_back({"search", timer_.lap()});
-    takePath(keys);
+    storePath(keys);
     report_.seconds.push_back({"certify", timer_.lap()});
   }
 
@@ -82,7 +82,7 @@ class PathFinder {
       if (extraction.direction)
         extraction.direction = Eigen::Vector3d(scene_.world() * *extraction.direction);
       ends_.push_back(outside(scene_, demand_, goal, extraction));
-      if (task_.via.empty()) space_.isOut = outTest(scene_, demand_, goal, extraction);
+      if (task_.via.empty()) space_.isOut = outsideTest(scene_, demand_, goal, extraction);
     }
     std::reverse(ends_.begin(), ends_.end());
     requireAllowedTurns();
@@ -140,18 +140,18 @@ class PathFinder {
         none.blocked[i] = ends_[leg + 1].allowedDepth[i] >= 0 ? 1 : 0;
       return none;
     }
-    // No proof is possible if the task only gives a radius: the part may reach this distance inside
-    // the region that the proof covers.
+    // If the task gives only a radius, no proof is possible. The part may be this far from its goal
+    // while it is still inside the region that the proof covers.
     task.provable = !ends_[leg].touches() && !ends_[leg + 1].touches() &&
                     (task_.start || task_.extraction->direction);
     // Part of the time is reserved to find the largest clearance for which there is a path.
-    const bool mayAskLess =
+    const bool mayReduceClearance =
         o_.askLess &&
         *std::max_element(demand_.required.begin(), demand_.required.end()) > 2 * demand_.tolerance;
     Limits limits = limits_;
-    limits.seconds = (mayAskLess ? 0.75 : 1.0) * o_.budgetSeconds;
+    limits.seconds = (mayReduceClearance ? 0.75 : 1.0) * o_.budgetSeconds;
     LegResult found = solveLeg(scene_, demand_.apart, task, limits, run_);
-    if (!found.keys.empty() || found.noTranslation || !mayAskLess) return found;
+    if (!found.keys.empty() || found.noTranslation || !mayReduceClearance) return found;
     task.provable = false;
     for (const double fraction : {0.5, 0.25, 0.0}) {
       limits.seconds += o_.budgetSeconds / 12;
@@ -215,7 +215,7 @@ class PathFinder {
     return certificateOf(scene_, demand_, motion, rule, run_);
   }
 
-  void takePath(const std::vector<State>& keys) {
+  void storePath(const std::vector<State>& keys) {
     const Trajectory motion = motionOf(keys);
     const std::size_t last = keys.size() - 1;
     const std::size_t begin = released_.front().before, end = last - released_.back().after;
@@ -236,24 +236,24 @@ class PathFinder {
       pose = scene_.outside(keys[i]);
       pose.timeSeconds = motion.poses[i].timeSeconds;
     }
-    takeEnd(report_.path.poses.back(), task_.goal);
-    if (task_.start) takeEnd(report_.path.poses.front(), *task_.start);
-    leadOutside(scene_, report_.certificate);
-    report_.clearance = certainClearance(report_.certificate, demand_);
-    takeLength(keys, report_);
+    restorePose(report_.path.poses.back(), task_.goal);
+    if (task_.start) restorePose(report_.path.poses.front(), *task_.start);
+    toCallerWorld(scene_, report_.certificate);
+    report_.clearance = provenClearance(report_.certificate, demand_);
+    addLength(keys, report_);
     for (std::size_t i = 0; i < scene_.count(); ++i)
       if (ends_.front().allowedDepth[i] >= 0 || ends_.back().allowedDepth[i] >= 0)
         report_.contacts.push_back(demand_.names[i]);
     report_.summary = figuresText(report_);
   }
 
-  // Replaces the pose by the given one, because conversions have rounded it.
-  static void takeEnd(Pose& pose, const Pose& given) {
+  // Replaces a pose of the path by the given pose, because conversions have rounded it.
+  static void restorePose(Pose& pose, const Pose& given) {
     pose.translation = given.translation;
     pose.rotation = given.rotation.normalized();
   }
 
-  void takeFailure(const LegResult& found) {
+  void storeFailure(const LegResult& found) {
     report_.budgetEnded = limits_.over();
     if (found.noTranslation) report_.verdict = PathVerdict::NoTranslation;
     const Eigen::Vector3d goal = ends_.back().state.middle;
@@ -316,7 +316,7 @@ PathReport findPath(const TriMesh& part, const PathTask& task,
   return guardedPath(part, neighbours, options, run, [&](PathReport& report, const auto& counted) {
     checkPathOptions(task, counted, options);
     PathFinder finder(part, task, counted, options, run, watch, report);
-    finder.findIt();
+    finder.search();
     return finder.seconds();
   });
 }

@@ -15,7 +15,7 @@ double smallestGuaranteed(const std::vector<NeighbourClearance>& rows) {
   return smallest;
 }
 
-double certainClearance(const std::vector<NeighbourClearance>& rows, const Demand& demand) {
+double provenClearance(const std::vector<NeighbourClearance>& rows, const Demand& demand) {
   return std::max(smallestGuaranteed(rows),
                   *std::min_element(demand.required.begin(), demand.required.end()));
 }
@@ -41,7 +41,7 @@ bool allClear(const std::vector<NeighbourClearance>& rows) {
   });
 }
 
-void leadOutside(const Scene& scene, std::vector<NeighbourClearance>& rows) {
+void toCallerWorld(const Scene& scene, std::vector<NeighbourClearance>& rows) {
   for (NeighbourClearance& row : rows) {
     const double time = row.timeSeconds;
     row.pose = scene.outside(scene.at(row.pose));
@@ -51,7 +51,7 @@ void leadOutside(const Scene& scene, std::vector<NeighbourClearance>& rows) {
   }
 }
 
-void takeLength(const std::vector<State>& keys, PathReport& report) {
+void addLength(const std::vector<State>& keys, PathReport& report) {
   for (std::size_t i = 1; i < keys.size(); ++i) {
     report.length += (keys[i].middle - keys[i - 1].middle).norm();
     report.turn += keys[i].pose.rotation.angularDistance(keys[i - 1].pose.rotation);

@@ -35,11 +35,11 @@ class GivenMotion {
     for (std::size_t i = 0; i < scene_.count(); ++i)
       closed.push_back(scene_.neighbour(i).closed() ? 1 : 0);
     report_.warnings = clearance::openFindings(demand_.names, closed, scene_.part().closed());
-    const End start = touchedAt(scene_, demand_, keys_.front().state, "start", run_);
-    const End goal = touchedAt(scene_, demand_, keys_.back().state, "goal", run_);
+    const End start = examineContacts(scene_, demand_, keys_.front().state, "start", run_);
+    const End goal = examineContacts(scene_, demand_, keys_.back().state, "goal", run_);
     std::vector<State> states;
     for (const Key& key : keys_) states.push_back(key.state);
-    takeLength(states, report_);
+    addLength(states, report_);
     const std::size_t first = touches(start) ? cutAtStart() : 0;
     const std::size_t last = touches(goal) ? cutAtGoal() : keys_.size() - 1;
     if (first >= last)
@@ -55,7 +55,7 @@ class GivenMotion {
     if (!report_.escape.blockers.empty()) return;
     report_.verdict = PathVerdict::Found;
     report_.method = "given";
-    report_.clearance = certainClearance(report_.certificate, demand_);
+    report_.clearance = provenClearance(report_.certificate, demand_);
     for (std::size_t i = 0; i < scene_.count(); ++i)
       if (start.allowedDepth[i] >= 0 || goal.allowedDepth[i] >= 0)
         report_.contacts.push_back(demand_.names[i]);
@@ -128,7 +128,7 @@ class GivenMotion {
   void checkZone(const End& end, const Trajectory& motion) {
     if (motion.poses.size() < 2) return;
     checked(motion, end.ruleInside(demand_));
-    if (releasedClean(scene_, demand_, end, motion, run_)) return;
+    if (staysWithinDepth(scene_, demand_, end, motion, run_)) return;
     for (std::size_t i = 0; i < scene_.count(); ++i)
       if (end.allowedDepth[i] >= 0)
         fail(demand_.names[i], scene_.at(motion.poses.front()),
@@ -147,7 +147,7 @@ class GivenMotion {
           row.name, scene_.at(row.pose),
           "the part comes " + how + row.name + "' at t = " + numberText(row.timeSeconds, 4) + " s");
     }
-    leadOutside(scene_, rows);
+    toCallerWorld(scene_, rows);
     return rows;
   }
 

@@ -32,12 +32,12 @@ PathReport guardedPath(const TriMesh& part, const std::vector<ClearanceNeighbour
   if (!report.ignored.empty())
     std::copy_if(neighbours.begin(), neighbours.end(), std::back_inserter(some),
                  [](const ClearanceNeighbour& n) { return !n.rule.ignored; });
-  const auto takeBack = [](PathReport& taken) {
-    const int threads = taken.threads;
-    taken = {};
-    taken.threads = threads;
+  const auto removeResults = [](PathReport& partial) {
+    const int threads = partial.threads;
+    partial = {};
+    partial.threads = threads;
   };
-  clearance::fillGuarded(report, run, "search", "the parts", takeBack, [&] {
+  clearance::fillGuarded(report, run, "search", "the parts", removeResults, [&] {
     run.checkpoint(Phase::Input);
     for (const ClearanceNeighbour& n : neighbours)
       checkRule(n.rule, "the rule of neighbour '" + n.name + "'");

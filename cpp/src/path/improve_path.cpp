@@ -20,17 +20,17 @@ namespace {
 
 using namespace path;
 
-constexpr double kMinRaise = 1.05;  // raising ends when the step is smaller than this factor
+constexpr double kMinRaise = 1.05;  // raising ends when the factor is not larger than this
 constexpr double kRaise = 1.5;      // first factor from one clearance to the next
-// A piece ends after this fraction of the part of a move that is proven free.
+// If only the beginning of a move is proven free, a free piece takes this fraction of it.
 constexpr double kGapFraction = 0.98;
-// In radii of the part: shorter pieces of a move get no key.
+// Smallest length of a new piece of a move, in radii of the part.
 constexpr double kMinPieceLength = 1e-4;
 constexpr double kBudgetFraction = 0.25;  // fraction of the budget for one search
 
 struct Piece {
   std::vector<State> keys;  // consecutive
-  bool free = false;        // true: all moves between the keys are proven to keep the clearance
+  bool free = false;        // true: all moves between the keys are proven to keep the rule
 };
 
 // The pieces between two consecutive locked keys.
@@ -57,13 +57,13 @@ class Improver {
     std::vector<Stretch> best = mended(now, demand_.apart);
     Demand demand = demand_;
     auto [rows, clearance] = certify(best, demand);
-    if (task_.moreClearance && !rows.empty() && onlyReleased(best)) {
+    if (task_.moreClearance && !rows.empty() && allFreeOrReleased(best)) {
       widenAll(best);
       clearance = certify(best, demand).second;
       raise(best, demand, clearance);
     }
     report_.seconds.push_back({"search", timer_.lap()});
-    take(best, demand);
+    storeResult(best, demand);
     report_.seconds.push_back({"certify", timer_.lap()});
   }
 
@@ -154,7 +154,7 @@ class Improver {
     return false;
   }
 
-  bool onlyReleased(const std::vector<Stretch>& stretches) const {
+  bool allFreeOrReleased(const std::vector<Stretch>& stretches) const {
     for (const Stretch& stretch : stretches)
       for (const Piece& piece : stretch)
         if (!piece.free && !released(piece)) return false;
@@ -171,7 +171,7 @@ class Improver {
       Stretch whole;
       for (const Piece& piece : stretch) {
         Piece next = piece;
-        if (!piece.free && !released(piece)) searchAnew(next, rule);
+        if (!piece.free && !released(piece)) replacePiece(next, rule);
         for (std::size_t i = 0; i + 1 < next.keys.size(); ++i)
           append(whole, next.keys[i], next.keys[i + 1], next.free);
       }
@@ -185,7 +185,7 @@ class Improver {
     return after;
   }
 
-  void searchAnew(Piece& piece, const Rule& rule) {
+  void replacePiece(Piece& piece, const Rule& rule) {
     if (timer_.seconds() > o_.budgetSeconds || !scene_.isFree(piece.keys.front(), rule, memory_) ||
         !scene_.isFree(piece.keys.back(), rule, memory_))
       return;
@@ -214,8 +214,8 @@ class Improver {
       }
   }
 
-  // Raises the clearance step by step. Each step starts from the given motion. It is accepted only
-  // if the whole result keeps the raised clearance.
+  // Raises the clearance step by step. Each step starts from the given motion, and is accepted only
+  // if the whole result outside the release zones keeps the raised clearance.
   void raise(std::vector<Stretch>& best, Demand& demand, double clearance) {
     double reached = std::max(clearance, demand_.tolerance), step = kRaise;
     while (step > kMinRaise && timer_.seconds() < o_.budgetSeconds) {
@@ -228,8 +228,8 @@ class Improver {
       }
       const std::vector<Stretch> next = mended(split(higher.apart), higher.apart, true);
       if (next.empty()) return;
-      const bool kept = onlyReleased(next);
-      const auto [rows, now] = kept ? certify(next, higher) : decltype(certify(next, higher)){};
+      const bool allowed = allFreeOrReleased(next);
+      const auto [rows, now] = allowed ? certify(next, higher) : decltype(certify(next, higher)){};
       if (rows.empty()) {
         step = std::sqrt(step);
         continue;
@@ -283,7 +283,7 @@ class Improver {
           if (rows[i].guaranteed < nearest[i].guaranteed) nearest[i] = rows[i];
       }
     if (nearest.empty()) return {nearest, 0};
-    return {nearest, certainClearance(nearest, demand)};
+    return {nearest, provenClearance(nearest, demand)};
   }
 
   // Returns the smallest clearance of the given motion outside the release zones.
@@ -303,7 +303,7 @@ class Improver {
 
   // Locked keys keep their times. Between them, the times of other keys are proportional to the
   // path length.
-  void take(const std::vector<Stretch>& stretches, const Demand& demand) {
+  void storeResult(const std::vector<Stretch>& stretches, const Demand& demand) {
     auto [rows, clearance] = certify(stretches, demand);
     report_.certificate = std::move(rows);
     report_.clearance = clearance;
@@ -320,7 +320,7 @@ class Improver {
     for (const Stretch& stretch : stretches) {
       std::size_t last = first + 1;
       while (!locked_[last]) ++last;
-      takeStretch(stretch, task_.motion.poses[first], task_.motion.poses[last]);
+      storeStretch(stretch, task_.motion.poses[first], task_.motion.poses[last]);
       first = last;
     }
     const PathFigures figures = figuresOf(stretches);
@@ -330,7 +330,7 @@ class Improver {
                       " sections left unchanged";
   }
 
-  void takeStretch(const Stretch& stretch, const Pose& from, const Pose& to) {
+  void storeStretch(const Stretch& stretch, const Pose& from, const Pose& to) {
     std::vector<State> keys{stretch.front().keys.front()};
     for (const Piece& piece : stretch) {
       keys.insert(keys.end(), piece.keys.begin() + 1, piece.keys.end());
@@ -339,11 +339,11 @@ class Improver {
       if (!released(piece)) report_.unmendedMoves += std::ssize(piece.keys) - 1;
     }
     const double whole = std::max(lengthOf(scene_, keys), 1e-300);
-    double gone = 0;
+    double travelled = 0;
     for (std::size_t i = 0; i < keys.size(); ++i) {
-      if (i > 0) gone += scene_.distance(keys[i - 1], keys[i]);
+      if (i > 0) travelled += scene_.distance(keys[i - 1], keys[i]);
       Pose pose = scene_.outside(keys[i]);
-      pose.timeSeconds = from.timeSeconds + (to.timeSeconds - from.timeSeconds) * gone / whole;
+      pose.timeSeconds = from.timeSeconds + (to.timeSeconds - from.timeSeconds) * travelled / whole;
       if (i == 0 || i + 1 == keys.size()) pose = i == 0 ? from : to;
       if (i > 0 || report_.path.poses.empty()) report_.path.poses.push_back(pose);
     }

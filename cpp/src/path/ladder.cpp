@@ -23,7 +23,7 @@ constexpr int kGridPlacements = 8000, kProofPlacements = 6000;  // placements tr
 constexpr const char* kGridMethod = "grid of places";
 // Placements tried on grids before the searches in six dimensions begin, and in each of their
 // rounds.
-constexpr int kFirstPlaces = 1000, kRoundPlaces = 10;
+constexpr int kFirstPlacements = 1000, kRoundPlacements = 10;
 
 // One search in six dimensions. If its trees have grown too large, it restarts with other random
 // numbers.
@@ -62,7 +62,7 @@ class Search {
 
 class SixDimensions {
  public:
-  /// `shifts`: a search over grids that continues beside the searches in six dimensions.
+  /// `shifts`: a search over grids that continues in parallel to the searches in six dimensions.
   SixDimensions(const Scene& scene, const Rule& rule, const Leg& leg, const Limits& limits,
                 ShiftSearch& shifts, RunContext& run)
       : scene_(scene), leg_(leg), limits_(limits), shifts_(shifts), run_(run) {
@@ -78,7 +78,7 @@ class SixDimensions {
            shifts_.path().empty()) {
       const bool turning = !stepsOver();
       parallelFor(kSearches + 1, [&](std::size_t i) {
-        if (i == kSearches) return shifts_.advance(kRoundPlaces, run_);
+        if (i == kSearches) return shifts_.advance(kRoundPlacements, run_);
         for (int k = 0; k < kRoundsPerTurn && turning && !done[i] && !run_.isCancelled(); ++k) {
           if (limits_.over()) break;
           done[i] = searches_[i].round() ? 1 : 0;
@@ -169,15 +169,15 @@ LegResult solveLeg(const Scene& scene, const Rule& rule, const Leg& leg, const L
   const auto pairs = static_cast<int>(leg.starts.size() * leg.goals.size());
   ShiftSearch shifts(scene, rule, leg.space, starts, leg.goals,
                      std::max(kGridPlacements / 10, kGridPlacements / std::max(1, pairs)));
-  for (int places = 0; !shifts.isOver() && !limits.over(); places += kRoundPlaces) {
-    if (leg.space.turns() && places >= kFirstPlaces) break;
+  for (int placements = 0; !shifts.isOver() && !limits.over(); placements += kRoundPlacements) {
+    if (leg.space.turns() && placements >= kFirstPlacements) break;
     run.checkpoint(Phase::Shifts);
-    shifts.advance(kRoundPlaces, run);
+    shifts.advance(kRoundPlacements, run);
   }
   const State* start = leg.space.isOut || leg.starts.empty() ? nullptr : &leg.starts.front();
-  const bool proven =
-      shifts.path().empty() && leg.provable && !leg.space.turns() &&
-      noShifts(scene, rule, leg.space, start, leg.goals.front(), kProofPlacements, isLate, run);
+  const bool proven = shifts.path().empty() && leg.provable && !leg.space.turns() &&
+                      provesNoTranslation(scene, rule, leg.space, start, leg.goals.front(),
+                                          kProofPlacements, isLate, run);
   if (!shifts.path().empty()) {
     result.keys = shifts.path();
     result.method = kGridMethod;

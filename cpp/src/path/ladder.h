@@ -1,7 +1,7 @@
 // Tries search methods one after the other, the fastest first, until one finds a path.
-// In:      placements to start from and to reach. One end of the path may have several, if there
-//        are several exits from a contact.
-// Out:     keys of a free path from a start to a goal; or how far the search came.
+// In:      placements to start from and to reach. If several exits lead out of a contact, an end of
+//        the path has several placements.
+// Out:     keys of a free path from a start to a goal; or the farthest state that was reached.
 // Units:   mm, rad.
 // Promise: For one seed, the result is the same for any number of threads, unless the time limit
 // ends the search. Parallel searches work in rounds of fixed size. If several have a path after the
@@ -21,7 +21,7 @@
 
 namespace swept::path {
 
-/// The task of one search. If the part only has to be taken out, `starts` may be any placements
+/// The task of one search. If the part only has to be taken out, `starts` are some placements
 /// outside.
 struct Leg {
   std::vector<State> starts, goals;

@@ -46,21 +46,21 @@ LiveDistance LiveClearance::at(const Pose& pose) {
   const Eigen::Vector3d& t = state.pose.translation;
   LiveDistance best;
   best.distance = std::numeric_limits<double>::infinity();
-  // The neighbour that was nearest at the previous placement is measured first. The others can then
-  // be discarded quickly.
+  // The neighbour that was nearest at the previous placement is measured first. Most others can
+  // then be discarded quickly.
   const std::size_t first = memory.last;
   for (std::size_t k = 0; k < scene.count() && best.distance > 0; ++k) {
     const std::size_t i = (first + k) % scene.count();
     const PairSearch pair(scene.part(), scene.neighbour(i));
     const PairDistance found = pair.distanceAt(R, t, best.distance, memory.pairs[i]);
     if (found.pair.body >= 0) memory.pairs[i] = found.pair;
-    const bool held = found.distance > 0 && pair.containedAt(R, t);
-    if (!held && found.pair.body < 0) continue;
+    const bool contained = found.distance > 0 && pair.containedAt(R, t);
+    if (!contained && found.pair.body < 0) continue;
     memory.last = i;
     best = LiveDistance{};
     best.neighbour = static_cast<int>(i);
-    best.inside = held;
-    if (held) continue;
+    best.inside = contained;
+    if (contained) continue;
     best.distance = found.distance;
     best.pointOnPart = scene.world().transpose() * found.onBody;
     best.pointOnNeighbour = scene.world().transpose() * found.onNeighbour;

@@ -3,8 +3,8 @@
 // In:      triangles.
 // Out:     a rotation matrix whose columns are these directions.
 // Cost:    O(n) for n triangles.
-// Why:     Boxes around triangles are aligned with the axes of their mesh. Aligned with the main
-// axes, these boxes are thin. Queries about pairs of parts then take a fraction of the time
+// Why:     Boxes around triangles are aligned with the axes of their mesh. If these are the main
+// axes, most boxes are thin, and queries about pairs of parts take a fraction of the time
 // (docs/paths.md).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

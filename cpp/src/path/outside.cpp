@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 double largest(const Rule& rule) { return *std::max_element(rule.begin(), rule.end()); }
 
-// Returns how far the part extends from its middle in the direction -d, in its orientation at
+// Returns how far (mm) the part extends from its middle in the direction -d, in its orientation at
 // `state`.
 double reachBack(const Scene& scene, const State& state, const Vector3d& d) {
   const Vector3d local = state.pose.rotation.conjugate() * d;
@@ -40,9 +40,9 @@ End outside(const Scene& scene, const Demand& demand, const State& goal,
   };
   if (extraction.direction) {
     const Vector3d d = extraction.direction->normalized();
-    const double way =
+    const double distance =
         front(scene, d) + reachBack(scene, goal, d) + largest(demand.apart) - d.dot(goal.middle);
-    tryShift(std::max(1.001 * way, 1e-3 * scene.radius()) * d);
+    tryShift(std::max(1.001 * distance, 1e-3 * scene.radius()) * d);
     return end;
   }
   for (int x = -1; x <= 1; ++x)
@@ -53,8 +53,8 @@ End outside(const Scene& scene, const Demand& demand, const State& goal,
   return end;
 }
 
-std::function<bool(const State&)> outTest(const Scene& scene, const Demand& demand,
-                                          const State& goal, const Extraction& extraction) {
+std::function<bool(const State&)> outsideTest(const Scene& scene, const Demand& demand,
+                                              const State& goal, const Extraction& extraction) {
   if (!extraction.direction)
     return [middle = goal.middle, radius = extraction.radius](const State& state) {
       return (state.middle - middle).norm() >= radius;

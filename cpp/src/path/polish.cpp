@@ -9,9 +9,9 @@ namespace {
 constexpr int kTrialsToGiveUp = 40;
 constexpr int kPasses = 3;  // each takes shortcuts, then removes keys
 constexpr int kTrialsToMerge = 24;
-/// Two keys are replaced by one whose distance from the line between them is at most this fraction
-/// of their distance.
-constexpr double kAside = 0.7;
+/// A key that replaces two others lies at most this fraction of their distance beside the move
+/// between them.
+constexpr double kMaxOffset = 0.7;
 
 class Shortener {
  public:
@@ -36,7 +36,7 @@ class Shortener {
   // Removes keys without which the path is still free.
   void dropKeys() {
     for (std::size_t first = 0; first + 2 < keys_.size(); ++first) {
-      // Tries to move straight to a key far ahead, then to keys half as far.
+      // Tries a move to the last key, then to a key half as far ahead, and so on.
       for (std::size_t reach = keys_.size() - 1 - first; reach >= 2; reach = reach / 2) {
         if (!isFree(keys_[first], keys_[first + reach])) continue;
         keys_.erase(keys_.begin() + static_cast<std::ptrdiff_t>(first) + 1,
@@ -61,7 +61,7 @@ class Shortener {
         State one =
             scene_.stateBetween(keys_[i], keys_[i + 1], trial == 0 ? 0.5 : random_.fraction());
         // The first three candidates lie on the move between the keys, later ones beside it.
-        const double aside = kAside * length * trial / kTrialsToMerge;
+        const double aside = kMaxOffset * length * trial / kTrialsToMerge;
         if (trial > 2)
           one = scene_.moved(
               one, {aside * random_.direction(), aside / scene_.radius() * random_.direction()});
@@ -83,7 +83,7 @@ class Shortener {
     a = std::max(a, 0.0);
     b = std::min(b, whole);
     std::size_t first = 0, last = 0;
-    const State from = place(a, first), to = place(b, last);
+    const State from = stateAt(a, first), to = stateAt(b, last);
     if (first == last) return false;
     double replaced = b - a;
     if (scene_.distance(from, to) > 0.999 * replaced - 1e-3 * scene_.radius() * 0.01) return false;
@@ -103,7 +103,7 @@ class Shortener {
   }
 
  private:
-  State place(double at, std::size_t& key) const {
+  State stateAt(double at, std::size_t& key) const {
     for (key = 0; key + 2 < keys_.size(); ++key) {
       const double length = scene_.distance(keys_[key], keys_[key + 1]);
       if (at <= length) break;

@@ -66,7 +66,8 @@ Scene::Scene(const TriMesh& part, const std::vector<ClearanceNeighbour>& neighbo
   resolution_ = std::max(0.25 * options.tolerance, 2e-5 * radius_);
 }
 
-// Both coordinate systems are rotated: x_world = R x + t becomes W (R (own^T x')) + W t.
+// Both coordinate systems are rotated (W: world_, P: own_): x_world = R x + t becomes
+// W x_world = (W R P^T) (P x) + W t.
 State Scene::inside(const Pose& pose) const {
   Pose turned = pose;
   turned.rotation =
@@ -154,8 +155,8 @@ Follow Scene::follow(const State& from, const State& to, const Rule& rule, Memor
   return result;
 }
 
-// Follows the move against one neighbour. Processes spans of the move, from its start. A span is
-// proven free, or halved, or it ends the free part of the move.
+// Finds how far one neighbour leaves the move free. Processes spans of the move, from its start. A
+// span is proven free, or halved, or it ends the free part of the move.
 void Scene::followOne(const clearance::MotionTree& motion, std::size_t i, double apart,
                       double finest, Follow& result, Memory& memory) const {
   struct Span {

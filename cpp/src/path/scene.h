@@ -1,11 +1,11 @@
 // Holds the part and its neighbours for path searches.
 // In:      meshes, clearances.
 // Out:     answers to queries about placements and about moves between two placements.
-// Units:   mm, rad. The length of a move is |dt| + angle x radius of the part. No point of the part
-// travels farther than this length.
+// Units:   mm, rad. The length of a move is |shift| + angle x radius of the part. No point of the
+// part travels farther than this length.
 // Note:    Part and world are rotated so that their main axes become x, y and z. States refer to
 // the rotated world; inside() and outside() convert.
-// Cost:    some ten microseconds per query; the parts are prepared once.
+// Cost:    tens of microseconds per query; the parts are prepared once.
 // Promise: A move that is reported free is proven free (clearance/pair_search.h) for the given
 // interpolation. A free move may be reported blocked if its distance exceeds the required one by
 // less than the resolution.
@@ -48,7 +48,8 @@ struct Contact {
 /// Distance to keep from each neighbour, mm; negative: this neighbour is ignored.
 using Rule = std::vector<double>;
 
-/// Data that a search keeps between queries, mainly the pairs of triangles that blocked last.
+/// Data that a search keeps between queries, so that the pairs of triangles that blocked last are
+/// tested first.
 struct Memory {
   std::vector<clearance::LeafPair> pairs;  ///< one per neighbour
   std::size_t last = 0;                    ///< the neighbour that blocked last
@@ -102,8 +103,9 @@ class Scene {
   }
   Memory memory() const;
   bool isFree(const State& state, const Rule& rule, Memory& memory) const;
-  /// Returns how far a move is free. `finest`: the fraction of the move at which halving stops. A
-  /// span of this length counts as blocked unless it is proven free.
+  /// Returns how far a move is free. Spans of the move are halved until they are proven free or as
+  /// short as `finest`, a fraction of the move. A span of that length without proof counts as
+  /// blocked.
   Follow follow(const State& from, const State& to, const Rule& rule, Memory& memory,
                 double finest = 0) const;
 

@@ -11,16 +11,16 @@
 #include "base/timer.h"
 #include "clearance/guarded_report.h"
 #include "path/assembled.h"
-#include "path/free_way.h"
 #include "path/given_motion.h"
+#include "path/unblocked_path.h"
 
 namespace swept {
 namespace {
 
 using namespace path;
 
-// Limits of the number of moves per search while the order is searched for: the first limit, the
-// factor from round to round, and the largest limit. Round 0 allows only the quick methods.
+// While the order is searched for, the number of moves per search is limited: the limit of round 1,
+// the factor from round to round, and the largest limit. Round 0 uses only the quick methods.
 constexpr std::int64_t kFirstMoves = 20000, kMoreMoves = 4, kMaxMoves = 1000000000;
 
 class Sequencer {
@@ -40,7 +40,7 @@ class Sequencer {
 
   void findAll() {
     if (o_.findOrder)
-      takeApart();
+      disassemble();
     else
       inOrder();
     run_.beginPart(0, 1);
@@ -50,19 +50,21 @@ class Sequencer {
       for (const Finding& finding : step.path.warnings) warn(step, finding);
     }
     if (report_.verdict == SequenceVerdict::Found)
-      layTimeline();
+      buildTimeline();
     else
-      tellFailure();
+      reportFailure();
     report_.seconds.push_back({"total", timer_.seconds()});
     run_.checkpoint(Phase::Done);
   }
 
  private:
   // A part whose position in the order is not known yet.
-  struct Left {
+  struct Remaining {
     std::size_t part;
     PathReport last = {};
-    int tried = -1;  // round of its last search; -1: none since a part that blocked it was removed
+    // Round of the last search for this part. -1: there was none, or since then a part that blocked
+    // it was removed.
+    int tried = -1;
     bool final = false;  // proven: it cannot be removed while the other parts are there
   };
 
@@ -70,7 +72,7 @@ class Sequencer {
     std::vector<char> installed(parts_.size(), 0);
     report_.verdict = SequenceVerdict::Found;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      run_.beginPart(share(i), share(i + 1));
+      run_.beginPart(progressAfter(i), progressAfter(i + 1));
       PathOptions options = o_.path;
       options.budgetSeconds = timeLeft() / static_cast<double>(parts_.size() - i);
       PathReport path = search(i, installed, options, i);
@@ -85,19 +87,19 @@ class Sequencer {
   // Finds the order backwards: the first part that can be removed is installed last. If several
   // parts can be removed, takes the one that is last in the given order. So a given order that is
   // valid stays the same.
-  void takeApart() {
-    std::vector<Left> left;
+  void disassemble() {
+    std::vector<Remaining> left;
     for (std::size_t i = parts_.size(); i-- > 0;) left.push_back({i});
     std::vector<char> installed(parts_.size(), 1);
     while (!left.empty()) {
-      run_.beginPart(share(report_.steps.size()), share(report_.steps.size() + 1));
-      const auto out = firstOut(left, installed);
+      run_.beginPart(progressAfter(report_.steps.size()), progressAfter(report_.steps.size() + 1));
+      const auto out = findRemovable(left, installed);
       if (out == left.end()) break;
       const std::string& name = parts_[out->part].name;
       installed[out->part] = 0;
       report_.steps.push_back({out->part, std::move(out->last)});
       left.erase(out);
-      for (Left& other : left) {
+      for (Remaining& other : left) {
         const std::vector<std::string>& blockers = other.last.escape.blockers;
         const bool stays = !blockers.empty() &&
                            std::find(blockers.begin(), blockers.end(), name) == blockers.end();
@@ -106,18 +108,18 @@ class Sequencer {
       }
     }
     report_.verdict = left.empty() ? SequenceVerdict::Found : SequenceVerdict::NotFound;
-    if (!left.empty() && hopeless(left)) report_.verdict = SequenceVerdict::NoOrder;
-    for (Left& part : left) report_.steps.push_back({part.part, std::move(part.last)});
+    if (!left.empty() && allBlocked(left)) report_.verdict = SequenceVerdict::NoOrder;
+    for (Remaining& part : left) report_.steps.push_back({part.part, std::move(part.last)});
     std::reverse(report_.steps.begin(), report_.steps.end());
   }
 
   // Finds the next part that can be removed. Searches become longer from round to round. Quick
   // methods are always repeated. A longer search is repeated only if a part that blocked it has
   // been removed.
-  std::vector<Left>::iterator firstOut(std::vector<Left>& left,
-                                       const std::vector<char>& installed) {
+  std::vector<Remaining>::iterator findRemovable(std::vector<Remaining>& left,
+                                                 const std::vector<char>& installed) {
     for (int round = 0;; ++round) {
-      const std::int64_t moves = movesOf(round);
+      const std::int64_t moves = moveLimit(round);
       for (auto part = left.begin(); part != left.end(); ++part) {
         if (part->final || (round > 0 && part->tried >= round)) continue;
         PathOptions options = o_.path;
@@ -125,11 +127,11 @@ class Sequencer {
         options.askLess = false;
         options.mostSteps = moves;
         PathReport path = search(part->part, installed, options, parts_.size() - left.size());
-        const bool waits = path.status != Status::Ok;
-        if (waits) takeBlockedStart(part->part, path);
+        const bool occupied = path.status != Status::Ok;
+        if (occupied) acceptBlockedStart(part->part, path);
         const bool found = path.verdict == PathVerdict::Found, over = path.budgetEnded;
         part->final =
-            waits || parts_[part->part].motion || path.verdict == PathVerdict::NoTranslation;
+            occupied || parts_[part->part].motion || path.verdict == PathVerdict::NoTranslation;
         if (found || part->final || part->tried <= round) {
           part->last = std::move(path);
           part->tried = round;
@@ -138,25 +140,25 @@ class Sequencer {
         if (over) return left.end();
       }
       const bool longest = moves >= (o_.path.mostSteps > 0 ? o_.path.mostSteps : kMaxMoves);
-      if (longest || hopeless(left)) return left.end();
+      if (longest || allBlocked(left)) return left.end();
     }
   }
 
   // Returns whether all parts are proven to be blocked. Then no order exists, because one part
   // would have to be removed first, while all others are still there.
-  static bool hopeless(const std::vector<Left>& left) {
-    return std::all_of(left.begin(), left.end(), [](const Left& part) { return part.final; });
+  static bool allBlocked(const std::vector<Remaining>& left) {
+    return std::all_of(left.begin(), left.end(), [](const Remaining& part) { return part.final; });
   }
 
   // If other parts still occupy the start of a part, this part has to wait. This is not an error.
-  void takeBlockedStart(std::size_t part, PathReport& path) const {
+  void acceptBlockedStart(std::size_t part, PathReport& path) const {
     if (path.code != "StartBlocked" || path.status != Status::InvalidInput)
       throw Error(path.status, path.code, "part '" + parts_[part].name + "': " + path.message);
     path.summary = path.message;
     path.status = Status::Ok;
   }
 
-  std::int64_t movesOf(int round) const {
+  std::int64_t moveLimit(int round) const {
     std::int64_t moves = 1;
     for (int k = 0; k < round && moves < kMaxMoves; ++k)
       moves = k == 0 ? kFirstMoves : kMoreMoves * moves;
@@ -173,7 +175,7 @@ class Sequencer {
     PathReport path;
     if (std::all_of(neighbours.begin(), neighbours.end(),
                     [](const ClearanceNeighbour& n) { return n.rule.ignored; })) {
-      path = freeWay(part, options, assembled_.box().diagonal().norm());
+      path = unblockedPath(part, options, assembled_.box().diagonal().norm());
     } else if (part.motion) {
       path = checkGivenMotion(part.mesh, *part.motion, neighbours, options, run_);
     } else {
@@ -185,7 +187,7 @@ class Sequencer {
   }
 
   double timeLeft() const { return std::max(1e-3, o_.path.budgetSeconds - timer_.seconds()); }
-  double share(std::size_t done) const {
+  double progressAfter(std::size_t done) const {
     return static_cast<double>(done) / static_cast<double>(parts_.size());
   }
 
@@ -194,8 +196,8 @@ class Sequencer {
     report_.warnings.push_back(std::move(finding));
   }
 
-  // Each part waits at its first key, moves in its turn, and then stays at its goal.
-  void layTimeline() {
+  // Each part waits at its first key, moves after the parts before it, and then stays at its goal.
+  void buildTimeline() {
     report_.timeline.resize(parts_.size());
     report_.clearance = std::numeric_limits<double>::infinity();
     double time = 0;
@@ -234,7 +236,7 @@ class Sequencer {
       report_.summary += ", clearance at least " + numberText(report_.clearance, 4) + " mm";
   }
 
-  void tellFailure() {
+  void reportFailure() {
     std::size_t found = 0;
     std::string who;
     for (const SequenceStep& step : report_.steps) {
@@ -295,12 +297,12 @@ SequenceReport findSequence(const std::vector<SequencePart>& parts,
     report.still.push_back(part.name);
     report.triangles += std::ssize(part.mesh.triangles);
   }
-  const auto takeBack = [](SequenceReport& taken) {
-    const int threads = taken.threads;
-    taken = {};
-    taken.threads = threads;
+  const auto removeResults = [](SequenceReport& partial) {
+    const int threads = partial.threads;
+    partial = {};
+    partial.threads = threads;
   };
-  clearance::fillGuarded(report, run, "searches", "the parts", takeBack, [&] {
+  clearance::fillGuarded(report, run, "searches", "the parts", removeResults, [&] {
     run.checkpoint(Phase::Input);
     Sequencer(parts, still, options, run, watch, report).findAll();
   });

@@ -29,32 +29,32 @@ bool within(const SearchSpace& space, const State& state) {
          (state.middle.array() <= space.high.array()).all();
 }
 
-// Best-first search over one grid. The order is by the shortest length so far plus the remaining
-// distance.
+// Best-first search over one grid. The next placement is the one with the smallest sum of the
+// length of the path so far and the straight distance to the start.
 class GridSearch {
  public:
   GridSearch(const Scene& scene, const Rule& rule, const SearchSpace& space, const State& start,
-             const State& goal, double width, int places, Memory& memory, State& farthest)
+             const State& goal, double width, int maxPlacements, Memory& memory, State& farthest)
       : scene_(scene),
         rule_(rule),
         space_(space),
         start_(start),
         goal_(goal),
         width_(width),
-        left_(places),
+        left_(maxPlacements),
         memory_(memory),
         farthest_(farthest) {
     push({0, 0, 0}, {0, 0, 0}, 0);
   }
 
-  /// Examines up to `places` placements, and subtracts their number from `places` and from left_.
+  /// Examines up to `count` placements, and subtracts their number from `count` and from left_.
   /// Returns the path once it is found.
-  std::vector<State> search(int& places, const RunContext& run) {
-    while (!isOver() && places > 0 && !run.isCancelled()) {
+  std::vector<State> search(int& count, const RunContext& run) {
+    while (!isOver() && count > 0 && !run.isCancelled()) {
       const Entry entry = queue_.top();
       queue_.pop();
       if (closed_.count(entry.cell) != 0) continue;
-      --places;
+      --count;
       --left_;
       const State from = placed(scene_, goal_, entry.before, width_);
       const State here = placed(scene_, goal_, entry.cell, width_);
@@ -126,8 +126,9 @@ bool blocked(const Scene& scene, const Rule& rule, const State& middle, double h
     if (distance > 0 && distance + halfDiagonal < rule[i]) return true;
     if (distance > 0 && !pair.containedAt(R, t)) continue;
     const double depth = halfDiagonal - rule[i];
-    // If the surfaces intersect, a cube smaller than the required distance is always blocked.
-    if (depth < 0 || clearance::overlapsBy(pair, R, t, depth)) return true;
+    // If the surfaces intersect and half the diagonal is less than the required distance, the whole
+    // cube is blocked.
+    if (depth < 0 || clearance::overlapsAtLeast(pair, R, t, depth)) return true;
   }
   return false;
 }
@@ -137,20 +138,20 @@ bool blocked(const Scene& scene, const Rule& rule, const State& middle, double h
 class ShiftSearch::Grids {
  public:
   Grids(const Scene& scene, const Rule& rule, const SearchSpace& space,
-        const std::vector<State>& starts, const std::vector<State>& goals, int places)
+        const std::vector<State>& starts, const std::vector<State>& goals, int maxPlacements)
       : scene_(scene),
         rule_(rule),
         space_(space),
         starts_(starts),
         goals_(goals),
-        places_(places),
+        maxPlacements_(maxPlacements),
         memory_(scene.memory()),
         farthest_(goals.front()) {}
 
-  void advance(int places, const RunContext& run) {
-    while (places > 0 && !isOver() && !run.isCancelled()) {
+  void advance(int count, const RunContext& run) {
+    while (count > 0 && !isOver() && !run.isCancelled()) {
       if (!grid_) begin();
-      path_ = grid_->search(places, run);
+      path_ = grid_->search(count, run);
       if (!path_.empty() || !grid_->isOver()) continue;
       grid_.reset();
       ++number_;
@@ -168,7 +169,7 @@ class ShiftSearch::Grids {
     const std::size_t pair = number_ / kWidths.size();
     grid_.emplace(scene_, rule_, space_, starts_[pair / goals_.size()],
                   goals_[pair % goals_.size()], kWidths[number_ % kWidths.size()] * scene_.radius(),
-                  places_, memory_, farthest_);
+                  maxPlacements_, memory_, farthest_);
   }
 
   const Scene& scene_;
@@ -176,7 +177,7 @@ class ShiftSearch::Grids {
   const SearchSpace& space_;
   const std::vector<State>& starts_;
   const std::vector<State>& goals_;
-  const int places_;
+  const int maxPlacements_;
   Memory memory_;
   State farthest_;
   std::size_t number_ = 0;  ///< number of the present grid
@@ -186,18 +187,19 @@ class ShiftSearch::Grids {
 
 ShiftSearch::ShiftSearch(const Scene& scene, const Rule& rule, const SearchSpace& space,
                          const std::vector<State>& starts, const std::vector<State>& goals,
-                         int places)
-    : grids_(std::make_unique<Grids>(scene, rule, space, starts, goals, places)) {}
+                         int maxPlacements)
+    : grids_(std::make_unique<Grids>(scene, rule, space, starts, goals, maxPlacements)) {}
 ShiftSearch::~ShiftSearch() = default;
 ShiftSearch::ShiftSearch(ShiftSearch&&) noexcept = default;
-void ShiftSearch::advance(int places, const RunContext& run) { grids_->advance(places, run); }
+void ShiftSearch::advance(int count, const RunContext& run) { grids_->advance(count, run); }
 const std::vector<State>& ShiftSearch::path() const { return grids_->path(); }
 bool ShiftSearch::isOver() const { return grids_->isOver(); }
 const Memory& ShiftSearch::memory() const { return grids_->memory(); }
 const State& ShiftSearch::farthest() const { return grids_->farthest(); }
 
-bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, const State* start,
-              const State& goal, int places, const std::function<bool()>& isLate, RunContext& run) {
+bool provesNoTranslation(const Scene& scene, const Rule& rule, const SearchSpace& space,
+                         const State* start, const State& goal, int maxPlacements,
+                         const std::function<bool()>& isLate, RunContext& run) {
   for (const double fraction : kWidths) {
     const double width = fraction * scene.radius();
     std::set<Cell> seen{{0, 0, 0}};
@@ -206,7 +208,7 @@ bool noShifts(const Scene& scene, const Rule& rule, const SearchSpace& space, co
     std::priority_queue<std::pair<int, Cell>> queue;
     queue.push({0, {0, 0, 0}});
     bool out = false;
-    int left = places;
+    int left = maxPlacements;
     while (!queue.empty() && !out && --left > 0 && !isLate()) {
       run.checkpoint(Phase::Shifts);
       const Cell cell = queue.top().second;

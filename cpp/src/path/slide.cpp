@@ -14,7 +14,8 @@ constexpr std::size_t kMaxTouches = 12;
 constexpr double kSlideMargin = 2e-3;
 constexpr int kSlideRounds = 40;
 
-/// Linear inequality for a move v: row . v >= least.
+/// Linear inequality for a move v: row . v >= least. size: row . row; weight: multiple of `row`
+/// that nearest() has added to v.
 struct Limit {
   Vector6d row = Vector6d::Zero();
   double least = 0, size = 0, weight = 0;

@@ -1,4 +1,4 @@
-// Lets moves slide along obstacles: finds the part of a wanted move that the known contacts allow.
+// Lets moves slide along obstacles: changes a wanted move so that the known contacts allow it.
 // In:      a scene, the distances to keep, a state, and the wanted move.
 // Out:     the allowed move nearest to the wanted one.
 // Units:   mm, rad; lengths of moves as in scene.h.

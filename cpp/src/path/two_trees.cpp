@@ -16,7 +16,7 @@ constexpr int kSlides = 5, kPushes = 60;
 constexpr double kPushFraction = 0.5;  // fraction of the rounds that push
 constexpr double kMaxPush = 3;         // longest push, in radii of the part or in rad
 constexpr double kMaxRounding = 1e-9;  // largest fraction of a move that counts as a rounding error
-// Smallest fraction of a wanted move that the allowed move must keep.
+// Smallest fraction of a wanted move that the allowed move must achieve in the wanted direction.
 constexpr double kStepBeyond = 0.05;
 // Resolution at which the search finds where a move is blocked, as a fraction of the move.
 constexpr double kFinest = 1.0 / 16;
@@ -70,7 +70,8 @@ int TwoTrees::nearest(int tree, const State& to) const {
   return best;
 }
 
-// Selects a few random nodes, and returns the one with the fewest trials and the sparsest cell.
+// Selects a few random nodes. Returns the one with the smallest weight: few trials so far, and few
+// nodes in its cell.
 int TwoTrees::sparse(int tree) {
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -148,8 +149,8 @@ int TwoTrees::push(int tree, int from) {
   return slide(tree, from, {nullptr, drive, step, kMaxPush * scene_.radius(), kPushes}, reached);
 }
 
-// Returns a move along or about an axis of the world or of the part, or a random direction. The
-// twist is longer than any push.
+// Returns a move along or about an axis of the world, an axis of the part, or a random direction.
+// The twist is longer than any push.
 Twist TwoTrees::randomDrive(const State& at) {
   const double kind = random_.fraction();
   Vector3d d = random_.direction();
@@ -173,22 +174,22 @@ int TwoTrees::slide(int tree, int from, const Drive& drive, bool& reached) {
     const Twist whole = drive.to != nullptr ? Scene::between(at, *drive.to) : drive.twist;
     const double wanted = scene_.length(whole);
     const double length = (1 + 1e-6) * std::min(step, left);
-    const Twist asked = wanted <= length ? whole : whole * (length / wanted);
-    const Twist allowed = allowedMove(scene_, at, rule_, touches, asked);
+    const Twist requested = wanted <= length ? whole : whole * (length / wanted);
+    const Twist allowed = allowedMove(scene_, at, rule_, touches, requested);
     // The allowed move must still lead in the wanted direction.
-    const double onward =
-        allowed.shift.dot(asked.shift) + radius * radius * allowed.turn.dot(asked.turn);
-    const double most = scene_.length(asked);
-    if (!(onward >= kStepBeyond * most * most) || scene_.length(allowed) > 3 * most) break;
-    const Twist lost{allowed.shift - asked.shift, allowed.turn - asked.turn};
+    const double progress =
+        allowed.shift.dot(requested.shift) + radius * radius * allowed.turn.dot(requested.turn);
+    const double most = scene_.length(requested);
+    if (!(progress >= kStepBeyond * most * most) || scene_.length(allowed) > 3 * most) break;
+    const Twist difference{allowed.shift - requested.shift, allowed.turn - requested.turn};
     const bool last =
-        drive.to != nullptr && wanted <= length && scene_.length(lost) <= kMaxRounding * most;
+        drive.to != nullptr && wanted <= length && scene_.length(difference) <= kMaxRounding * most;
     const State next = last ? *drive.to : limited(at, scene_.moved(at, allowed));
     const Follow follow = scene_.follow(at, next, rule_, memory_, kFinest);
-    const double came = follow.fraction * scene_.distance(at, next);
-    if (came > shortest_) {
+    const double travelled = follow.fraction * scene_.distance(at, next);
+    if (travelled > shortest_) {
       at = follow.fraction >= 1 ? next : scene_.stateBetween(at, next, follow.fraction);
-      left -= came;
+      left -= travelled;
       dropFar(scene_, at, rule_, drive.step, touches);
       node = add(tree, node, at);
       trees_[tree][static_cast<std::size_t>(node)].touches = touches;
@@ -273,8 +274,9 @@ bool TwoTrees::grow(int rounds) {
     const int node = extend(tree, from, to, longest_, reached);
     if (!path_.empty()) break;
     const double wanted = std::min(longest_, scene_.distance(before, to));
-    const double came = scene_.distance(before, trees_[tree][static_cast<std::size_t>(node)].state);
-    hardness_[tree] += 0.02 * ((came < 0.9 * wanted ? 1 : 0.05) - hardness_[tree]);
+    const double travelled =
+        scene_.distance(before, trees_[tree][static_cast<std::size_t>(node)].state);
+    hardness_[tree] += 0.02 * ((travelled < 0.9 * wanted ? 1 : 0.05) - hardness_[tree]);
     if (node == from) continue;
     if (!trees_[1 - tree].empty() && connect(tree, node)) break;
   }

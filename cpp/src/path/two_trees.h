@@ -43,7 +43,7 @@ class TwoTrees {
   TwoTrees(const Scene& scene, const Rule& rule, const SearchSpace& space,
            const std::vector<State>& starts, const std::vector<State>& goals, std::uint64_t seed);
 
-  /// Grows the trees by some rounds. Returns true once they have met.
+  /// Grows the trees by up to `rounds` rounds. Returns true once a path is found.
   bool grow(int rounds);
   /// Returns the keys from one of the starts to one of the goals.
   const std::vector<State>& path() const { return path_; }
@@ -80,10 +80,11 @@ class TwoTrees {
   State sampleNear(int tree, int node);
   int chooseTree();
   State limited(const State& from, const State& to) const;
-  /// Moves from a node towards a state and slides along obstacles. Returns the last node added.
+  /// Moves from a node towards a state and slides along obstacles. Returns the last node added, or
+  /// `from` if there is none.
   int extend(int tree, int from, const State& to, double most, bool& reached);
-  /// Pushes a node in one direction as far as possible and slides along obstacles. Returns the last
-  /// node added.
+  /// Moves from a node in one direction as far as possible and slides along obstacles. Returns the
+  /// last node added, or `from` if there is none.
   int push(int tree, int from);
   Twist randomDrive(const State& at);
   int slide(int tree, int from, const Drive& drive, bool& reached);

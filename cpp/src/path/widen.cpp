@@ -26,13 +26,13 @@ constexpr double kFirst = 2e-3;           // radii; the first raise
 constexpr double kMinUsefulRaise = 2e-6;  // radii; smaller raises are not worth the time
 constexpr double kMaxRaise = 0.25;        // radii; largest raise of all steps together
 constexpr double kRaise = 2;              // factor from one raise to the next
-// The search ends when the next raise to try is at most this many times the last one that worked.
+// The search ends when the next raise to try is at most this multiple of the last successful one.
 constexpr double kBracketRatio = 1.4;
 constexpr double kMaxLengthening = 1.25;  // the path may become longer by this factor
 constexpr int kShortcutsOfWidened = 100;  // shortcuts of the widened path
 
-/// The distance of a pair of triangles, as a linear function of the twists of the two keys beside
-/// it: row . (before * twist of the key + after * twist of the next key) >= least.
+/// A linear inequality for the twists of two successive keys, which opens a pair of triangles
+/// between them: row . (before * twist of the key + after * twist of the next key) >= least.
 struct Opening {
   std::size_t key;
   double before, after;
@@ -68,16 +68,16 @@ class Band {
       run_.checkpoint(Phase::Polish);
       if (lengthOf(scene_, keys) > longest) return false;
       openings_.clear();
-      places_.assign(keys.size() - 1, kSamplesOfMove);
+      samples_.assign(keys.size() - 1, kSamplesOfMove);
       for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
         if (!limits_.allowed(keys[i], keys[i + 1])) return false;
-        if (!keepsApart(keys, i)) places_[i] = kSamplesOfBlocked;
+        if (!keepsApart(keys, i)) samples_[i] = kSamplesOfBlocked;
       }
-      if (std::count(places_.begin(), places_.end(), kSamplesOfBlocked) == 0) return true;
+      if (std::count(samples_.begin(), samples_.end(), kSamplesOfBlocked) == 0) return true;
       // Moves that are free must stay free.
       for (std::size_t i = 0; i + 1 < keys.size(); ++i)
-        for (int k = 0; k <= places_[i]; ++k)
-          addContacts(keys, i, static_cast<double>(k) / places_[i]);
+        for (int k = 0; k <= samples_[i]; ++k)
+          addContacts(keys, i, static_cast<double>(k) / samples_[i]);
       if (openings_.empty()) return false;
       move(keys);
       moved_ = true;
@@ -157,7 +157,7 @@ class Band {
   RunContext& run_;
   Memory memory_;
   bool moved_ = false;
-  std::vector<int> places_;  ///< for each move, the number of positions to sample
+  std::vector<int> samples_;  ///< for each move, the number of positions to sample
   std::vector<Opening> openings_;
 };
 
@@ -181,15 +181,15 @@ std::vector<State> refined(const Scene& scene, const std::vector<State>& keys) {
 double roomAtEnds(const Scene& scene, const Rule& rule, const std::vector<State>& keys,
                   double most) {
   Memory memory = scene.memory();
-  const auto kept = [&](double more) {
+  const auto keepsApartAtEnds = [&](double more) {
     const Rule wanted = raised(rule, more);
     return scene.isFree(keys.front(), wanted, memory) && scene.isFree(keys.back(), wanted, memory);
   };
-  if (kept(most)) return most;
+  if (keepsApartAtEnds(most)) return most;
   double low = 0, high = most;
   for (int i = 0; i < 20; ++i) {
     const double middle = 0.5 * (low + high);
-    (kept(middle) ? low : high) = middle;
+    (keepsApartAtEnds(middle) ? low : high) = middle;
   }
   return low;
 }

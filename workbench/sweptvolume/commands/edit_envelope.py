@@ -15,7 +15,7 @@ class Command(BaseCommand):
     def missing(self, document):
         from ..panels import selection
 
-        return selection.wanting_envelope(document)
+        return selection.missing_envelope_text(document)
 
     def run(self, document):
         from ..panels import envelope_panel, selection

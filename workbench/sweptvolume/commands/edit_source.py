@@ -23,7 +23,7 @@ class Command(BaseCommand):
 
         found = selection.of_kind(document, Motion.KIND)[0]
         if found is None or has_settings(found):
-            return selection.wanting_motion(document)
+            return selection.missing_motion_text(document)
         if sourced.is_sourced(found):
             return translate(
                 "SweptVolume",

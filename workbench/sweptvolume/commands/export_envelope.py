@@ -19,7 +19,7 @@ class Command(BaseCommand):
 
         if selection.source() is not None or selection.solid() is not None:
             return ""
-        return selection.wanting_envelope(document)
+        return selection.missing_envelope_text(document)
 
     def run(self, document):
         from .. import export

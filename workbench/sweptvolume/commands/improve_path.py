@@ -17,7 +17,7 @@ class Command(BaseCommand):
     def missing(self, document):
         from ..panels import selection
 
-        return selection.wanting_motion(document)
+        return selection.missing_motion_text(document)
 
     def run(self, document):
         from ..panels import improve_panel, selection

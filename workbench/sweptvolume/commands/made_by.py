@@ -16,7 +16,7 @@ class Command(BaseCommand):
     def missing(self, document):
         from ..panels import selection
 
-        return selection.wanting_envelope(document)
+        return selection.missing_envelope_text(document)
 
     def run(self, document):
         from ..panels import made_panel, selection

@@ -32,7 +32,7 @@ class Command(BaseCommand):
         if self.find(document) is not None:
             return ""
         if not objects_of_kind(document, Envelope.KIND):
-            return selection.wanting_envelope(document)
+            return selection.missing_envelope_text(document)
         return translate(
             "SweptVolume",
             "All envelopes are up to date. To compute one of them again anyway, select it.",

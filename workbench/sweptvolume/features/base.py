@@ -60,11 +60,11 @@ class Feature:
     def onDocumentRestored(self, obj):
         self.add_properties(obj)
         with quietly(obj):
-            renamed.take_over(obj, renamed.RENAMED.get(self.KIND, {}))
+            renamed.move_values(obj, renamed.RENAMED.get(self.KIND, {}))
 
     def look(self, obj):
-        """Compares the present inputs with those of the stored result, if there is one, and sets
-        the state."""
+        """If there is a stored result, compares its inputs with the present ones, and sets the
+        state."""
 
     def dumps(self):
         return None
@@ -122,7 +122,7 @@ def stored(text, shape):
 
 
 def kind_of(obj):
-    """Returns the KIND of our proxy of an object, or "" for other objects."""
+    """Returns the KIND of an object of this workbench, or "" for other objects."""
     return getattr(getattr(obj, "Proxy", None), "KIND", "")
 
 

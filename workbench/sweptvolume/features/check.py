@@ -39,7 +39,7 @@ class Check(Result):
     def onChanged(self, obj, name):
         missing.changed(obj, name)
 
-    def shortened(self, obj):
+    def shorten_links(self, obj):
         """Rewrites the links of the check and of its rules so that they begin below the groups
         around the check."""
         if PARTS_PROPERTY in obj.PropertiesList:
@@ -96,7 +96,7 @@ def _rename(obj, plan):
 
 
 def keep(obj, hash_at_start):
-    """Marks the result, which was just written, as the result of the inputs with this hash."""
+    """Stores that the result that was just written belongs to the inputs with this hash."""
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     follow_all_visible(obj)
     update_status(obj)

@@ -2,8 +2,8 @@
 """Clearance check: smallest distances of a moving part from its neighbours, kept in the document.
 
 As with the envelope, `execute` only updates the state. A run consists of Plan.request(), work() and
-apply(). The distances are those of the true motion. If an envelope is given, its points are
-coloured by distance; it does not affect the distances.
+apply(). The distances are measured along the motion, not on an envelope. If an envelope is given,
+its points are coloured by distance.
 """
 import json
 import sys
@@ -35,7 +35,7 @@ from .clearance_table import summary, worst
 TYPE = "App::FeaturePython"
 FAR = 1e9  # mm, distance if there is no neighbour
 
-#: Verdict of the core -> text for people.
+#: Verdict of the core -> text for users.
 VERDICTS = {
     "clear": QT_TRANSLATE_NOOP("SweptVolume", "Clear"),
     "below": QT_TRANSLATE_NOOP("SweptVolume", "Below required"),
@@ -44,7 +44,7 @@ VERDICTS = {
 }
 _POINT = (float, float, float)
 POSE = {"translation": _POINT, "quaternion_xyzw": (float,) * 4}
-#: The parts of a row in a stored report that are used, with their shapes (base.fits()).
+#: The entries of a row in a stored report that are used, with their shapes (base.fits()).
 ROW = {
     "name": str,
     "verdict": set(VERDICTS),
@@ -79,11 +79,11 @@ class Clearance(Check):
         return summary(report)
 
     def onDocumentRestored(self, obj):
-        of_before = "Seen" not in obj.PropertiesList
+        from_old_version = "Seen" not in obj.PropertiesList
         with quietly(obj):
             super().onDocumentRestored(obj)
             containers.shorten(obj)  # documents of earlier versions may have circular links
-            if of_before:
+            if from_old_version:
                 follow_all_visible(obj)
                 plan = Plan.of(obj)
                 status.renew(obj, status.hash_or_problem(plan.hash_of_before)[0], plan.hash())

@@ -8,7 +8,7 @@ from ..texts import translate
 from . import containers, missing, neighbour_rules, renamed, row_names, status
 from . import envelope as envelope_feature
 from .base import set_changed
-from .moving import Moving, Seen
+from .moving import BodyInFrame, Moving
 from .still_parts import StillParts, chord_of, has_surface, left_out_text, listed, no_neighbour
 
 
@@ -89,7 +89,7 @@ class Plan(StillParts):
             {name: getattr(obj, name).Value for name in cls.SETTINGS},
             obj.Envelope,
         )
-        plan.rules = plan.asked_of(obj, neighbour_rules)
+        plan.rules = plan.rules_of(obj, neighbour_rules)
         return plan
 
     def write(self, obj):
@@ -154,11 +154,12 @@ class Plan(StillParts):
         return [text.format(listed(names))]
 
     def seen(self):
-        """As mechanism_plan.Plan.seen(), for all moving parts."""
+        """Returns the same as mechanism_plan.Plan.seen(), but one entry for all moving parts
+        together."""
         moving = self.moving()
         body = convert.body_from(self.pairs, self.seen_deflection())
-        way = moving.way()
-        return [(Seen(body, way.into_base), way.course())]
+        rigid = moving.rigid_motion()
+        return [(BodyInFrame(body, rigid.into_base), rigid.course())]
 
     def rename(self, report):
         """Updates the names in the rows of a report to the present labels of the parts. Returns
@@ -196,8 +197,8 @@ class Plan(StillParts):
         return self._words
 
     def checked_hash(self):
-        """As hash(), but raises InputProblem, whose text says why inputs are unusable. Any thread,
-        if the words were prepared() for that."""
+        """Returns the same as hash(), but raises InputProblem if inputs are unusable; its text says
+        why. Any thread may call this after contents.prepared() was called for the words."""
         return status.VERSION + contents.short(contents.texts(self.words()))
 
     def hash_of_before(self):
@@ -215,12 +216,12 @@ class Plan(StillParts):
         moving = self.moving()
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         straight = 0.5 * float(self.values["Accuracy"])
-        way, parts = moving.way(), convert.body_from(self.pairs, deflection)
-        body = way.request(Seen(parts, way.into_base, moving.motion), straight, {})
-        chord = chord_of(self.pairs, deflection) + (straight if way.curved() else 0.0)
+        rigid, parts = moving.rigid_motion(), convert.body_from(self.pairs, deflection)
+        body = rigid.request(BodyInFrame(parts, rigid.into_base, moving.motion), straight, {})
+        chord = chord_of(self.pairs, deflection) + (straight if rigid.curved() else 0.0)
         neighbours, notes, ignored = self.still_parts(deflection)
         notes += self.moved_too()
-        off, text = way.hidden()
+        off, text = rigid.frame_deviation()
         if off > float(self.values["Accuracy"]):
             notes.append(text)
         if moving.motion.Message:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Links from our objects to parts in groups (App::Part and similar). A group depends on its
-contents. So a link that begins at a group around its own object would be circular. A link through a
-group also breaks if the part leaves the group. Therefore our links begin at the part itself, below
-all groups. Such a link does not report moves of a group; _Observer does.
+"""Links from objects of this workbench to parts in groups (App::Part and similar). A group depends
+on its contents. So if an object is in a group, a link from this object to the group would be
+circular. A link through a group also breaks if the part leaves the group. Therefore these links
+begin at the part itself, below all groups. Such a link does not report moves of a group; _Observer
+does.
 """
 import FreeCAD as App
 
@@ -16,10 +17,10 @@ _LISTS, _SINGLES = ("MovingParts", "Neighbours", "Parts"), ("Reference",)
 _observer = None
 
 
-def is_held(obj):
-    """Returns whether a group or a link array holds an object and shows it."""
+def is_contained(obj):
+    """Returns whether a group or a link array contains an object and shows it in the tree."""
     lists = [getattr(user, "Group", []) + getattr(user, "ElementList", []) for user in obj.InList]
-    return any(obj in held for held in lists)
+    return any(obj in members for members in lists)
 
 
 def standing(document):
@@ -28,7 +29,9 @@ def standing(document):
 
     Document.RootObjects is not suitable: it contains only objects that no other object refers to.
     """
-    return [o for o in document.Objects if not kind_of(o) and _has_geometry(o) and not is_held(o)]
+    return [
+        o for o in document.Objects if not kind_of(o) and _has_geometry(o) and not is_contained(o)
+    ]
 
 
 def _has_geometry(obj):
@@ -66,7 +69,7 @@ def links_for(holder, pairs):
     outer, found, waiting = around(holder), [], list(reversed(pairs))
     while waiting:
         root, sub = waiting.pop()
-        child = _held_by(root, sub)
+        child = _member_on_path(root, sub)
         if child is not None:
             waiting.append((child, sub.split(".", 1)[1]))
         elif root not in outer or sub:
@@ -77,7 +80,7 @@ def links_for(holder, pairs):
     return found
 
 
-def _held_by(root, sub):
+def _member_on_path(root, sub):
     """Returns the direct member of the group `root` through which a path leads, or None if the path
     leads through a link."""
     if "." not in sub or "Group" not in root.PropertiesList:
@@ -87,7 +90,8 @@ def _held_by(root, sub):
 
 
 def set_pairs(holder, name, pairs):
-    """Writes pairs into one of our link properties if they differ from its value."""
+    """Writes pairs into a link property of an object of this workbench if they differ from its
+    value."""
     links = links_for(holder, pairs)
     if name in _SINGLES:
         links = links[:1]
@@ -100,13 +104,14 @@ def set_pairs(holder, name, pairs):
 
 
 def shorten(holder):
-    """Rewrites the links of one of our objects so that they begin below the groups around it."""
+    """Rewrites the links of an object of this workbench so that they begin below the groups around
+    it."""
     for name in _LISTS + _SINGLES:
         if name in holder.PropertiesList:
             set_pairs(holder, name, convert.pairs_of(getattr(holder, name)))
-    shortened = getattr(holder.Proxy, "shortened", None)
-    if shortened is not None:
-        shortened(holder)
+    shorten_links = getattr(holder.Proxy, "shorten_links", None)
+    if shorten_links is not None:
+        shorten_links(holder)
 
 
 def _touch_checks(document, but=None):
@@ -118,42 +123,42 @@ def _touch_checks(document, but=None):
 
 
 def _touch_users(obj):
-    """Touches our objects that use an object or a group around it."""
+    """Touches the objects of this workbench that use an object or a group around it."""
     for used in [obj] + around(obj):
         for ours in used.InList:
             if kind_of(ours):
                 ours.touch()
 
 
-def _tell_what_names(obj):
-    """Updates our objects that show the label of an object. FreeCAD does not recompute them after a
-    change of a label. Undo restores the texts by itself."""
+def _update_labels_in_users(obj):
+    """Updates the objects of this workbench that show the label of an object. FreeCAD does not
+    recompute them after a change of a label. Undo restores the texts by itself."""
     for ours in obj.InListRecursive:
         if kind_of(ours) and ours.Proxy.NAMES_PARTS:
             if ours.Document.Transacting:
                 ours.touch()
             else:
-                status.look_again(ours)
+                status.compare_again(ours)
 
 
-def _look_behind(broken):
-    """Updates our objects that depend on a failed object. FreeCAD's recompute stops at the failed
-    object and does not reach them. An example is a link that shows nothing because its target,
-    or the target's document, is gone."""
+def _update_users_of_failed(broken):
+    """Updates the objects of this workbench that depend on a failed object. FreeCAD's recompute
+    stops at the failed object and does not reach them. An example is a link that shows nothing
+    because its target, or the target's document, is gone."""
     for ours in broken.InListRecursive:
         if kind_of(ours):
-            status.look_again(ours)
-            status.tell_users(ours)
+            status.compare_again(ours)
+            status.update_users(ours)
 
 
 class _Observer:
-    """Notices changes that FreeCAD's links do not report: objects that enter or leave a group,
-    groups that are moved, objects that are shown, hidden, renamed or created, and inputs that
-    fail. After Undo it only touches objects, because Undo restores the links itself.
+    """Notices changes that FreeCAD's links do not report: objects are added to a group or removed
+    from it, groups are moved, objects are shown, hidden, renamed or created, and inputs fail. After
+    Undo, it only marks objects as touched, because Undo restores the links itself.
 
-    Runs at each change of any property. With it, a change of a length takes 58 us of CPU instead of
-    55, of a placement 8 instead of 4, of a name 36 instead of 28. A recompute of 1,000 objects
-    takes no longer.
+    Runs at each change of any property. CPU time of a change with and without this observer: 58 and
+    55 us for a length, 8 and 4 us for a placement, 36 and 28 us for a name. A recompute of 1,000
+    objects takes no longer.
 
     Without it, results would stay "Up to date" after a group was moved, a part hidden, or a link's
     target lost (test_states_in_groups.py, test_states_of_other_documents.py)."""
@@ -165,8 +170,8 @@ class _Observer:
         if document.Restoring:
             return
         if name == "Label":
-            _tell_what_names(obj)
-        elif name in ("Visibility", "VisibilityList"):  # VisibilityList is that of a link array
+            _update_labels_in_users(obj)
+        elif name in ("Visibility", "VisibilityList"):  # VisibilityList: property of a link array
             if not kind_of(obj):
                 _touch_users(obj)
         elif hasattr(obj, "Group"):
@@ -190,11 +195,11 @@ class _Observer:
             return
         for obj in document.Objects:
             if "Invalid" in obj.State:
-                _look_behind(obj)
+                _update_users_of_failed(obj)
 
     def slotDeletedObject(self, obj):  # noqa: N802
-        """Removes our links to a deleted object. Undo may delete an object that they still hold,
-        because they were set outside the undo record."""
+        """Removes links to a deleted object from checks. Undo may delete an object to which such a
+        link still leads, because the links are set outside the undo record."""
         for check in set(obj.InList):
             if kind_of(check) and obj in getattr(check, "Seen", []):
                 check.Seen = [seen for seen in check.Seen if seen is not obj]

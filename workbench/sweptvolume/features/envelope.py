@@ -43,7 +43,7 @@ NOTES = {
     "Conservative",
     "CpuSampler",
 }
-#: The parts of a stored report that are used, with their shapes (base.fits()).
+#: The entries of a stored report that are used, with their shapes (base.fits()).
 REPORT = {
     "cell": float,
     "backend": str,
@@ -105,11 +105,11 @@ class Envelope(Result):
         made_by.changed(obj, name)
 
     def onDocumentRestored(self, obj):
-        of_before = "Placed" not in obj.PropertiesList
+        from_old_version = "Placed" not in obj.PropertiesList
         with quietly(obj):
             super().onDocumentRestored(obj)
             containers.shorten(obj)  # documents of earlier versions may have circular links
-            if of_before:
+            if from_old_version:
                 status.remember_place(obj)
                 plan = Plan.of(obj)
                 status.renew(obj, status.hash_or_problem(plan.hash_of_before)[0], plan.hash())
@@ -120,8 +120,8 @@ def is_envelope(obj):
 
 
 def work(requests, union_options, control, compute=core.compute):
-    """Computes one envelope, or for several groups of parts their envelopes and the outer surface
-    of all of them. Any thread.
+    """Computes one envelope. For several groups of parts, computes an envelope for each and the
+    outer surface of all. Any thread.
 
     `compute` runs one request. Raises core.CoreError.
     """
@@ -225,14 +225,14 @@ def apply(obj, outcome, hash_at_start):
     made_by.keep(obj, outcome)
     kept.keep(obj.Document, outcome.key, outcome)
     update_status(obj)
-    status.tell_users(obj)
+    status.update_users(obj)
 
 
 def fail(obj, text, tried, cancelled=False):
     """Stores the error of a run without a result; the stored mesh is kept. tried: hash of the
     inputs of the run."""
     status.mark_failure(obj, Plan.of(obj).hash, text, tried, cancelled)
-    status.tell_users(obj)
+    status.update_users(obj)
 
 
 def compute(obj, control=None):
@@ -272,6 +272,6 @@ def make_envelope(document, generators, motion, label=None, **settings):
     obj.Motion = motion
     for name, value in settings.items():
         setattr(obj, name, value)
-    Plan.of(obj).tell_motions()
+    Plan.of(obj).assign_parts()
     attach_view(obj, "sweptvolume.views.envelope_view:EnvelopeView")
     return obj

@@ -19,7 +19,7 @@ MOST_CELLS = 8000
 #: Largest deviation of the straight segments that approximate a smooth motion, in cells.
 STRAIGHT = 0.02
 #: Deflection of solids for the closer estimate, as a fraction of the part's size.
-LOOK_DEFLECTION = 2e-3
+TRIAL_DEFLECTION = 2e-3
 
 
 class Plan:
@@ -65,14 +65,14 @@ class Plan:
         containers.set_pairs(obj, "MovingParts", self.pairs)
         obj.Motion = self.motion
         obj.Motions = self.motions
-        self.tell_motions()
+        self.assign_parts()
         containers.set_pairs(obj, "Reference", [self.reference] if self.reference else [])
         obj.ReferenceMotion = self.reference_motion
         for name, value in self.values.items():
             if getattr(getattr(obj, name), "Value", getattr(obj, name)) != value:
                 setattr(obj, name, value)
 
-    def tell_motions(self):
+    def assign_parts(self):
         """Assigns the moving parts to motions that have no parts yet."""
         for motion in {m.Name: m for m in self.motions or [self.motion] if m is not None}.values():
             if is_motion(motion):
@@ -130,7 +130,7 @@ class Plan:
         return found
 
     def options(self):
-        """Returns the settings in the form of the core. Raises CoreError, CoreMissing."""
+        """Returns the settings as the core takes them. Raises CoreError, CoreMissing."""
         found = self._settings()
         if "accuracy" in found:
             # The envelopes of several groups are sampled again to join them. Each of the two
@@ -158,8 +158,8 @@ class Plan:
         return self._words
 
     def checked_hash(self, without=()):
-        """As hash(), but raises InputProblem, whose text says why inputs are unusable. Any thread,
-        if the words were prepared() for that."""
+        """Returns the same as hash(), but raises InputProblem if inputs are unusable; its text says
+        why. Any thread may call this after contents.prepared() was called for the words."""
         return status.VERSION + self._hash(contents.texts(self.words()), without)
 
     def hash_of_before(self):
@@ -172,15 +172,15 @@ class Plan:
         for name in ("backend", "sources") + tuple(without):
             del options[name]
         if not options["position_filter"]:
-            # With a filter of 0, the hash equals that of documents without this property.
+            # With a filter of 0, the hash is the same as in documents without this property.
             del options["position_filter"]
         options = json.dumps(contents.steady(options), sort_keys=True)
         words = [options, repr(contents.steady(self.values["MeshDeflection"]))]
         return contents.short(words + inputs)
 
     def cell(self, groups):
-        """Returns the cell size (mm): the given one, or the one from the resolution and the
-        bounding boxes of the parts."""
+        """Returns the cell size (mm): the given size, or else a size computed from the resolution
+        and the bounding boxes of the parts."""
         given = self.options()["cell"]
         if given > 0:
             return given
@@ -205,7 +205,8 @@ class Plan:
         return [g.body_request(deflection, STRAIGHT * cell, options, read) for g in groups]
 
     def coarse_requests(self, cells):
-        """As requests(), for a quick preview: `cells` along the longest side, not simplified."""
+        """Returns requests() for a quick preview: with `cells` cells along the longest side, and
+        without simplification."""
         values = dict(
             self.values,
             Accuracy=0.0,
@@ -225,7 +226,7 @@ class Plan:
         groups, found = self.groups(), []
         cell = self.cell(groups)
         for group in groups:
-            off, text = group.hidden()
+            off, text = group.frame_deviation()
             if off > cell:
                 found.append({"code": "FramesFarApart", "text": text})
             if group.motion.Message:
@@ -239,8 +240,8 @@ class Plan:
         )
 
     def estimate(self):
-        """Estimates the run from the outermost points of the parts. Returns the dict of the core.
-        Grid and cell are those of the run."""
+        """Estimates the run from the outermost points of the parts. Returns the core's estimate
+        (dict). Its grid and cell are the same as in the run."""
         groups, options = self.groups(), self.options()
         if len(groups) > 1:
             options["cell"] = self.cell(groups)
@@ -261,7 +262,7 @@ class Plan:
         groups = self.groups()
         size = min(float(np.ptp(group.corners(), axis=0).max()) for group in groups)
         outlines = [group.outline() for group in groups]
-        requests = self.requests(LOOK_DEFLECTION * size, read)
+        requests = self.requests(TRIAL_DEFLECTION * size, read)
 
         def found(control):
             for outline in outlines:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Improves a motion: reads the document, runs the core, and creates a new motion beside the given
-one."""
+"""Improves a motion: reads the document, runs the core, and creates a new motion. The given motion
+does not change."""
 import numpy as np
 
 from .. import convert, core, core_paths
@@ -29,7 +29,7 @@ class ImprovePlan:
         return [root for root, _ in self.pairs] + [self.motion]
 
     def request(self):
-        """Returns the run as plain values. Raises InputProblem."""
+        """Returns the inputs of the run as plain values. Raises InputProblem."""
         if self.motion.Interpolation == "None":
             raise InputProblem(
                 translate(
@@ -92,7 +92,7 @@ def work(request, control):
 
 
 def make(plan, outcome):
-    """Creates the improved motion beside the given one."""
+    """Creates the improved motion. The given motion does not change."""
     names = {core_name: name for name, core_name in INTERPOLATIONS.items() if name != "Spline"}
     label = translate("SweptVolume", "{0}, improved").format(plan.motion.Label)
     kind = names[outcome.report["interpolation"]]

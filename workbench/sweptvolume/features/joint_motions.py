@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Creates the motions of all parts that one driver or simulation moves, and reads them again. All
-parts are recorded in one run of the source."""
+"""Creates the motions of all parts that one driver or simulation moves, and updates them. All parts
+are recorded in one run of the source."""
 from .. import convert
 from ..convert import InputProblem
 from ..texts import translate
@@ -39,9 +39,9 @@ def take(document, settings, run):
             "SweptVolume",
             '"{0}" is left out, because it is visible only through a link: add its parts '
             "directly to the assembly, not as a link.",
-        ).format(convert.label_of(*place))
-        for place, obj in zip(moved, objects)
-        if convert.root_path(obj) != place
+        ).format(convert.label_of(*pair))
+        for pair, obj in zip(moved, objects)
+        if convert.root_path(obj) != pair
     ]
     named = [(p, o) for p, o in zip(moved, objects) if convert.root_path(o) == p]
     if not named:
@@ -55,8 +55,8 @@ def take(document, settings, run):
         if is_of_source(obj, settings) and len(obj.SourceObjects) == 2
     }
     motions = []
-    for place, part in named:
-        poses = run.poses_at(place)
+    for pair, part in named:
+        poses = run.poses_of_part(pair)
         poses.moved = [other for _, other in named if other is not part]
         own = sources.Settings(
             settings.kind, objects=[settings.objects[0], part], **settings.values
@@ -66,12 +66,12 @@ def take(document, settings, run):
             motions.append(known[part])
         else:
             motions.append(motion_feature.motion_of_read(document, own, poses))
-            motions[-1].Label = motion_feature.label_for([place])
+            motions[-1].Label = motion_feature.label_for([pair])
     return motions, notes
 
 
 def of_source(document, settings):
-    """Runs the source, and returns what take() returns."""
+    """Runs the source, and returns the result of take()."""
     return take(document, settings, begin(document, settings).run())
 
 
@@ -95,14 +95,14 @@ def reload(obj):
     moved = convert.targets(run.moved())
     for each in motions:
         part = each.SourceObjects[1]
-        poses = run.poses_at(convert.root_path(part))
+        poses = run.poses_of_part(convert.root_path(part))
         poses.moved = [other for other in moved if other is not part]
         motion_feature.take(each, motion_source.inside(each, poses))
 
 
 def sources_in(document):
-    """Returns the sources of the document that move several parts, each once: those of its motions,
-    and its simulations."""
+    """Returns the sources that move several parts, each once: the sources of the document's
+    motions, and its simulations."""
     found = []
     for obj in objects_of_kind(document, motion_feature.Motion.KIND):
         if obj.SourceType in sources.FROM_JOINTS and obj.SourceObjects:

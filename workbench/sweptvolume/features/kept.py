@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Keeps the last simplified envelope so that it can be simplified to another tolerance.
 
-Keeps only one, because it is large, until its document is closed. Only for the GUI thread.
+Keeps only one envelope, because envelopes are large, and only until its document is closed. Only
+for the GUI thread.
 """
 import FreeCAD as App
 
@@ -27,7 +28,7 @@ def keep(document, key, outcome):
 
 
 def find(document, key):
-    """Returns the argument for core.recut(), or None."""
+    """Returns the argument for core.recut(), or None if no envelope with this key is kept."""
     return _last[2] if _last is not None and _last[:2] == (document.Name, key) else None
 
 

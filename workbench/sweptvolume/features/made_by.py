@@ -126,9 +126,9 @@ def keep(obj, outcome):
 
 def _remember(obj, record):
     global _observer
-    place = obj.Document.Name, obj.Name
-    others = [known for known in _kept.get(place, []) if known.key != record.key]
-    _kept[place] = [record] + others[: MOST_KEPT - 1]
+    names = obj.Document.Name, obj.Name
+    others = [known for known in _kept.get(names, []) if known.key != record.key]
+    _kept[names] = [record] + others[: MOST_KEPT - 1]
     if _observer is None:
         _observer = _Observer()
         App.addDocumentObserver(_observer)
@@ -154,13 +154,14 @@ def find(obj):
 
 def _rename(obj, record):
     """Updates labels and paths in a record, so that they stay correct after renaming and
-    regrouping. If the result is up to date, its parts are in the order of the inputs."""
+    regrouping. If the result is up to date, its parts have the order of the inputs, which
+    identifies them."""
     if obj.Status != UP_TO_DATE:
         for part in record.parts:
-            place = row_names.pair_at(obj.Document, [part["root"], part["sub"]])
+            pair = row_names.pair_at(obj.Document, [part["root"], part["sub"]])
             # Another object may have got the name of a deleted part.
-            if place and part.get("id") in (None, convert.object_id(*place)):
-                part["label"] = convert.label_of(*place)
+            if pair and part.get("id") in (None, convert.object_id(*pair)):
+                part["label"] = convert.label_of(*pair)
         return
     now = [
         dict(convert.owner(root, path), motion=group.motion.Name)
@@ -212,5 +213,5 @@ def text_of(answer):
 
 class _Observer:
     def slotDeletedDocument(self, document):  # noqa: N802
-        for place in [place for place in _kept if place[0] == document.Name]:
-            del _kept[place]
+        for names in [names for names in _kept if names[0] == document.Name]:
+            del _kept[names]

@@ -25,7 +25,7 @@ from .mechanism_properties import INPUT, RESULT
 
 TYPE = "App::FeaturePython"
 
-#: The parts of a stored report that are used, with their shapes (base.fits()).
+#: The entries of a stored report that are used, with their shapes (base.fits()).
 REPORT = {
     "summary": str,
     "required": float,
@@ -72,7 +72,7 @@ class Outcome:
 def work(request, control):
     """Runs the check, in any thread. Raises core.CoreError, InputProblem."""
     rows = request.rows()
-    options = dict(request.options, rules=request.asked())
+    options = dict(request.options, rules=request.own_rules())
     report = core.mechanism(rows, options, control)
     places = {part.name: part.place for part in request.parts}
     report["places"] = [places[name] for name in report["parts"]]

@@ -11,32 +11,32 @@ from ..trajectory.poses import Poses, at_time
 from . import containers, missing, pair_rules, renamed, row_names, status
 from . import motion as motion_feature
 from .base import set_changed, whole
-from .moving import Seen, grouped
+from .moving import BodyInFrame, grouped
 from .still_parts import StillParts, chord_of, left_out_text
 
 
 class Part:
     """A part of a mechanism. name: different for each part; pair: (root, sub); body: a
-    convert.Body; chord: largest deviation of its triangles from its surface (mm); way: a
-    moving.Way, or None if the part stands still; straight: largest deviation of straight segments
+    convert.Body; chord: largest deviation of its triangles from its surface (mm); rigid: a
+    moving.RigidMotion, or None if the part stands still; straight: largest deviation of straight segments
     from a curved path (mm)."""
 
-    def __init__(self, name, pair, body, chord, way=None, straight=0.0):
+    def __init__(self, name, pair, body, chord, rigid=None, straight=0.0):
         self.name, self.pair, self.body, self.chord = name, pair, body, chord
         self.place = row_names.place_of(*pair)
-        self._way, self._straight = way, straight
+        self._rigid, self._straight = rigid, straight
 
     def moves(self):
-        return self._way is not None
+        return self._rigid is not None
 
     @property
     def run(self):
         """Returns the motion as core.Request, or None if the part stands still. Any thread. Raises
         InputProblem."""
-        return self._way.request(self.body, self._straight, {}) if self.moves() else None
+        return self._rigid.request(self.body, self._straight, {}) if self.moves() else None
 
     def row(self):
-        """Returns the part in the form of core.mechanism(). Any thread. Raises InputProblem."""
+        """Returns the part as core.mechanism() takes it. Any thread. Raises InputProblem."""
         arrays = self.name, self.body.vertices, self.body.triangles
         run = self.run
         if run is None:
@@ -58,9 +58,9 @@ class Part:
 class Request:
     """Input of one check as plain arrays, independent of any document."""
 
-    def __init__(self, parts, ways, rules, all_visible, options, notes):
+    def __init__(self, parts, rigid_motions, rules, all_visible, options, notes):
         self.parts = parts
-        self.ways = ways  # a moving.Way for each group
+        self.rigid_motions = rigid_motions  # a moving.RigidMotion for each group
         self.rules = rules  # {key of pair_rules: Rule}
         self.all_visible = all_visible
         self.options = options
@@ -69,7 +69,7 @@ class Request:
     def rows(self):
         """Returns the parts for the core. Any thread. If AllVisible is set, a part that stands
         still and gives no triangles is left out with a note; otherwise raises InputProblem."""
-        rows, kept, far = [], [], [way.hidden() for way in self.ways]
+        rows, kept, far = [], [], [rigid.frame_deviation() for rigid in self.rigid_motions]
         self.notes[:0] = [text for off, text in far if off > self.options["tolerance"]]
         for part in self.parts:
             try:
@@ -82,7 +82,7 @@ class Request:
         self.parts, self.notes = kept, list(dict.fromkeys(self.notes))
         return rows
 
-    def asked(self):
+    def own_rules(self):
         """Returns (name, name, rule) for the pairs that have their own rule."""
         found = []
         for one, other in itertools.combinations(self.parts if self.rules else [], 2):
@@ -118,7 +118,7 @@ class Plan(StillParts):
             obj.AllVisible,
             {name: getattr(obj, name).Value for name in cls.SETTINGS},
         )
-        plan.pair_rules = plan.asked_of(obj, pair_rules)
+        plan.pair_rules = plan.rules_of(obj, pair_rules)
         return plan
 
     def write(self, obj):
@@ -218,7 +218,7 @@ class Plan(StillParts):
         return status.hash_or_problem(self.checked_hash)[0]
 
     def words(self):
-        """As clearance_plan.Plan.words()."""
+        """Returns the same as clearance_plan.Plan.words()."""
         if self._words is None:
             self._words = self._words_now()
         return self._words
@@ -241,15 +241,15 @@ class Plan(StillParts):
             raise InputProblem(text)
 
     def checked_hash(self):
-        """As clearance_plan.Plan.checked_hash()."""
+        """Returns the same as clearance_plan.Plan.checked_hash()."""
         return status.VERSION + contents.short(contents.texts(self.words()))
 
     def count_pairs(self):
-        """Returns the length of asked_pairs()."""
+        """Returns the length of checked_pairs()."""
         count = len(self.pairs)
         return count * (count - 1) // 2 + count * len(self.leaves())
 
-    def asked_pairs(self):
+    def checked_pairs(self):
         """Returns the pair_rules keys of all pairs that are checked: at least one part of each pair
         moves."""
         moving, still = self.pairs, self.leaves()
@@ -297,15 +297,18 @@ class Plan(StillParts):
         return whole(self.reading())
 
     def reading(self):
-        """As request(), but in steps: a generator whose return value is the Request. Between two
-        steps the window may handle events, but the document must not change (check_unchanged())."""
+        """Does the same as request(), but in steps: a generator whose return value is the Request.
+        Between two steps the window may handle events, but the document must not change
+        (check_unchanged())."""
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         tolerance = float(self.values["Accuracy"])
-        parts, ways, notes, names = [], [], [], self.names()
+        parts, rigid_motions, notes, names = [], [], [], self.names()
         for group in self.groups():
             yield
-            ways.append(group.way())
-            parts += self._moving_parts(group, ways[-1], names, deflection, 0.5 * tolerance)
+            rigid_motions.append(group.rigid_motion())
+            parts += self._moving_parts(
+                group, rigid_motions[-1], names, deflection, 0.5 * tolerance
+            )
             notes += [group.motion.Message] if group.motion.Message else []
         yield
         if self._has_standing():
@@ -325,27 +328,28 @@ class Plan(StillParts):
             "tolerance": tolerance,
             "range": float(self.values["Range"]),
         }
-        return Request(parts, ways, self.pair_rules, self.all_visible, options, notes)
+        return Request(parts, rigid_motions, self.pair_rules, self.all_visible, options, notes)
 
     def seen(self):
-        """Returns, for each moving part, what the pictures of the check need: its coarse mesh (a Seen),
-        and a function that returns its placement at a time (s). Raises InputProblem."""
+        """Returns, for each moving part, what the pictures of the check need: its coarse mesh (a
+        BodyInFrame), and a function that returns its placement at a time (s). Raises
+        InputProblem."""
         found, deflection = [], self.seen_deflection()
         for group in self.groups():
-            way = group.way()
-            course = way.course()
+            rigid = group.rigid_motion()
+            course = rigid.course()
             for pair in group.pairs:
-                body = Seen(convert.body_from([pair], deflection), way.into_base)
+                body = BodyInFrame(convert.body_from([pair], deflection), rigid.into_base)
                 found.append((pair, (body, course)))
         order = {pair: seen for pair, seen in found}
         return [order[pair] for pair in self.pairs]
 
-    def _moving_parts(self, group, way, names, deflection, straight):
+    def _moving_parts(self, group, rigid, names, deflection, straight):
         """Returns the parts of one motion. straight: the largest distance (mm) between a curved
         path and the straight segments that approximate it."""
-        parts, more = [], straight if way.curved() else 0.0
+        parts, more = [], straight if rigid.curved() else 0.0
         for pair in group.pairs:
-            body = Seen(convert.body_from([pair], deflection), way.into_base, group.motion)
+            body = BodyInFrame(convert.body_from([pair], deflection), rigid.into_base, group.motion)
             chord = chord_of([pair], deflection) + more
-            parts.append(Part(names[pair], pair, body, chord, way, straight))
+            parts.append(Part(names[pair], pair, body, chord, rigid, straight))
         return parts

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a mechanism check: type, name, help, default. The result properties are those
-of the clearance check."""
+"""The properties of a mechanism check: type, name, help, default. The result properties are the
+same as in the clearance check, except two."""
 from ..texts import QT_TRANSLATE_NOOP
 from . import clearance_properties
 from .neighbour_rules import PARTS_PROPERTY

@@ -5,13 +5,13 @@ from .. import quantities
 from ..texts import translate
 from . import clearance_table
 
-#: Titles that replace those of the clearance table, because both parts may move.
+#: Words that replace words in the titles of the clearance table, because both parts may move.
 _TITLES = {"Body": "First", "Neighbour": "Second"}
 
 
 def as_rows(report):
-    """Converts a report to the form of clearance_table: the first part of a pair becomes the body,
-    the second the neighbour."""
+    """Returns the rows of a report with the keys that clearance_table reads: the first part of a
+    pair becomes the body, the second the neighbour."""
     ignored = [" - ".join(pair) for pair in report["ignored"]]
     return dict(report, neighbours=[pair["clearance"] for pair in report["pairs"]], ignored=ignored)
 
@@ -31,7 +31,7 @@ def summary(report):
 
 
 def worst(report):
-    """As clearance_table.worst()."""
+    """Returns the same as clearance_table.worst()."""
     return clearance_table.worst(as_rows(report))
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Remembers inputs that were deleted. FreeCAD removes a deleted object from all links, and then
-nothing shows that an input is missing; a run could use another motion, or only the remaining
-parts. So each of our objects keeps the name of a deleted input until another one is chosen, or
+nothing shows that an input is missing; a run could use another motion, or only the remaining parts.
+So each object of this workbench keeps the name of a deleted input until another input is chosen, or
 until undo restores it.
 """
 import json
@@ -85,7 +85,8 @@ def check(holder):
 
 
 def forget(holder, name=None):
-    """Forgets the deleted inputs because new ones were chosen: all, or those of one property."""
+    """Forgets the deleted inputs of one property, or without a name all of them, because new inputs
+    were chosen."""
     found = _read(holder)
     if found:
         kept = [entry for entry in found if name is not None and entry["property"] != name]

@@ -45,7 +45,7 @@ class Motion(Feature):
             look(obj)
         except (InputProblem, core.CoreMissing) as problem:
             set_changed(obj, "Status", str(problem))
-            status.tell_users(obj)  # FreeCAD does not recompute the users of a failed object
+            status.update_users(obj)  # FreeCAD does not recompute the users of a failed object
             raise
         set_changed(obj, "Count", len(poses))
         span = poses.times[-1] - poses.times[0] if len(poses) else 0.0
@@ -55,15 +55,15 @@ class Motion(Feature):
         missing.changed(obj, name)
 
     def onDocumentRestored(self, obj):
-        of_before = "SourceCount" not in obj.PropertiesList
+        from_old_version = "SourceCount" not in obj.PropertiesList
         super().onDocumentRestored(obj)
-        if of_before:
-            motion_source.take_over(obj)
+        if from_old_version:
+            motion_source.convert_old_settings(obj)
         motion_source.show_settings(obj)
         if obj.SourceType == "File":  # the file may have changed while the document was closed
             look(obj)
             if obj.Status:
-                status.tell_users(obj)
+                status.update_users(obj)
 
 
 def look(obj):
@@ -192,7 +192,8 @@ def reload_source(obj):
 
 
 def take(obj, poses):
-    """Stores poses from the source of a motion, converted to the coordinates of the motion."""
+    """Stores poses that were read from the source of a motion. poses: in the coordinates of the
+    motion."""
     store(obj, poses)
     obj.SourceHash = motion_source.signature(obj)
 
@@ -262,7 +263,8 @@ def motion_from_objects(document, objects, interpolation="Linear", step=1.0):
 
 
 def capture(obj, placement, time=None):
-    """Adds a placement (in world coordinates) as the last pose. The motion then has stored poses."""
+    """Adds a placement (in world coordinates) as the last pose. If the motion has a source, it
+    loses the source."""
     times = list(obj.Times)
     if time is None:
         time = times[-1] + 1.0 if times else 0.0

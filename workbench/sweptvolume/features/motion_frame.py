@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Coordinates of motions in a group: the poses, and the line that is drawn, are in coordinates of
-the group."""
+"""The coordinates of a motion in a group: its poses and the line that shows it are in the
+coordinates of the group."""
 from ..convert import global_placement, root_path
 from ..trajectory.poses import Poses
 

@@ -13,8 +13,8 @@ from .motion_properties import NAMES, USED
 
 def settings_of(obj):
     """Returns the source of a motion object as a plain value. Raises InputProblem."""
-    # These settings come from a document of an earlier version and are damaged. Otherwise
-    # take_over() would have converted and removed them.
+    # Settings that are still stored as text are damaged. Otherwise convert_old_settings() would have
+    # converted and removed them.
     if obj.SourceSettings:
         raise sources.damaged()
     values = {key: getattr(obj, NAMES[key]) for key in USED.get(obj.SourceType, ())}
@@ -57,7 +57,7 @@ def show_settings(obj):
     obj.setEditorMode("SourceType", READ_ONLY)
 
 
-def take_over(obj):
+def convert_old_settings(obj):
     """Converts settings of documents of an earlier version, stored as hidden text, to properties.
     Damaged settings stay, and are reported when the source is read."""
     if obj.SourceType in USED:

@@ -26,28 +26,28 @@ class Run(Recording):
 
     def __init__(self, document, settings):
         self.leaves = _leaves(document)
-        places = [(root, above) for root, sub in self.leaves for above in convert.paths_to(sub)]
-        places += [convert.root_path(part) for part in settings.objects[1:]]
-        places = list(dict.fromkeys(places))
-        super().__init__(sources.run(settings, settings.objects[1:]), places)
+        pairs = [(root, above) for root, sub in self.leaves for above in convert.paths_to(sub)]
+        pairs += [convert.root_path(part) for part in settings.objects[1:]]
+        pairs = list(dict.fromkeys(pairs))
+        super().__init__(sources.run(settings, settings.objects[1:]), pairs)
 
-    def poses_at(self, place):
-        """Returns the poses of the part at `place`, as moved() gives it."""
-        return self.poses(self.places.index(place))
+    def poses_of_part(self, pair):
+        """Returns the poses of one of the parts that moved() returns."""
+        return self.poses(self.pairs.index(pair))
 
     def moved(self):
         """Returns (root, sub) of the parts that moved."""
         found = {
-            place: np.array([convert.matrix_of(p) for p in placements])
-            for place, placements in zip(self.places, self.placements)
+            pair: np.array([convert.matrix_of(p) for p in placements])
+            for pair, placements in zip(self.pairs, self.placements)
         }
 
-        def moves(place):
-            return change(found[place]) > STILL
+        def moves(pair):
+            return change(found[pair]) > STILL
 
-        def carries(place):
-            root, sub = place
-            back = np.linalg.inv(found[place])
+        def carries(pair):
+            root, sub = pair
+            back = np.linalg.inv(found[pair])
             below = [p for p in self.leaves if p[0] is root and p[1].startswith(sub)]
             return all(change(back @ found[p]) <= STILL for p in below)
 
@@ -64,13 +64,13 @@ class Run(Recording):
 
 
 def read(document, settings):
-    """As sources.read(). If the source moves several parts, `moved` of the poses lists the objects
-    that moved beside the recorded part."""
+    """Returns the same as sources.read(). If the source moves several parts, `moved` of the poses
+    lists the other objects that moved."""
     if settings.kind not in sources.FROM_JOINTS:
         return sources.read(settings)
     part = sources.watched(settings)
     run = Run(document, settings).run()
-    poses = run.poses_at(convert.root_path(part))
+    poses = run.poses_of_part(convert.root_path(part))
     others = convert.targets(run.moved())
     poses.moved = [obj for obj in dict.fromkeys(others) if obj is not part]
     return poses

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts that move rigidly together, their motion, and their reference part, converted from the
+"""Converts parts that move rigidly together, their motion and their reference part from the
 document to plain arrays for the core. Reads documents only in the GUI thread.
 """
 import FreeCAD as App
@@ -24,14 +24,16 @@ from . import motion as motion_feature
 
 
 def _in_world(motion, standing):
-    """Returns (poses, base): the poses of a motion in world coordinates, and the frame from which
-    the poses move a part whose present placement is `standing`."""
+    """Returns (poses, base). poses: those of the motion's pivot, in world coordinates. base: the
+    present placement of the frame that these poses move. standing: the present placement of the
+    part."""
     poses = motion_feature.world_poses_of(motion)
     base = base_of(poses, motion.PoseType, standing, motion_feature.container_of(motion))
     return poses.carried(), base.multiply(shift_to(poses.pivot))
 
 
-#: Deviation over one step, as a fraction of the deviation over two: it grows with the square.
+#: Deviation over one step, as a fraction of the deviation over two steps: the deviation grows with
+#: the square of the length.
 SINGLE_STEP = 0.25
 
 
@@ -43,7 +45,7 @@ def middle_of(pairs, placement):
     return App.Vector(*map(float, middle))
 
 
-class Seen:
+class BodyInFrame:
     """A convert.Body in another frame, for any thread. matrix: 4x4 from the world to that frame;
     motion: the object that moves the body, for its sources."""
 
@@ -82,7 +84,7 @@ def grouped(pairs, motions, *reference):
     return groups
 
 
-class Way:
+class RigidMotion:
     """The motion of parts that move rigidly together. Created in the GUI thread, where it reads the
     document; its methods then work in any thread. moving: a Moving that was checked."""
 
@@ -109,8 +111,8 @@ class Way:
         """Returns the placements of trajectory() as a function of time (s)."""
         return course(self.poses, self.interpolation)
 
-    def hidden(self):
-        """As Moving.hidden()."""
+    def frame_deviation(self):
+        """Returns the same as Moving.frame_deviation()."""
         if not self.from_joints or self.interpolation == "None":
             return 0.0, ""
         poses = self.poses
@@ -141,7 +143,7 @@ class Way:
         return between(placements[k - 1], placements[k + 1], u, self.interpolation)
 
     def trajectory(self, tolerance):
-        """As Moving.trajectory()."""
+        """Returns the same as Moving.trajectory()."""
         if not self.curved():
             return self.poses, INTERPOLATIONS[self.interpolation]
         at, knots = self.course(), self.poses.times
@@ -165,7 +167,7 @@ class Way:
         return seen, sorted(set(knots).union(inside)), kind == "None"
 
     def request(self, body, tolerance, options):
-        """Returns a run of the core for a body (of core.Request) in the base frame. tolerance: as
+        """Returns the core.Request that moves a body. The body is in the base frame. tolerance: as
         in trajectory()."""
         if tolerance not in self._found:
             poses, interpolation = self.trajectory(tolerance)
@@ -222,7 +224,8 @@ class Moving:
             )
 
     def words(self):
-        """Returns what identifies geometry and motion, as contents.words(). Raises InputProblem."""
+        """Returns what identifies geometry and motion: texts and apart.Apart objects, as from
+        contents.words(). Raises InputProblem."""
         self.check()
         words = contents.words(self.pairs) + motion_feature.words(self.motion)
         if self.reference_motion is not None:
@@ -242,25 +245,25 @@ class Moving:
             words += motion_feature.words_of_before(self.reference_motion)
         return words
 
-    def way(self):
-        """Returns the Way, which reads the document. Raises InputProblem."""
+    def rigid_motion(self):
+        """Returns the RigidMotion, which reads the document. Raises InputProblem."""
         self.check()
-        return Way(self)
+        return RigidMotion(self)
 
     def into_base(self):
         """Returns the 4x4 matrix from the present world coordinates to the frame to which the
         placements apply."""
-        return self.way().into_base
+        return self.rigid_motion().into_base
 
     def corners(self):
         """Returns the corners of the parts' bounding boxes in the base frame (k,3). Fast."""
         return convert.transform(self.into_base(), convert.box_corners(self.pairs))
 
-    def hidden(self):
+    def frame_deviation(self):
         """Returns (mm, text): how far the part may deviate from its interpolated path between two
         frames of a mechanism. The estimate compares each frame with the placement interpolated
         between the frames before and after it. 0 if the poses are keys."""
-        return self.way().hidden()
+        return self.rigid_motion().frame_deviation()
 
     def outline(self):
         """Returns a function for any thread. It returns the outermost points of the parts in the
@@ -276,20 +279,20 @@ class Moving:
 
     def course(self):
         """Returns the placements of trajectory() as a function of time (s)."""
-        return self.way().course()
+        return self.rigid_motion().course()
 
     def trajectory(self, tolerance):
         """Returns (Poses, interpolation of the core). tolerance: mm by which straight segments may
         deviate from a curved motion."""
-        return self.way().trajectory(tolerance)
+        return self.rigid_motion().trajectory(tolerance)
 
     def request(self, body, tolerance, options):
-        """Returns a run of the core for a body (of core.Request) in the base frame."""
-        return self.way().request(body, tolerance, options)
+        """Returns the core.Request that moves a body. The body is in the base frame."""
+        return self.rigid_motion().request(body, tolerance, options)
 
     def body_request(self, deflection, tolerance, options, read=convert.body_from):
-        """Returns a run of the core for the parts themselves. deflection: mm, for solids; read: a
-        function like convert.body_from()."""
-        way = self.way()
-        body = Seen(read(self.pairs, deflection), way.into_base, self.motion)
-        return way.request(body, tolerance, options)
+        """Returns the core.Request that moves the parts themselves. deflection: mm, for solids;
+        read: a function like convert.body_from()."""
+        rigid_motion = self.rigid_motion()
+        body = BodyInFrame(read(self.pairs, deflection), rigid_motion.into_base, self.motion)
+        return rigid_motion.request(body, tolerance, options)

@@ -30,7 +30,7 @@ class Rule:
         return self.kind != REQUIRED or self.length is not None
 
     def text(self):
-        """Returns the rule in the form of the core, or None for the common distance."""
+        """Returns the rule as the text that the core takes, or None for the common distance."""
         if self.kind == IGNORE:
             return "ignore"
         if self.kind == CONTACT:
@@ -64,8 +64,8 @@ def check(rule, label):
 
 
 def read(obj):
-    """Returns {(root, sub): Rule} of one of our objects. Raises InputProblem if the lengths of its
-    lists differ."""
+    """Returns the rules of an object as {(root, sub): Rule}. Raises InputProblem if the lengths of
+    its lists differ."""
     pairs = convert.pairs_of(obj.RuleParts)
     if not len(pairs) == len(obj.RuleKinds) == len(obj.RuleLengths):
         raise InputProblem(
@@ -79,8 +79,8 @@ def read(obj):
 
 
 def checked(obj, parts):
-    """Returns {key: Rule} from the kinds and lengths of one of our objects. parts: (key, label) of
-    each rule. Raises InputProblem."""
+    """Returns {key: Rule} from the kinds and lengths in an object's properties. parts: (key, label)
+    of each rule. Raises InputProblem."""
     rules = {}
     for (part, label), kind, length in zip(parts, obj.RuleKinds, obj.RuleLengths):
         rule = Rule(kind, length)
@@ -97,7 +97,7 @@ def checked(obj, parts):
 
 
 def write(obj, rules):
-    """Writes rules into one of our objects if they differ from its rules."""
+    """Writes rules into an object if they differ from its rules."""
     links, given = [], []
     for pair, rule in rules.items():
         for link in containers.links_for(obj, [pair]) if rule.asks() else []:
@@ -130,15 +130,15 @@ def of(rules, root, path):
 def merged(rules, shown, given, of=of):
     """Returns the rules after the user changed some. shown: all neighbours whose rules the user
     saw. given: {pair: Rule} of those that now have a rule. A neighbour whose rule was changed gets
-    a rule of its own, and rules of groups stay. Only if a neighbour in a group was set back to the
-    default, which no rule can say, the rules of its groups become rules of the other neighbours
-    shown."""
+    a rule of its own, and rules of groups stay. No rule can say that the default holds again. So if
+    a neighbour in a group was set back to the default, the group loses its rule, and its other
+    neighbours that are shown get this rule instead."""
     wanted = {pair: given.get(pair, Rule()) for pair in shown}
     freed = [p for p in shown if not wanted[p].asks() and of(rules, *p).asks()]
     found = {
-        held: rule
-        for held, rule in rules.items()
-        if not any(of({held: rule}, *pair).asks() for pair in freed)
+        key: rule
+        for key, rule in rules.items()
+        if not any(of({key: rule}, *pair).asks() for pair in freed)
     }
     own = {pair: rule for pair, rule in wanted.items() if of(found, *pair) != rule}
     return {**found, **own}

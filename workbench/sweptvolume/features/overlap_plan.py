@@ -23,7 +23,7 @@ class Plan:
         return convert.own_names(self.pairs)
 
     def words(self):
-        """As contents.words(). Raises InputProblem."""
+        """Returns contents.words() of all objects. Raises InputProblem."""
         return contents.words(self.pairs)
 
     def state(self):

@@ -21,8 +21,8 @@ def label_of(pair):
 
 
 def read(obj):
-    """Returns {key: Rule} of one of our objects. Raises InputProblem if the lengths of its lists do
-    not match."""
+    """Returns the rules of an object as {key: Rule}. Raises InputProblem if the lengths of its
+    lists do not match."""
     parts = convert.pairs_of(obj.RuleParts)
     if not len(parts) == 2 * len(obj.RuleKinds) == 2 * len(obj.RuleLengths):
         raise InputProblem(
@@ -37,7 +37,7 @@ def read(obj):
 
 
 def write(obj, rules):
-    """Writes rules into one of our objects if they differ from its rules."""
+    """Writes rules into an object if they differ from its rules."""
     given = []
     for (one, other), rule in rules.items():
         if rule.asks():
@@ -53,7 +53,7 @@ def of(rules, one, other):
     Raises InputProblem if two rules contradict each other and neither is more specific: one has
     the smaller group around the first part, the other around the second."""
     # The rules that apply: (lengths of the paths to both groups, rule, pair).
-    held = []
+    applying = []
     for pair, rule in rules.items():
         for a, b in (pair, pair[::-1]):
             holds = all(
@@ -61,8 +61,10 @@ def of(rules, one, other):
                 for (above, sub), (root, path) in ((a, one), (b, other))
             )
             if holds:
-                held.append(((len(a[1]), len(b[1])), rule, pair))
-    narrowest = [row for row in held if not any(_narrower(other[0], row[0]) for other in held)]
+                applying.append(((len(a[1]), len(b[1])), rule, pair))
+    narrowest = [
+        row for row in applying if not any(_narrower(other[0], row[0]) for other in applying)
+    ]
     for _, rule, pair in narrowest[1:]:
         if rule != narrowest[0][1]:
             raise _contradiction((one, other), narrowest[0][2], pair)
@@ -85,7 +87,7 @@ def _contradiction(parts, first, second):
 
 
 def merged(rules, shown, given):
-    """As neighbour_rules.merged(), for pairs."""
+    """Does the same as neighbour_rules.merged(), for pairs."""
     return neighbour_rules.merged(rules, shown, given, of)
 
 

@@ -15,7 +15,7 @@ from ..texts import translate
 from ..trajectory.poses import Poses, shift_to
 from . import clearance_plan, still_parts
 from . import motion as motion_feature
-from .moving import Seen, middle_of
+from .moving import BodyInFrame, middle_of
 
 #: Lengths in mm, the time limit in s, the largest turn in degrees.
 DEFAULTS = {
@@ -82,15 +82,15 @@ class PathPlan:
             )
 
     def request(self):
-        """Returns the search as plain values, and stores the pivot in the plan. Raises
-        InputProblem."""
+        """Returns the inputs of the search as plain values, and stores the pivot in the plan.
+        Raises InputProblem."""
         self.check()
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         body = convert.body_from(self.pairs, deflection)
         self.pivot = middle_of(self.pairs, body.placement)
         base = body.placement.multiply(shift_to(self.pivot))
         return core_paths.PathRequest(
-            Seen(body, matrix_of(base.inverse())),
+            BodyInFrame(body, matrix_of(base.inverse())),
             self._placed(self.goal if self.goal is not None else body.placement),
             self._still_parts(deflection),
             None if self.start is None else self._placed(self.start),
@@ -102,7 +102,7 @@ class PathPlan:
         return matrix_of(placement.multiply(shift_to(self.pivot)))
 
     def _still_parts(self, deflection):
-        """Returns the neighbours in the form of the core."""
+        """Returns the neighbours as core_paths.PathRequest takes them."""
         return rows_beside(self.document, self.pairs, self.neighbours, self.rules, deflection)
 
     def _options(self, deflection):
@@ -120,13 +120,13 @@ class PathPlan:
 
 
 def beside(document, pairs, neighbours=None):
-    """Returns a plan whose leaves() and still_parts() are the parts beside the moving ones.
+    """Returns a plan whose leaves() and still_parts() are the neighbours of the moving parts.
     neighbours None: all visible parts."""
     return clearance_plan.Plan(document, pairs, None, neighbours or [], neighbours is None, {})
 
 
 def rows_beside(document, pairs, neighbours, rules, deflection):
-    """Returns the neighbours in the form of core_paths.PathRequest."""
+    """Returns the neighbours as core_paths.PathRequest takes them."""
     still = beside(document, pairs, neighbours)
     still.rules = rules
     return [

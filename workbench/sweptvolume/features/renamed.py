@@ -33,7 +33,7 @@ def hashed(values):
     return json.dumps({_FORMER.get(k, k): v for k, v in values.items()}, sort_keys=True)
 
 
-def take_over(obj, names):
+def move_values(obj, names):
     """Moves the values of a restored object from properties with old names to those with the new
     names, which it already has, and removes the old properties. names: {old: new}."""
     names = {old: new for old, new in names.items() if old in obj.PropertiesList}
@@ -49,7 +49,7 @@ def take_over(obj, names):
         after = _without_object(text, names)
         if path in names or after != text:
             obj.setExpression(names.get(path, path), after)
-    _tell_readers(obj, names)
+    _update_readers(obj, names)
     from . import missing
 
     missing.rename(obj, names)
@@ -64,7 +64,7 @@ def _without_object(text, names):
     return re.sub(pattern, lambda found: found.group(1) + names[found.group(2)], text)
 
 
-def _tell_readers(obj, names):
+def _update_readers(obj, names):
     """Updates expressions of other objects, and cells of spreadsheets, that read the old names."""
     called = "|".join(map(re.escape, (obj.Name, "<<{}>>".format(obj.Label))))
     pattern = re.compile(r"(?<![\w.])({})\.({})\b".format(called, "|".join(names)))

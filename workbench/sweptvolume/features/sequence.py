@@ -22,7 +22,7 @@ TYPE = "App::FeaturePython"
 #: Number of obstacles named for a part, the worst first.
 MOST_NAMES = 3
 
-#: The parts of a stored report that are used, with their shapes (base.fits()).
+#: The entries of a stored report that are used, with their shapes (base.fits()).
 REPORT = {
     "verdict": {"found", "not_found", "no_order"},
     "required": float,
@@ -66,7 +66,7 @@ class Outcome:
 def work(request, control, seen=None):
     """Runs the search, in any thread. Raises core.CoreError, InputProblem."""
     rows = request.parts()
-    options = dict(request.options, rules=request.asked())
+    options = dict(request.options, rules=request.own_rules())
     order = request.search["Order"]
     report = core_paths.find_sequence(rows, request.standing(), order, options, control, seen)
     numbers = {row.part.name: k for k, row in enumerate(request.rows)}

@@ -2,8 +2,8 @@
 """Reads the inputs of a sequence from an object or a panel (parts in their order, each with a
 motion or a search, and parts that stand still), and converts them to plain values for the core.
 
-The goal of a part without a motion is its present placement. Its poses are those of its middle, as
-in path_plan."""
+The goal of a part without a motion is its present placement. The poses of a new path are poses of
+the part's middle, as in path_plan."""
 import itertools
 import math
 
@@ -14,10 +14,10 @@ from ..trajectory.poses import shift_to
 from . import mechanism_plan, pair_rules, path_plan, renamed, row_names, still_parts
 from .base import UP_TO_DATE
 from .mechanism_plan import Part
-from .moving import Moving, Seen, middle_of
+from .moving import BodyInFrame, Moving, middle_of
 
-#: Values of a search besides the settings of the object. Out: mm by which a part must be taken out.
-#: MostMoves: as in the command-line program; 0: no limit.
+#: Values of a search that the object does not store. Out: distance (mm) by which a part must be
+#: removed. MostMoves: as in the command-line program; 0: no limit.
 SEARCH = {
     "Order": "given",
     "Out": 100.0,
@@ -37,11 +37,11 @@ class Row:
         self.part, self.pivot, self.goal = part, pivot, goal
 
     def row(self, out):
-        """Returns the part in the form of the core. Any thread."""
+        """Returns the part as the core takes it. Any thread."""
         name, vertices, triangles, motion, interpolation, chord = self.part.row()
         extract = out if motion is None else None
-        places = self.goal, None, extract, []
-        return (name, vertices, triangles, chord, *places, motion, interpolation)
+        ends = self.goal, None, extract, []
+        return (name, vertices, triangles, chord, *ends, motion, interpolation)
 
 
 class Request:
@@ -58,7 +58,7 @@ class Request:
     def standing(self):
         return [(p.name, p.body.vertices, p.body.triangles, p.chord) for p in self.still]
 
-    def asked(self):
+    def own_rules(self):
         """Returns (name, name, rule) for the pairs that have their own rule. Raises InputProblem."""
         found = []
         moving = [row.part for row in self.rows]
@@ -74,8 +74,8 @@ class Request:
 
 class Plan(mechanism_plan.Plan):
     """motions: one for each of pairs, None if a path is searched for; search: values of SEARCH;
-    steps: those of the stored report in the order of the parts, or none if the report is out of
-    date; known: hash of the inputs of the stored report."""
+    steps: steps of the stored report in the order of the parts, empty if the report is out of date;
+    known: hash of the inputs of the stored report."""
 
     SETTINGS = ("RequiredDistance", "ReleaseDistance", "Accuracy", "MeshDeflection")
 
@@ -126,7 +126,7 @@ class Plan(mechanism_plan.Plan):
         return groups
 
     def words(self):
-        """As clearance_plan.Plan.words(), but the order of the parts matters."""
+        """Returns the same as clearance_plan.Plan.words(), but the order of the parts matters."""
         if self._words is None:
             beside = sorted(self.leaves(), key=lambda pair: (pair[0].Name, pair[1]))
             words = []
@@ -163,15 +163,15 @@ class Plan(mechanism_plan.Plan):
             report[name] = [new.get(known, known) for known in report[name]]
         for step in report["steps"]:
             step["part"] = new.get(step["part"], step["part"])
-            way_out = step.get("escape")
-            if way_out is not None:
-                way_out["blockers"] = [new.get(known, known) for known in way_out["blockers"]]
+            escape = step.get("escape")
+            if escape is not None:
+                escape["blockers"] = [new.get(known, known) for known in escape["blockers"]]
         return True
 
     # --- the run
 
     def request(self):
-        """Returns the search as plain values. Raises InputProblem."""
+        """Returns the inputs of the search as plain values. Raises InputProblem."""
         deflection = max(float(self.values["MeshDeflection"]), 1e-4)
         straight = 0.5 * float(self.values["Accuracy"])
         names, rows, notes = self.names(), [], []
@@ -179,7 +179,7 @@ class Plan(mechanism_plan.Plan):
             if group is None:
                 rows.append(self._searched(pair, names[pair], deflection))
                 continue
-            parts = self._moving_parts(group, group.way(), names, deflection, straight)
+            parts = self._moving_parts(group, group.rigid_motion(), names, deflection, straight)
             rows += [Row(part) for part in parts]
             notes += [group.motion.Message] if group.motion.Message else []
         still = []
@@ -193,7 +193,7 @@ class Plan(mechanism_plan.Plan):
         body = convert.body_from([pair], deflection)
         pivot = middle_of([pair], body.placement)
         base = body.placement.multiply(shift_to(pivot))
-        seen = Seen(body, matrix_of(base.inverse()))
+        seen = BodyInFrame(body, matrix_of(base.inverse()))
         chord = still_parts.chord_of([pair], deflection)
         return Row(Part(name, pair, seen, chord), pivot, matrix_of(base))
 
@@ -214,16 +214,16 @@ class Plan(mechanism_plan.Plan):
     # --- pictures
 
     def seen(self):
-        """As mechanism_plan.Plan.seen(), on the time axis of the stored result: before its motion a
-        part waits at its first key, and afterwards it stays at its last key. Raises
-        InputProblem."""
+        """Returns the same as mechanism_plan.Plan.seen(), but on the time axis of the stored
+        result: before its motion a part waits at its first key, and afterwards it stays at its last
+        key. Raises InputProblem."""
         found, deflection = [], self.seen_deflection()
         begins = [step["begin"] for step in self.steps] or [0.0] * len(self.pairs)
         for pair, group, begin in zip(self.pairs, self.groups(), begins):
-            way = group.way()
-            body = Seen(convert.body_from([pair], deflection), way.into_base)
-            times = way.poses.times
-            found.append((body, _delayed(way.course(), times[0], times[-1], begin)))
+            rigid = group.rigid_motion()
+            body = BodyInFrame(convert.body_from([pair], deflection), rigid.into_base)
+            times = rigid.poses.times
+            found.append((body, _delayed(rigid.course(), times[0], times[-1], begin)))
         return found
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a sequence: type, name, help, default. Those that it shares with the mechanism
-check are the same."""
+"""The properties of a sequence: type, name, help, default. Some of them are the same as in the
+mechanism check."""
 from ..texts import QT_TRANSLATE_NOOP
 from . import mechanism_properties, path_plan
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Shared volume: the space that two sides have in common, as a mesh in the document. A side
-consists of parts, envelopes or their solids. A side with a motion is placed where the motion is at
-a given time (core: docs/overlap.md).
+consists of parts, envelopes or their solids. If a side has a motion, its pose at a given time is
+used (core: docs/overlap.md).
 
 As with the envelope, `execute` only updates the state. A run consists of Plan.request(), work() and
 apply().
@@ -21,7 +21,7 @@ from .base import (  # noqa: F401 (the states are read from here as well)
     quietly,
     set_changed,
 )
-from .moving import Moving, Seen
+from .moving import BodyInFrame, Moving
 from .shared_properties import PROPERTIES
 from .still_parts import chord_of
 
@@ -60,13 +60,15 @@ def is_shared(obj):
 
 
 class Request:
-    """Input of one run: two sides (name, body, chord error in mm), independent of any document."""
+    """Input of one run: two sides, each (name, body, chord error in mm), independent of any
+    document."""
 
     def __init__(self, first, second):
         self.first, self.second = first, second
 
     def rows(self):
-        """Returns the sides in the form of core_overlap.shared(). Any thread. Raises InputProblem."""
+        """Returns the sides as core_overlap.shared() takes them. Any thread. Raises
+        InputProblem."""
         return [
             (name, body.vertices, body.triangles, chord)
             for name, body, chord in (self.first, self.second)
@@ -123,7 +125,7 @@ class Plan:
         return status.hash_or_problem(self.checked_hash)[0]
 
     def words(self):
-        """As clearance_plan.Plan.words()."""
+        """Returns the same as clearance_plan.Plan.words()."""
         if self._words is None:
             self._check()
             words = []
@@ -137,7 +139,7 @@ class Plan:
         return self._words
 
     def checked_hash(self):
-        """As clearance_plan.Plan.checked_hash()."""
+        """Returns the same as clearance_plan.Plan.checked_hash()."""
         return status.VERSION + contents.short(contents.texts(self.words()))
 
     def _check(self):
@@ -169,7 +171,7 @@ class Plan:
             if motion is not None:
                 moving = Moving(side, motion)
                 there = convert.matrix_of(moving.course()(self.time))
-                body = Seen(body, there @ moving.into_base(), motion)
+                body = BodyInFrame(body, there @ moving.into_base(), motion)
             found.append((name, body, chord_of(side, deflection)))
         return Request(*found)
 
@@ -201,7 +203,7 @@ def apply(obj, outcome, hash_at_start):
     obj.Depth = row.get("penetration", {}).get("depth", 0.0)
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     update_status(obj)
-    status.tell_users(obj)
+    status.update_users(obj)
 
 
 def notes_of(obj):
@@ -232,7 +234,7 @@ def fail(obj, text, tried, cancelled=False):
     """Stores the error of a run without a result; the stored mesh is kept. tried: hash of the
     inputs of the run."""
     status.mark_failure(obj, Plan.of(obj).hash, text, tried, cancelled)
-    status.tell_users(obj)
+    status.update_users(obj)
 
 
 def compute(obj, control=None):

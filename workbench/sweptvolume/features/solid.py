@@ -69,10 +69,10 @@ class Solid(Feature):
         missing.changed(obj, name)
 
     def onDocumentRestored(self, obj):
-        of_before = "Placed" not in obj.PropertiesList
+        from_old_version = "Placed" not in obj.PropertiesList
         with quietly(obj):
             super().onDocumentRestored(obj)
-            if of_before:
+            if from_old_version:
                 status.remember_place(obj)
                 before = status.hash_or_problem(lambda: hash_of_before(obj))[0]
                 status.renew(obj, before, input_hash(obj))
@@ -93,17 +93,20 @@ def input_hash(obj):
 
 
 def checked_hash(source, wanted):
-    """Returns the hash for a source and settings in the form of DEFAULTS. Raises InputProblem."""
+    """Returns the hash for a source and settings. wanted: a dict like DEFAULTS. Raises
+    InputProblem."""
     return hash_of(words_of(source, wanted))
 
 
 def hash_of(words):
-    """Returns the hash for the result of words_of(). Any thread, if it was prepared() for that."""
+    """Returns the hash for the result of words_of(). Any thread may call this after
+    contents.prepared(words)."""
     return status.VERSION + contents.short(contents.texts(words))
 
 
 def words_of(source, wanted):
-    """Returns what identifies the inputs, as contents.words(). Raises InputProblem."""
+    """Returns what identifies the inputs: texts and apart.Apart objects, as from contents.words().
+    Raises InputProblem."""
     _check_source(source)
     return contents.words([convert.root_path(source)]) + _words(source, wanted)
 
@@ -124,7 +127,7 @@ def hash_of_before(obj):
 
 def _words(source, wanted):
     words = [str(wanted["merge"])]
-    # With default values, the hashed words equal those of older versions, which lacked these
+    # With default values, the hashed words are the same as in older versions, which lacked these
     # properties. So solids of older documents stay up to date.
     if wanted["tolerance"] > 0:
         words.append(repr(contents.steady(wanted["tolerance"])))
@@ -175,15 +178,15 @@ def notes_of(obj):
                 "up to {0}. Allow more faces, or set a Tolerance.",
             )
         notes.append(text.format(quantity(off), quantity(wanted)))
-    asked = max(wanted, off, LEAST_GAP)
-    if obj.EdgeTolerance.Value > asked:
+    largest_gap = max(wanted, off, LEAST_GAP)
+    if obj.EdgeTolerance.Value > largest_gap:
         text = translate(
             "SweptVolume",
             "At one edge, the gap between two faces of the solid is {0}. It should be at most {1}: the "
             "Tolerance or the deviation of the solid from the envelope, whichever is larger, but at "
             "least 0.001 mm. A smaller Tolerance gives more faces and smaller gaps.",
         )
-        notes.append(text.format(quantity(obj.EdgeTolerance.Value), quantity(asked)))
+        notes.append(text.format(quantity(obj.EdgeTolerance.Value), quantity(largest_gap)))
     return "\n".join(notes)
 
 
@@ -197,7 +200,7 @@ class Request:
         self.exact = exact
         self.settings = settings
 
-    def but(self, given):
+    def with_settings(self, given):
         """Returns a request with the same mesh and other settings. Raises InputProblem."""
         wanted = dict(self.settings, **given)
         if self.exact and wanted["tolerance"] > 0 and not wanted["tessellated"]:
@@ -211,7 +214,7 @@ class Request:
         return Request(self.vertices, self.triangles, self.name, self.exact, wanted)
 
     def options(self):
-        """Returns the settings in the form of the core."""
+        """Returns the settings as the core takes them."""
         reach = float(np.abs(self.vertices).max()) if len(self.vertices) else 1.0
         if self.settings["tessellated"]:
             return {
@@ -263,11 +266,11 @@ def request_for(source, world=False, **given):
     if world:
         placement = convert.global_placement(*convert.root_path(source))
         vertices = convert.transform(convert.matrix_of(placement), vertices)
-    return Request(vertices, triangles, source.Label, exact, DEFAULTS).but(given)
+    return Request(vertices, triangles, source.Label, exact, DEFAULTS).with_settings(given)
 
 
 def settings(obj):
-    """Returns the settings of a solid object in the form of request_for()."""
+    """Returns the settings of a solid object, as a dict like DEFAULTS."""
     return dict(
         DEFAULTS,
         merge=bool(obj.MergeCoplanar),
@@ -324,14 +327,14 @@ def apply(obj, value, hash_at_start):
     obj.EdgeTolerance = max((edge.Tolerance for edge in shape.Edges), default=0.0)
     obj.InputHash, obj.TriedHash = hash_at_start, ""
     update_status(obj)
-    status.tell_users(obj)
+    status.update_users(obj)
 
 
 def fail(obj, text, tried, cancelled=False):
     """Stores the error of a run without a result; the stored shape is kept. tried: hash of the
     inputs of the run."""
     status.mark_failure(obj, lambda: input_hash(obj), text, tried, cancelled)
-    status.tell_users(obj)
+    status.update_users(obj)
 
 
 def compute(obj, control=None):

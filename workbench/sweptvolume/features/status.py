@@ -20,7 +20,7 @@ from .base import (
 
 #: Prefix of present hashes. Hashes of earlier versions have none.
 VERSION = "2:"
-#: Takes the place of a hash if there is no stored result to compare with.
+#: Replaces the hash of the inputs if there is no stored result to compare with.
 NOT_READ = "not read"
 #: A function(obj, parts) that reads parts (apart.Apart) in the background and then lets an object
 #: compare its inputs again. None: there is no window, and parts are read at once.
@@ -85,32 +85,33 @@ def mark_failure(obj, now, text, tried, cancelled):
 
 
 def is_behind(obj):
-    """Returns whether the result of one of our objects does not match its present inputs."""
+    """Returns whether an object of this workbench has a result that does not match its present
+    inputs."""
     return kind_of(obj) != "" and getattr(obj, "Status", "") in (STALE, FAILED, CANCELLED)
 
 
-def look_again(obj):
-    """Lets one of our objects compare its inputs with its result, outside a recompute of the
-    document."""
+def compare_again(obj):
+    """Makes an object of this workbench compare its inputs with its result, outside a recompute of
+    the document."""
     with quietly(obj):
         obj.Proxy.look(obj)
 
 
-def tell_users(obj):
-    """Lets our objects that use this one compare their inputs again, because it was changed outside
-    a recompute of the document, or because the recompute stops at it."""
+def update_users(obj):
+    """Makes the objects of this workbench that use `obj` compare their inputs again. Needed if
+    `obj` was changed outside a recompute of the document, or if the recompute stops at it."""
     seen, waiting = [obj], [obj]
     while waiting:
         for user in waiting.pop().InList:
             if kind_of(user) and user not in seen:
                 seen.append(user)
                 waiting.append(user)
-                look_again(user)
+                compare_again(user)
 
 
 def renew(obj, before, now):
-    """Replaces hashes of version 1 by present ones if they match the present inputs. before, now:
-    hashes of the inputs in both forms, or "" if the inputs are unusable."""
+    """Replaces stored hashes of version 1 by hashes in the present form if they match the present
+    inputs. before, now: hashes of the inputs in both forms, or "" if the inputs are unusable."""
     for name in ("InputHash", "TriedHash"):
         known = getattr(obj, name)
         if known and not known.startswith(VERSION) and before and known == before:

@@ -3,10 +3,10 @@
 core, only FreeCAD's own OpenCASCADE is loaded in the process.
 
 The core writes a solid as text and calls read() to learn which faces are valid after reading. For
-invalid faces it gives up the recognised surface, and writes the text again. For a part that is a
-STEP or BREP file, it calls solids() for the triangles.
+invalid faces, the core gives up the recognised surface and writes the text again. For a part that
+is a STEP or BREP file, it calls solids() for the triangles.
 
-All functions run in the thread of the run. Cost: as opening the file in FreeCAD.
+All functions run in the thread of the run. Cost: the same as opening the file in FreeCAD.
 """
 import os
 
@@ -39,7 +39,7 @@ def judged(shape):
         figures = dict.fromkeys("solids shells faces edges volume edge_tolerance".split(), 0)
         return dict(figures, valid=False, complaint="FreeCAD reads no shape", bad_faces=[])
     faces = shape.Faces
-    # One call for the whole shape: most are valid, and one for each face takes longer.
+    # One call checks the whole shape. Most shapes are valid, and a call for each face takes longer.
     bad = [] if shape.isValid() else [i for i, face in enumerate(faces) if not face.isValid()]
     open_shells = sum(not shell.isClosed() for shell in shape.Shells)
     complaint = ""
@@ -92,7 +92,8 @@ def solids(path, deflection, angle):
         raise InputProblem(text.format(path, problem)) from None
     name = os.path.splitext(os.path.basename(path))[0]
     parts = shape.Solids or [shape]
-    # Face numbers continue from solid to solid. If two solids share a face, they are left out.
+    # Face numbers continue from solid to solid. If two solids share a face, the numbers are left
+    # out.
     whole = sum(len(part.Faces) for part in parts) == len(shape.Faces)
     found, first = [], 0
     for number, part in enumerate(parts, 1):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts that stand still around moving ones: chosen parts, or all visible parts. Each solid or mesh
-is a part of its own, with its rule."""
+counts as a separate part and has its own rule."""
 from .. import convert
 from ..convert import InputProblem
 from ..texts import translate
@@ -20,8 +20,8 @@ def _linked(root, path):
 
 
 def _parts(root, sub):
-    """Returns (root, path) of all solids and meshes below a path. Returns the object itself if it
-    is a single one of any kind."""
+    """Returns (root, path) of all solids and meshes below a path. If the path leads to a single
+    object with a shape or mesh, returns this object, whatever its kind."""
     if root.getSubObject(sub, retType=1) is None:
         convert.leaves(root, sub)  # raises InputProblem
     found = convert.leaves(root, sub)
@@ -85,9 +85,9 @@ class StillParts:
     """Base class of plans. A plan has `document`, `pairs` (the moving parts), `neighbours`,
     `all_visible`, `rules` ({(root, sub): Rule}), `values` (settings) and is_own()."""
 
-    def asked_of(self, obj, rules):
-        """Returns the rules of an object from rules.read(). Stores in `lost` the text about deleted
-        or damaged inputs."""
+    def rules_of(self, obj, rules):
+        """Returns the rules of an object. rules: the module that reads them. Stores in `lost` the
+        text about deleted or damaged inputs."""
         self.lost = missing.text(obj)
         try:
             return rules.read(obj)

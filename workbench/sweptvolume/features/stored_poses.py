@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The poses that a motion object stores, as arrays. Units: mm, s.
 
-FreeCAD can write a list of placements as numbers, in the form of its files. This takes a twentieth
+FreeCAD can write a list of placements as numbers, as in its document files. This takes a twentieth
 of the time that Python needs to read each placement: 0.15 ms for 1,000 poses. So the numbers are
 read at each call, and derived values are kept as long as the numbers are the same. Thus no
 notification about changes is needed.
@@ -23,8 +23,9 @@ _CHECK_SUM = 14
 class Stored:
     """times (n,); translations (n,3); rotations (n,4) as x, y, z, w. Callers must not change them.
 
-    times: those of the object. packed: result of _packed() for its placements. part: the slice of
-    packed that identifies them, or None. numbers: position and rotation of each placement (n,7)."""
+    Arguments: times: the property Times of the object; packed: result of _packed() for its
+    placements. part: the slice of packed that identifies them, or None. numbers: position and
+    rotation of each placement (n,7)."""
 
     def __init__(self, times, packed, part, numbers):
         self._given, self._size, self._part = times, len(packed), part
@@ -61,8 +62,8 @@ def of(obj):
 
 
 def _packed(obj):
-    """Returns a small archive with the placements in the form of FreeCAD's document files, or b""
-    if there are none."""
+    """Returns a small archive with the placements, as FreeCAD stores them in documents, or b"" if
+    there are none."""
     try:
         return bytes(obj.dumpPropertyContent("Placements", Compression=0))
     except (AttributeError, TypeError):

@@ -86,12 +86,12 @@ def work(request, control):
 
     request.prepare(control)
 
-    def told(row, done, runs):
+    def on_row(row, done, runs):
         request.rows[row["run"]] = row
         if done is not None:
             control.enter(done, runs)
 
-    return studies.run(request.file, request.output, request.jobs, told, control.is_cancelled)
+    return studies.run(request.file, request.output, request.jobs, on_row, control.is_cancelled)
 
 
 def _store(obj, report, request):

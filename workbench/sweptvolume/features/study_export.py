@@ -3,8 +3,9 @@
 neighbours as the triangles that are checked, motions as poses, rules, and what is computed.
 `run_of()` reads the document; `write()` may run in any thread.
 
-The folder inputs/ beside the file has a subfolder for each content, named after its hash. Existing
-content is not written again, and runs share equal content.
+Meshes and motions are written to subfolders of the folder inputs/ beside the study file. A
+subfolder is named after the hash of what it contains, so equal meshes and motions are written only
+once.
 """
 import hashlib
 import json
@@ -32,9 +33,9 @@ def file_name(label):
     ()+,@.-_."""
     kept = "".join(c if c.isalnum() or c in "()+,@.-_ " else "_" for c in label)
     kept = kept[:_MOST_LETTERS].strip(" .")
-    # These names are taken by files in the folder of the results.
-    taken = kept.casefold() in ("", "study.csv", "study.json", PAGE)
-    return kept + "_" if taken else kept
+    # Files in the folder of the results have these names.
+    is_reserved = kept.casefold() in ("", "study.csv", "study.json", PAGE)
+    return kept + "_" if is_reserved else kept
 
 
 def numbered(names, same=str):
@@ -50,7 +51,7 @@ def numbered(names, same=str):
     return found
 
 
-class Look:
+class PageStyle:
     """Title, language and template of the study's pages."""
 
     def __init__(self, name, language_code, template):
@@ -58,13 +59,13 @@ class Look:
 
     @classmethod
     def now(cls, name):
-        """Returns the Look from the preferences."""
+        """Returns the PageStyle from the preferences."""
         return cls(name, language(), settings.page_template())
 
 
 class Run:
-    """One run. body: core.Request; neighbours: clearance_plan.Request or None; options: those of
-    each stage."""
+    """One run. body: core.Request; neighbours: clearance_plan.Request or None; options: {stage: its
+    options}."""
 
     def __init__(self, name, part, motion, body, neighbours, options):
         self.name, self.part, self.motion = name, file_name(part), file_name(motion)
@@ -105,22 +106,22 @@ def run_of(name, source, plan):
 
 
 class _Inputs:
-    """The folder of inputs. `used`: names of the content that the study needs."""
+    """The folder of inputs. `used`: names of the subfolders that the study needs."""
 
     def __init__(self, folder):
         self.folder, self.used = os.path.join(folder, INPUTS), set()
 
     def add(self, key, name, make):
-        """Returns the path, relative to the study file, of the content that these bytes (key)
-        identify. make(path) writes the content if it does not exist yet."""
-        place = hashlib.sha256(key).hexdigest()[:16]
-        self.used.add(place)
-        path = os.path.join(self.folder, place, name)
+        """Returns the path, relative to the study file, of the mesh or motion that these bytes
+        (key) identify. If the file does not exist yet, make(path) writes it."""
+        subfolder = hashlib.sha256(key).hexdigest()[:16]
+        self.used.add(subfolder)
+        path = os.path.join(self.folder, subfolder, name)
         if not os.path.exists(path):
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with written_beside(path) as beside:
                 make(beside)
-        return "/".join((INPUTS, place, name))
+        return "/".join((INPUTS, subfolder, name))
 
     def mesh(self, name, vertices, triangles):
         vertices, triangles = np.asarray(vertices, "<f8"), np.asarray(triangles, "<i4")
@@ -139,7 +140,7 @@ class _Inputs:
         return self.add(text.encode(), name + ".csv", write)
 
     def tidy(self):
-        """Removes content that only an earlier export needed."""
+        """Removes subfolders that only an earlier export needed."""
         if os.path.isdir(self.folder):
             for name in os.listdir(self.folder):
                 if name not in self.used and len(name) == 16:
@@ -196,7 +197,7 @@ def _table(run, inputs):
     return table
 
 
-def write(path, runs, look, control):
+def write(path, runs, style, control):
     """Writes a study file and its input files, in any thread. Raises InputProblem, core.CoreError,
     OSError."""
     folder = os.path.dirname(path)
@@ -206,9 +207,9 @@ def write(path, runs, look, control):
         if control.is_cancelled():
             raise core.cancelled()
         tables.append(_table(run, inputs))
-    about = {"name": look.name, "page": True, "language": look.language}
-    if look.template:
-        about["template"] = os.path.abspath(look.template)
+    about = {"name": style.name, "page": True, "language": style.language}
+    if style.template:
+        about["template"] = os.path.abspath(style.template)
     lines = ["[study]"] + ["{} = {}".format(key, _toml(value)) for key, value in about.items()]
     for table in tables:
         lines += ["", "[[run]]"] + ["{} = {}".format(k, _toml(v)) for k, v in table.items()]

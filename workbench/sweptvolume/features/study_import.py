@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Creates document objects from a run of a study file: the part and its neighbours as meshes, the
 motion, and a clearance check or an envelope with the settings of the run. The check or envelope is
-not computed yet, so its later result is computed from the document."""
+not computed yet. Its result will be computed from these objects."""
 import pathlib
 
 import FreeCAD as App
@@ -64,7 +64,8 @@ class Taken:
             self._set(made, _ENVELOPE, "envelope")
         else:
             made = self._check(document, group, body, path)
-        # Set after the label of the check or envelope, which keeps its name if both are equal.
+        # If two labels are equal, FreeCAD changes the one that is set last. So this label is set
+        # after that of the check or envelope.
         path.Label = pathlib.PurePath(self.run.motion).stem
         group.addObject(made)
         return made

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads the runs of a study from its object or a panel: those of a study file, or envelopes and
+"""Reads the runs of a study from its object or a panel: the runs in a study file, or envelopes and
 clearance checks of the document."""
 import contextlib
 import hashlib
@@ -38,15 +38,15 @@ class Request:
     file), and the runs to be written into the file first (None: the file exists). labels:
     Plan.labels()."""
 
-    def __init__(self, file, output, jobs, runs, look, labels):
-        self.file, self.output, self.jobs, self.runs, self.look = file, output, jobs, runs, look
+    def __init__(self, file, output, jobs, runs, style, labels):
+        self.file, self.output, self.jobs, self.runs, self.style = file, output, jobs, runs, style
         self.labels = labels
         self.rows = {}  # name of a run -> its row, added when the run ends
 
     def prepare(self, control):
         """Writes the study file, in any thread. Raises InputProblem, core.CoreError, OSError."""
         if self.runs is not None:
-            study_export.write(self.file, self.runs, self.look, control)
+            study_export.write(self.file, self.runs, self.style, control)
         elif not self.output:
             from .. import studies
 
@@ -88,7 +88,7 @@ class Plan:
 
     # --- runs
 
-    def place(self):
+    def paths(self):
         """Returns (study file, folder for results; "" for the one named in the file). Raises
         InputProblem."""
         if self.lost:
@@ -117,7 +117,7 @@ class Plan:
 
     def runs(self):
         """Returns the names of the runs. Raises InputProblem, core.CoreError, core.CoreMissing."""
-        self.place()
+        self.paths()
         return self._read()[1] if self.sources else [run.name for run in self.study().runs]
 
     def study(self):
@@ -127,7 +127,7 @@ class Plan:
             # Imports modules that start processes, so not at FreeCAD's start.
             from .. import studies
 
-            self._study = studies.read(*self.place())
+            self._study = studies.read(*self.paths())
         return self._study
 
     def source_of(self, name):
@@ -145,15 +145,16 @@ class Plan:
         return self._plans, self._names
 
     def words(self):
-        """As clearance_plan.Plan.words()."""
+        """Returns the same as clearance_plan.Plan.words()."""
         if self._words is None:
-            self.place()  # raises InputProblem for missing inputs
+            self.paths()  # raises InputProblem for missing inputs
             self._words = [word for plan in self._read()[0] for word in plan.words()]
         return self._words
 
     def checked_hash(self):
-        """As clearance_plan.Plan.checked_hash(). Files count by size and time of their last change.
-        The run itself compares their bytes and computes only new content."""
+        """Returns the same as clearance_plan.Plan.checked_hash(). For a study file, the hash
+        contains size and time of last change of the files that it names. The run itself compares
+        the bytes of these files, and computes only runs whose inputs have changed."""
         if self.sources:
             plans, names = self._read()
             found = [plan.checked_hash() for plan in plans] + names
@@ -176,12 +177,12 @@ class Plan:
         return found
 
     def hash(self):
-        """As clearance_plan.Plan.hash()."""
+        """Returns the same as clearance_plan.Plan.hash()."""
         return status.hash_or_problem(self.checked_hash)[0]
 
     def request(self):
         """Returns the Request. Raises InputProblem, core.CoreError, core.CoreMissing."""
-        path, output = self.place()
+        path, output = self.paths()
         if not self.sources:
             return Request(path, output, self.jobs, None, None, [])
         plans, names = self._read()
@@ -189,8 +190,8 @@ class Plan:
             study_export.run_of(name, source, plan)
             for name, source, plan in zip(names, self.sources, plans)
         ]
-        look = study_export.Look.now(self.document.Label)
-        return Request(path, output, self.jobs, runs, look, self.labels())
+        style = study_export.PageStyle.now(self.document.Label)
+        return Request(path, output, self.jobs, runs, style, self.labels())
 
 
 def _stamps(study):

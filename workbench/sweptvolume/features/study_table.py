@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rows of a study for people: their order, their texts, and a summary line."""
+"""Texts about the rows of a study, and a summary line."""
 from ..quantities import TABLE_DIGITS, number, quantity
 from ..texts import QT_TRANSLATE_NOOP, translate
 from .clearance import VERDICTS
 
-#: State of a run -> text for people.
+#: State of a run -> text for users.
 STATES = {
     "failed": QT_TRANSLATE_NOOP("SweptVolume", "Failed"),
     "not clear": QT_TRANSLATE_NOOP("SweptVolume", "Not clear"),
     "not run": QT_TRANSLATE_NOOP("SweptVolume", "Not run"),
     "done": QT_TRANSLATE_NOOP("SweptVolume", "Done"),
 }
-#: The parts of a stored report that are used, with their shapes (base.fits()).
+#: The entries of a stored report that are used, with their shapes (base.fits()).
 REPORT = {"runs": [{"run": str, "state": set(STATES)}], "worst": str, "message": str}
 
 
@@ -38,7 +38,7 @@ def length_text(row):
     return quantity(row["distance"], TABLE_DIGITS) if "distance" in row else ""
 
 
-def told(row):
+def line_of(row):
     """Returns a run in one line."""
     words = [row["run"], state_text(row), verdict_text(row), length_text(row)]
     words.append(row.get("neighbour", ""))

@@ -34,7 +34,7 @@ class ResultPanel(StayingPanel):
         raise NotImplementedError
 
     def rows_of(self, report):
-        """Returns the report in the form of clearance_table."""
+        """Returns the rows of the report, with the keys that clearance_table reads."""
         return report
 
     def build_more(self, rows):
@@ -174,7 +174,7 @@ class ResultPanel(StayingPanel):
         self.paint_parts()
         self.shown()
 
-    @guard.told
+    @guard.shows_problems
     def paint_parts(self):
         """Colours the parts that stand still by the verdicts of their rows. A part with several
         rows gets the worst one."""
@@ -235,8 +235,8 @@ class ResultPanel(StayingPanel):
         self.table.choose(index)
 
     def go_through(self, by):
-        """Goes to the next row in the order from worst to best (1), or back (-1). Without a chosen
-        row, goes to the worst."""
+        """Chooses the next row (1) or the previous row (-1) in the order from worst to best.
+        Without a chosen row, chooses the worst."""
         place = self._place_among_worst() + by
         if 0 <= place < len(self.worst_first):
             self.choose(self.worst_first[place])
@@ -251,7 +251,7 @@ class ResultPanel(StayingPanel):
         self.better.setEnabled(place > 0)
         self.worse.setEnabled(place + 1 < len(self.worst_first))
 
-    @guard.told
+    @guard.shows_problems
     def _row_chosen(self):
         index = self.chosen_row()
         self._show_place()
@@ -263,20 +263,20 @@ class ResultPanel(StayingPanel):
         self.graph.choose(index, self.report["neighbours"][index]["time_seconds"])
         self.show_row(index)
 
-    @guard.told
+    @guard.shows_problems
     def export_csv(self):
         path = file_dialogs.ask_table(self.obj.Label)
         if path:
             self.TABLE.write_csv(self.whole, path)
 
-    @guard.told
+    @guard.shows_problems
     def export_sheet(self):
         self.document.openTransaction(translate("SweptVolume", "Clearance table"))
         self.TABLE.make_spreadsheet(self.obj, self.whole)
         self.document.commitTransaction()
         self.document.recompute()
 
-    @guard.told
+    @guard.shows_problems
     def export_page(self):
         if self.run is not None:
             return

@@ -17,12 +17,12 @@ class CheckRun:
         """Returns the text for the part, or the pair of parts, to which a rule applies."""
         raise NotImplementedError
 
-    def taken(self, plan):
+    def check_succeeded(self, plan):
         """Called after a check of this plan succeeded."""
         raise NotImplementedError
 
     def start(self):
-        plans = []  # one plan for both functions, because it keeps what it has read
+        plans = []  # both functions use one plan, because it keeps the data that it has read
 
         def plan():
             plans[:] = plans or [self.plan()]
@@ -54,7 +54,7 @@ class CheckRun:
         if not found:
             text = translate("SweptVolume", "No parts are in contact at the first pose.")
         else:
-            told = [
+            lines = [
                 "{} ({})".format(self.label_of(pair), quantities.quantity(rule.length, 3))
                 if rule.length
                 else self.label_of(pair)
@@ -64,7 +64,7 @@ class CheckRun:
                 "SweptVolume",
                 "Contact is now allowed for these parts. Check that this is intended: {0}",
             )
-            text = text.format(", ".join(told))
+            text = text.format(", ".join(lines))
         widgets.show_message(self.message, text)
 
     def ended(self, run):
@@ -81,6 +81,6 @@ class CheckRun:
         else:
             if isinstance(run.task, self.TASK):
                 self.obj = run.task.obj
-                self.taken(run.task.plan)
+                self.check_succeeded(run.task.plan)
                 self.show_result()
             self.box.leave(self.table)

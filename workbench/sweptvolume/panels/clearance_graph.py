@@ -12,13 +12,13 @@ from ..texts import translate
 from .widgets import QtWidgets
 
 COLOURS = ("#1f77b4", "#d95f02", "#2ca02c", "#9467bd", "#8c564b", "#17becf", "#7f7f7f", "#bcbd22")
-#: Colour of all lines beyond COLOURS; their names are not listed at the side.
+#: Colour of all further lines; their names are not listed at the side.
 OTHERS = "#609a9a9a"
 LEFT, RIGHT, TOP, BOTTOM = 46, 8, 8, 30
 #: The scale changes from linear to logarithmic at the smallest required distance divided by BEND.
-#: Without a required distance, it changes at the largest distance divided by SHARE. ABOVE: how far
+#: Without a required distance, it changes at the largest distance divided by LINEAR_PART. ABOVE: how far
 #: the scale extends beyond required distances, as a factor.
-BEND, SHARE, ABOVE = 1.5, 20.0, 1.2
+BEND, LINEAR_PART, ABOVE = 1.5, 20.0, 1.2
 #: In pixels: least distance between two numbers of the scale; largest distance at which the mouse
 #: points at a line.
 TICK_GAP, NEAR = 15, 7
@@ -28,11 +28,11 @@ class Scale:
     """Maps distances (in the unit of the preferences) to positions: 0 for distance 0, 1 for
     `most`."""
 
-    def __init__(self, most, asked):
-        self.most = max([most, 1e-3] + [ABOVE * value for value in asked])
-        self.bend = min(asked) / BEND if asked else self.most / SHARE
+    def __init__(self, most, required):
+        self.most = max([most, 1e-3] + [ABOVE * value for value in required])
+        self.bend = min(required) / BEND if required else self.most / LINEAR_PART
 
-    def share(self, distance):
+    def position(self, distance):
         """Returns the position on the scale for a number or an array."""
         return np.arcsinh(np.asarray(distance) / self.bend) / np.arcsinh(self.most / self.bend)
 
@@ -43,7 +43,7 @@ class Scale:
         for decade in range(-4, 10):
             for step in (1, 2, 5):
                 value = step * 10.0**decade
-                place = float(self.share(value))
+                place = float(self.position(value))
                 if value <= self.most and place - last >= gap:
                     found.append(value)
                     last = place
@@ -61,7 +61,7 @@ class DistanceGraph(QtWidgets.QWidget):
         self.setObjectName("SweptVolumeDistanceGraph")
         self.setMinimumHeight(150)
         self.setMouseTracking(True)
-        self.curves, self.order, self.asked = [], [], []
+        self.curves, self.order, self.required = [], [], []
         self.chosen, self.moment = -1, None
         self.pointed, self.picture, self.ends = -1, None, None
 
@@ -73,8 +73,8 @@ class DistanceGraph(QtWidgets.QWidget):
             curves.append((row["name"], points[:, 0], points[:, 1] / one))
         self.curves = curves
         rules = [clearance_table.rule_of(row, report) for row in report["neighbours"]]
-        asked = {length for kind, length in rules if kind == neighbour_rules.REQUIRED}
-        self.asked = sorted(length / one for length in asked if length > 0)
+        required = {length for kind, length in rules if kind == neighbour_rules.REQUIRED}
+        self.required = sorted(length / one for length in required if length > 0)
         order = [k for k, (_, times, _) in enumerate(curves) if len(times)]
         self.order = sorted(order, key=lambda k: curves[k][2].min())  # the nearest first
         self.chosen, self.moment, self.pointed = -1, None, -1
@@ -110,7 +110,7 @@ class DistanceGraph(QtWidgets.QWidget):
         self.start = min(float(self.curves[k][1].min()) for k in self.order)
         self.end = max(float(self.curves[k][1].max()) for k in self.order)
         most = max(float(self.curves[k][2].max()) for k in self.order)
-        self.scale = Scale(most, self.asked)
+        self.scale = Scale(most, self.required)
 
     def x_of(self, times):
         """Returns the x coordinates (pixels) for a time or an array of times."""
@@ -120,7 +120,7 @@ class DistanceGraph(QtWidgets.QWidget):
 
     def y_of(self, distances):
         box = self._box()
-        return box.bottom() - box.height() * self.scale.share(distances)
+        return box.bottom() - box.height() * self.scale.position(distances)
 
     def _polygon(self, index):
         _, times, distances = self.curves[index]
@@ -206,7 +206,7 @@ class DistanceGraph(QtWidgets.QWidget):
             translate("SweptVolume", "distance ({0}) over time (s)").format(self.unit),
         )
         painter.setPen(QtGui.QPen(QtGui.QColor("#cc0000"), 1.2, QtCore.Qt.DotLine))
-        for distance in self.asked:
+        for distance in self.required:
             y = float(self.y_of(distance))
             painter.drawLine(QtCore.QPointF(box.left(), y), QtCore.QPointF(box.right(), y))
 

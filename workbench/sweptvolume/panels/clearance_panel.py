@@ -125,7 +125,7 @@ class ClearancePanel(CheckRun, ResultPanel):
 
     # --- inputs
 
-    @guard.told
+    @guard.shows_problems
     def _take(self):
         self.neighbours = selection.parts()
         self.all.setChecked(False)
@@ -156,7 +156,7 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.neighbours = [pair for pair in self.neighbours if widgets.alive(pair[0])]
         self._show_neighbours()
 
-    @guard.told
+    @guard.shows_problems
     def _show_neighbours(self):
         try:
             found = self.plan().leaves()
@@ -189,7 +189,7 @@ class ClearancePanel(CheckRun, ResultPanel):
     def label_of(self, pair):
         return label_of(*pair)
 
-    def taken(self, plan):
+    def check_succeeded(self, plan):
         self.rules = plan.rules
         Gui.Selection.clearSelection()  # the green of the selection would hide the colours
         self.required_band.setProperty("rawValue", self.obj.RequiredDistance.Value)

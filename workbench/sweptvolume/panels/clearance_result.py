@@ -145,7 +145,7 @@ class ResultPanel(played_result.PlayedPanel):
         self.coloured.toggled.connect(lambda *ignored: self._paint())
         return grid
 
-    @guard.told
+    @guard.shows_problems
     def _paint(self):
         if self.obj is None:
             return

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Offers to install the core: says what is fetched from where, shows progress, can be cancelled.
-FreeCAD can be used while the dialog is open."""
+"""Offers to install the core: lists what is fetched and from where, shows the progress, and can be
+cancelled. FreeCAD can be used while the dialog is open."""
 import os
 import sys
 import threading
@@ -57,7 +57,7 @@ class CoreDialog(QtWidgets.QDialog):
         layout.addStretch(1)
         layout.addLayout(self._buttons())
         self.timer = QtCore.QTimer(self)
-        self.timer.timeout.connect(self._look)
+        self.timer.timeout.connect(self._poll)
         self.setMinimumWidth(560)
         self._show_state()
         self._ask_pip()
@@ -138,7 +138,7 @@ class CoreDialog(QtWidgets.QDialog):
         self.done.setEnabled(not running)
 
     def _say(self, label, text):
-        """Shows a text, and makes the window high enough for all of them."""
+        """Shows a text in a label, and makes the window high enough for all its texts."""
         if label.text() == text and label.isVisible() == bool(text):
             return
         show_message(label, text)
@@ -181,7 +181,7 @@ class CoreDialog(QtWidgets.QDialog):
         self.stop.setEnabled(False)
         self.run.cancel()
 
-    def _look(self):
+    def _poll(self):
         if self.lookup is not None and not self.lookup.is_alive():
             self._say(self.source, self.found)
             self.lookup = None

@@ -11,7 +11,7 @@ from ..features.envelope_properties import BACKENDS, COMPONENTS, MADE_BY
 from ..texts import translate
 from ..views.ghost import CoarseEnvelope
 from . import focus, guard, widgets
-from .look import Look
+from .background_estimate import BackgroundEstimate
 from .parts_box import PartsBox
 from .preview import MOST_CELLS, Preview
 from .read_outs import ReadOuts
@@ -21,7 +21,7 @@ from .widgets import QtWidgets
 
 #: Time (ms) from the last change to a new estimate and preview.
 ESTIMATE_DELAY = 250
-#: Time (ms) from the end of a run to closing the panel, so that the window draws the result first.
+#: Time (ms) from the end of a run to closing the panel. The window draws the result in this time.
 CLOSE_DELAY = 150
 #: Largest number of cells that can be typed. The core reports its limit; a smaller limit of the
 #: field would silently cut off digits.
@@ -84,7 +84,7 @@ class EnvelopePanel(StartPanel):
         self.timer.timeout.connect(self.settled)
         self.coarse = None
         self.bodies = contents.KeptBodies()
-        self.look = Look(document, self.show_estimate, self.report_estimate)
+        self.background = BackgroundEstimate(document, self.show_estimate, self.report_estimate)
         self.preview = Preview(document, self.show_preview, self.report_preview, self.finest)
         self._connect()
         self.read_outs.show_result(obj)
@@ -324,8 +324,8 @@ class EnvelopePanel(StartPanel):
         self.preview.want(plan.coarse_requests)
 
     def finest(self):
-        """Returns the number of cells of the fine preview: the requested one, but limited for
-        speed."""
+        """Returns the number of cells of the fine preview: the requested number, but at most
+        MOST_CELLS."""
         by_cells = self.by.currentData() == "Resolution"
         return min(self.resolution.value(), MOST_CELLS) if by_cells else MOST_CELLS
 
@@ -350,10 +350,10 @@ class EnvelopePanel(StartPanel):
             guard.check_fields(self.form)
             plan = self.plan()
             text = self._grid_text(plan.estimate()) if plan.is_outlined() else ""
-            self.look.want(plan.closer_estimate(self.bodies.read))
+            self.background.want(plan.closer_estimate(self.bodies.read))
         except Exception as problem:
-            self.look.stop()
-            guard.tell(self.estimate_label, problem)
+            self.background.stop()
+            guard.show_problem(self.estimate_label, problem)
             return
         if text:
             self._show_estimate(text)
@@ -406,7 +406,7 @@ class EnvelopePanel(StartPanel):
         ):
             return False
         self.preview_box.setChecked(False)
-        self.look.stop()
+        self.background.stop()
         self.preview.stop()
         self._remove_coarse()
         self._enable(False)
@@ -449,7 +449,7 @@ class EnvelopePanel(StartPanel):
             return True
         self.closed = True
         self.timer.stop()
-        self.look.stop()
+        self.background.stop()
         self.preview.stop()
         self.read_outs.stop()
         self._remove_coarse()
@@ -462,6 +462,6 @@ def show(document, pairs=(), motion_obj=None, obj=None, start=False):
     panel = EnvelopePanel(document, pairs, motion_obj, obj)
     opened[:] = [panel]
     focus.show(panel)
-    if start and not panel.message.text():  # with a message, the user must first choose something
+    if start and not panel.message.text():  # a message says that an input is missing
         panel.start()
     return panel

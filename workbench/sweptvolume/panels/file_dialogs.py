@@ -22,8 +22,8 @@ _KINDS = [
 
 
 def folder_of(document):
-    """Returns the default folder for files of a document: that of the document, that of the last
-    file, or the home folder."""
+    """Returns the default folder for files of a document: the folder of the document, the folder of
+    the last file, or the home folder."""
     last = App.ParamGet(LAST).GetString("FileOpenSavePath", "")
     own = os.path.dirname(document.FileName) if document is not None else ""
     return next((f for f in (own, last) if f and os.path.isdir(f)), os.path.expanduser("~"))

@@ -46,18 +46,18 @@ class FilePanel:
         self.message = widgets.message_label()
         layout.addWidget(self.message)
         layout.addStretch(1)
-        self.path.editingFinished.connect(self.look)
-        self.unit.currentIndexChanged.connect(self.look)
-        self.look()
+        self.path.editingFinished.connect(self.read_file)
+        self.unit.currentIndexChanged.connect(self.read_file)
+        self.read_file()
 
     def browse(self):
         path = ask_file()
         if path:
             self.path.setText(path)
-            self.look()
+            self.read_file()
 
-    @guard.told
-    def look(self, *ignored):
+    @guard.shows_problems
+    def read_file(self, *ignored):
         """Reads the file and describes its content."""
         poses = csv_file.read(self.path.text(), self.unit.currentData())
         points = pose_arrays(poses.placements)[0]
@@ -73,7 +73,7 @@ class FilePanel:
             ),
         )
 
-    @guard.told
+    @guard.shows_problems
     def accept(self):
         with runner.transaction(self.document, translate("SweptVolume", "Motion from file")):
             given = self.path.text(), self.unit.currentData()

@@ -15,7 +15,7 @@ from .search_panel import SearchPanel
 from .widgets import QtWidgets
 
 #: Interval (ms) between two checks of the search's progress.
-LOOK = 100
+POLL = 100
 
 
 class FindPathPanel(SearchPanel):
@@ -26,8 +26,8 @@ class FindPathPanel(SearchPanel):
 
     def __init__(self, document, pairs=(), neighbours=(), path=None):
         self.ghost = None
-        self.looks = QtCore.QTimer()
-        self.looks.timeout.connect(self._look)
+        self.poll_timer = QtCore.QTimer()
+        self.poll_timer.timeout.connect(self._poll)
         super().__init__(document, pairs)
         if neighbours:
             self.take_neighbours(neighbours)
@@ -36,7 +36,7 @@ class FindPathPanel(SearchPanel):
 
     # --- building
 
-    def build_way(self):
+    def build_task(self):
         rows = widgets.group(translate("SweptVolume", "Start and goal"), self.layout)
         self.part = QtWidgets.QLabel(self.part_text())
         self.part.setWordWrap(True)
@@ -94,7 +94,7 @@ class FindPathPanel(SearchPanel):
         size = float(((corners.max(axis=0) - corners.min(axis=0)) ** 2).sum()) ** 0.5
         return float("{:.2g}".format(size))
 
-    @guard.told
+    @guard.shows_problems
     def _pick(self):
         chosen = selection.parts()
         if not chosen:
@@ -106,7 +106,7 @@ class FindPathPanel(SearchPanel):
         self.start_at.distance.setProperty("rawValue", self._size())
         self.part.setText(self.part_text())
 
-    @guard.told
+    @guard.shows_problems
     def _take_ends(self, path):
         poses = motion.world_poses_of(path).placements
         if path.PoseType == "Absolute" and len(poses) > 1:
@@ -121,7 +121,7 @@ class FindPathPanel(SearchPanel):
         widgets.show_message(self.message, text.format(path.Label))
 
     def plan(self):
-        """Returns the task of the search. Raises InputProblem."""
+        """Returns the plan (path_plan.PathPlan) for these fields. Raises InputProblem."""
         return path_plan.PathPlan(
             self.document,
             self.pairs,
@@ -144,10 +144,10 @@ class FindPathPanel(SearchPanel):
         self._forget_ghost()
         if not super().start():
             return False
-        self.looks.start(LOOK)
+        self.poll_timer.start(POLL)
         return True
 
-    def _look(self):
+    def _poll(self):
         """Shows the farthest placement that the search has reached."""
         farthest = self.run.task.seen.farthest() if self.run is not None else None
         if farthest is not None:
@@ -162,14 +162,14 @@ class FindPathPanel(SearchPanel):
         self.ghost.show(placement)
 
     def ended(self, run):
-        self.looks.stop()
+        self.poll_timer.stop()
         if run.state != "ok" and widgets.alive(self.document):
             self._forget_ghost()
         super().ended(run)
 
     def found(self, task):
         report = task.outcome.report
-        widgets.show_message(self.message, path_texts.told(report))
+        widgets.show_message(self.message, path_texts.result_text(report))
         if task.obj is not None:
             self._forget_ghost()
             return
@@ -182,7 +182,7 @@ class FindPathPanel(SearchPanel):
             self.ghost = None
 
     def reject(self):
-        self.looks.stop()
+        self.poll_timer.stop()
         if widgets.alive(self.document):
             self._forget_ghost()
         return super().reject()

@@ -46,8 +46,8 @@ def _form_keys():
 def _tree_keys():
     """Returns the filter of the tree. Ctrl with an arrow key moves without selecting. Without the
     filter, FreeCAD 1.0 shows and hides docks (keyboard_panels.py tests this)."""
-    held = QtCore.Qt.ControlModifier
-    return _Keys((held, QtCore.Qt.Key_Up), (held, QtCore.Qt.Key_Down))
+    control = QtCore.Qt.ControlModifier
+    return _Keys((control, QtCore.Qt.Key_Up), (control, QtCore.Qt.Key_Down))
 
 
 class SortKeys(QtCore.QObject):

@@ -15,11 +15,11 @@ from .widgets import QtCore, QtWidgets
 
 #: Exceptions caused by the input or the machine. All others are faults of the workbench.
 EXPECTED = (InputProblem, core.CoreError, core.CoreMissing, OSError)
-#: A typed length counts as understood if it agrees with the field's value up to rounding.
+#: Largest relative difference between a typed length and the value of its field, due to rounding.
 AGREES = 1e-6
 
 
-def tell(label, problem):
+def show_problem(label, problem):
     """Shows a problem in a panel. The report view gets the full text of a fault of the workbench."""
     if isinstance(problem, core.CoreMissing):
         core_dialog.offer()
@@ -36,7 +36,7 @@ def tell(label, problem):
     widgets.show_message(label, said.format(type(problem).__name__, problem))
 
 
-def told(method):
+def shows_problems(method):
     """Decorator for a method of a panel with a `message` label: shows problems there and then
     returns False."""
 
@@ -45,7 +45,7 @@ def told(method):
         try:
             return method(self, *given, **named)
         except Exception as problem:
-            tell(self.message, problem)
+            show_problem(self.message, problem)
             return False
 
     return run

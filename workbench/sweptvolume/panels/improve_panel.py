@@ -23,7 +23,7 @@ class ImprovePanel(SearchPanel):
         if neighbours:
             self.take_neighbours(neighbours)
 
-    def build_way(self):
+    def build_task(self):
         rows = widgets.group(translate("SweptVolume", "Motion"), self.layout)
         rows.addRow(translate("SweptVolume", "Motion"), QtWidgets.QLabel(self.motion.Label))
         rows.addRow(translate("SweptVolume", "Part"), QtWidgets.QLabel(self.part_text()))

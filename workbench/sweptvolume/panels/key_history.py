@@ -34,7 +34,7 @@ class History:
         self.before, self.undone = [], []
 
     def note(self, keys, row):
-        """Stores a change. Does nothing if the keys have not changed."""
+        """Stores a change of the keys. If they have not changed, stores only the current row."""
         if content(keys) == content(self.now[0]):
             self.now = self.now[0], row
             return
@@ -77,8 +77,8 @@ class UndoKeys(QtCore.QObject):
                 self.keys.append(key)
 
     def _replace(self, name, back, step):
-        """Puts one of our entries in the place of FreeCAD's, in menus and toolbars. The entry in a
-        toolbar has no object name, but the same text."""
+        """Replaces FreeCAD's entry in menus and toolbars by an entry of this workbench. FreeCAD's
+        entry in a toolbar has no object name, so entries are found by their text."""
         texts = {action.text() for action in actions_of(name)}
         window = self.parent()
         for holder in window.findChildren(QtWidgets.QToolBar) + window.findChildren(

@@ -49,7 +49,8 @@ class KeysInView:
         self.live.begin(self.pair, body)
 
     def _begin_pivot(self, middle):
-        """Sets the pivot to that of the motion. A new motion gets the middle of the part."""
+        """Sets the pivot to the pivot of the motion, or for a new motion to the middle of the
+        part."""
         point = middle if self.obj is None else None
         if self.obj is not None and self.obj.Pivot.Length and len(self.keys):
             place = self.body.placement.inverse()
@@ -73,7 +74,8 @@ class KeysInView:
         self.handle = shift_to(self.body.placement.inverse().multVec(here))
 
     def _show_own_path(self, on):
-        """Shows the path of the document as before (on), or hides it."""
+        """Hides the path that the view of the motion object draws, or (on) restores its earlier
+        visibility."""
         if self.obj is not None and widgets.alive(self.obj):
             view = self.obj.ViewObject
             if not on:
@@ -146,7 +148,7 @@ class KeysInView:
         if self.preview_box.isChecked():
             self.ask_preview(take=False)
             since = time.perf_counter() - self.drawn
-            if since < SOONEST or since < LATEST and not self.preview.has_made():
+            if since < SOONEST or since < LATEST and not self.preview.has_result():
                 return
             self.preview.take()
         self.draw_dragged()

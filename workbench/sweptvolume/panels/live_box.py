@@ -18,8 +18,8 @@ from .live_clearance import LiveClearance, VisibleScene
 from .widgets import QtWidgets
 
 
-#: Time (s) for which the neighbours are not compared again, because nobody changes them during a
-#: drag.
+#: Time (s) after a request during which the neighbours are not compared again, because nobody
+#: changes them during a drag.
 PAUSE = 0.5
 
 

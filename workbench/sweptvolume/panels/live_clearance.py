@@ -7,17 +7,17 @@ from PySide import QtCore
 
 from .. import convert, core_paths, runner
 from ..features import clearance_plan, path_plan, still_parts
-from ..features.moving import Seen
+from ..features.moving import BodyInFrame
 from .newest import NewestTask
 
 #: Deflection (mm) of solids for this measurement.
 DEFLECTION = 0.05
 #: Interval (ms) between two checks for an answer, if no request comes meanwhile.
-LOOK = 20
+POLL = 20
 
 
 class Answer:
-    """The answer to a request. number: that of the request; matrix: placement of the part (4x4);
+    """The answer to a request. number: number of the request; matrix: placement of the part (4x4);
     distance: to the nearest neighbour (mm; 0: clash); name: of this neighbour; points: the two
     nearest points (mm, world), both None if one part lies inside the other."""
 
@@ -57,7 +57,7 @@ class VisibleScene(Scene):
 
     def __init__(self, document, pair, matrix):
         body = convert.body_from([pair], DEFLECTION)
-        self.body = Seen(body, matrix)
+        self.body = BodyInFrame(body, matrix)
         still, notes, _ = path_plan.beside(document, [pair]).still_parts(DEFLECTION)
         self.beside = clearance_plan.Request(None, still, True, {}, None, notes)
         super().__init__(still_parts.chord_of([pair], DEFLECTION) + max(n.chord for n in still))
@@ -73,12 +73,12 @@ class _LiveTask(NewestTask):
     """Requests are (number, from, to, apart): from and to 4x4; apart: None if the part need not
     stop."""
 
-    def __init__(self, document, scene, wish):
-        super().__init__(document, "Clearance", wish)
+    def __init__(self, document, scene, request):
+        super().__init__(document, "Clearance", request)
         self.scene = scene
 
-    def make(self, wish, control):
-        number, before, to, apart = wish
+    def make(self, request, control):
+        number, before, to, apart = request
         live = self.scene.ready(control)
         if apart is not None:
             to = live.reached(before, to, apart)
@@ -88,15 +88,15 @@ class _LiveTask(NewestTask):
 
 
 class LiveClearance:
-    """Keeps at most one run in progress. Calls show(answer) and report(text) in the window's
-    thread."""
+    """Answers requests for distances in the background, with at most one run in progress. Calls
+    show(answer) and report(text) in the window's thread."""
 
     def __init__(self, document, scene, show, report):
         self.document, self.show, self.report = document, show, report
         self.scene = scene
         self.run, self.again, self.number, self.answers = None, None, 0, 0
-        self.looks = QtCore.QTimer()
-        self.looks.timeout.connect(self.take)
+        self.poll_timer = QtCore.QTimer()
+        self.poll_timer.timeout.connect(self.take)
 
     def apart(self):
         """Returns the distance (mm) between the triangles at which a part stops: the largest one
@@ -107,19 +107,19 @@ class LiveClearance:
         """Sends a request and returns its number. stop: also asks how far the part can move in a
         straight line from `before`."""
         self.number += 1
-        wish = (self.number, before, to, self.apart() if stop else None)
+        request = (self.number, before, to, self.apart() if stop else None)
         self.take()
         if self.run is None:
-            self._start(wish)
-        elif not self.run.task.offer(wish):
-            self.again = wish
+            self._start(request)
+        elif not self.run.task.offer(request):
+            self.again = request
         return self.number
 
-    def _start(self, wish):
+    def _start(self, request):
         self.again = None
-        self.run = runner.start(_LiveTask(self.document, self.scene, wish))
+        self.run = runner.start(_LiveTask(self.document, self.scene, request))
         self.run.ended.connect(self._ended)
-        self.looks.start(LOOK)
+        self.poll_timer.start(POLL)
 
     def take(self):
         """Shows the newest answer since the last check."""
@@ -130,7 +130,7 @@ class LiveClearance:
 
     def _ended(self, run):
         self.take()
-        self.looks.stop()
+        self.poll_timer.stop()
         self.run = None
         if run.state == "failed":
             self.report(run.message)
@@ -138,7 +138,7 @@ class LiveClearance:
             self._start(self.again)
 
     def stop(self):
-        self.looks.stop()
+        self.poll_timer.stop()
         self.again = None
         if self.run is not None:
             self.run.ended.disconnect(self._ended)

@@ -28,7 +28,7 @@ GHOST_DEFLECTION = 0.003
 opened = []
 
 
-def _of_before():
+def _stale_note():
     return translate(
         "SweptVolume",
         "The envelope is stale: the information shown belongs to its earlier parts and motion. "
@@ -142,7 +142,7 @@ class MadePanel(StayingPanel):
     def _colour(self):
         self.obj.ViewObject.ColourBy = self.by.currentData()
 
-    @guard.told
+    @guard.shows_problems
     def remember(self):
         """Computes the envelope again with the same inputs, and records what made it."""
         if self.obj.Offset.Value > 0 or self.obj.Conservative:
@@ -172,7 +172,7 @@ class MadePanel(StayingPanel):
 
     # --- a click
 
-    @guard.told
+    @guard.shows_problems
     def found(self, obj, answer):
         """Handles a click on a point of an envelope."""
         if obj.Name != self.obj.Name or made_by.find(self.obj) is None:
@@ -192,7 +192,7 @@ class MadePanel(StayingPanel):
 
     def _show_answer(self):
         text, current = made_by.text_of(self.answer), self.obj.Status == UP_TO_DATE
-        self.text.setText(text if current else text + "\n" + _of_before())
+        self.text.setText(text if current else text + "\n" + _stale_note())
         for widget in (self.choose, self.player):
             widget.setEnabled(current)
         if current:
@@ -218,7 +218,7 @@ class MadePanel(StayingPanel):
         if self.moving is not None:
             self.moving.show(self.player.now())
 
-    @guard.told
+    @guard.shows_problems
     def select(self):
         """Selects the face, or the two faces at the edge, on the part at its present placement."""
         Gui.Selection.clearSelection()

@@ -17,7 +17,7 @@ from .tasks import MechanismTask, PairContactsTask
 from .widgets import QtWidgets
 
 DEFAULTS = {"RequiredDistance": 5.0, "Accuracy": 0.01, "MeshDeflection": 0.05, "Range": 0.0}
-#: With more pairs than this, the table lists only those that came close or have a rule.
+#: If there are more pairs, the table lists only those that came close or have a rule.
 MOST_PAIRS = 300
 
 
@@ -112,7 +112,7 @@ class MechanismPanel(CheckRun, ResultPanel):
 
     # --- inputs
 
-    @guard.told
+    @guard.shows_problems
     def _take(self):
         moving = self.moving.pairs
         self.neighbours = [pair for pair in selection.parts() if pair not in moving]
@@ -130,7 +130,7 @@ class MechanismPanel(CheckRun, ResultPanel):
         self.neighbours = [pair for pair in self.neighbours if widgets.alive(pair[0])]
         self.show_inputs()
 
-    @guard.told
+    @guard.shows_problems
     def show_inputs(self):
         """Shows the parts that stand still, and the pairs with their rules."""
         try:
@@ -153,9 +153,9 @@ class MechanismPanel(CheckRun, ResultPanel):
     def _listed(self, plan):
         """Returns the pairs that the table lists."""
         if plan.count_pairs() <= MOST_PAIRS:
-            return plan.asked_pairs()
+            return plan.checked_pairs()
         near, rules = self._near(plan), self.rules
-        found = plan.asked_pairs() if near or rules else []
+        found = plan.checked_pairs() if near or rules else []
         return [p for p in found if p in near or rules and pair_rules.of(rules, *p).asks()]
 
     def _near(self, plan):
@@ -171,7 +171,7 @@ class MechanismPanel(CheckRun, ResultPanel):
     def label_of(self, pair):
         return pair_rules.label_of(pair)
 
-    def taken(self, plan):
+    def check_succeeded(self, plan):
         self.rules = plan.pair_rules
         Gui.Selection.clearSelection()
         self.show_inputs()

@@ -26,7 +26,7 @@ class ResultPanel(played_result.PlayedPanel):
     def build_more(self, rows):
         self.wanted = None  # what to show after the parts are read: a row, or nothing
         self.build_played(rows)
-        self.table.itemDoubleClicked.connect(lambda *ignored: self._look())
+        self.table.itemDoubleClicked.connect(lambda *ignored: self._zoom_to_row())
 
     def shown(self):
         self.clear_view()
@@ -40,7 +40,8 @@ class ResultPanel(played_result.PlayedPanel):
         return plan
 
     def show_row(self, index):
-        """Shows all parts at the time of a row, its two parts in another colour, and the line."""
+        """Shows all parts at the time of a row, with the two parts of the row in another colour and
+        the shortest line between them."""
         self.wanted = index
         self.show_buttons(index)
         if index is None:
@@ -53,11 +54,11 @@ class ResultPanel(played_result.PlayedPanel):
     def _draw_row(self, index):
         row = self.whole["pairs"][index]["clearance"]
         self.go_to(row["time_seconds"])
-        self.place(row["time_seconds"], self.marked(index))
+        self.show_parts_at(row["time_seconds"], self.marked(index))
         self.draw_line(*clearance_table.line_of(row))
 
-    @guard.told
-    def _look(self):
+    @guard.shows_problems
+    def _zoom_to_row(self):
         """Moves the camera to the shortest line of the chosen row."""
         if self.chosen_row() >= 0 and self.wanted is not None and self.ghosts is not None:
             marked = self.marked(self.wanted)

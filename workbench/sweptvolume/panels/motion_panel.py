@@ -55,15 +55,15 @@ class MotionPanel(KeysInView):
             sourced.name_of(obj) if sourced.is_sourced(obj) else "",
         )
         self.table = self.keyboard.table
-        self.cut, self.chose = not sourced.is_sourced(obj), False
-        self.few = widgets.message_label()
-        self.few.setText(
+        self.cut, self.part_chosen = not sourced.is_sourced(obj), False
+        self.few_keys = widgets.message_label()
+        self.few_keys.setText(
             translate(
                 "SweptVolume",
                 "A motion needs at least two keys (poses): move the part, then press Capture.",
             )
         )
-        layout.addWidget(self.few)
+        layout.addWidget(self.few_keys)
         self._build_rules(layout)
         self.player = Player()
         layout.addWidget(self.player)
@@ -200,7 +200,7 @@ class MotionPanel(KeysInView):
             keys.delete(row)
         return min(row, len(keys) - 1)
 
-    @guard.told
+    @guard.shows_problems
     def act(self, name):
         """Carries out the action of a button or a key, and shows problems."""
         widgets.show_message(self.message, "")
@@ -210,7 +210,7 @@ class MotionPanel(KeysInView):
             return
         self.fill(self._do(name, row if row >= 0 else len(self.keys) - 1))
 
-    @guard.told
+    @guard.shows_problems
     def step_back(self, back):
         """Undoes the last change of the keys (back), or redoes it."""
         widgets.show_message(self.message, "")
@@ -232,9 +232,9 @@ class MotionPanel(KeysInView):
             "Transform cannot be used while the motion editor is open: drag the "
             "chosen key, or enter numbers.",
         )
-        panel.take_over(self, text)
+        panel.continue_from(self, text)
 
-    @guard.told
+    @guard.shows_problems
     def choose_part(self):
         """Makes the selected part the moving part."""
         chosen = selection.parts()
@@ -244,10 +244,10 @@ class MotionPanel(KeysInView):
         self._put_back()
         self._close()
         panel = show(self.document, self.obj, chosen[0])
-        panel.chose = True
-        panel.take_over(self)
+        panel.part_chosen = True
+        panel.continue_from(self)
 
-    def take_over(self, before, text=""):
+    def continue_from(self, before, text=""):
         """Continues with the keys of an earlier panel."""
         self.keys, self.history = before.keys, before.history
         self.before, self.cut = before.before, before.cut
@@ -266,7 +266,7 @@ class MotionPanel(KeysInView):
         kept = self.history.now[0]
         if self.cut or content(self.keys)[:2] == content(kept)[:2]:
             return False
-        self.cut = sourced.may_cut(self.obj)
+        self.cut = sourced.ask_to_unlink(self.obj)
         if self.cut:
             return False
         self.keys = copy_of(kept)
@@ -279,7 +279,7 @@ class MotionPanel(KeysInView):
             return
         self.history.note(self.keys, self.keyboard.row())
         self.undo_keys.show(self.history)
-        self.few.setVisible(len(self.keys) < 2)
+        self.few_keys.setVisible(len(self.keys) < 2)
 
     def fill(self, current):
         """Shows the keys in all widgets and in the view."""
@@ -305,7 +305,7 @@ class MotionPanel(KeysInView):
                 self.keys.update(row, self.keys.placed(numbers))
                 self.renew_pivot()
         except Exception as problem:
-            guard.tell(self.message, problem)
+            guard.show_problem(self.message, problem)
         self.keyboard.show_row(self.keys, row)
         self.noted()
         self.show_dragger()
@@ -370,7 +370,7 @@ class MotionPanel(KeysInView):
         Gui.Control.closeDialog()
         return True
 
-    @guard.told
+    @guard.shows_problems
     def accept(self):
         guard.check_fields(self.form)
         with runner.transaction(self.document, translate("SweptVolume", "Edit motion")):
@@ -386,7 +386,7 @@ class MotionPanel(KeysInView):
             self.obj.Interpolation = self.interpolation.currentData()
             self.obj.PoseType = self.frame.currentData()
             motion.set_changed(self.obj, "Pivot", self.keys.pivot)
-            motion.set_parts(self.obj, [self.pair] if self.pair else [], anew=self.chose)
+            motion.set_parts(self.obj, [self.pair] if self.pair else [], anew=self.part_chosen)
             self.document.recompute()
         return self._close()
 

@@ -8,16 +8,17 @@ from ..texts import translate
 from . import widgets
 from .widgets import QtWidgets
 
-#: With more rows than this, the heights of the rows are not measured.
+#: If there are more rows, their heights are not measured.
 MOST_MEASURED = 200
-#: Number of combo boxes created before the window handles events; more than are visible at first.
+#: Number of combo boxes that are created before the window handles events. It exceeds the number of
+#: boxes that are visible at first.
 BOXES_AT_ONCE = 6
 
 
 class MotionTable(QtCore.QObject):
-    """Base of the boxes with such a table. The signal `changed` says that parts or motions were
-    changed. pairs: (root, sub) of each part. motions: the motion of each part, or None. Subclasses
-    set `add`, the button after the table in the order of the Tab key."""
+    """Base of the boxes with such a table. The signal `changed` is emitted when parts or motions
+    were changed. pairs: (root, sub) of each part. motions: the motion of each part, or None.
+    Subclasses set `add`, the button after the table in the order of the Tab key."""
 
     changed = QtCore.Signal()
 

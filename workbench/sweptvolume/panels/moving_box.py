@@ -74,7 +74,7 @@ class MovingBox(MotionTable):
         )
         rows.addRow(line)
 
-    @guard.told
+    @guard.shows_problems
     def take_all(self):
         """Adds all parts of the chosen source, with motions, as one undo step."""
         settings = self.sources[self.source.currentData()]
@@ -111,7 +111,7 @@ class MovingBox(MotionTable):
         self.pairs.append(pair)
         self.motions.append(path)
 
-    @guard.told
+    @guard.shows_problems
     def add_selected(self):
         chosen = selection.motions()
         for pair in selection.parts():

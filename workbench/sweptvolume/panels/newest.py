@@ -8,30 +8,30 @@ from ..runner import Task
 
 class NewestTask(Task):
     """Handles requests, always the newest one, until none is left. Results wait until take() is
-    called. Does not change the document. Subclasses define make(wish, control), which runs in
-    any thread, and may define rest(wish, control), which runs after each request."""
+    called. Does not change the document. Subclasses define make(request, control), which runs in
+    any thread, and may define after_request(request, control), which runs after each request."""
 
     writes = False
 
-    def __init__(self, document, title, wish):
+    def __init__(self, document, title, request):
         self.title, self.document = title, document
-        self._lock, self._next, self._made, self._over = threading.Lock(), wish, None, False
+        self._lock, self._next, self._made, self._over = threading.Lock(), request, None, False
 
-    def make(self, wish, control):
+    def make(self, request, control):
         raise NotImplementedError
 
-    def rest(self, wish, control):
+    def after_request(self, request, control):
         pass
 
-    def offer(self, wish):
+    def offer(self, request):
         """Offers a newer request, from the window's thread. Returns False if the task has already
         ended."""
         with self._lock:
             if not self._over:
-                self._next = wish
+                self._next = request
             return not self._over
 
-    def has_made(self):
+    def has_result(self):
         """Returns whether take() has a result. Does not wait."""
         return self._made is not None
 
@@ -44,15 +44,15 @@ class NewestTask(Task):
     def work(self, control):
         while True:
             with self._lock:
-                wish, self._next = self._next, None
-                self._over = wish is None
-            if wish is None:
+                request, self._next = self._next, None
+                self._over = request is None
+            if request is None:
                 return
             control.enter(0, 1)
-            made = self.make(wish, control)
+            made = self.make(request, control)
             with self._lock:
                 self._made = made
-            self.rest(wish, control)
+            self.after_request(request, control)
 
     def finish(self, value):
         pass

@@ -71,7 +71,7 @@ class OverlapPanel(StayingPanel):
         rows.addRow(self.check)
         self.take.clicked.connect(lambda *ignored: self._take())
         for field in (self.required, self.deflection):
-            field.valueChanged.connect(lambda *ignored: self._look_again())
+            field.valueChanged.connect(lambda *ignored: self._refresh())
         self.check.clicked.connect(lambda *ignored: self.start())
 
     def _build_result(self):
@@ -103,18 +103,18 @@ class OverlapPanel(StayingPanel):
         for widget in (self.summary, self.table, self.keep):
             rows.addWidget(widget)
         self.table.itemSelectionChanged.connect(self._row_chosen)
-        self.table.itemDoubleClicked.connect(lambda *ignored: self._look())
+        self.table.itemDoubleClicked.connect(lambda *ignored: self._zoom_to_row())
         self.keep.clicked.connect(lambda *ignored: self.keep_shared())
         self.layout.addWidget(self.result)
         self.result.hide()
 
     # --- inputs
 
-    @guard.told
+    @guard.shows_problems
     def _take(self):
         self.pairs = selection.spaces()
         self._show_chosen()
-        self._look_again()
+        self._refresh()
 
     def _show_chosen(self):
         names = [label_of(*pair) for pair in self.pairs]
@@ -137,7 +137,7 @@ class OverlapPanel(StayingPanel):
         ):
             self._enable(False)
 
-    @guard.told
+    @guard.shows_problems
     def keep_shared(self):
         """Creates an object from the shared volume of the chosen pair."""
         row = self.chosen_row()
@@ -180,12 +180,12 @@ class OverlapPanel(StayingPanel):
             raise gone()
         return found
 
-    @guard.told
-    def _look_again(self):
+    @guard.shows_problems
+    def _refresh(self):
         if self.run is None and self.plan is not None:
             self._show_summary()
 
-    def _is_of_before(self):
+    def _is_outdated(self):
         """Returns whether objects or settings have changed since the result that is shown."""
         now = self.new_plan()
         known, wanted = ((plan.pairs, plan.required, plan.deflection) for plan in (self.plan, now))
@@ -208,7 +208,7 @@ class OverlapPanel(StayingPanel):
 
     def _show_summary(self):
         text = self._summary()
-        if self._is_of_before():
+        if self._is_outdated():
             text = translate("SweptVolume", "{0} (stale: run the check again)").format(text)
         self.summary.setText("<b>{}</b>".format(text.replace("<", "&lt;")))
 
@@ -251,7 +251,7 @@ class OverlapPanel(StayingPanel):
         row = self.chosen_row()
         return row >= 0 and self.report["pairs"][row].get("volume", 0.0) > 0
 
-    @guard.told
+    @guard.shows_problems
     def _row_chosen(self):
         row = self.chosen_row()
         self.keep.setEnabled(self._can_keep() and self.run is None)
@@ -263,8 +263,8 @@ class OverlapPanel(StayingPanel):
         found = self.report["pairs"][row]["clearance"]
         self.line.show_between(*clearance_table.line_of(found))
 
-    @guard.told
-    def _look(self):
+    @guard.shows_problems
+    def _zoom_to_row(self):
         """Moves the camera to the shared volume of the row, or to its nearest points."""
         row = self.chosen_row()
         if row < 0:

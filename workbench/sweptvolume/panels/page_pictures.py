@@ -27,7 +27,7 @@ SIZE = (1200, 750)
 _POLL = 20
 
 
-class _Places:
+class _RowDrawing:
     """Shows the rows of a check one after the other."""
 
     def __init__(self, obj, report):
@@ -38,7 +38,7 @@ class _Places:
         return iter(())
 
     def rows(self):
-        """Returns the report in the form of clearance_table."""
+        """Returns the rows of the report, with the keys that clearance_table reads."""
         raise NotImplementedError
 
     def show(self, index):
@@ -48,7 +48,7 @@ class _Places:
         raise NotImplementedError
 
 
-class ClearancePlaces(_Places):
+class _ClearanceDrawing(_RowDrawing):
     """Shows the moving part at the time of a row, with the line to its neighbour."""
 
     def prepare(self, control):
@@ -81,7 +81,7 @@ class _Reading(threading.Thread):
             self.problem = problem
 
 
-class MechanismPlaces(_Places):
+class _MechanismDrawing(_RowDrawing):
     """Shows all moving parts at the time of a row, its two parts in another colour, with the line
     between them."""
 
@@ -131,23 +131,23 @@ class Pictures:
     """The pictures of a check. First steps() fills `found`; then any thread may call packed()."""
 
     def __init__(self, obj, report):
-        kind = MechanismPlaces if mechanism.is_mechanism(obj) else ClearancePlaces
-        self.document, self.places = obj.Document, kind(obj, report)
+        kind = _MechanismDrawing if mechanism.is_mechanism(obj) else _ClearanceDrawing
+        self.document, self.drawing = obj.Document, kind(obj, report)
         self.found = []  # (caption, bytes of a bitmap)
 
     def steps(self, control):
-        """A generator, as Task.steps(). Without a 3D view it makes no pictures."""
+        """Makes the pictures. A generator, as Task.steps(). Without a 3D view, there are none."""
         gui = Gui.getDocument(self.document.Name)
         view = gui.ActiveView if gui is not None else None
         if view is None or not hasattr(view, "saveImage"):
             return
-        rows, camera = self.places.rows(), view.getCamera()
+        rows, camera = self.drawing.rows(), view.getCamera()
         folder = tempfile.mkdtemp()
         path = os.path.join(folder, "view.bmp")  # PNG would block the window three times as long
         try:
-            yield from self.places.prepare(control)
+            yield from self.drawing.prepare(control)
             for index in clearance_table.worst_rows(rows)[:MOST]:
-                self.places.show(index)
+                self.drawing.show(index)
                 yield 0
                 view.saveImage(path, *SIZE, "White")
                 with open(path, "rb") as file:
@@ -156,7 +156,7 @@ class Pictures:
         finally:
             shutil.rmtree(folder, ignore_errors=True)
             if widgets.alive(self.document):
-                self.places.clear()
+                self.drawing.clear()
                 view.setCamera(camera)
 
     def packed(self):

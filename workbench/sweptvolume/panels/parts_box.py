@@ -14,7 +14,7 @@ class PartsBox(MotionTable):
     means the common motion."""
 
     def __init__(self, document, plan, layout, chosen=False):
-        """chosen: the plan is that of an object, so missing inputs are not filled in silently."""
+        """chosen: the plan belongs to an object. Then missing inputs stay empty."""
         own = [None if m is plan.motion else m for m in plan.motions]
         super().__init__(document, plan.pairs, own)
         self.chosen = chosen

@@ -13,7 +13,7 @@ def _names(names):
     return ", ".join('"{}"'.format(name) for name in names[:MOST_NAMES]) + more
 
 
-def told(report):
+def result_text(report):
     """Returns the text about a report of a search (docs/paths.md)."""
     lines = _found(report) if report["verdict"] == "found" else _not_found(report)
     lines += [said(w["code"], w["text"]) for w in report["warnings"]]

@@ -34,11 +34,11 @@ def _distances(p, a, b, c):
     foot = p - off[:, None] * normal
     inside, border = np.ones(len(a), bool), np.full(len(a), np.inf)
     for start, end in ((a, b), (b, c), (c, a)):
-        way = end - start
-        inside &= np.einsum("nk,nk->n", foot - start, np.cross(normal, way)) >= 0
-        length = np.maximum(np.einsum("nk,nk->n", way, way), 1e-300)
-        part = np.clip(np.einsum("nk,nk->n", p - start, way) / length, 0, 1)
-        to_edge = np.linalg.norm(p - start - part[:, None] * way, axis=1)
+        edge = end - start
+        inside &= np.einsum("nk,nk->n", foot - start, np.cross(normal, edge)) >= 0
+        length = np.maximum(np.einsum("nk,nk->n", edge, edge), 1e-300)
+        fraction = np.clip(np.einsum("nk,nk->n", p - start, edge) / length, 0, 1)
+        to_edge = np.linalg.norm(p - start - fraction[:, None] * edge, axis=1)
         border = np.minimum(border, to_edge)
     return np.where(inside, np.abs(off), border)
 
@@ -90,9 +90,9 @@ class PlacePicker:
         if target is None or not is_envelope(target):
             return
         # Called later from the event loop, because FreeCAD has not finished the selection yet.
-        QtCore.QTimer.singleShot(0, lambda: self._tell(target, (document, name, sub), point))
+        QtCore.QTimer.singleShot(0, lambda: self._report(target, (document, name, sub), point))
 
-    def _tell(self, obj, selected, point):
+    def _report(self, obj, selected, point):
         try:
             Gui.Selection.removeSelection(*selected)
             view = Gui.getDocument(self.document).activeView()

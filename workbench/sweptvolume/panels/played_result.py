@@ -44,7 +44,7 @@ class PlayedPanel(check_result.ResultPanel):
     """Subclasses define what moves, and which two parts belong to a row."""
 
     def plan_shown(self):
-        """Returns the plan of `obj`, whose seen() is drawn."""
+        """Returns the plan of `obj`. The parts that its seen() returns are drawn."""
         raise NotImplementedError
 
     def row_scene(self, index):
@@ -104,7 +104,7 @@ class PlayedPanel(check_result.ResultPanel):
         row = self.report["neighbours"][index] if index is not None else None
         self.clash.setEnabled(row is not None and row["verdict"] == "clash")
 
-    @guard.told
+    @guard.shows_problems
     def keep(self, make):
         """Creates the shared volume whose plan make(index of the chosen row) returns."""
         index = self.chosen_row()
@@ -114,21 +114,21 @@ class PlayedPanel(check_result.ResultPanel):
 
     # --- the player
 
-    @guard.told
+    @guard.shows_problems
     def _moved(self):
         """Handles a move of the player to another time."""
         if getattr(self, "report", None) is None or not self.result.isVisible():
             return
         self.left_row()
         if self.player.times and self.ready():
-            self.place(self.player.now())
+            self.show_parts_at(self.player.now())
             self._follow(self.player.now())
 
     def left_row(self):
         """Called when the view no longer shows the moment of a row. The line stays until the next
-        answer."""
+        distance is known."""
 
-    def place(self, time, marked=()):
+    def show_parts_at(self, time, marked=()):
         self.ghosts.show([course(time) for course in self.courses], marked)
         self.graph.mark(time)
 
@@ -175,7 +175,7 @@ class PlayedPanel(check_result.ResultPanel):
 
     # --- the section
 
-    @guard.told
+    @guard.shows_problems
     def _cut_again(self):
         if not self.section.isChecked() or self.ends is None:
             if self.cut is not None and widgets.alive(self.document):
@@ -188,7 +188,8 @@ class PlayedPanel(check_result.ResultPanel):
     # --- the parts, read in the background
 
     def ready(self):
-        """Returns whether the parts can be drawn. If not, they are read, and shown() follows."""
+        """Returns whether the parts can be drawn. If not, they are read, and parts_read()
+        follows."""
         if self.ghosts is not None:
             return True
         if self.shapes is None and self.obj is not None:
@@ -196,7 +197,7 @@ class PlayedPanel(check_result.ResultPanel):
             self.shapes.ended.connect(self._shapes_read)
         return False
 
-    @guard.told
+    @guard.shows_problems
     def _shapes_read(self, run):
         self.shapes = None
         if run.state != "ok" or not widgets.alive(self.document):

@@ -59,11 +59,11 @@ class Player(QtWidgets.QGroupBox):
         above.addWidget(self.time)
         for button in (self.back, self.forth):
             button.setFixedWidth(30)
-        for row, held in (
+        for row, widgets_in_row in (
             (middle, (self.back, self.play, self.forth)),
             (below, (self.speed, self.loop)),
         ):
-            for widget in held:
+            for widget in widgets_in_row:
                 row.addWidget(widget)
             row.addStretch(1)
         for row in (above, middle, below):

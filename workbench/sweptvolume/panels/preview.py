@@ -24,7 +24,7 @@ REST = 300
 #: Time (ms) after the last request until the panel checks for results by itself. Each request draws
 #: the view anyway, and drawing it twice would take time. So this time is longer than the interval
 #: between two requests of a dragger (its POLL).
-LOOK = 100
+POLL_DELAY = 100
 #: Times (s): above SLOW the next coarse run is coarser, below QUICK it is finer, by the factor
 #: STEP; smallest number of cells.
 SLOW, QUICK, STEP, LEAST_CELLS = 0.12, 0.04, 0.7, 32
@@ -57,8 +57,8 @@ def request_for(body, poses, base, interpolation, resolution):
 class _PreviewTask(NewestTask):
     """Computes envelopes for requests. Each result is (drawn, seconds).
 
-    compute: core.compute(), or that of a session that already knows the body. settle(request,
-    control): called after each run, in the same thread."""
+    compute: core.compute(), or core_previews.Sessions.compute(), which keeps data about the body.
+    settle(request, control): called after each run, in the same thread."""
 
     def __init__(self, document, requests, compute, settle=None):
         super().__init__(document, "Preview", requests)
@@ -69,7 +69,7 @@ class _PreviewTask(NewestTask):
         made = drawn(found.vertices, found.triangles, MOST_TRIANGLES)
         return made, found.report["seconds"]["total"]
 
-    def rest(self, requests, control):
+    def after_request(self, requests, control):
         for request in requests if self.settle is not None else ():
             self.settle(request, control)
 
@@ -79,7 +79,7 @@ class Preview:
     after the other, each for the newest request, without waiting for the window to draw. After a
     pause it computes a fine envelope, which replaces the coarse one.
 
-    A wish is a function: number of cells along the longest side -> requests for the core.
+    make_requests is a function: number of cells along the longest side -> requests for the core.
     show(drawn) draws (views/surface.py). report(text) shows a failure ("": none). finest() returns
     the number of cells of the fine run.
     """
@@ -87,7 +87,7 @@ class Preview:
     def __init__(self, document, show, report, finest):
         self.document, self.show, self.report, self.finest = document, show, report, finest
         self.sessions = core_previews.Sessions()
-        self.run, self.wish = None, None
+        self.run, self.make_requests = None, None
         self.waiting, self.fine = False, False
         self.cells, self.adapts = settings.preview_resolution(), True
         self.warm_cells = 0
@@ -95,12 +95,12 @@ class Preview:
         self.timer = QtCore.QTimer()
         self.timer.setSingleShot(True)
         self.timer.timeout.connect(self._refine)
-        self.looks = QtCore.QTimer()
-        self.looks.timeout.connect(self.take)
+        self.poll_timer = QtCore.QTimer()
+        self.poll_timer.timeout.connect(self.take)
 
-    def want(self, wish, take=True):
+    def want(self, make_requests, take=True):
         """Requests an envelope. take=False: the caller calls take() whenever it draws."""
-        self.wish = wish
+        self.make_requests = make_requests
         self.timer.stop()
         if self.run is None:
             self._start(fine=False)
@@ -110,13 +110,15 @@ class Preview:
         else:
             if take:
                 self.take()
-            self.looks.start(LOOK)  # the next picture is drawn anyway, so no extra one is needed
+            self.poll_timer.start(
+                POLL_DELAY
+            )  # the next picture is drawn anyway, so no extra one is needed
             requests = self._requests(min(self.cells, self.finest()))
             self.waiting = requests is not None and not self.run.task.offer(requests)
 
-    def has_made(self):
+    def has_result(self):
         """Returns whether take() has something to show."""
-        return self.run is not None and self.run.task.has_made()
+        return self.run is not None and self.run.task.has_result()
 
     def settled(self):
         """Returns whether no run is in progress and none will follow."""
@@ -126,7 +128,7 @@ class Preview:
         """Returns the requests for the core. If they cannot be made, reports the problem and
         returns None."""
         try:
-            return self.wish(cells)
+            return self.make_requests(cells)
         except (InputProblem, core.CoreMissing, core.CoreError) as problem:
             self.report(str(problem))
             return None
@@ -149,10 +151,10 @@ class Preview:
             self.report(str(problem))
             return
         self.run.ended.connect(self._ended)
-        self.looks.start(LOOK)
+        self.poll_timer.start(POLL_DELAY)
 
     def _refine(self):
-        if self.run is None and self.wish is not None and self.finest() > self.cells:
+        if self.run is None and self.make_requests is not None and self.finest() > self.cells:
             self._start(fine=True)
 
     def take(self):
@@ -169,7 +171,7 @@ class Preview:
 
     def _ended(self, run):
         self.take()
-        self.looks.stop()
+        self.poll_timer.stop()
         self.run = None
         if run.state != "cancelled":
             self.report(run.message)
@@ -189,9 +191,9 @@ class Preview:
             self.cells = min(settings.preview_resolution(), int(self.cells / STEP) + 1)
 
     def stop(self):
-        self.wish, self.waiting = None, False
+        self.make_requests, self.waiting = None, False
         self.timer.stop()
-        self.looks.stop()
+        self.poll_timer.stop()
         if self.run is not None:
             self.run.ended.disconnect(self._ended)
             self.run.cancel()

@@ -15,7 +15,7 @@ class ReadOuts(QtWidgets.QGroupBox):
     def __init__(self, document):
         super().__init__(translate("SweptVolume", "Result"))
         self.obj = None
-        self.watch = widgets.DocumentWatch(document, self.hide, self._look_again)
+        self.watch = widgets.DocumentWatch(document, self.hide, self._refresh)
         self.text = QtWidgets.QLabel()
         self.text.setObjectName("SweptVolumeReadOuts")
         self.text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
@@ -35,7 +35,7 @@ class ReadOuts(QtWidgets.QGroupBox):
         self.text.setText("\n".join(lines_of(obj, report)))
         self.show()
 
-    def _look_again(self):
+    def _refresh(self):
         self.show_result(self.obj if self.obj is not None and widgets.alive(self.obj) else None)
 
     def stop(self):

@@ -28,7 +28,7 @@ def _item(text, data):
 
 
 def _state(item):
-    """Returns text and data of a cell, for another cell."""
+    """Returns the text and the data of a cell, so that another cell can get them."""
     return item.text(), item.data(QtCore.Qt.UserRole)
 
 
@@ -56,8 +56,8 @@ class _KindDelegate(QtWidgets.QStyledItemDelegate):
 
 
 class RulesTable(QtWidgets.QTableWidget):
-    """kinds: those that can be chosen. head: title of the column of lengths, without the unit.
-    label: function that returns the text for a row; title: title of the first column."""
+    """kinds: the kinds of rules that can be chosen. head: title of the column of lengths, without
+    the unit. label: function that returns the text for a row; title: title of the first column."""
 
     def __init__(self, name, head, kinds=KINDS, height=110, label=None, title=""):
         super().__init__(0, 3)

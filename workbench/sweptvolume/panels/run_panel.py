@@ -36,7 +36,7 @@ class StartPanel:
         for button in self.buttons:
             button.setEnabled(on)
 
-    @guard.told
+    @guard.shows_problems
     def begin(self, task, ended, words=list, again=None):
         """Starts task() and calls ended(run) at its end. Returns whether the run has started.
         words: returns contents.words() of the parts. If the parts are large, they are read
@@ -66,7 +66,7 @@ class StartPanel:
         return False
 
     def reject(self):
-        """Cancel: first stops the run, if there is one. A run writes nothing before its end."""
+        """Cancel: first stops the run, if there is one. Until then, the run has written nothing."""
         if self.run is not None:
             self.run.ended.disconnect(self.ended)
             self.run.cancel()
@@ -82,8 +82,8 @@ class StayingPanel(StartPanel):
 
     def watched(self):
         """Returns the observer of the document: it closes the panel with the document, and shows
-        the result again when it or its state has changed."""
-        return widgets.DocumentWatch(self.document, self.reject, self._look_again)
+        the result again when the result or its state has changed."""
+        return widgets.DocumentWatch(self.document, self.reject, self._refresh)
 
     def _state(self):
         names = "Status", "Message", "Summary", "InputHash"
@@ -93,8 +93,8 @@ class StayingPanel(StartPanel):
         """Stores which state of the result is shown."""
         self._noted = self._state()
 
-    @guard.told
-    def _look_again(self):
+    @guard.shows_problems
+    def _refresh(self):
         if self.run is not None:  # a run shows its result itself
             return
         self.renew_inputs()

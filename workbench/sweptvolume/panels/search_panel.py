@@ -11,21 +11,21 @@ from .widgets import QtWidgets
 
 
 class SearchPanel(StayingPanel):
-    """Subclasses define TITLE, ICON, BUTTON (texts and names), build_way(), build_rules(rows),
+    """Subclasses define TITLE, ICON, BUTTON (texts and names), build_task(), build_rules(rows),
     task(), and found(task), which handles the result."""
 
     def __init__(self, document, pairs):
         self.document, self.pairs, self.run = document, list(pairs), None
         self.form, self.layout = widgets.window(translate("SweptVolume", self.TITLE), self.ICON)
         self.box, self.message = widgets.RunBox(), widgets.message_label()
-        self.begins = QtWidgets.QPushButton(translate("SweptVolume", self.BUTTON))
-        self.begins.setObjectName("SweptVolumeFind")
-        self.begins.setDefault(True)  # Enter presses this button
-        self.begins.clicked.connect(lambda *ignored: self.start())
-        for widget in (self.begins, self.box, self.message):  # visible without scrolling
+        self.start_button = QtWidgets.QPushButton(translate("SweptVolume", self.BUTTON))
+        self.start_button.setObjectName("SweptVolumeFind")
+        self.start_button.setDefault(True)  # Enter presses this button
+        self.start_button.clicked.connect(lambda *ignored: self.start())
+        for widget in (self.start_button, self.box, self.message):  # visible without scrolling
             self.layout.addWidget(widget)
         self.paths = paths_table.PathsTable(document, self.layout)
-        self.build_way()
+        self.build_task()
         self.beside = NeighboursBox(document, lambda: self.pairs, self.layout)
         self._build_rules()
         self.layout.addStretch(1)
@@ -96,7 +96,7 @@ class SearchPanel(StayingPanel):
         none = translate("SweptVolume", "none: select the part, then press Pick")
         return ", ".join(convert.label_of(*p) for p in self.pairs) or none
 
-    @guard.told
+    @guard.shows_problems
     def take_neighbours(self, pairs):
         self.beside.take(pairs)
 
@@ -104,14 +104,14 @@ class SearchPanel(StayingPanel):
         self.beside.mark([])
         if not self.begin(self.task, self.ended):
             return False
-        self.begins.setEnabled(False)
+        self.start_button.setEnabled(False)
         return True
 
     def ended(self, run):
         self.run = None
         if not widgets.alive(self.document):
             return
-        self.begins.setEnabled(True)
+        self.start_button.setEnabled(True)
         self.box.leave(self.form)
         if run.state != "ok":
             widgets.show_failure(self.message, run)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The selection, sorted by what the commands can use. Keeps sub paths through groups and links."""
+"""Returns the selected objects that the commands can use. Keeps sub paths through groups and
+links."""
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -55,7 +56,7 @@ def parts():
 
 
 def spaces():
-    """Returns the selected solids and meshes, including results of ours."""
+    """Returns the selected solids and meshes, including results of this workbench."""
     return _with_geometry(lambda target: True)
 
 
@@ -87,7 +88,7 @@ def moved_part(obj):
 
 
 def ours():
-    """Returns whether one of our objects is selected."""
+    """Returns whether an object of this workbench is selected."""
     return _first(_ours) is not None
 
 
@@ -155,7 +156,7 @@ def source():
 
 
 def placed():
-    """Returns the selected objects that have a placement and are not ours."""
+    """Returns the selected objects that have a placement and do not belong to this workbench."""
     return list(_targets(lambda target: hasattr(target, "Placement") and not _ours(target)))
 
 
@@ -169,7 +170,7 @@ def of_kind(document, kind):
     return found, len(known)
 
 
-def _wanting(document, kind, none, several):
+def _missing_text(document, kind, none, several):
     """Returns the text about what is missing for a command that acts on one object of a kind.
     `none`: the text if the document has none; `several`: the text (with their number) if one
     must be selected. Returns "" if nothing is missing."""
@@ -195,9 +196,9 @@ def the_motion(document):
     return found
 
 
-def wanting_envelope(document):
+def missing_envelope_text(document):
     """Returns why a command that acts on one envelope cannot run, or ""."""
-    return _wanting(
+    return _missing_text(
         document,
         Envelope.KIND,
         translate(
@@ -207,9 +208,9 @@ def wanting_envelope(document):
     )
 
 
-def wanting_motion(document):
+def missing_motion_text(document):
     """Returns why a command that acts on one motion cannot run, or ""."""
-    return _wanting(
+    return _missing_text(
         document,
         Motion.KIND,
         translate("SweptVolume", "There is no motion in the document: make one with New motion."),
@@ -251,5 +252,6 @@ def _targets(test):
 
 
 def plain():
-    """Returns the selected objects that are not ours, with or without a placement."""
+    """Returns the selected objects that do not belong to this workbench, with or without a
+    placement."""
     return list(_targets(lambda target: not _ours(target)))

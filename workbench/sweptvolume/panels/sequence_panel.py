@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Task panel of a sequence: parts in their order with their motions, parts that stand still, rules.
-Finds the paths in this order, or finds an order, and plays all paths as one motion. Writes
-nothing before a search has found all paths. Then it writes their motions and the sequence as one
-undo step."""
+Finds the paths in this order, or finds an order, and plays all paths as one motion. Writes nothing
+before a search has found all paths. Then it writes their motions and the sequence as one undo
+step."""
 from PySide import QtCore
 
 from .. import runner
@@ -19,7 +19,7 @@ from .tasks import ShapesTask
 from .widgets import QtWidgets
 
 #: Interval (ms) between two checks of the search's progress.
-LOOK = 200
+POLL = 200
 #: The panel opened last, for tests and macros. FreeCAD does not give access to it.
 opened = []
 
@@ -33,11 +33,11 @@ class SequencePanel(SearchPanel):
     def __init__(self, document, pairs=(), obj=None):
         self.obj, self.ghost, self.ghosts, self.shapes, self.courses = obj, None, None, None, []
         self.looked = -1
-        # Settings of an object that no field shows are kept: accuracy, and rules of the parts among
-        # each other.
+        # Settings of the object that no field shows are kept: the accuracy, and rules for pairs of
+        # moving parts.
         self.tolerance, self.own_rules = path_plan.DEFAULTS["Accuracy"], {}
-        self.looks = QtCore.QTimer()
-        self.looks.timeout.connect(self._look)
+        self.poll_timer = QtCore.QTimer()
+        self.poll_timer.timeout.connect(self._poll)
         plan = sequence.Plan.of(obj) if obj is not None else None
         super().__init__(document, plan.pairs if plan else pairs)
         self.rows.changed.connect(self._parts_changed)
@@ -46,19 +46,19 @@ class SequencePanel(SearchPanel):
 
     # --- building
 
-    def build_way(self):
-        self.finds = QtWidgets.QPushButton(translate("SweptVolume", "Find an &order"))
-        self.finds.setObjectName("SweptVolumeFindOrder")
+    def build_task(self):
+        self.order_button = QtWidgets.QPushButton(translate("SweptVolume", "Find an &order"))
+        self.order_button.setObjectName("SweptVolumeFindOrder")
         widgets.hint(
-            self.finds,
+            self.order_button,
             translate(
                 "SweptVolume",
                 "Finds an order in which the parts can be installed: searches for an order in "
                 "which they can be removed, and reverses it",
             ),
         )
-        self.layout.insertWidget(self.layout.indexOf(self.begins) + 1, self.finds)
-        self.finds.clicked.connect(lambda *ignored: self.start("find"))
+        self.layout.insertWidget(self.layout.indexOf(self.start_button) + 1, self.order_button)
+        self.order_button.clicked.connect(lambda *ignored: self.start("find"))
         self.rows = SequenceRows(self.document, self.layout)
         self.rows.show_rows(self.pairs)
         self.out = widgets.length(sequence_plan.SEARCH["Out"], 1.0, 10.0)
@@ -81,7 +81,7 @@ class SequencePanel(SearchPanel):
         rows.addRow(translate("SweptVolume", "Removal distance"), self.out)
         rows.addRow(self.straight)
 
-    @guard.told
+    @guard.shows_problems
     def _show_plan(self, plan):
         states = [sequence.step_text(step) for step in plan.steps]
         self.rows.show_rows(plan.pairs, plan.motions, states)
@@ -174,14 +174,14 @@ class SequencePanel(SearchPanel):
             lambda: self.start(order),
         ):
             return False
-        for button in (self.begins, self.finds):
+        for button in (self.start_button, self.order_button):
             button.setEnabled(False)
         for row in range(len(self.rows.pairs)):
             self.rows.set_state(row, "")
-        self.looks.start(LOOK)
+        self.poll_timer.start(POLL)
         return True
 
-    def _look(self):
+    def _poll(self):
         """Shows the current part of the search, and its farthest placement."""
         if self.run is None:
             return
@@ -203,12 +203,12 @@ class SequencePanel(SearchPanel):
             self.ghost.show(path_plan.placement_of(farthest))
 
     def ended(self, run):
-        self.looks.stop()
+        self.poll_timer.stop()
         self.run = None
         if not widgets.alive(self.document):
             return
         self._forget_ghost()
-        for button in (self.begins, self.finds):
+        for button in (self.start_button, self.order_button):
             button.setEnabled(True)
         self.box.leave(self.form)
         if run.state != "ok":
@@ -250,7 +250,7 @@ class SequencePanel(SearchPanel):
             self.player.set_times(sorted(times))
             self.player.blockSignals(False)
 
-    @guard.told
+    @guard.shows_problems
     def _moved(self):
         if self.ghosts is not None:
             self.ghosts.show([course(self.player.now()) for course in self.courses])
@@ -258,7 +258,7 @@ class SequencePanel(SearchPanel):
             self.shapes = runner.start(ShapesTask(sequence.Plan.of(self.obj), MOVING_TRIANGLES))
             self.shapes.ended.connect(self._shapes_read)
 
-    @guard.told
+    @guard.shows_problems
     def _shapes_read(self, run):
         self.shapes = None
         if run.state != "ok" or not widgets.alive(self.document):
@@ -284,7 +284,7 @@ class SequencePanel(SearchPanel):
         self.shapes, self.ghosts, self.courses = None, None, []
 
     def leave(self):
-        self.looks.stop()
+        self.poll_timer.stop()
         self.clear_view()
 
 

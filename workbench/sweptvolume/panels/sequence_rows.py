@@ -123,8 +123,8 @@ class SequenceRows(QtCore.QObject):
     def remove(self):
         row = self.table.currentRow()
         if 0 <= row < len(self.pairs):
-            for held in (self.pairs, self.motions, self.states):
-                del held[row]
+            for column in (self.pairs, self.motions, self.states):
+                del column[row]
             self.show_rows(self.pairs, self.motions, self.states)
             self.changed.emit()
 
@@ -133,8 +133,8 @@ class SequenceRows(QtCore.QObject):
         row = self.table.currentRow()
         if row < 0 or not 0 <= row + by < len(self.pairs):
             return
-        for held in (self.pairs, self.motions, self.states):
-            held[row], held[row + by] = held[row + by], held[row]
+        for column in (self.pairs, self.motions, self.states):
+            column[row], column[row + by] = column[row + by], column[row]
         self.show_rows(self.pairs, self.motions, [""] * len(self.pairs))
         self.table.selectRow(row + by)
         self.changed.emit()

@@ -25,7 +25,7 @@ def ink_on(colour):
 
 def alarm(widget):
     """Returns the name of a red for text in a widget of a panel. It is lighter in a dark theme,
-    which the colour of the panel's texts shows."""
+    where the panel's texts are light."""
     ink = widget.parentWidget().palette().color(QtGui.QPalette.WindowText)
     return "#ff7d7d" if luminance(ink) > 0.5 else "#d01020"
 

@@ -9,7 +9,7 @@ from .. import core, export, quantities, targets
 from ..features import solid
 from ..texts import translate
 from . import focus, guard, tasks, widgets
-from .look import Look
+from .background_estimate import BackgroundEstimate
 from .run_panel import StartPanel
 from .widgets import QtWidgets
 
@@ -27,7 +27,9 @@ class SolidPanel(StartPanel):
         self.mesh = solid.request_for(source, world=bool(path))
         self.document, self.source, self.obj, self.path = source.Document, source, obj, path
         self.run, self.buttons = None, []
-        self.look = Look(self.document, self.show_estimate, self.report_estimate)
+        self.background = BackgroundEstimate(
+            self.document, self.show_estimate, self.report_estimate
+        )
         values = solid.settings(obj) if obj is not None else solid.DEFAULTS
         if path:
             head = translate("SweptVolume", "Export envelope"), "SweptVolume_Export"
@@ -135,7 +137,7 @@ class SolidPanel(StartPanel):
         return " ".join(filter(None, found))
 
     def settings(self):
-        """Returns the settings in the form of features.solid."""
+        """Returns the settings, as a dict like features.solid.DEFAULTS."""
         return {
             "merge": self.merge.isChecked(),
             "tolerance": float(self.tolerance.property("rawValue")),
@@ -153,7 +155,7 @@ class SolidPanel(StartPanel):
 
     def _changed(self, *ignored):
         """Removes an estimate that belongs to other settings."""
-        self.look.stop()
+        self.background.stop()
         widgets.show_message(self.expected, translate("SweptVolume", "Estimating the solid ..."))
         self.timer.start(ESTIMATE_DELAY)
 
@@ -164,9 +166,9 @@ class SolidPanel(StartPanel):
         try:
             guard.check_fields(self.form)
             suffix = os.path.splitext(self.path)[1].lstrip(".").lower() or "brep"
-            self.look.want(*self.mesh.but(self.settings()).estimates(suffix))
+            self.background.want(*self.mesh.with_settings(self.settings()).estimates(suffix))
         except Exception as problem:
-            guard.tell(self.expected, problem)
+            guard.show_problem(self.expected, problem)
 
     def report_estimate(self, text):
         widgets.show_message(self.expected, text)
@@ -184,7 +186,7 @@ class SolidPanel(StartPanel):
             quantities.megabytes(found["megabytes"] * 1e6),
             quantities.seconds(found["seconds"]),
         )
-        if self.look.has_more():
+        if self.background.has_more():
             text += "\n" + translate("SweptVolume", "Estimating the solid ...")
         elif found["tried"] and found["tolerance"] > 0 and not self.settings()["tolerance"]:
             asked = translate("SweptVolume", "A tolerance of {0} is needed to meet the limits")
@@ -201,7 +203,7 @@ class SolidPanel(StartPanel):
     def start(self):
         # Otherwise the estimate would do the same work at the same time as the run.
         self.timer.stop()
-        self.look.stop()
+        self.background.stop()
         if self.begin(self.task, self.ended):
             self._enable(False)
         else:
@@ -223,7 +225,7 @@ class SolidPanel(StartPanel):
 
     def _close(self):
         self.timer.stop()
-        self.look.stop()
+        self.background.stop()
         self.close_dialog()
         return True
 

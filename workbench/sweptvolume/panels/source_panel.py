@@ -34,7 +34,7 @@ class SourcePanel:
         build = getattr(self, "_build_" + kind.lower(), None)
         if build is not None:
             build(rows)
-        self.told = ""  # notes about the poses that were already shown
+        self.shown_notes = ""  # notes about the poses that were already shown
         now = (obj.Interpolation, obj.PoseType) if obj else (interpolation_of(kind), frame_of(kind))
         self.interpolation = widgets.choice(list(INTERPOLATIONS), now[0])
         self.frame = widgets.choice(FRAMES, now[1])
@@ -177,7 +177,7 @@ class SourcePanel:
         rows.addRow(title, field)
         self.values[name] = field.value
 
-    @guard.told
+    @guard.shows_problems
     def accept(self):
         guard.check_fields(self.form)
         if self._all_parts():
@@ -191,8 +191,8 @@ class SourcePanel:
     def _say_first(self, text):
         """Raises InputProblem if there are notes about the poses that were not shown yet. The
         motion is then not created."""
-        if text != self.told:
-            self.told = text
+        if text != self.shown_notes:
+            self.shown_notes = text
             once_more = translate("SweptVolume", "Press OK again to use the motion as it is.")
             raise InputProblem("{} {}".format(text, once_more))
 

@@ -14,7 +14,7 @@ def is_sourced(obj):
 
 
 def name_of(obj):
-    """Returns the name of the source, for people."""
+    """Returns the name of the source, for users."""
     if obj.SourceType == "File":
         return os.path.basename(obj.SourceFile)
     return ", ".join(source.Label for source in obj.SourceObjects)
@@ -30,7 +30,7 @@ def edit(obj):
         source_panel.show(obj.Document, obj.SourceType, list(obj.SourceObjects), obj)
 
 
-def may_cut(obj):
+def ask_to_unlink(obj):
     """Asks the user whether to remove the link of a motion to its source. Returns the answer."""
     text = translate(
         "SweptVolume",

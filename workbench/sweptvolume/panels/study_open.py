@@ -8,7 +8,7 @@ from . import clearance_panel, envelope_panel, widgets
 
 
 class Opener:
-    """panel: the panel of the study, which closes first."""
+    """panel: the panel of the study. It closes before the run is opened."""
 
     def __init__(self, panel):
         self.panel = panel

@@ -246,9 +246,9 @@ class StudyPanel(StayingPanel):
             if row is None
             else translate("SweptVolume", "&Open run")
         )
-        widgets.show_message(self.about, "" if row is None else study_table.told(row))
+        widgets.show_message(self.about, "" if row is None else study_table.line_of(row))
 
-    @guard.told
+    @guard.shows_problems
     def open_run(self):
         """Opens the chosen run, or the worst one."""
         if self.run is not None or self.obj is None:
@@ -266,7 +266,7 @@ class StudyPanel(StayingPanel):
     def _page(self):
         return os.path.join(self.obj.Results, study_export.PAGE)
 
-    @guard.told
+    @guard.shows_problems
     def open_page(self):
         path = self._page()
         if not QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path)):
@@ -276,7 +276,7 @@ class StudyPanel(StayingPanel):
             )
             raise InputProblem(text.format(path))
 
-    @guard.told
+    @guard.shows_problems
     def export_page(self):
         if self.run is not None:
             return

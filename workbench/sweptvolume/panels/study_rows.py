@@ -14,7 +14,7 @@ from .widgets import QtWidgets
 _COLOURS = {"failed": 0, "not clear": 1, "done": 3}
 _ORDER = list(study_table.STATES)
 #: Number of rows that determine the width of a column.
-_LOOKED_AT = 50
+_MEASURED_ROWS = 50
 _TEXTS = (
     lambda row: row["run"],
     study_table.state_text,
@@ -43,7 +43,7 @@ class _Rows(QtCore.QAbstractTableModel):
 
     def __init__(self):
         super().__init__()
-        self.rows, self.places = [], {}
+        self.rows, self.numbers = [], {}
         self.heads = (
             translate("SweptVolume", "Run"),
             translate("SweptVolume", "State"),
@@ -66,7 +66,7 @@ class _Rows(QtCore.QAbstractTableModel):
         if role == QtCore.Qt.DisplayRole:
             return _TEXTS[column](row)
         if role == QtCore.Qt.ToolTipRole:
-            return study_table.told(row)
+            return study_table.line_of(row)
         if role == QtCore.Qt.BackgroundRole and column == 1 and row["state"] in _COLOURS:
             return QtGui.QBrush(QtGui.QColor.fromRgbF(*BANDS[_COLOURS[row["state"]]]))
         return None
@@ -88,13 +88,13 @@ class _Rows(QtCore.QAbstractTableModel):
     def take(self, found):
         """Stores rows. found: {name of a run: its row}."""
         for name, row in found.items():
-            place = self.places.get(name)
-            if place is not None and self.rows[place] != row:
-                self.rows[place] = row
-                self.dataChanged.emit(self.index(place, 0), self.index(place, 3))
+            number = self.numbers.get(name)
+            if number is not None and self.rows[number] != row:
+                self.rows[number] = row
+                self.dataChanged.emit(self.index(number, 0), self.index(number, 3))
 
     def _number(self):
-        self.places = {row["run"]: place for place, row in enumerate(self.rows)}
+        self.numbers = {row["run"]: number for number, row in enumerate(self.rows)}
 
 
 class RowTable(QtWidgets.QTableView):
@@ -121,7 +121,7 @@ class RowTable(QtWidgets.QTableView):
         header.setFont(font)
         header.setSectionResizeMode(0, modes.Stretch)
         header.setHighlightSections(False)
-        header.setResizeContentsPrecision(_LOOKED_AT)
+        header.setResizeContentsPrecision(_MEASURED_ROWS)
         header.setSortIndicator(-1, QtCore.Qt.AscendingOrder)  # no sorting: the order of the study
         self.setSortingEnabled(True)
         self.setMinimumHeight(180)
@@ -145,14 +145,14 @@ class RowTable(QtWidgets.QTableView):
 
     def show_report(self, report):
         self._fill(report["runs"])
-        place = self.rows.places.get(report["worst"])
-        if place is not None:
-            self.scrollTo(self.rows.index(place, 0))
+        number = self.rows.numbers.get(report["worst"])
+        if number is not None:
+            self.scrollTo(self.rows.index(number, 0))
 
     def chosen(self):
         """Returns the selected row, or None."""
-        places = self.selectionModel().selectedRows()
-        return self.rows.rows[places[0].row()] if places else None
+        chosen = self.selectionModel().selectedRows()
+        return self.rows.rows[chosen[0].row()] if chosen else None
 
     def _fill(self, rows):
         self.clearSelection()

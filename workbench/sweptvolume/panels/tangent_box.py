@@ -42,14 +42,14 @@ class TangentBox(QtWidgets.QGroupBox):
             field.setButtonSymbols(QtWidgets.QAbstractSpinBox.NoButtons)
             field.setMinimumWidth(40)
             line.addWidget(field)
-            field.valueChanged.connect(self._tell)
+            field.valueChanged.connect(self._emit)
         self.unit = QtWidgets.QLabel("mm/s")
         line.addWidget(self.unit)
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(*widgets.MARGINS)
         column.addWidget(self.kind)
         column.addLayout(line)
-        self.kind.currentIndexChanged.connect(self._tell)
+        self.kind.currentIndexChanged.connect(self._emit)
         self.showing = False
         self._enable()
 
@@ -66,7 +66,7 @@ class TangentBox(QtWidgets.QGroupBox):
         for field in self.speeds:
             field.setEnabled(self.kind.currentData() == "Given")
 
-    def _tell(self, *ignored):
+    def _emit(self, *ignored):
         self._enable()
         if not self.showing:
             velocity = App.Vector(*[field.value() for field in self.speeds])

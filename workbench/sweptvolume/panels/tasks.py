@@ -271,8 +271,8 @@ class ShapesTask(Task):
         self.found = value
 
 
-def warn_of(report, label):
-    """Prints what was given up to get a valid solid."""
+def print_note(report, label):
+    """Prints the core's note about what it gave up to get a valid solid."""
     if report.get("note"):
         App.Console.PrintMessage("{}: {}\n".format(label, report["note"]))
 
@@ -280,7 +280,7 @@ def warn_of(report, label):
 class SolidTask(Task):
     """Converts an envelope to a solid, as one undo step. Creates the object if there is none yet.
 
-    settings: as in features.solid.DEFAULTS; if None, those of the object."""
+    settings: as in features.solid.DEFAULTS; if None, the settings of the object."""
 
     def __init__(self, document, source=None, obj=None, settings=None):
         self.title = translate("SweptVolume", "Make solid")
@@ -306,7 +306,7 @@ class SolidTask(Task):
             self.obj = solid.make_solid(self.document, self.source)
         solid.set_settings(self.obj, self.settings)
         solid.apply(self.obj, value, self.hash)
-        warn_of(value[1], self.obj.Label)
+        print_note(value[1], self.obj.Label)
         self.obj.purgeTouched()
         if self.source.ViewObject is not None:
             self.source.ViewObject.Visibility = False
@@ -346,7 +346,7 @@ class ExportTask(Task):
             shutil.copymode(self.path, value["beside"])
         os.replace(value["beside"], self.path)
         self.drop(value)
-        warn_of(value, self.path)
+        print_note(value, self.path)
         App.Console.PrintMessage(
             translate("SweptVolume", "Written: {0} ({1})\n").format(
                 self.path, quantities.megabytes(os.path.getsize(self.path))

@@ -52,7 +52,8 @@ class VerdictTable(QtWidgets.QTableWidget):
             self.horizontalHeader().setSectionResizeMode(column, mode)
 
     def put(self, line, cells, index, row):
-        """Fills a line with the cells of a row of the report. row: in the form of clearance_table."""
+        """Fills a line of the table with cells. index: of the row in the report; row: this row,
+        with the keys that clearance_table reads."""
         rank = clearance_table.WORST_FIRST.index(clearance_table.judged(row))
         cells[0].setToolTip(cells[0].text())
         cells[1].setBackground(QtGui.QColor.fromRgbF(*BANDS[rank]))

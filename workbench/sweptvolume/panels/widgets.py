@@ -20,8 +20,8 @@ shiboken = importlib.import_module("shiboken" + QtCore.qVersion()[0].replace("5"
 
 #: In Qt 6, QAction is in QtGui.
 Action = getattr(QtGui, "QAction", None) or QtWidgets.QAction
-#: If a run reports nothing new, the progress bar moves on its own: half of the rest up to
-#: MOST_CREPT in this time (s).
+#: While a run reports nothing new, the progress bar moves by itself: in CREEP seconds by half of
+#: its distance from MOST_CREPT.
 CREEP, MOST_CREPT = 30.0, 0.98
 #: Margins inside a box with a title: left, top, right, bottom. The title is on the upper border.
 MARGINS = (6, 10, 6, 6)
@@ -68,9 +68,9 @@ def _quantity(unit, value, minimum, step):
 
 
 def forget_with(widget):
-    """Makes PySide forget the wrapper of a widget. PySide finds wrappers by address. It forgets
-    those of deleted widgets, but not those of widgets that FreeCAD created. While such a wrapper
-    exists, a new widget of any type at that address would get it.
+    """Makes PySide forget the wrapper of a widget. PySide finds wrappers by address. It forgets the
+    wrapper of a deleted widget only if Python created the widget, not if FreeCAD did. While such a
+    wrapper exists, a new widget of any type at that address would get it.
     """
     widget.destroyed.connect(lambda: shiboken.invalidate(widget))
     return widget
@@ -84,7 +84,7 @@ def _quantity_field():
         try:
             field.objectName()
             return forget_with(field)
-        except RuntimeError:  # kept and unused, so that the next field gets another address
+        except RuntimeError:  # this field stays alive, so the next one gets another address
             if attempt == 9:
                 raise
 
@@ -143,8 +143,8 @@ def hint(field, text):
 
 
 def number_of(flag):
-    """Returns the number of a Qt constant: in PySide2 the constant is a number, in PySide6 it has
-    one."""
+    """Returns the number of a Qt constant. In PySide2 the constant is the number; in PySide6 the
+    number is its attribute `value`."""
     return int(getattr(flag, "value", flag))
 
 
@@ -187,8 +187,8 @@ def to_first_field(form):
 
 
 class DocumentWatch:
-    """Calls gone() soon after a document was closed, and changed() soon after objects came or went,
-    or states, names or what is visible may have changed, until stop() is called."""
+    """Calls gone() soon after a document was closed. Calls changed() soon after objects were added
+    or deleted, or their states, names or visibility may have changed. Ends with stop()."""
 
     def __init__(self, document, gone, changed=None):
         self.name, self.gone, self.changed, self._waits = document.Name, gone, changed, False
@@ -196,9 +196,9 @@ class DocumentWatch:
 
     def slotDeletedDocument(self, document):  # noqa: N802
         if document.Name == self.name:
-            QtCore.QTimer.singleShot(0, self._tell)
+            QtCore.QTimer.singleShot(0, self._notify)
 
-    def _tell(self):
+    def _notify(self):
         if self.name:
             self.stop()
             self.gone()
@@ -216,11 +216,11 @@ class DocumentWatch:
         if self.changed is not None and not self._waits and document.Name == self.name:
             # Called later from the event loop, once for all that changes now.
             self._waits = True
-            QtCore.QTimer.singleShot(0, self._tell_change)
+            QtCore.QTimer.singleShot(0, self._notify_change)
 
     slotUndoDocument = slotRedoDocument = slotRecomputedDocument
 
-    def _tell_change(self):
+    def _notify_change(self):
         self._waits = False
         if self.name:
             self.changed()

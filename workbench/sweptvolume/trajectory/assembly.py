@@ -16,8 +16,8 @@ _CALLS = ("generateSimulation", "numberOfFrames", "updateForFrame")
 
 
 def is_simulation(obj):
-    """Returns whether an object is a simulation. Only its properties distinguish it, because its
-    type is that of any Python object."""
+    """Returns whether an object is a simulation. Only its properties distinguish a simulation,
+    because all objects made in Python have the same type."""
     names = getattr(obj, "PropertiesList", [])
     return {"aTimeStart", "bTimeEnd", "cTimeStepOutput"}.issubset(names)
 
@@ -104,5 +104,5 @@ def signature(objects):
     words.append(repr(_seconds(simulation.cTimeStepOutput)))
     for motion in getattr(simulation, "Group", []):
         words += [str(getattr(motion, "Formula", "")), str(getattr(motion, "MotionType", ""))]
-    place = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
-    return " ".join(words) + str(place.tolist())
+    matrix = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
+    return " ".join(words) + str(matrix.tolist())

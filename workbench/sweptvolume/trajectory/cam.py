@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Poses of a cutter from CAM (Path) commands: G0 to G3 with X Y Z I J K R and A B C words.
 
-Convention: a pose is that of the tool relative to the workpiece, with its tip at the programmed
-point. A, B, C are in degrees. Head: they turn the tool about the fixed axes x, then y, then z (R =
-Rz Ry Rx); X Y Z are coordinates of the workpiece. Table: they turn the workpiece with its
-coordinates about the axes of the machine, in that order; X Y Z are coordinates of the machine, and
-the tool keeps its direction.
-G2 and G3 lie in the plane of G17 (xy), G18 (zx) or G19 (yz). The centre is relative to the start
-(G91.1, as in Path), or a radius R is given; helices are possible. G90 and G91 are supported. Feed
-is in mm/s, as Path stores it; G0 moves at `rapid` mm/s.
+Convention: a pose is the placement of the tool relative to the workpiece, with the tip of the tool
+at the programmed point. A, B, C are in degrees. Head: they turn the tool about the fixed axes x,
+then y, then z (R = Rz Ry Rx); X Y Z are coordinates of the workpiece. Table: they turn the
+workpiece with its coordinates about the axes of the machine, in that order; X Y Z are coordinates
+of the machine, and the tool keeps its direction. G2 and G3 lie in the plane of G17 (xy), G18 (zx)
+or G19 (yz). The centre is relative to the start (G91.1, as in Path), or a radius R is given;
+helices are possible. G90 and G91 are supported. Feed is in mm/s, as Path stores it; G0 moves at
+`rapid` mm/s.
 """
 import math
 
@@ -40,8 +40,8 @@ def poses(objects, rapid=100.0, convention="Head"):
     """Returns the poses of all moves of one CAM object."""
     if len(objects) != 1 or not is_path(objects[0]):
         raise InputProblem(translate("SweptVolume", "Select one CAM (Path) operation."))
-    place = {"Head": _by_head, "Table": _by_table}[convention]
-    times, found = _Reader(rapid, place).read(objects[0].Path.Commands)
+    placement_of = {"Head": _by_head, "Table": _by_table}[convention]
+    times, found = _Reader(rapid, placement_of).read(objects[0].Path.Commands)
     if len(found) < 2:
         raise InputProblem(
             translate(
@@ -54,8 +54,8 @@ def poses(objects, rapid=100.0, convention="Head"):
 class _Reader:
     """Follows commands. Its state holds the words that remain in force."""
 
-    def __init__(self, rapid, place):
-        self.rapid, self.place, self.feed = rapid, place, rapid
+    def __init__(self, rapid, placement_of):
+        self.rapid, self.placement_of, self.feed = rapid, placement_of, rapid
         self.state = {axis: 0.0 for axis in "XYZABC"}
         self.plane, self.relative = PLANES["G17"], False
         self.times, self.found = [], []
@@ -77,7 +77,8 @@ class _Reader:
         for axis in target:
             if axis in words:
                 target[axis] = words[axis] + (self.state[axis] if self.relative else 0.0)
-        # The position before is not known, so the motion begins at the first target.
+        # The position before the first move is not known, so the motion begins at the target of
+        # this move.
         if not self.found:
             self._arrive(target, 0.0)
             return
@@ -87,7 +88,7 @@ class _Reader:
 
     def _arrive(self, state, seconds):
         self.times.append(self.times[-1] + seconds if self.times else 0.0)
-        self.found.append(self.place(state))
+        self.found.append(self.placement_of(state))
         self.state = state
 
 

@@ -29,13 +29,14 @@ MAX_POSES = 20_000
 #: An edge is halved at most this often. Its pieces are then about as short as the smallest distance
 #: between two points that can be distinguished.
 MAX_HALVINGS = 24
-#: Turns (rad) between two edges below this are ignored: half a millimetre at a distance of 500 m.
+#: A smaller turn (rad) between two edges is ignored. At a distance of 500 m, this turn moves a
+#: point by half a millimetre.
 CORNER = 1e-6
 #: Fractions between two poses at which the deviation of the curve is measured. Two are irrational:
 #: at simple fractions alone, a helix of several turns would look straight.
-LOOK_AT = (math.sqrt(5) - 2, 0.5, math.sqrt(0.5))
+TEST_FRACTIONS = (math.sqrt(5) - 2, 0.5, math.sqrt(0.5))
 #: Duration of a full turn in place, as a fraction of the duration of the path.
-TURN_SHARE = 0.25
+TURN_FRACTION = 0.25
 #: Below this fraction of a length, two points count as equal and two directions as parallel.
 SMALL = 1e-9
 
@@ -61,8 +62,8 @@ def poses(objects, count, orientation, duration):
         )
     track = _Track(edges)
     samples = [track.sample(track.total * i / (count - 1)) for i in range(count)]
-    shares = [i / (count - 1) for i in range(count)]
-    turns = _turns(samples, shares, orientation, objects)
+    fractions = [i / (count - 1) for i in range(count)]
+    turns = _turns(samples, fractions, orientation, objects)
     placements = [App.Placement(point, turn) for (point, _), turn in zip(samples, turns)]
     return Poses(even_times(count, duration / (count - 1)), placements)
 
@@ -81,8 +82,8 @@ def poses_within(objects, accuracy, orientation, duration):
         )
     track = _Track(edges)
     samples, lengths, clock = _adaptive(track, accuracy, orientation != "Fixed")
-    shares = [length / track.total for length in lengths]
-    turns = _turns(samples, shares, orientation, objects)
+    fractions = [length / track.total for length in lengths]
+    turns = _turns(samples, fractions, orientation, objects)
     placements = [App.Placement(point, turn) for (point, _), turn in zip(samples, turns)]
     return Poses([duration * passed / clock[-1] for passed in clock], placements)
 
@@ -113,7 +114,7 @@ class _Track:
         self.total = self.ends[-1]
 
     def sample(self, length):
-        """Returns (point, unit tangent) at a length. At a corner they are those of the edge before
+        """Returns (point, unit tangent) at a length. At a corner, both belong to the edge before
         it."""
         k = bisect.bisect_left(self.ends, length, 1, len(self.edges)) - 1
         return self.on_edge(k, length - self.ends[k])
@@ -173,13 +174,17 @@ def _adaptive(track, accuracy, turning):
         first = track.at_part(k, 0.0)
         if turning and _angle(first[1], samples[-1][1]) > CORNER:
             for step, tangent in _turn_in_place(samples[-1][1], first[1]):
-                put((first[0], tangent), track.ends[k], clock[-1] + step * TURN_SHARE * track.total)
+                put(
+                    (first[0], tangent),
+                    track.ends[k],
+                    clock[-1] + step * TURN_FRACTION * track.total,
+                )
         here, done = first, 0.0
         waiting = [(track.at_part(k, 1.0), 1.0, 0)]
         while waiting:
             there, part, depth = waiting[-1]
-            ask = depth < MAX_HALVINGS
-            if ask and _leaves(track, k, done, here, part, there, reach) > accuracy:
+            may_halve = depth < MAX_HALVINGS
+            if may_halve and _deviation(track, k, done, here, part, there, reach) > accuracy:
                 middle = 0.5 * (done + part)
                 waiting[-1] = (there, part, depth + 1)
                 waiting.append((track.at_part(k, middle), middle, depth + 1))
@@ -192,17 +197,18 @@ def _adaptive(track, accuracy, turning):
     return samples, lengths, clock
 
 
-def _leaves(track, k, a, here, b, there, reach):
+def _deviation(track, k, a, here, b, there, reach):
     """Returns how far (mm) the straight line between two samples deviates from edge k. Also
-    accounts for the turn between their tangents at a distance `reach`. Measured at LOOK_AT."""
-    turn, way, most = _least_turn(here[1], there[1]), there[0] - here[0], 0.0
-    for u in LOOK_AT:
+    accounts for the turn between their tangents at a distance `reach`. Measured at TEST_FRACTIONS.
+    """
+    turn, line, most = _least_turn(here[1], there[1]), there[0] - here[0], 0.0
+    for u in TEST_FRACTIONS:
         point, tangent = track.at_part(k, a + (b - a) * u)
-        share = (point - here[0]).dot(way) / max(way.dot(way), 1e-300)
-        share = min(max(share, 0.0), 1.0)  # the nearest point of the straight line
-        off = (point - here[0] - way * share).Length
+        fraction = (point - here[0]).dot(line) / max(line.dot(line), 1e-300)
+        fraction = min(max(fraction, 0.0), 1.0)  # the nearest point of the straight line
+        off = (point - here[0] - line * fraction).Length
         if reach:
-            part = App.Rotation(turn.Axis, math.degrees(turn.Angle) * share)
+            part = App.Rotation(turn.Axis, math.degrees(turn.Angle) * fraction)
             off += reach * _angle(part.multVec(here[1]), tangent)
         most = max(most, off)
     return most
@@ -218,16 +224,16 @@ def _turn_in_place(before, behind):
     return [(part, half), (part, behind)] if steps == 2 else [(part, behind)]
 
 
-def _turns(samples, shares, orientation, objects):
-    """Returns the rotation of the part at each sample. shares: position of each sample along the
+def _turns(samples, fractions, orientation, objects):
+    """Returns the rotation of the part at each sample. fractions: position of each sample along the
     path, 0 to 1."""
     if orientation == "SecondCurve":
         track = _Track(_edges(objects[1]))
         ends, start = [track.sample(x)[0] for x in (0.0, track.total)], samples[0][0]
         if (ends[0] - start).Length > (ends[1] - start).Length:
             # The second curve runs in the opposite direction.
-            shares = [1.0 - share for share in shares]
-        others = [track.sample(track.total * share)[0] for share in shares]
+            fractions = [1.0 - fraction for fraction in fractions]
+        others = [track.sample(track.total * fraction)[0] for fraction in fractions]
         return _turns_by_second(samples, others, objects)
     if orientation == "Tangent":
         return _turns_by_tangent(samples)
@@ -247,8 +253,8 @@ def _turns_by_tangent(samples):
 
 def _turns_by_second(samples, others, objects):
     """Returns rotations: x points along the tangent, z as closely as possible to the point of the
-    second curve. If that point lies on the line of the tangent, z is carried on from the pose
-    before."""
+    second curve. If that point lies on the line of the tangent, the rotation of the pose before
+    turns with the tangent."""
     turns, before = [], None
     for (point, tangent), other in zip(samples, others):
         up = other - point

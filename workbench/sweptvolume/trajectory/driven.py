@@ -97,21 +97,21 @@ class Handle:
 
     def _placement_value(self):
         name, part = self.name.split(".", 1)
-        place = getattr(self.driver, name)
+        placement = getattr(self.driver, name)
         if part == "Rotation.Angle":
-            return math.degrees(place.Rotation.Angle)
-        return getattr(place.Base, part[-1])
+            return math.degrees(placement.Rotation.Angle)
+        return getattr(placement.Base, part[-1])
 
     def _set_placement(self, value):
         name, part = self.name.split(".", 1)
-        place = App.Placement(getattr(self.driver, name))
+        placement = App.Placement(getattr(self.driver, name))
         if part == "Rotation.Angle":
-            place.Rotation = App.Rotation(place.Rotation.Axis, value)
+            placement.Rotation = App.Rotation(placement.Rotation.Axis, value)
         else:
-            base = App.Vector(place.Base)
+            base = App.Vector(placement.Base)
             setattr(base, part[-1], value)
-            place.Base = base
-        setattr(self.driver, name, place)
+            placement.Base = base
+        setattr(self.driver, name, placement)
 
     def _set_constraint(self, value):
         short = self.name[len(CONSTRAINT) :]
@@ -191,5 +191,5 @@ def signature(objects, name):
     """Returns a text that changes when the mechanism changes. It contains the value and the present
     placement of the part."""
     driver, part = pair(objects)
-    place = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
-    return "{!r} {}".format(Handle(driver, name).value(), place.tolist())
+    matrix = matrix_of(global_placement(*root_path(part))).round(7) + 0.0
+    return "{!r} {}".format(Handle(driver, name).value(), matrix.tolist())

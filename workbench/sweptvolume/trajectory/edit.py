@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Edits a list of key poses. The operations work on copies, so an edit is undone by discarding its
-result."""
+"""Edits a list of key poses. Keys copies the lists that it is given, so discarding it discards all
+edits."""
 import bisect
 import math
 import re
@@ -202,7 +202,8 @@ def rows_from(text, units):
 
 
 def _quantity_from(text, unit):
-    """Returns a quantity as a number of units, or NaN if the text is not a quantity."""
+    """Parses a text with a unit. Returns the value in `unit`, or NaN if the text is not such a
+    quantity."""
     try:
         quantity, one = App.Units.Quantity(text), App.Units.Quantity("1 " + unit)
         if quantity.Unit == one.Unit:

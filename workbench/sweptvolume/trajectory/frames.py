@@ -22,12 +22,12 @@ def change(matrices):
 
 
 class Recording:
-    """places: (root, sub) of the recorded parts. times (s). placements: a list for each place, with
-    one placement for each time. note: the note about the run, when it has ended."""
+    """pairs: (root, sub) of the recorded parts. times: s. placements: for each of `pairs` a list
+    with one placement for each time. note: the note about the run, when it has ended."""
 
-    def __init__(self, frames, places):
-        self.frames, self.places = frames, list(places)
-        self.times, self.placements, self.note = [], [[] for _ in self.places], ""
+    def __init__(self, frames, pairs):
+        self.frames, self.pairs = frames, list(pairs)
+        self.times, self.placements, self.note = [], [[] for _ in self.pairs], ""
 
     def advance(self):
         """Advances by one frame. Returns False at the end. Raises InputProblem, and then the
@@ -38,8 +38,8 @@ class Recording:
             self.note = end.value or ""
             return False
         try:
-            for place, found in zip(self.places, self.placements):
-                found.append(global_placement(*place))
+            for pair, found in zip(self.pairs, self.placements):
+                found.append(global_placement(*pair))
         except BaseException:
             self.close()
             raise
@@ -57,7 +57,7 @@ class Recording:
         self.frames.close()
 
     def poses(self, k):
-        """Returns the poses of the part places[k], in world coordinates."""
+        """Returns the poses of the part pairs[k], in world coordinates."""
         notes = [self.note] if self.note else []
         if change(np.array([matrix_of(p) for p in self.placements[k]])) <= STILL:
             text = translate(
@@ -65,7 +65,7 @@ class Recording:
                 '"{0}" stands still in all {1} frames: choose a part that moves, or check the '
                 "joints and formulas.",
             )
-            notes.append(text.format(label_of(*self.places[k]), count(len(self.times))))
+            notes.append(text.format(label_of(*self.pairs[k]), count(len(self.times))))
         return Poses(self.times, self.placements[k], note=" ".join(notes))
 
 
@@ -75,7 +75,7 @@ def poses_of(frames, part):
 
 
 def check_valid(objects, text):
-    """Raises InputProblem with a text if one of the objects could not be recomputed."""
+    """Raises InputProblem with this text if one of the objects could not be recomputed."""
     if any("Invalid" in obj.State for obj in objects):
         raise InputProblem(text)
 

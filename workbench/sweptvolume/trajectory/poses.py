@@ -142,7 +142,8 @@ def swept_box(points, poses):
 
 
 def at_time(poses, interpolation, time):
-    """Returns the placement at a time, interpolated as in the core (none: the last pose reached)."""
+    """Returns the placement at a time, interpolated as in the core. Without interpolation, returns
+    the last pose that was reached."""
     return course(poses, interpolation)(time)
 
 
@@ -194,7 +195,7 @@ def straightened(at, knots, reach, tolerance):
         while waiting:
             b, there, depth = waiting[-1]
             a, here = times[-1], placements[-1]
-            if depth < MOST_HALVINGS and _leaves(at, a, here, b, there, reach) > tolerance:
+            if depth < MOST_HALVINGS and _deviation(at, a, here, b, there, reach) > tolerance:
                 middle = 0.5 * (a + b)
                 waiting[-1] = (b, there, depth + 1)
                 waiting.append((middle, at(middle), depth + 1))
@@ -205,9 +206,9 @@ def straightened(at, knots, reach, tolerance):
     return Poses(times, placements)
 
 
-def _leaves(at, a, here, b, there, reach):
-    """Returns a bound (mm) on the deviation of the path from a to b from the straight one,
-    evaluated at three times."""
+def _deviation(at, a, here, b, there, reach):
+    """Returns how far (mm) a point within `reach` can be from its place on the straight segment, at
+    three times between a and b."""
     most = 0.0
     for u in (0.25, 0.5, 0.75):
         true = at(a + (b - a) * u)

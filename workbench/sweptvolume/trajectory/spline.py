@@ -3,7 +3,7 @@
 
 Positions are cubic Hermite pieces. Rotations are cumulative cubic pieces on the unit quaternions
 (Kim, Kim and Shin 1995): q(u) = q0 exp(w0 b1) exp(w b2) exp(w1 b3). So the angular velocity is
-continuous, too. Each key has one `Tangent`, which gives both velocities.
+continuous, too. The tangent of a key (TANGENTS) determines both velocities.
 """
 import math
 
@@ -12,8 +12,8 @@ import FreeCAD as App
 from ..convert import InputProblem
 from ..texts import translate
 
-#: Velocity at a key. Auto: from the adjacent keys. Stop: zero. Corner: that of the straight line on
-#: each side. Given: the velocity stored with the key; the rotation is as for Auto.
+#: Velocity at a key. Auto: from the adjacent keys. Stop: zero. Corner: the velocity of the straight
+#: line on each side. Given: the velocity stored with the key; the rotation is as for Auto.
 TANGENTS = ["Auto", "Stop", "Corner", "Given"]
 _SMALL = 1e-12
 
@@ -106,7 +106,7 @@ class Spline:
 
     def _mean(self, k, after, alone):
         """Returns the velocities of the parabola through the adjacent keys. At the ends and at a
-        corner, returns those of the straight line."""
+        corner, returns the velocities of the straight line."""
         last = len(self.times) - 1
         if k == 0 or (alone and after and k < last):
             return self._straight(k)
@@ -114,8 +114,8 @@ class Spline:
             return self._straight(k - 1)
         before, behind = self._straight(k - 1), self._straight(k)
         d0, d1 = self.times[k] - self.times[k - 1], self.times[k + 1] - self.times[k]
-        share = d1 / (d0 + d1)
-        return tuple(a * share + b * (1 - share) for a, b in zip(before, behind))
+        weight = d1 / (d0 + d1)
+        return tuple(a * weight + b * (1 - weight) for a, b in zip(before, behind))
 
     def _straight(self, k):
         """Returns the velocities of the straight line from key k to the next."""

@@ -16,8 +16,8 @@ reading.watch()
 
 
 def shown_icon(name):
-    """Returns the path of an icon after FreeCAD has drawn it once. Qt 6 draws no SVG files if its
-    plug-in for them is missing; the tree would then show a default icon."""
+    """Returns the path of an icon that FreeCAD has loaded itself. Otherwise the tree would show a
+    default icon if Qt 6 lacks its plug-in for SVG files."""
     path = icon(name)
     Gui.getIcon(path)
     return path
@@ -33,7 +33,7 @@ def state_icon(name, obj):
 
 def verdict_icon(name, obj, verdict=None):
     """Returns the icon of a check: its state or, if the result is current, its worst verdict.
-    verdict: used in place of the object's verdict."""
+    verdict: used instead of the object's verdict."""
     found = state_icon(name, obj)
     if found != icon(name) or not obj.Checked:
         return found
@@ -44,7 +44,7 @@ def verdict_icon(name, obj, verdict=None):
 
 
 def run_command(obj, command):
-    """Runs one of our commands on one object, as if it were selected."""
+    """Selects an object and runs a command of this workbench."""
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(obj)
     Gui.runCommand(command)
@@ -78,8 +78,8 @@ class View:
 
     def attach(self, view):
         self.Object = view.Object
-        for name in self.PARENTS:  # they may have been set before there was a view
-            self._tell_parents(view.Object, name)
+        for name in self.PARENTS:  # the links may have been set before there was a view
+            self._update_parents(view.Object, name)
 
     #: Names of the object's links to objects that show it as a child in the tree.
     PARENTS = ()
@@ -92,9 +92,9 @@ class View:
         if name == "Status" and getattr(obj, "ViewObject", None) is not None:
             obj.ViewObject.signalChangeIcon()
         if name in self.PARENTS:
-            self._tell_parents(obj, name)
+            self._update_parents(obj, name)
 
-    def _tell_parents(self, obj, name):
+    def _update_parents(self, obj, name):
         links = getattr(obj, name, None)
         now = [h for h in (links if isinstance(links, list) else [links]) if h is not None]
         above = self.__dict__.setdefault("_above", {})
@@ -107,8 +107,8 @@ class View:
                 QtCore.QTimer.singleShot(0, lambda holder=holder: _show_children(holder))
 
     def claimChildren(self):
-        """Returns the objects made from this one, which the tree shows below it: motion, envelope,
-        solid and check."""
+        """Returns the objects that use this one and that the tree shows below it: motions,
+        envelopes, solids and checks."""
         try:
             users = self.Object.InList
         except (AttributeError, ReferenceError):

@@ -45,10 +45,10 @@ class PoseDragger:
         # events without the interpreter lock, which crashes the program.
         self.moved, self.dropped, self.last, self.dragging = moved, dropped, None, False
         self.timer = QtCore.QTimer()
-        self.timer.timeout.connect(self._look)
+        self.timer.timeout.connect(self._poll)
         self.hide()
 
-    def _look(self):
+    def _poll(self):
         now = self._fields()
         if now != self.last:
             self.last, self.dragging = now, True

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Keeps FreeCAD's own editors out of the 3D view while one of our panels draws and drags there.
-FreeCAD's Transform would show a second dragger, and since FreeCAD 1.1 it would leave the
+"""Keeps FreeCAD's own editors out of the 3D view while a panel of this workbench draws and drags
+there. FreeCAD's Transform would show a second dragger, and since FreeCAD 1.1 it would leave the
 document in edit mode."""
 import FreeCADGui as Gui
 from PySide import QtCore
@@ -16,9 +16,9 @@ class EditLock:
     def slotInEdit(self, view):  # noqa: N802
         if self.name and view.Object.Document.Name == self.name:
             # Called later from the event loop, because FreeCAD has not finished opening the editor.
-            QtCore.QTimer.singleShot(0, self._tell)
+            QtCore.QTimer.singleShot(0, self._notify)
 
-    def _tell(self):
+    def _notify(self):
         if self.name:
             self.refuse()
 

@@ -109,19 +109,19 @@ class MovingParts(Overlay):
         from pivy import coin
 
         super().__init__(document)
-        self.places, self.paints, self.shown = [], [], []
+        self.transforms, self.paints, self.shown = [], [], []
         for drawn, solid in parts:
-            place, shown = coin.SoMatrixTransform(), coin.SoSwitch()
-            shown.addChild(place)
+            transform, shown = coin.SoMatrixTransform(), coin.SoSwitch()
+            shown.addChild(transform)
             shown.addChild(surface.group_of(drawn, solid))
             self.paints.append(self.add(KEY_COLOUR, 0.45, shown))
-            self.places.append(place)
+            self.transforms.append(transform)
             self.shown.append(shown)
 
     def show(self, placements, marked=()):
         """Shows the parts at these placements. marked: indices of the parts in another colour."""
         for k, placement in enumerate(placements):
-            self.places[k].matrix = _matrix(placement)
+            self.transforms[k].matrix = _matrix(placement)
             self.paints[k].diffuseColor = MOVING_COLOUR if k in marked else KEY_COLOUR
             self.shown[k].whichChild = -3  # -3: all children
 
@@ -144,8 +144,8 @@ class Ghosts(Overlay):
         )
         self.copies, self.moving = coin.SoMultipleCopy(), coin.SoMatrixTransform()
         self.copies.addChild(at_keys)
-        self.way, seen = path.Way(), coin.SoAnnotation()  # visible through the parts
-        seen.addChild(self.way.root)
+        self.path_lines, seen = path.PathLines(), coin.SoAnnotation()  # visible through the parts
+        seen.addChild(self.path_lines.root)
         self.root.addChild(seen)
         self.add(KEY_COLOUR, 0.6, self.copies)
         self.paint = self.add(MOVING_COLOUR, 0.35, self.moving, shape)
@@ -161,7 +161,7 @@ class Ghosts(Overlay):
 
     def show_path(self, poses, interpolation):
         """Draws the path as a line with frames."""
-        self.way.show(poses, interpolation)
+        self.path_lines.show(poses, interpolation)
 
     def show_moving(self, placement):
         self.moving.matrix = _matrix(placement)

@@ -10,7 +10,8 @@ from .surface import fill
 #: apart, and for a clash.
 APART = (0.85, 0.0, 0.6), (1.0, 0.95, 0.45), (0.4, 0.0, 0.28)
 CLASH = (0.95, 0.05, 0.1), (1.0, 1.0, 1.0), (0.6, 0.0, 0.0)
-#: Preferences of FreeCAD, and their values in a fresh profile (red, green, blue, alpha in 32 bits).
+#: FreeCAD's preferences for the background of the 3D view, and their values in a fresh profile
+#: (red, green, blue, alpha in 32 bits).
 _PLAIN, _GRADIENT = {"BackgroundColor": 3940932863}, {
     "BackgroundColor2": 859006463,
     "BackgroundColor3": 2543364607,
@@ -44,11 +45,11 @@ class LiveDistance(Overlay):
         style.lineWidth = LINE
         font.size, font.name = TEXT, "Arial:Bold"
         self.ends, self.lines = coin.SoCoordinate3(), coin.SoLineSet()
-        self.place, self.text = coin.SoTranslation(), coin.SoText2()
+        self.text_position, self.text = coin.SoTranslation(), coin.SoText2()
         line, text = coin.SoSeparator(), coin.SoSeparator()
         for node in (self.line_colour, style, self.ends, self.lines):
             line.addChild(node)
-        for node in (self.text_colour, font, self.place, self.text):
+        for node in (self.text_colour, font, self.text_position, self.text):
             text.addChild(node)
         for node in (light, line, text):
             seen.addChild(node)
@@ -59,7 +60,7 @@ class LiveDistance(Overlay):
         """Shows text (lines) at a point, and a line between two points (None: no line)."""
         line, *letters = CLASH if clash else APART
         self.line_colour.rgb, self.text_colour.rgb = line, letters[on_light()]
-        self.place.translation = tuple(at)
+        self.text_position.translation = tuple(at)
         self.text.string.setValues(0, len(text), [BESIDE + part for part in text])
         drawn = points[0] is not None
         fill(self.ends.point, np.array(points if drawn else np.zeros((0, 3)), np.float32))

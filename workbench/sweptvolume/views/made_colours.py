@@ -80,9 +80,9 @@ def pieces(record, by, vertices, triangles, most):
     for number in np.unique(of):
         own = triangles[of == number]
         used, renumbered = np.unique(own, return_inverse=True)
-        share = max(int(MOST_WHOLE * len(own) / len(triangles)), 4)
+        limit = max(int(MOST_WHOLE * len(own) / len(triangles)), 4)
         small = renumbered.reshape(-1, 3).astype(np.int32)
-        found.append((_colour(number, colours), surface.drawn(vertices[used], small, share)))
+        found.append((_colour(number, colours), surface.drawn(vertices[used], small, limit)))
     return found
 
 
@@ -91,7 +91,7 @@ def _colour(number, colours):
 
 
 def nodes_of(coloured, transparency):
-    """Returns Coin nodes that draw pieces(). Pieces with the same points share their node."""
+    """Returns Coin nodes that draw pieces(). Pieces with the same points use the same node."""
     from pivy import coin
 
     nodes, last = [], None

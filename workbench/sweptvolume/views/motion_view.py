@@ -35,8 +35,8 @@ class MotionView(View):
     def attach(self, view):
         super().attach(view)
         self.add_properties(view)
-        self.way = path.Way()
-        view.addDisplayMode(self.way.root, "Path")
+        self.path_lines = path.PathLines()
+        view.addDisplayMode(self.path_lines.root, "Path")
         self.draw(view.Object)
 
     def getDisplayModes(self, view):
@@ -58,7 +58,7 @@ class MotionView(View):
             self.draw(view.Object)
 
     def draw(self, obj):
-        if not hasattr(self, "way") or "Placements" not in obj.PropertiesList:
+        if not hasattr(self, "path_lines") or "Placements" not in obj.PropertiesList:
             return
         try:
             poses = poses_of(obj)
@@ -66,7 +66,7 @@ class MotionView(View):
             return
         view = obj.ViewObject
         width, size = getattr(view, "PathWidth", 3.0), getattr(view, "FrameSize", 0)
-        self.way.show(poses, obj.Interpolation, width, size)
+        self.path_lines.show(poses, obj.Interpolation, width, size)
 
     def getIcon(self):
         status = getattr(self.Object, "Status", "")

@@ -13,7 +13,7 @@ AXES = ((0.85, 0.15, 0.15), (0.15, 0.65, 0.15), (0.20, 0.35, 0.90))
 BETWEEN, MOST_FRAMES, MOST_SMOOTH = 8, 200, 2000
 
 
-class Way:
+class PathLines:
     """Coin nodes of the path and its frames, kept from picture to picture."""
 
     def __init__(self):

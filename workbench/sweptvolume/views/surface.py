@@ -2,9 +2,9 @@
 """Surfaces for the 3D view, simplified so that the window never freezes.
 
 drawn() may run in any thread; group_of() and changes of FreeCAD's own display must run in the
-window's thread. Without a graphics card, a picture of a million triangles takes the window 0.2 s
-of CPU. A picture of a simplified copy that looks the same takes 0.03 s. Each rotation of the view
-costs as much.
+window's thread. Without a graphics card, a picture of a million triangles takes the window 0.2 s of
+CPU. A picture of a simplified copy that looks the same takes 0.03 s. While the view rotates, each
+picture takes this time.
 """
 import ctypes
 
@@ -22,7 +22,7 @@ MOST, CREASE = 40000, 0.6
 
 
 def drawn(vertices, triangles, most=MOST):
-    """Returns a mesh in the form of group_of(): points, normals (may be None), indices."""
+    """Returns a mesh for group_of(): points, normals (may be empty) and indices."""
     try:
         return core.drawable(vertices, triangles, most, CREASE)
     except core.CoreMissing:
@@ -160,7 +160,8 @@ def show(obj, outcome):
 
 
 class _Undone:
-    """Compares the inputs of results that Undo does not keep, after Undo has restored the inputs."""
+    """Updates the states of results that Undo does not keep, after Undo has restored their
+    inputs."""
 
     def slotUndoDocument(self, document):  # noqa: N802
         for obj in objects_of_kind(document, envelope.Envelope.KIND):
@@ -173,7 +174,7 @@ _undone = []
 
 
 def watch_undo():
-    """From now on, compares states after each Undo."""
+    """From now on, updates states after each Undo."""
     if not _undone:
         _undone.append(_Undone())
         App.addDocumentObserver(_undone[0])
@@ -200,7 +201,7 @@ class LightDisplay:
         self.show_nodes(nodes_of(*surface))
 
     def show_nodes(self, nodes):
-        """Draws these nodes in place of FreeCAD's own."""
+        """Draws these nodes instead of FreeCAD's own."""
         self.full()
         self._parent = _parent_of_faces(self.obj.ViewObject)
         if self._parent is not None:

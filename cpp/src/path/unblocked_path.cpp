@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "path/free_way.h"
+#include "path/unblocked_path.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,7 +25,7 @@ Trajectory straight(const PathTask& task, Interpolation interpolation, double fa
 
 }  // namespace
 
-PathReport freeWay(const SequencePart& part, const PathOptions& options, double far) {
+PathReport unblockedPath(const SequencePart& part, const PathOptions& options, double far) {
   PathReport report;
   report.verdict = PathVerdict::Found;
   report.method = part.motion ? "given" : "nothing in the way";
@@ -38,13 +38,13 @@ PathReport freeWay(const SequencePart& part, const PathOptions& options, double 
     keys.push_back({pose, pose.rotation * box.center() + pose.translation});
     if (part.motion || keys.size() < 2) continue;
     const State& last = keys[keys.size() - 2];
-    const double way = (keys.back().middle - last.middle).norm() +
-                       radius * pose.rotation.angularDistance(last.pose.rotation);
-    pose.timeSeconds = last.pose.timeSeconds + std::max(1e-6, way / kPathSpeed);
+    const double length = (keys.back().middle - last.middle).norm() +
+                          radius * pose.rotation.angularDistance(last.pose.rotation);
+    pose.timeSeconds = last.pose.timeSeconds + std::max(1e-6, length / kPathSpeed);
     keys.back().pose = pose;
   }
   if (!part.motion) report.path.poses.front().timeSeconds = 0;
-  takeLength(keys, report);
+  addLength(keys, report);
   report.summary = "nothing in the way";
   return report;
 }

@@ -10,9 +10,9 @@
 
 namespace swept::path {
 
-/// The path is the motion of the part if it has one. Otherwise it is straight. It begins at the
-/// start, or `far` (mm) from the goal in the given direction, or at the given radius above the
-/// goal.
-PathReport freeWay(const SequencePart& part, const PathOptions& options, double far);
+/// If the part has a motion, this motion is the path. Otherwise the path leads in straight lines
+/// through the via poses to the goal. It begins at the start, or `far` (mm) from the goal in the
+/// given direction, or at the given radius above the goal.
+PathReport unblockedPath(const SequencePart& part, const PathOptions& options, double far);
 
 }  // namespace swept::path

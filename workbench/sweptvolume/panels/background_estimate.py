@@ -4,7 +4,7 @@ from .. import runner
 from .widgets import alive
 
 
-class _LookTask(runner.Task):
+class _EstimateTask(runner.Task):
     """A task that does not change the document."""
 
     writes = False
@@ -20,7 +20,7 @@ class _LookTask(runner.Task):
         self.show(found)
 
 
-class Look:
+class BackgroundEstimate:
     """Keeps at most one estimate in progress. Only the newest request counts.
 
     Calls show(found), and report(text) after a failure, in the window's thread."""
@@ -41,7 +41,7 @@ class Look:
 
     def _start(self):
         find, self._next, self._later = self._next[0], (), self._next[1:]
-        self.run = runner.start(_LookTask(self.document, find, self.show))
+        self.run = runner.start(_EstimateTask(self.document, find, self.show))
         self.run.ended.connect(self._ended)
 
     def _ended(self, run):
