@@ -12,7 +12,7 @@ using V3 = Eigen::Vector3d;
 double share(double part, double whole) { return part > 0 ? part / whole : 0; }
 
 /// Returns the nearest point of a triangle, by the region of the plane in which the projection
-/// lies. The triangle may be a line or a point.
+/// lies. The triangle may be degenerate: a line or a point.
 V3 nearestOnTriangle(const V3& p, const V3& a, const V3& b, const V3& c) {
   const V3 ab = b - a, ac = c - a, ap = p - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
