@@ -51,7 +51,8 @@ void require(bool holds, const std::string& what, const Report& report) {
                       report.message + ")");
 }
 
-/// With a tolerance, vertices may leave the planned box by this distance.
+/// Checks a result with the status Ok. With a tolerance, vertices may leave the planned box by this
+/// distance.
 void requireOk(const Result& result, const Options& options, double tolerance) {
   const Report& report = result.report;
   require(report.code.empty() && report.message.empty(), "Ok with a complaint", report);
@@ -70,7 +71,7 @@ void requireOk(const Result& result, const Options& options, double tolerance) {
   }
 }
 
-/// A grown envelope contains the plain one, to within a cell.
+/// Checks that a grown envelope contains the plain one, to within a cell.
 void requireGrown(const Result& grown, const TriMesh& mesh, const Trajectory& way,
                   Options options) {
   RunContext run;
@@ -120,7 +121,7 @@ void envelope(const std::uint8_t* data, std::size_t size) {
     recut(result, tolerance, run);
   } catch (const Error& error) {
     requireNamed("a cut at another tolerance", error);
-    tolerance = chosen.tolerance;  // as before
+    tolerance = chosen.tolerance;  // the result has not changed
   }
   requireOk(result, chosen, tolerance);
 }

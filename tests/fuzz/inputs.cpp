@@ -51,7 +51,7 @@ TriMesh firstBody(ByteSource& bytes) {
   }
 }
 
-/// A few blows with a hammer.
+/// Damages the mesh in up to five places.
 void damage(TriMesh& mesh, ByteSource& bytes) {
   const int blows = bytes.below(6);
   for (int i = 0; i < blows; ++i) {

@@ -22,18 +22,20 @@ struct JudgedSolid {
   std::vector<std::string> details;
   double edgeTolerance = 0, vertexTolerance = 0;  ///< mm: the largest ones
   double volume = 0;                              ///< mm^3
-  /// Relative difference between the volume of a block through half of the solid and the sum of
-  /// the volumes of cut and common with it. Negative: the kernel gave no result.
+  /// A block that contains half of the solid is cut by the solid and intersected with it. This is
+  /// the relative difference between the volume of the block and the sum of both results' volumes.
+  /// Negative: the kernel gave no result.
   double blockError = -1;
 };
 
-/// Throws std::runtime_error where the file cannot be read.
+/// Throws std::runtime_error if the file cannot be read.
 TopoDS_Shape readShape(const std::string& path);
 
 /// Writes a cylinder about the z axis, from z = 0, as a BREP file.
 void writeRod(double radius, double length, const std::string& path);
 
-/// detailCount: at most as many faults are described. withBlock: also cut (takes longer).
+/// detailCount: largest number of faults that are described. withBlock: also computes blockError
+/// (takes longer).
 JudgedSolid judgeSolid(const TopoDS_Shape& shape, std::size_t detailCount, bool withBlock);
 
 }  // namespace swept::test

@@ -22,7 +22,7 @@ inline double uniform(std::mt19937& random, double low, double high) {
 
 /// Returns an integer from 0 to count - 1.
 inline int uniformBelow(std::uint32_t count, std::mt19937& random) {
-  // with draws below it, some results would be more likely
+  // Draws below `uneven` would make some results more likely.
   const std::uint32_t uneven = -count % count;
   std::uint64_t product = 0;
   do {

@@ -57,7 +57,7 @@ class SweptDistance {
   bool continuous_;
   double finest_;
   std::vector<Edge> edges_;
-  /// for each triangle: its edge k starts at its corner k
+  /// For each triangle: its edge k starts at its corner k.
   std::vector<std::array<std::int32_t, 3>> edgesOf_;
   std::vector<Eigen::Vector3d> faceNormals_, vertexNormals_;
 };

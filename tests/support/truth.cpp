@@ -189,7 +189,7 @@ Truth ringAcrossAxis() {
 Truth helixOfBall() {
   Truth truth;
   truth.name = "helix_of_ball";
-  // pitch 4, more than the diameter of the ball
+  // The pitch of 4 is larger than the diameter of the ball.
   const double ring = 4, r = 1.1, turns = 1.5, rise = 4 * turns;
   truth.body = makeBall({ring, 0, 0}, r, kBallLevels);
   std::vector<Eigen::Isometry3d> placements;

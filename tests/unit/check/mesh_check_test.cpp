@@ -278,8 +278,8 @@ TEST(SelfIntersections, AgreesWithAllPairsOnRandomMeshes) {
   std::uniform_real_distribution<double> jitter(-1, 1);
   std::int64_t total = 0;
   for (int round = 0; round < 60; ++round) {
-    // From hardly disturbed meshes to tangled ones; every third one on a coarse lattice with many
-    // ties.
+    // The meshes range from hardly disturbed to tangled. In every third one, coordinates are
+    // rounded to a coarse lattice, so many are equal.
     TriMesh mesh = round % 2 == 0 ? makeBall({0, 0, 0}, 1, 2) : makeTorus(2, 0.7, 16, 9);
     const double amount = 0.02 * (round / 3);
     for (auto& v : mesh.vertices) {

@@ -84,7 +84,7 @@ TEST(Mechanism, BarsTurnAgainstEachOther) {
     const MechanismReport report =
         check({partOf("left", bar, left, kind), partOf("right", bar, right, kind)}, options);
     const NeighbourClearance& row = only(report);
-    double least = 1e300;  // of rectangles in the plane, at many times; the bars are mirror images
+    double least = 1e300;  // of many times
     const auto gap = [&](double degrees) {
       const MechanismPart a = partOf("a", bar, {turned(0, degrees, {0, 0, 0})});
       const MechanismPart b = partOf("b", bar, {turned(0, 90 - degrees, {100, 0, 0})});
@@ -135,7 +135,7 @@ TEST(Mechanism, APartThatWaitsIsPassed) {
   const MechanismReport waits = check({partOf("gate", cube(5), gate), runner(3)});
   EXPECT_NEAR(only(waits).distance, 1, 0.01);
   EXPECT_NEAR(only(waits).timeSeconds, 3.5, 0.15);
-  // Without the wait, at t = 4.75 the gate would be half way up.
+  // If the wait were ignored, the gate would rise from t = 1 on and be far away at t = 4.75.
   const MechanismReport early = check({partOf("gate", cube(5), gate), runner(4.5)});
   EXPECT_NEAR(only(early).distance, 1, 0.01);
 }
@@ -171,7 +171,7 @@ TEST(Mechanism, OneMovingPartIsAsForTheClearance) {
   }
 }
 
-// A peg goes 2 mm deep into a plate, and both move: depth, place and box are in world
+// A peg goes 2 mm deep into a plate, and both move. Depth, position and box are in world
 // coordinates.
 TEST(Mechanism, ClashOfTwoThatMove) {
   const MechanismReport report =
@@ -203,7 +203,8 @@ TEST(Mechanism, PairsAreLeftOutAndFarOnesAreCounted) {
   ASSERT_EQ(all.status, Status::Ok) << all.message;
   ASSERT_EQ(all.pairs.size(), 5u);
   EXPECT_EQ(all.farPairs, 10);
-  EXPECT_EQ(all.joined.size(), 0u);  // every second one moves alike, but those are far apart
+  // Every second part has the same motion, but these parts are far apart.
+  EXPECT_EQ(all.joined.size(), 0u);
   options.rules = {{"c", "b", parseRule("ignore")}};
   const MechanismReport less = check(parts, options);
   ASSERT_EQ(less.pairs.size(), 4u);

@@ -27,7 +27,7 @@ Faults contourFaults(const SyntheticGrid& synthetic, Geometry geometry, std::uin
 
 /// A block of bx x by x bz lattice points with its doubly crossed edges.
 struct Block {
-  std::uint64_t insideBits = 0;  ///< (i * by + j) * bz + k
+  std::uint64_t insideBits = 0;  ///< point (i, j, k) has bit (i * by + j) * bz + k
   std::uint64_t wallBits = 0;    ///< in the order of blockEdges()
 };
 
@@ -58,7 +58,7 @@ std::vector<BlockEdge> blockEdges(const BlockShape& s) {
   return edges;
 }
 
-/// Collects blocks in a cubic arrangement, and contours it whenever it is full.
+/// Puts blocks into a cubic grid, and contours the grid whenever it is full.
 class BlockTester {
  public:
   BlockTester(BlockShape shape, Geometry geometry, std::uint64_t seed)
@@ -279,7 +279,8 @@ TEST(ComponentsExhaustive, EveryFacePair) {
   }
 }
 
-/// All 2^20 choices of doubly crossed edges in two cells whose corners all lie outside.
+/// Choices of doubly crossed edges in two cells whose corners all lie outside: all 2^20 in a long
+/// run, otherwise a sample.
 TEST(ComponentsExhaustive, FacePairsOfWalls) {
   BlockTester tester({2, 2, 3}, Geometry::Random, 5);
   const std::uint64_t stride = longRun() ? 1 : kUnderSanitizer ? 293 : 31;
@@ -341,8 +342,7 @@ TEST(ComponentsExhaustive, RandomGrids) {
   }
 }
 
-/// The fault counter above finds faults: one vertex per cell makes non-manifold edges in such a
-/// grid.
+/// findFaults() can fail: one vertex per cell makes non-manifold edges in such a grid.
 TEST(ComponentsExhaustive, PlainDualContouringHasFaults) {
   SyntheticGrid grid(9, 9, 9);
   for (std::int32_t p = 0; p < 343; ++p) {

@@ -40,9 +40,9 @@ TriMesh stepped(double height) {
 
 constexpr double kCell = 0.25;
 
-/// Computes the envelope of a block that stands still, turned about `axis`, with a ledge of this
-/// height in cells. use(distance): distance in cells of a point, given in the block's
-/// coordinates, from the envelope.
+/// Computes the envelope of a block that stands still, turned about `axis`. Its ledge is `height`
+/// cells high. use(distance): distance(p) is the distance (in cells) from the envelope to a point p
+/// in the block's coordinates.
 template <class Use>
 void withLedge(double height, const V3& axis, double degrees, const Use& use) {
   const Eigen::Isometry3d place = placement(axis, degrees, {0.07, 0.11, 0.03});

@@ -1,5 +1,5 @@
-// The vertex for the planes of a component: it is at the best place in the cell, and inexact
-// planes do not move it far.
+// The vertex for the planes of a component: no point of the cell has a smaller quadratic error, and
+// inexact planes do not move the vertex far.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contour/qef.h"
 

@@ -1,5 +1,5 @@
-// Hermite grids made by hand: signs of lattice points, which edges carry two crossings, and a
-// geometry drawn from a seed. For tests of what depends on the configuration and not on a body.
+// Hermite grids made by hand, from signs of lattice points and from edges that carry two crossings.
+// The geometry may be random. For tests of what depends on the configuration and not on a body.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -45,7 +45,7 @@ struct Faults {
   std::int64_t nonManifoldEdges = 0;  ///< undirected edges of more than two triangles
   std::int64_t badVertices = 0;       ///< triangles round the vertex are not one closed ring
   std::int64_t degenerate = 0;        ///< triangles with a repeated vertex
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< where the first one lies
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< position of the first fault
   bool any() const { return openEdges + nonManifoldEdges + badVertices + degenerate > 0; }
 };
 Faults findFaults(const TriMesh& mesh);

@@ -56,7 +56,7 @@ class BoxTrees : public testing::TestWithParam<std::tuple<Kind, Order>> {
   static Kind kind() { return std::get<0>(GetParam()); }
   static Order order() { return std::get<1>(GetParam()); }
 
-  /// Calls use(boxes, tree, size of the rounding) for trees of many sizes.
+  /// Calls use(random, boxes, tree, size of the rounding) for trees of many sizes.
   template <class Use>
   void forTrees(const Use& use) {
     Random random(31);
@@ -70,7 +70,7 @@ class BoxTrees : public testing::TestWithParam<std::tuple<Kind, Order>> {
   }
   Vector3d somewhere(Random& random, const BoxTree& tree) {
     const Vector3d extent = tree.bounds().high - tree.bounds().low + Vector3d::Constant(1e-3);
-    // Also far away, where the rounding error of the point exceeds the distances between the
+    // Some points are so far away that their rounding error exceeds the distances between the
     // boxes.
     const double size = random.number(0, 1) < 0.6 ? 0.6 : std::pow(10.0, random.number(0, 6));
     return tree.middle() + random.point(size).cwiseProduct(extent);

@@ -113,7 +113,7 @@ TEST(RayColumns, LongTrianglesStandInTheColumnsThatTheyCover) {
   const TriMesh mesh =
       transformed(makeCylinder(1, 0, 40, 1000), placement({1, 2, 3}, 70, {5e4, -7e4, 1e4}));
   const RayColumns rays(mesh);
-  // Their boxes cover hundreds of columns.
+  // The box of each triangle covers hundreds of columns.
   EXPECT_LT(rays.entries(), 60 * mesh.triangles.size());
 
   // A mesh of one triangle has one column.

@@ -59,8 +59,9 @@ TEST(TriangleDistance, PointsAgreeWithTheDefinition) {
   }
 }
 
-// Heights from a thousandth of the longest edge down to zero. Rounding of the coordinates may move
-// such a triangle by 1e-16, but must not move the nearest point along the triangle.
+// The heights of the triangles range from a thousandth of the longest edge down to zero. Rounding
+// of the coordinates may move such a triangle by 1e-16, but must not move the nearest point along
+// the triangle.
 TEST(TriangleDistance, NeedlesAndPointsAgreeWithTheDefinition) {
   Random random(5);
   for (int n = 0; n < 20000; ++n) {
@@ -111,7 +112,7 @@ TEST(TriangleDistance, AgreesWithSampling) {
     EXPECT_NEAR((footOnTriangle(p.b, b).point - p.b).norm(), 0, 1e-9);
     const double sampled = std::min(sampledDistance(a, b, 60), sampledDistance(b, a, 60));
     EXPECT_LE(d, sampled + 1e-12) << k;
-    EXPECT_GE(d, sampled - 0.08) << k;  // 60 steps over edges of up to 3.5
+    EXPECT_GE(d, sampled - 0.08) << k;  // the grid divides edges of up to 3.5 by 60
   }
 }
 

@@ -1,4 +1,4 @@
-// Merged steps of recordings: their deviation is measured on the true motion by brute force.
+// Merged steps of recordings: brute force measures how far they deviate from the true motion.
 // Motions that cannot be merged stay unchanged.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "motion/merge_steps.h"
@@ -40,9 +40,9 @@ Trajectory recording(std::mt19937& random, int poses, double travel, double turn
   return out;
 }
 
-/// Returns the largest distance of a body vertex in the true motion from its place on the chord of
-/// the motion at the same time. Looks at each pose and at three times between successive poses. If
-/// several steps contain this time, the nearest place counts.
+/// Returns the largest distance between a body vertex in the true motion and the same vertex on the
+/// chord of `motion` at the same time. Checks each pose, and three times between successive poses.
+/// If several steps contain a time, the nearest position counts.
 double farthestOff(const TriMesh& body, const Trajectory& truth, const Motion& motion) {
   double most = 0;
   std::size_t first = 0;

@@ -103,7 +103,8 @@ TEST(PositionFilter, TheRunSaysWhatWasDroppedAndTheEnvelopeLosesNoMore) {
     if (finding.code == "PositionFiltered") said = finding.count;
   }
   EXPECT_EQ(said, 60 - filtered.report.refinedPlacements);
-  // Each envelope may be off by one cell (tests/unit/truth), so the two differ by two cells more.
+  // Each envelope may be off by one cell (tests/unit/truth). So the distance between both may
+  // exceed the filter's distance by two cells.
   const double slack = 2 * options.cellSize;
   const MeshDistance tree(filtered.mesh);
   for (const auto& v : full.mesh.vertices) {

@@ -125,7 +125,7 @@ TEST(SplitEdges, ABoxIsFollowedWithFewPlacements) {
   // placement to the next would need about 2,500 placements to be flat enough. The arcs of the
   // vertices alone need fewer than 40 (piecesOf() in step_path.h).
   EXPECT_LT(result.report.refinedPlacements, 300);
-  // A quarter of a disc up to the far corner, and the two halves of the box beside it.
+  // The quarter of a disc that the far corner sweeps, and the two halves of the box beside it.
   const double area = 17 * M_PI / 4 + 4;
   EXPECT_NEAR(result.report.check.volume, 10 * area, 2e-3 * 10 * area);
 }

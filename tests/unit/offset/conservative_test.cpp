@@ -24,7 +24,7 @@ Result conservative(const TriMesh& body, const Trajectory& motion, Options optio
   return checkedCompute(body, motion, options);
 }
 
-/// Returns random points of the body's surface at random times, as SweptDistance places it.
+/// Returns random points of the body's surface at random times, at the placements of SweptDistance.
 std::vector<V3> sweepPoints(const SweptDistance& truth, int count, std::mt19937& random) {
   const TriMesh& mesh = truth.body().mesh();
   std::uniform_real_distribution<double> unit(0, 1);
@@ -47,8 +47,8 @@ std::vector<V3> sweepPoints(const SweptDistance& truth, int count, std::mt19937&
   return points;
 }
 
-/// Tests that a conservative envelope contains the sweep, and its reported bound. solid: the closed
-/// body for the comparison.
+/// Tests that a conservative envelope contains the sweep, and that its reported bound is right.
+/// solid: the closed body for the comparison.
 void expectHeld(const std::string& name, const TriMesh& body, const TriMesh& solid,
                 const Trajectory& motion, const Options& options, int points) {
   SCOPED_TRACE(name);
@@ -151,7 +151,7 @@ void appendSheet(TriMesh& mesh, double width) {
 }
 
 TEST(Conservative, HoldsSheetsModelledFromBothSides) {
-  // Other runs remove such sheets, since they enclose nothing.
+  // Runs for envelopes that are not conservative remove such sheets, since they enclose nothing.
   TriMesh body = makeBox({0, 0, 0}, {4, 4, 4}), solid = body;
   appendSheet(body, 0);
   appendSheet(solid, 1e-7);
@@ -190,7 +190,7 @@ TEST(Conservative, HoldsTheSafetyDistanceToo) {
 }
 
 TEST(Conservative, LongEdgesOfFewTrianglesInATurn) {
-  // Side patches of long edges are twisted most, and the faces graze while they turn.
+  // Side patches of long edges are twisted most, and the faces graze the envelope while they turn.
   const TriMesh bar = makeBox({-20, -0.5, -0.5}, {20, 0.5, 0.5});
   Pose end;
   end.timeSeconds = 1;

@@ -51,7 +51,8 @@ struct Deviation {
   double mean = 0, p95 = 0, most = 0;  // cells
 };
 
-/// Returns how far vertices and middles of triangles lie from the surface at the distance d.
+/// Returns how far vertices and middles of triangles lie from the surface at the distance d of the
+/// body.
 Deviation deviation(const Result& result, double d,
                     const std::function<double(const V3&)>& distance, std::size_t samples = 20000) {
   const TriMesh& mesh = result.mesh;
@@ -73,9 +74,9 @@ Deviation deviation(const Result& result, double d,
   return out;
 }
 
-/// Vertices of an offset of at least half a cell lie at the distance, up to the chord error of
-/// the motion: never too near, and too far only by what roundness needs. The few vertices whose
-/// move would make triangles intersect stay where contouring has put them.
+/// Tests an offset of at least half a cell. Its vertices lie at the distance d, up to the chord
+/// error of the motion. They are never nearer, and farther only by what roundness needs. The few
+/// vertices whose move would make triangles intersect stay where contouring has put them.
 void expectVerticesAt(const Result& result, double d,
                       const std::function<double(const V3&)>& distance, double chord = 0) {
   double least = HUGE_VAL, most = -HUGE_VAL;
@@ -126,7 +127,8 @@ void expectStill(const std::string& name, const TriMesh& body, double size) {
         name.c_str(), cells, out.mean, out.p95, out.most, back);
     EXPECT_LT(out.mean, 0.01) << name;
     EXPECT_LT(out.p95, 0.05) << name;
-    // Edges rounded by less than a cell may come out sharp: d too far, within the cell.
+    // An edge that is rounded by less than a cell may come out sharp, and then lies up to d too far
+    // away.
     EXPECT_LT(out.most, cells < 1 ? cells : 0.25) << name;
     EXPECT_LT(back, 0.25) << name;
   }
@@ -146,7 +148,7 @@ TEST(Offset, StillFandisk) {
   expectStill("fandisk", readMesh(path, 1000), 2000);
 }
 
-/// Valleys between balls whose bottom is narrower than a cell.
+/// The valleys between these balls have bottoms that are narrower than a cell.
 TEST(Offset, NothingIsShortBetweenBalls) {
   TriMesh heap;
   for (int n = 0; n < 40; ++n) {

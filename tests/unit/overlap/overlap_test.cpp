@@ -56,7 +56,7 @@ class Clipped {
     for (const auto& t : mesh.triangles)
       faces_.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
   }
-  void cut(const Vector3d& at, const Vector3d& normal) {  // keeps what lies behind
+  void cut(const Vector3d& at, const Vector3d& normal) {  // keeps what lies behind the plane
     std::vector<Polygon> kept;
     Polygon lid;
     for (const Polygon& face : faces_) {
@@ -135,7 +135,7 @@ TriMesh together(const TriMesh& a, const TriMesh& b) {
 }
 
 TEST(Overlap, BoxesAtWholeNumbersOnEachOther) {
-  // Faces, edges and corners lie on each other in every way.
+  // Faces, edges and corners lie on each other in all combinations.
   const TriMesh a = cube(Vector3d::Zero(), 4);
   for (int x = -5; x <= 5; ++x)
     for (int y = -5; y <= x; ++y)
@@ -239,8 +239,8 @@ TEST(Overlap, ABodyWithACavity) {
 }
 
 TEST(Overlap, WhatIsSharedAndWhatIsUnitedAddUp) {
-  // Two parts together, placed in a box, give their union. Its volume plus the shared one are the
-  // volumes of both parts.
+  // A box shares with a mesh of two parts in it the union of the parts. The volumes of the union
+  // and of what the parts share add up to the volumes of both parts.
   std::mt19937 random(23);
   std::uniform_int_distribution<int> by(-14, 14), kind(0, 2);
   const TriMesh all = cube({-100, -100, -100}, 200);

@@ -35,7 +35,7 @@ PathReport improve(const PathCase& c, const ImproveTask& task, const PathOptions
   return improvePath(c.part, task, neighboursOf(c), options, run);
 }
 
-// Checks with the ordinary clearance check of the whole motion.
+// Returns whether the ordinary clearance check finds the whole motion clear.
 bool isClear(const PathCase& c, const Trajectory& motion, double required) {
   RunContext run;
   ClearanceOptions options;

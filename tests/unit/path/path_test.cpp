@@ -236,7 +236,7 @@ TEST(FindPath, ThatNoWayWithoutTurningExistsIsProvenOrNotSaid) {
   const PathReport sealed = solve(c, options);
   EXPECT_EQ(sealed.verdict, PathVerdict::NoTranslation) << sealed.summary << sealed.message;
   EXPECT_FALSE(sealed.budgetEnded);
-  // One opening that is wide enough, and one that is too narrow only for the clearance.
+  // In a channel and in tunnels with a corner, a translation exists.
   for (unsigned number = 0; number < 3; ++number) {
     c = number % 2 == 0 ? channelCase(number) : cornerCase(number);
     options = optionsOf(c);

@@ -151,7 +151,7 @@ TEST(FindSequence, PartsComeInTheGivenOrder) {
 }
 
 TEST(FindSequence, AnOrderThatCannotBeSaysWhoWasStoppedByWhom) {
-  Problem p = stack(2);  // the upper one first
+  Problem p = stack(2);  // the upper block first, so the lower one is stopped
   p.options.path.mostSteps = 2000;
   const SequenceReport report = solve(p);
   EXPECT_EQ(report.status, Status::Ok) << report.message;

@@ -19,9 +19,9 @@
 namespace swept::test {
 namespace {
 
-/// Largest error of a source point, in cells. kOff: usual, since crossings keep this distance from
-/// lattice points. kMaxOff: where an edge slides along itself and the core finds no exact
-/// crossing. kShareOff: largest fraction of triangles with an error above kOff.
+/// Limits of the error of a source point, in cells. kOff: the usual limit, since crossings keep
+/// this distance from lattice points. kMaxOff: the limit where an edge slides along itself and the
+/// core finds no exact crossing. kShareOff: largest fraction of triangles with an error above kOff.
 constexpr double kOff = 1e-3, kMaxOff = 0.25, kShareOff = 0.01;
 
 Trajectory turningMotion(Interpolation interpolation) {
@@ -158,15 +158,15 @@ TEST(Sources, KindsSayHowAFaceOrEdgePassed) {
     if (row.kind != SourceKind::Cap || row.faces[0] == 0) continue;
     EXPECT_EQ(row.faces[0], row.step == 0 ? 1 : 2);
   }
-  // A box along the diagonal of a face: half of its faces at each end, and edges between.
+  // A box along a space diagonal: half of its faces are caps at each end, and edges sweep the rest.
   Trajectory diagonal = along;
   diagonal.poses[1].translation = {30, 30, 30};
   const auto box = kindsOf(sweep(boxWithFaces(), diagonal, true));
   EXPECT_GT(box[0], 0);
   EXPECT_GT(box[1], 0);
   EXPECT_EQ(box[2], 0);
-  // A cylinder across its axis: its mantle grazes. In a mesh without faces, its 64 sides count as
-  // smooth too.
+  // A cylinder across its axis: its mantle grazes the envelope. In a mesh without faces, its 64
+  // sides count as smooth too.
   Trajectory across = along;
   across.poses[1].translation = {30, 0, 0};
   for (const bool named : {true, false}) {
@@ -179,8 +179,8 @@ TEST(Sources, KindsSayHowAFaceOrEdgePassed) {
 }
 
 TEST(Sources, NumbersAreThoseOfWhatWasGiven) {
-  // Triangles with separate corners, a triangle without area and a duplicate at the beginning,
-  // and a repeated pose.
+  // The input has triangles with separate corners, a triangle without area and a duplicate at the
+  // beginning, and a repeated pose.
   TriMesh body = boxWithFaces();
   TriMesh given = body;
   given.triangles.insert(given.triangles.begin(), {{0, 1, 1}, body.triangles[3]});

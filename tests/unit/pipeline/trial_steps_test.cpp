@@ -68,7 +68,7 @@ struct Planned {
   }
 };
 
-/// Counts the probe lines that contouring casts.
+/// Counts the calls in which contouring casts probe lines.
 class CountedProbe : public SurfaceProbe {
  public:
   explicit CountedProbe(const ElementProbe& probe) : probe_(probe) {}
@@ -131,7 +131,8 @@ TEST(TrialSteps, TheSurfaceIsGuessedFromTheSweepAndNotFromItsBox) {
   }
 }
 
-// With a tolerance, simplification takes most of the time, and more the finer the cells are.
+// With a tolerance, simplification takes most of the time. The finer the cells are, the more it
+// takes.
 TEST(TrialSteps, SimplificationIsCounted) {
   Trajectory path;
   path.poses = {{}, {1, Eigen::Quaterniond::Identity(), {9, 4, 3}}};
@@ -152,8 +153,8 @@ TEST(TrialSteps, SimplificationIsCounted) {
   }
 }
 
-// A heavy body is sampled along few steps (all of them, but only some clusters), a light one along
-// many (in windows), and one body is sampled completely.
+// A heavy body is sampled along all of its few steps, but only in some clusters. A light one is
+// sampled along many steps, in windows, and one body is sampled completely.
 TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
   struct Kind {
     TriMesh body;
@@ -181,9 +182,9 @@ TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
 }
 
 // The estimate of the memory during sampling. A work item keeps all its crossings until it has
-// kMinThinRecords. Only then does it remove those that cannot matter. So below this number per
-// item, all crossings count; above it, only few. Both kinds of interpolation are tested, because
-// Interpolation::None has more work items.
+// kMinThinRecords of them. Only then does it remove those that cannot matter. So below this number
+// per item, all crossings count; above it, only few. Both kinds of interpolation are tested,
+// because Interpolation::None has more work items.
 TEST(TrialSteps, CrossingsAreHeldWhereNoItemHasMany) {
   const TriMesh body = makeBox({0, 0, 0}, {10, 10, 10});
   Trajectory path = bow(20000, 60, 0, 0.3);  // noise, so that no steps are merged

@@ -124,13 +124,15 @@ std::vector<std::array<double, 9>> counting(const SamplerInput& input) {
   return out;
 }
 
-/// Gives a case the motion of a recording that comes back to the same places, and its grid.
+/// Gives the case a motion like a recording that returns to the same positions, and a grid for this
+/// motion.
 void record(Case& scene, std::mt19937& random, int n) {
   std::uniform_real_distribution<double> unit(-1, 1);
   Eigen::AlignedBox3d box;
   for (const auto& v : scene.body.mesh.vertices) box.extend(v);
   const double size = box.diagonal().norm();
-  // To and fro in all directions, with and without turning, from tiny to as large as the body.
+  // The body moves to and fro in all directions, with and without turning. The travel ranges from
+  // tiny to the size of the body.
   const double travel = size * std::pow(10, -2 + n % 3), turn = n % 2 == 0 ? 0 : 0.3 * unit(random);
   const Eigen::Vector3d waves = 40 * Eigen::Vector3d(unit(random), unit(random), unit(random));
   const Eigen::Vector3d axis = Eigen::Vector3d(unit(random), unit(random), 1).normalized();
@@ -178,7 +180,7 @@ TEST(Culling, WhatLiesInsideChangesNoCrossingThatCounts) {
   EXPECT_GT(hiding, 5);  // otherwise nothing was compared
 }
 
-// Trials sample parts of a motion, and must find there what the run finds.
+// Trials sample parts of a motion. They must find the same crossings there as a run.
 TEST(Culling, PartsOfAMotionAreSampledAsInTheWhole) {
   std::mt19937 random(77);
   int grouped = 0;

@@ -81,8 +81,8 @@ TEST(Cavities, HollowBallInMotionKeepsWhatNoWallPassed) {
 }
 
 TEST(Cavities, FastThinWallFillsWhatItPassesWithinAStep) {
-  // A plate, one cell thick, passes in one step: a point is inside only in the middle of the
-  // step.
+  // A plate, one cell thick, passes in one step: a point is inside the plate for a short part of
+  // the step only.
   const TriMesh plate = makeBox({0, 0, 0}, {0.2, 5, 5});
   const Result result = kept(plate, moving({8, 0, 0}), 0.2);
   EXPECT_EQ(result.report.check.shells, 1);
@@ -100,12 +100,12 @@ TEST(Cavities, TwoCopiesOfACupSealASpace) {
   Pose over;
   over.timeSeconds = 1;
   over.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(kPi, V3::UnitX()));
-  over.translation = V3(0, 10, 11);  // its walls reach 1 into those of the first
+  over.translation = V3(0, 10, 11);  // its walls reach 1 mm into those of the first copy
   const Trajectory copies{{Pose{}, over}, Interpolation::None};
   const Result result = kept(cup, copies, 0.25);
   EXPECT_EQ(result.report.check.shells, 2);
   EXPECT_NEAR(result.report.check.volume, 10 * 10 * 11 - 8 * 8 * 9, 10);
-  // Grown by 1.5, the space is smaller by 1.5 on all sides; by 4.2 it is gone.
+  // Grown by 1.5 mm, the space is smaller by 1.5 mm on all sides; by 4.2 mm it is gone.
   const Result grown = kept(cup, copies, 0.25, true, 1.5);
   const Result plain = kept(cup, copies, 0.25, false, 1.5);
   EXPECT_EQ(grown.report.check.shells, 2);

@@ -23,7 +23,7 @@ namespace {
 
 using namespace test;
 
-/// Reads with OpenCASCADE, but uses nothing else of the library, like FreeCAD's Part.
+/// Reads with OpenCASCADE, as FreeCAD's Part does, and uses nothing else of this library.
 class Outside : public StepReader {
  public:
   Answer read(const std::string& text) override {

@@ -1,5 +1,5 @@
-// A simulated EGL and OpenGL. It understands the calls of the two passes, does their work on the
-// CPU, and fails where a test wants it to. Only one can exist at a time.
+// A simulated EGL and OpenGL. It understands the calls of both passes of the GPU sampler, does
+// their work on the CPU, and fails where a test wants it to. Only one can exist at a time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

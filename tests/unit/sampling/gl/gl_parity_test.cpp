@@ -144,8 +144,8 @@ TEST(GlParity, ACapsuleHasItsVolume) {
   EXPECT_NEAR(result.report.check.volume, truth, 0.02 * truth);
 }
 
-/// Shared meshes x 3 motions. All of them with SWEPT_LONG_TESTS=1; SWEPT_PARITY_RESOLUTION sets the
-/// resolution (64), SWEPT_PARITY_ONLY part of the mesh's name.
+/// Shared meshes x 3 motions; all meshes only with SWEPT_LONG_TESTS=1. SWEPT_PARITY_RESOLUTION sets
+/// the resolution (default: 64). SWEPT_PARITY_ONLY selects the meshes whose name contains it.
 TEST(GlParity, SharedMeshes) {
   const std::filesystem::path data = SWEPT_SHARED_DATA;
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "no " << data;

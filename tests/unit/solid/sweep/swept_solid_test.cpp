@@ -117,14 +117,14 @@ TEST(SweptSolid, ABoxInAGeneralMotion) {
 }
 
 TEST(SweptSolid, ABoxAlongAScrew) {
-  // About an axis far away, so that all points move along the diagonal of the box.
+  // The axis is far away, so that all points move along the diagonal of the box.
   expectBoxSound(screwMotion({200, -200, 10}, {1, 1, 0.2}, 0.25, 20), {20, 14, 9});
 }
 
 TEST(SweptSolid, ABoxAlongALineAndOnACircle) {
   expectBoxSound(lineMotion({40, 35, 50}), {20, 14, 9});
-  // About an axis perpendicular to this direction, and so far away that the middle of the box
-  // starts in this direction.
+  // The axis is perpendicular to the direction of the line. It is so far away that the middle of
+  // the box starts in this direction.
   const Vector3d way(40, 35, 50), axis = Vector3d(35, -40, 5).cross(way).cross(way).normalized();
   expectBoxSound(screwMotion(-way.cross(axis) / 0.25, axis, 0.25, 0), {20, 14, 9});
 }
