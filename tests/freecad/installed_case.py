@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs in a FreeCAD that has nothing but an installed package of this workbench (.ci/try-deb), with or
-without a window: the envelope of a box is computed and written as STEP; in a window, each button of the
-workbench has a drawn icon. Writes what it found into the file SWEPT_TOLD."""
+without a window. The envelope of a box is computed and written as STEP. In a window, each button of the
+workbench must have a drawn icon. The results are written into the file that the variable SWEPT_TOLD names.
+"""
 import json
 import os
 import tempfile

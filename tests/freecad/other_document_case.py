@@ -84,8 +84,9 @@ def the_link_is_deleted(doc):
 
 
 class OtherDocumentTable(Table):
-    """A change may be made in both documents. Subclasses create the document Elsewhere, with undo,
-    in setUp()."""
+    """A table whose changes may affect both documents. Subclasses create the document Elsewhere, with undo,
+    in setUp().
+    """
 
     def results(self):
         return [obj for obj in super().results() if obj.Document is self.doc]

@@ -52,7 +52,7 @@ def hidden_link(doc, name, linked):
 
 
 def put_into(group, obj, place=shift(0, 3)):
-    """Puts an object into a moved group, so that the object is at another place."""
+    """Puts an object into a moved group, so that the object is at another position."""
     group.Placement = place
     group.addObject(obj)
 
@@ -129,7 +129,7 @@ class Table(Case):
 
     def fresh(self):
         """Returns {name: content} for the document computed again as it is now. The value is None for a
-        refused input, and a code if only a run finds the fault: before that run the state is stale.
+        refused input. It is a code if only a run finds the fault; before that run, the state is stale.
         """
         path = os.path.join(self.folder, "fresh.FCStd")
         self.doc.saveCopy(path)

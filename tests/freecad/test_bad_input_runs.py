@@ -203,7 +203,7 @@ with tempfile.TemporaryDirectory() as folder:
         self.assertIn(expected, said)
 
     def test_bad_input_37_solid_that_reads_back_wrong(self):
-        """The file is damaged between writing and reading back: it must not replace the target."""
+        """The file is damaged between writing and reading back. It must not replace the target."""
         path = motion.motion_from_poses(self.doc, [0, 1], [shift(), turn(50, base=shift(9).Base)])
         obj = self.envelope([self.box()], path)
         envelope.compute(obj)

@@ -25,8 +25,9 @@ class Containers(Case):
         self.doc.recompute()
 
     def recompute(self):
-        """Recomputes. No object may stay touched, and the graph may have no circle (FreeCAD only prints
-        a message about one)."""
+        """Recomputes. No object may stay touched, and the graph of dependencies may have no cycle (FreeCAD
+        only prints a message about one).
+        """
         self.doc.recompute()
         for obj in self.doc.Objects:
             self.assertNotIn("Touched", obj.State, obj.Name)

@@ -36,7 +36,7 @@ class Paths(Case):
         return part, walls
 
     def checked(self, path, pairs, required):
-        """Returns the rows of a check by name."""
+        """Returns {name: row} of a clearance check along this path."""
         root, sub = pairs[0]
         obj = clearance.make_clearance(
             self.doc, Motion=path, AllVisible=True, RequiredDistance=required, MeshDeflection=0.05
@@ -165,8 +165,9 @@ class Paths(Case):
         self.assertEqual(len(self.doc.Objects), known)
 
     def wayward(self, **settings):
-        """Makes a motion through a post that stands in the channel; an improved one must go around it.
-        Returns (motion, pairs of its parts)."""
+        """Makes a motion through a post that stands in the channel. An improved motion must go around the
+        post. Returns (motion, pairs of its parts).
+        """
         part, walls = self.channel()
         post = self.doc.addObject("Part::Box", "Post")
         post.Length = post.Width = post.Height = 4

@@ -64,7 +64,7 @@ class Frames(Case):
         self.doc.recompute()
         clearance.compute(check)
         self.assertIn("are large: near", check.Message)
-        path.SourceType = "Stored"  # poses of keys are not judged
+        path.SourceType = "Stored"  # stored poses are not judged
         self.doc.recompute()
         envelope.compute(obj)
         self.assertNotIn("are large: near", obj.Message)

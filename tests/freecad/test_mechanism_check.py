@@ -306,7 +306,9 @@ class Kept(SliderCrank):
 
 class BadInput(SliderCrank):
     def refused(self, words, *pairs, **settings):
-        """Makes a check of these pairs (part, motion)."""
+        """Checks that a check of these pairs (part, motion) is refused with a message that contains the
+        words.
+        """
         obj = mechanism.make_mechanism(
             self.doc,
             MovingParts=[(part, "") for part, _ in pairs],

@@ -149,7 +149,7 @@ class Moving(Case):
         self.doc.recompute()
         row = clearance.compute(check)["neighbours"][0]
         self.assertAlmostEqual(row["distance"], 8, delta=0.02)
-        # Beside the mesh deflections and the accuracy: half of the accuracy, for the curve.
+        # Subtracted are the mesh deflections, the accuracy, and half of the accuracy for the curve.
         off = 2 * check.MeshDeflection.Value + 1.5 * check.Accuracy.Value
         self.assertAlmostEqual(row["guaranteed"], row["distance"] - off, places=9)
         check.RequiredDistance = row["distance"] - off + check.Accuracy.Value + 0.002

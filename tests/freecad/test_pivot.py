@@ -17,7 +17,7 @@ from sweptvolume.trajectory.poses import Poses, at_time
 
 #: Middle of the part in its own coordinates, far from its origin.
 MIDDLE = V(105, 5, 5)
-#: Half of the diagonal of its square: the largest distance from the pivot when it turns about z.
+#: Half of the diagonal of the part's square section: the largest distance from the pivot in a turn about z.
 REACH = 5 * math.sqrt(2)
 
 

@@ -127,7 +127,7 @@ class Stored(Case):
         self.doc.recompute(None, True)
 
     def test_computed_anew_they_are_as_near_as_the_cells_allow(self):
-        """Poses rotate about the origin of the file as before, so nothing moves."""
+        """The poses of the old file still rotate about its origin, so nothing moves."""
         for name, (status, *known) in self.known.items():
             obj = self.doc.getObject(name)
             module = {"E": envelope, "C": clearance}[name[0]] if "Solid" not in name else solid

@@ -130,7 +130,7 @@ class KeptPoses(Case):
         before = self.assert_told()
         self.doc.openTransaction("a change")
         CHANGES[name](_ByLabel(self.doc, linked))
-        same = name in ("nothing", "one_placement_in_its_last_digit")  # words are rounded
+        same = name in ("nothing", "one_placement_in_its_last_digit")  # words() rounds the numbers
         self.assertEqual(self.assert_told() == before, same)
         self.doc.commitTransaction()
         for step in (self.doc.undo, self.doc.redo, self.doc.undo):
@@ -140,8 +140,9 @@ class KeptPoses(Case):
         self.assert_told()
 
     def assert_told(self):
-        """Checks that the stored poses of all motions equal those that FreeCAD gives. Returns the
-        words of all motions."""
+        """Checks that the stored poses of all motions equal those that FreeCAD gives. Returns words() of each
+        motion.
+        """
         found = [obj for obj in self.doc.Objects if motion.is_motion(obj)]
         self.assertTrue(found)
         for obj in found:

@@ -37,7 +37,7 @@ def both(program, tmp_path):
         vertices, triangles = np.asarray(vertices, float), np.asarray(triangles, np.int64)
         try:
             report = _swept.compute(vertices, triangles, motion, **options).report
-        except _swept.Error as error:  # what is refused while arrays are read has no report
+        except _swept.Error as error:  # inputs refused while arrays are read have no report
             report = error.report or {
                 "status": error.status,
                 "code": error.code,
@@ -531,7 +531,7 @@ def damaged(folder, *kept):
 
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 def test_bad_input_37_solid_that_reads_back_wrong(program, tmp_path, box):
-    """The file is damaged between writing and reading back: it must not replace the target."""
+    """The file is damaged between writing and reading back. It must not replace the target."""
     # Many faces, so that writing takes long enough for the header to be damaged meanwhile.
     result = _swept.compute(*box, slide(20, 9, 4), resolution=48)
     target, report = tmp_path / "o.step", tmp_path / "r.json"

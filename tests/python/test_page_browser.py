@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pages in a real browser, without a window: the 3D view draws, follows the slider and the rows, and nothing
-complains. Skipped where there is no chromium or the module was built without three.js.
-
-SWEPT_SCREENSHOTS=FOLDER keeps pictures of the pages, to be looked at."""
+"""Pages in a real browser, without a window: the 3D view draws, follows the slider and the rows, and no error
+is logged. Skipped where there is no chromium or the module was built without three.js. With
+SWEPT_SCREENSHOTS=FOLDER, pictures of the pages are kept, to be looked at.
+"""
 import html
 import json
 import os

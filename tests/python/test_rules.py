@@ -130,7 +130,7 @@ def test_rules_of_python_are_checked():
     assert found["neighbours"][0]["rule"] == {"required": 2.5}
 
 
-# Compares the walls that break a random mixture of rules with FCL's distances at 400 times of the
+# Random mixtures of rules: the walls that break them are compared with FCL's distances at 400 times of the
 # motion.
 def test_random_rules_against_stamps(call, inputs):  # noqa: F811
     random = np.random.default_rng(4)
@@ -164,7 +164,7 @@ def test_random_rules_against_stamps(call, inputs):  # noqa: F811
             if stamped[row["name"]] < own:
                 assert not row["meets_rule"], row["name"]
                 blamed += 1
-            elif stamped[row["name"]] > own + 0.5:  # stamps are 0.2 mm of travel apart
+            elif stamped[row["name"]] > own + 0.5:  # FCL's times are 0.2 mm of travel apart
                 assert row["meets_rule"], row["name"]
         assert (done.returncode == 3) == any(not row["meets_rule"] for row in report["neighbours"])
     assert 8 < blamed < 36

@@ -18,7 +18,7 @@ sys.path.insert(0, str(BUILD / "python"))
 sys.path.insert(0, str(ROOT / "python"))
 sv = pytest.importorskip("swept_volume")
 
-#: In cells: the smallest distance of crossings from lattice points.
+#: Smallest distance (cells) of crossings from lattice points.
 OFF = 1e-3
 FACES = np.repeat(np.arange(6), 2)
 
