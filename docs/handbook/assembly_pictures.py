@@ -19,19 +19,19 @@ from driver import (
 )
 
 HERE = os.path.dirname(os.path.realpath(__file__))
-#: Keys of the exhaust pipe: it hangs below its place, waits, is mounted (s, mm), as the page has them.
+#: Keys of the exhaust pipe (s, mm), as on the page: it hangs below its final position, waits, and is mounted.
 KEYS = (0.0, (0, 0, -140)), (8.0, (0, 0, -140)), (11.0, (0, 0, 0))
 
 
 def row_of(table, *names):
-    """The row of a neighbour, or of a pair in any order."""
+    """Returns the row of a neighbour, or of a pair in any order."""
     told = [table.item(row, 0).text() for row in range(table.rowCount())]
     (row,) = [row for row, text in enumerate(told) if all(name in text for name in names)]
     return row
 
 
 def bring_up(widget):
-    """Scrolls the panel until a widget is seen in full."""
+    """Scrolls the panel until the whole widget is visible."""
     area = widget.parentWidget()
     while not isinstance(area, QtWidgets.QScrollArea):
         area = area.parentWidget()
@@ -108,7 +108,7 @@ def check_mechanism(doc, look):
     table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
     table.selectRow(row_of(table, starter, doc.getObject("Exhaust").Label))
     yield 1.5
-    doc.getObject("FrameRail").ViewObject.Visibility = False  # it hides the place
+    doc.getObject("FrameRail").ViewObject.Visibility = False  # it would hide the clash
     table.itemDoubleClicked.emit(table.currentItem())
     yield 1.0
     yield from look("assembly_mechanism")
@@ -162,7 +162,7 @@ def run_study(doc, look, folder):
 
 
 def work(look, folder):
-    """The whole tutorial; a generator. look(name): a generator that takes a picture."""
+    """Carries out the whole tutorial; a generator. look(name): a generator that takes a picture."""
     Gui.runCommand("SweptVolume_Demo")
     yield 1.0
     doc = App.ActiveDocument

@@ -103,9 +103,8 @@ class OtherDocumentTable(Table):
             document.commitTransaction()
         self.recomputed()
         self.look(name)
-        for document, count in reversed(
-            list(zip(both, before))
-        ):  # links come back to what is there
+        # First the other document, so that restored links find their objects.
+        for document, count in reversed(list(zip(both, before))):
             while document.UndoCount > count:
                 document.undo()
         for obj, visible in shown:

@@ -79,9 +79,8 @@ class Paths(Case):
         part, _ = self.channel(inner)
         link = self.doc.addObject("App::Link", "Twin")
         link.LinkedObject = part
-        link.Placement = turn(
-            90, V(0, 0, 1), V(31, 0, 3)
-        )  # in the channel's frame, beside the cube
+        # In the coordinate system of the channel, beside the cube.
+        link.Placement = turn(90, V(0, 0, 1), V(31, 0, 3))
         inner.addObject(link)
         self.doc.recompute()
         for pairs in ([(outer, "Inner.Cube.")], [(outer, "Inner.Twin.")]):

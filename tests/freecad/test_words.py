@@ -171,9 +171,8 @@ class Words(unittest.TestCase):
                     parts = words.split(" ... ")
                     held = [text for text in sources if all(part in text for part in parts)]
                     self.assertTrue(held, (here, words))
-        self.assertEqual(
-            silent, {"BadOption", "BadFile"}
-        )  # their messages differ from case to case
+        # The messages of these codes differ from case to case.
+        self.assertEqual(silent, {"BadOption", "BadFile"})
         self.assertEqual(set(core_texts._TEXTS) - codes, set())
 
     def test_every_code_of_the_core_is_in_the_page_for_troubleshooting(self):

@@ -212,9 +212,8 @@ def test_neighbours_ask_for_clearances_of_their_own_and_a_watch_sees_the_way():
     report, _ = _swept.find_path(
         PART.vertices, PART.triangles, shift(0, 0, 0), rows, watch=watch, **options
     )
-    assert (
-        report["verdict"] == "found" and watch.farthest() is None
-    )  # a straight path needs no search
+    # A straight path needs no search.
+    assert report["verdict"] == "found" and watch.farthest() is None
     rows[2] = rows[2][:4] + (4.1,)
     with pytest.raises(sv.InvalidInput, match="floor"):
         _swept.find_path(PART.vertices, PART.triangles, shift(0, 0, 0), rows, **options)

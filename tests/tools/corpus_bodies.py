@@ -19,7 +19,7 @@ CLOSED = (
 
 
 def solid(rng):
-    """Returns a box, prism, torus or ball, or two of them, turned by odd angles; 1 to 5 mm."""
+    """Returns a box, prism, torus or ball, or two of them, turned by random angles; 1 to 5 mm."""
 
     def piece():
         kind = rng.integers(4)
@@ -88,8 +88,9 @@ def mixed(rng, body):
 
 
 def touching(rng, body):
-    """Returns two boxes that share an edge or a corner, including its vertices, and a third body
-    apart."""
+    """Returns two boxes that share an edge or a corner, with its vertices, and a third body that touches
+    neither.
+    """
     first = box((0, 0, 0), (1, 1, 1))
     shift = np.array([1, 1, 0]) if rng.random() < 0.5 else np.array([1, 1, 1])
     v, t = joined(first, (first[0] + shift, first[1]), moved(body, frame((0, 0, 1), 0, (9, 0, 0))))
@@ -155,7 +156,8 @@ def any_cell(rng, body):
     return body
 
 
-#: Row of the table or a word, the change to a body, and whether the result is a valid solid.
+#: Name, which begins with the row of the table of bad input (or 00); change to a body; whether the result is
+#: a valid solid.
 FAMILIES = [
     ("00_solid", any_cell, True),
     ("01_empty", empty, False),

@@ -1,8 +1,8 @@
 // Compares an envelope with the true one, by dense distances over continuous time.
 //   swept_deviation MESH MOTION.csv MM_PER_UNIT RESOLUTION... [--samples N] [--tolerance MM]
-// Prints, in cells: deviation of creases at the first and last key (mean / max), share of area
-// whose normal is more than 20 degrees off, distance of the result from the truth (mean, p95, p99,
-// max) and of the truth from the result (max).
+// Prints, in cells: deviation of creases at the first and last key (mean / max), fraction of the
+// area whose normal is more than 20 degrees off, distance of the result from the truth (mean, p95,
+// p99, max) and of the truth from the result (max).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <tbb/parallel_for.h>
 

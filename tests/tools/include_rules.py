@@ -184,7 +184,7 @@ def system_breaches(root):
 
 
 def circle(rooms):
-    """Returns a circle of rooms that may include one another, or None."""
+    """Returns a cycle of rooms that may include one another, or None."""
     try:
         graphlib.TopologicalSorter(rooms).prepare()
     except graphlib.CycleError as error:

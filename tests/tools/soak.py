@@ -127,9 +127,8 @@ def main(runs):
 
 
 if __name__ == "__main__":
-    if (
-        os.environ.get("MALLOC_ARENA_MAX") != "1"
-    ):  # the variable works only if it is set before the process starts
+    # The variable works only if it is set before the process starts.
+    if os.environ.get("MALLOC_ARENA_MAX") != "1":
         os.environ["MALLOC_ARENA_MAX"] = "1"
         os.execv(sys.executable, [sys.executable, *sys.argv])
     sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 200))

@@ -30,7 +30,7 @@ def scenario():
     folder = tempfile.mkdtemp()
     yield from assembly_pictures.work(look, folder)
     doc = App.ActiveDocument
-    # What the page says.
+    # The results that the page names.
     alone = verdicts(clearance.report_of(doc.Clearance))
     assert alone == {"Flywheel": "below", "Exhaust pipe": "below"}, alone
     together = mechanism.report_of(doc.Mechanism)

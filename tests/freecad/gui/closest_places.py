@@ -118,7 +118,7 @@ def scenario():
         assert body.Status == shared.UP_TO_DATE, (body.Status, body.Message)
         assert body.Volume.Value > least, body.Volume
     assert doc.UndoCount == undo + 2, doc.UndoNames
-    # Segments of a circle of 6 mm: the slide passes through 3 mm of it, over a height of 10 mm.
+    # The volume is a segment of a circle of radius 6 mm, 3 mm deep, times its height of 10 mm.
     import math
 
     angle = 2 * math.acos(3 / 6)

@@ -113,7 +113,7 @@ def robot_arm(keyboard):
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     yield lambda: focused() == "SweptVolumeKeys"
     assert table.rowCount() == 0
-    choose("SweptVolumePivot", "Origin")  # the file contains placements
+    choose("SweptVolumePivot", "Origin")  # the file contains placements, whose pivot is the origin
     for count, (time, place) in enumerate(recorded[:captured], 1):
         gripper.Placement = place
         yield from keyboard.press("Control_L+Return")
@@ -208,7 +208,8 @@ def beams(keyboard):
     assert found["Beam2"] == "Clash", found
     say("beams, straight: {}".format(found))
 
-    # Two keys between start and goal, one above each; they are raised until the path is clear.
+    # Two keys between start and goal: 15 mm above the start and the goal, then 30 mm, which makes the path
+    # clear.
     for lift in (15, 30):
         select(beam, motion)
         Gui.runCommand("SweptVolume_EditMotion")

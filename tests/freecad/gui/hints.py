@@ -98,7 +98,7 @@ def scenario():
     for name in ("checkShowReportViewOnError", "checkShowReportViewOnWarning"):
         App.ParamGet("User parameter:BaseApp/Preferences/OutputWindow").SetBool(name, True)
     told = Told()
-    # This check finds a message that is shown twice.
+    # Told notices a planted error message.
     App.Console.PrintError("planted\n")
     yield 0.5
     _, _, coloured, seen = told.new()

@@ -79,7 +79,7 @@ def box_before_a_wall():
     yield lambda: " to Wall" in text() and abs(float(text().split()[0]) - (27 - moved)) < 0.05
     wall.Placement.Base.z -= 7
     yield 0.7
-    # Farther: into the wall.
+    # A longer drag moves the cube into the wall.
     start = panel._standing_at(0).multiply(panel.handle).Base
     tip = start + V(0, 0, panel.dragger.arrow)
     yield from drag(tip, tip + V(0, 0, 15))
