@@ -23,8 +23,8 @@ namespace {
 
 /// Returns the step from one fault to the next with which about `sample` of `total` are tried.
 std::int64_t strideFor(std::int64_t total, std::int64_t sample) {
-  const char* wish = std::getenv("SWEPT_FAULTS");
-  if (wish != nullptr && std::string(wish) == "all") return 1;
+  const char* setting = std::getenv("SWEPT_FAULTS");
+  if (setting != nullptr && std::string(setting) == "all") return 1;
   return std::max<std::int64_t>(1, total / sample);
 }
 

@@ -116,7 +116,7 @@ void requireCorners(const NeighbourClearance& row, const TriMesh& body, const Tr
 void clearance(const std::uint8_t* data, std::size_t size) {
   ByteSource bytes(data, size);
   const ClearanceOptions chosen = clearanceOptions(bytes);
-  const Trajectory way = motion(bytes);
+  const Trajectory trajectory = motion(bytes);
   RunContext run;
   limit(run);
   // With parts of kilometres and an accuracy of a hundredth of a millimetre, a run would take
@@ -124,13 +124,13 @@ void clearance(const std::uint8_t* data, std::size_t size) {
   run.cancelAtCheckpoint = bytes.chance(16) ? 1 + bytes.byte() : kMaxCheckpoints;
   const TriMesh mesh = body(bytes);
   const std::vector<ClearanceNeighbour> parts = neighbours(bytes);
-  if (wantsToSee()) {
+  if (printsInputs()) {
     std::printf("tolerance %g\n", chosen.tolerance);
-    show(way);
+    show(trajectory);
     show(mesh);
     for (const ClearanceNeighbour& part : parts) show(part.mesh);
   }
-  const ClearanceReport report = checkClearance(mesh, way, parts, chosen, run);
+  const ClearanceReport report = checkClearance(mesh, trajectory, parts, chosen, run);
   if (report.status != Status::Ok) {
     requireNamed("a clearance", report.status, report.code, report.message);
     return;
@@ -139,8 +139,8 @@ void clearance(const std::uint8_t* data, std::size_t size) {
     throw BrokenPromise("a report with holes");
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    requireRow(report.neighbours[i], way);
-    requireCorners(report.neighbours[i], mesh, way, parts[i].mesh, chosen);
+    requireRow(report.neighbours[i], trajectory);
+    requireCorners(report.neighbours[i], mesh, trajectory, parts[i].mesh, chosen);
   }
 }
 

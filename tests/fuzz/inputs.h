@@ -14,7 +14,7 @@ Trajectory motion(ByteSource& bytes);
 
 /// Returns whether SWEPT_FUZZ_SHOW=1 is set. Then the inputs are printed as text, to show what the
 /// bytes mean.
-bool wantsToSee();
+bool printsInputs();
 void show(const Trajectory& motion);
 void show(const TriMesh& mesh);
 

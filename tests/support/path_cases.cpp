@@ -37,12 +37,12 @@ Pose after(const Eigen::Isometry3d& frame, const Pose& pose) {
 // parallel to an axis.
 PathCase inFrames(PathCase c, Random& random) {
   const Eigen::Isometry3d world = randomFrame(random);
-  Eigen::Isometry3d own = randomFrame(random);
-  own.translation() *= 0.1;
-  c.part = transformed(c.part, own);
+  Eigen::Isometry3d partFrame = randomFrame(random);
+  partFrame.translation() *= 0.1;
+  c.part = transformed(c.part, partFrame);
   for (TriMesh& mesh : c.neighbours) mesh = transformed(mesh, world);
   for (Pose* pose : {&c.start, &c.goal}) {
-    const Eigen::Isometry3d back = own.inverse();
+    const Eigen::Isometry3d back = partFrame.inverse();
     Pose local;
     local.rotation = (pose->rotation * Eigen::Quaterniond(back.linear())).normalized();
     local.translation = pose->rotation * back.translation() + pose->translation;

@@ -134,20 +134,20 @@ class BlockTester {
 };
 
 /// Returns the edges of a block with both ends outside: these may be doubly crossed.
-std::vector<int> wallPlaces(const std::vector<BlockEdge>& edges, std::uint64_t inside) {
-  std::vector<int> places;
+std::vector<int> crossableEdges(const std::vector<BlockEdge>& edges, std::uint64_t inside) {
+  std::vector<int> positions;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!(inside >> edges[e].low & 1u) && !(inside >> edges[e].high & 1u)) {
-      places.push_back(static_cast<int>(e));
+      positions.push_back(static_cast<int>(e));
     }
   }
-  return places;
+  return positions;
 }
 
-std::uint64_t spread(std::uint64_t bits, const std::vector<int>& places) {
+std::uint64_t spread(std::uint64_t bits, const std::vector<int>& positions) {
   std::uint64_t out = 0;
-  for (std::size_t p = 0; p < places.size(); ++p) {
-    if (bits >> p & 1u) out |= 1ull << places[p];
+  for (std::size_t p = 0; p < positions.size(); ++p) {
+    if (bits >> p & 1u) out |= 1ull << positions[p];
   }
   return out;
 }
@@ -158,9 +158,9 @@ std::int64_t everyCell(const std::function<void(const Block&)>& use) {
   const auto edges = blockEdges({2, 2, 2});
   std::int64_t count = 0;
   for (std::uint64_t inside = 0; inside < 256; ++inside) {
-    const auto places = wallPlaces(edges, inside);
-    for (std::uint64_t bits = 0; bits < 1ull << places.size(); ++bits, ++count) {
-      use({inside, spread(bits, places)});
+    const auto positions = crossableEdges(edges, inside);
+    for (std::uint64_t bits = 0; bits < 1ull << positions.size(); ++bits, ++count) {
+      use({inside, spread(bits, positions)});
     }
   }
   return count;

@@ -45,14 +45,14 @@ constexpr double kCell = 0.25;
 /// in the block's coordinates.
 template <class Use>
 void withLedge(double height, const V3& axis, double degrees, const Use& use) {
-  const Eigen::Isometry3d place = placement(axis, degrees, {0.07, 0.11, 0.03});
+  const Eigen::Isometry3d pose = placement(axis, degrees, {0.07, 0.11, 0.03});
   Options options;
   options.cellSize = kCell;
   const Trajectory still{{poseOf(0, Eigen::Isometry3d::Identity())}, Interpolation::None};
-  const TriMesh body = transformed(stepped(height * kCell), place);
+  const TriMesh body = transformed(stepped(height * kCell), pose);
   const Result result = checkedCompute(body, still, options);
   const MeshDistance envelope(result.mesh);
-  use([&](const V3& x) { return envelope.distance(place * x) / kCell; });
+  use([&](const V3& x) { return envelope.distance(pose * x) / kCell; });
 }
 
 TEST(HiddenSide, UpperEdgeOfALedgeLowerThanACell) {
@@ -108,18 +108,18 @@ TEST(KnownSide, RimOfAWallNearlyAsThickAsACell) {
   std::vector<double> edges;
   for (const double height : {0.5, 0.7, 0.9}) {
     for (const double degrees : {17.0, 31.0, 43.0}) {
-      const Eigen::Isometry3d place = placement({0.4, 1, 0.25}, degrees, {0.07, 0.11, 0.03});
+      const Eigen::Isometry3d pose = placement({0.4, 1, 0.25}, degrees, {0.07, 0.11, 0.03});
       const V3 size(kWidth, kLength, height * kCell);
       Options options;
       options.cellSize = kCell;
       const Trajectory still{{poseOf(0, Eigen::Isometry3d::Identity())}, Interpolation::None};
       const Result result =
-          checkedCompute(transformed(makeBox({0, 0, 0}, size), place), still, options);
+          checkedCompute(transformed(makeBox({0, 0, 0}, size), pose), still, options);
       const MeshDistance envelope(result.mesh);
       for (int n = 4; n <= 196; ++n) {
         for (const double x : {0.0, kWidth}) {
           for (const double z : {0.0, size.z()}) {
-            edges.push_back(envelope.distance(place * V3(x, kLength * n / 200, z)) / kCell);
+            edges.push_back(envelope.distance(pose * V3(x, kLength * n / 200, z)) / kCell);
           }
         }
       }

@@ -23,10 +23,10 @@ constexpr double kPi = 3.14159265358979323846;
 
 Trajectory still() { return {{Pose{}}, Interpolation::None}; }
 
-Trajectory straight(const V3& way) {
+Trajectory straight(const V3& travel) {
   Pose end;
   end.timeSeconds = 1;
-  end.translation = way;
+  end.translation = travel;
   return {{Pose{}, end}, Interpolation::Linear};
 }
 
@@ -81,8 +81,8 @@ void expectVerticesAt(const Result& result, double d,
                       const std::function<double(const V3&)>& distance, double chord = 0) {
   double least = HUGE_VAL, most = -HUGE_VAL;
   const std::size_t stride = 1 + result.mesh.vertices.size() / 40000;
-  std::size_t looked = 0, longer = 0;
-  for (std::size_t v = 0; v < result.mesh.vertices.size(); v += stride, ++looked) {
+  std::size_t tested = 0, longer = 0;
+  for (std::size_t v = 0; v < result.mesh.vertices.size(); v += stride, ++tested) {
     const double off = (distance(result.mesh.vertices[v]) - d) / result.report.cellSize;
     least = std::min(least, off);
     most = std::max(most, off);
@@ -90,7 +90,7 @@ void expectVerticesAt(const Result& result, double d,
   }
   EXPECT_GT(least, -0.003 - chord);
   EXPECT_LT(most, 0.25);
-  EXPECT_LE(1000 * longer, looked);
+  EXPECT_LE(1000 * longer, tested);
 }
 
 /// Returns the largest distance from the result of points that lie d above the faces of the body
@@ -135,11 +135,11 @@ void expectStill(const std::string& name, const TriMesh& body, double size) {
 }
 
 TEST(Offset, StillBodies) {
-  const Eigen::Isometry3d odd = placement({3, -2, 5}, 37.3, {11.7, -3.1, 0.9});
-  expectStill("box", transformed(makeBox({0, 0, 0}, {10, 6, 3}), odd), 10);
+  const Eigen::Isometry3d oblique = placement({3, -2, 5}, 37.3, {11.7, -3.1, 0.9});
+  expectStill("box", transformed(makeBox({0, 0, 0}, {10, 6, 3}), oblique), 10);
   expectStill("box along the axes", makeBox({0, 0, 0}, {10, 6, 3}), 10);
   expectStill("ball", makeBall({1, 2, 3}, 5, 4), 10);
-  expectStill("torus", transformed(makeTorus(8, 2, 96, 32), odd), 20);
+  expectStill("torus", transformed(makeTorus(8, 2, 96, 32), oblique), 20);
 }
 
 TEST(Offset, StillFandisk) {

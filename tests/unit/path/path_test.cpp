@@ -270,10 +270,10 @@ TEST(FindPath, CancelEndsASearchSoon) {
   while (run.phase() != Phase::Turns) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_GT(run.progress(), 0);
-  const auto asked = std::chrono::steady_clock::now();
+  const auto begin = std::chrono::steady_clock::now();
   run.cancel();
   search.join();
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - asked;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   EXPECT_EQ(report.status, Status::Cancelled);
   EXPECT_LT(took.count(), 0.2);
 }

@@ -71,7 +71,7 @@ Result sweep(const TriMesh& body, const Trajectory& motion, bool sources, double
 
 /// Tests that the mesh has the same bytes as in a run without sources, that all sources are right,
 /// and that few are missing.
-void expectTrue(const TriMesh& body, const Trajectory& motion, const std::string& what) {
+void expectRightSources(const TriMesh& body, const Trajectory& motion, const std::string& what) {
   const Result plain = sweep(body, motion, false), result = sweep(body, motion, true);
   ASSERT_EQ(result.report.status, plain.report.status) << what << result.report.message;
   EXPECT_EQ(result.mesh.vertices, plain.mesh.vertices) << what;
@@ -96,19 +96,19 @@ void expectTrue(const TriMesh& body, const Trajectory& motion, const std::string
 TEST(Sources, NamedFacesEdgesAndTimesAreTrue) {
   for (const Interpolation kind :
        {Interpolation::None, Interpolation::Linear, Interpolation::Screw}) {
-    expectTrue(boxWithFaces(), turningMotion(kind), "box ");
-    expectTrue(cylinderWithFaces(32), turningMotion(kind), "cylinder ");
+    expectRightSources(boxWithFaces(), turningMotion(kind), "box ");
+    expectRightSources(cylinderWithFaces(32), turningMotion(kind), "cylinder ");
   }
   Trajectory aboutMiddle = turningMotion(Interpolation::Linear);
   aboutMiddle.pivot = {5, 10, 15};
-  expectTrue(boxWithFaces(), aboutMiddle, "pivot ");
+  expectRightSources(boxWithFaces(), aboutMiddle, "pivot ");
 }
 
 TEST(Sources, TrianglesOfRandomBodiesAreTrue) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
     std::mt19937 random(seed);
     const TriMesh body = randomBody(random);
-    expectTrue(body, randomMotion(random), "seed " + std::to_string(seed) + " ");
+    expectRightSources(body, randomMotion(random), "seed " + std::to_string(seed) + " ");
   }
 }
 
@@ -193,9 +193,9 @@ TEST(Sources, NumbersAreThoseOfWhatWasGiven) {
   again.timeSeconds = 1.75;
   motion.poses.insert(motion.poses.begin() + 2, again);
   motion.poses.push_back(poseOf(3, placement({0, 1, 0}, 80, {30, 20, 10})));
-  expectTrue(given, motion, "faces ");
+  expectRightSources(given, motion, "faces ");
   given.faceOf.clear();
-  expectTrue(given, motion, "triangles ");
+  expectRightSources(given, motion, "triangles ");
   const Result result = sweep(given, motion, true);
   std::int32_t last = 0;
   for (const SurfaceSource& row : *result.sources.rows) {
@@ -223,8 +223,8 @@ TEST(Sources, SimplifiedTrianglesHaveWhatMadeMostOfThem) {
       const auto& tri = result.mesh.triangles[t];
       Eigen::AlignedBox3d box;
       for (const std::int32_t v : tri) box.extend(result.mesh.vertices[v]);
-      const double room = 0.2 + 2 * cell;
-      EXPECT_LT(box.exteriorDistance((*result.sources.rows)[result.sources.of[t]].point), room);
+      const double limit = 0.2 + 2 * cell;
+      EXPECT_LT(box.exteriorDistance((*result.sources.rows)[result.sources.of[t]].point), limit);
     }
     EXPECT_GT(known, static_cast<std::int64_t>(0.97 * static_cast<double>(off.size())));
   };

@@ -98,10 +98,10 @@ Counted counted(Planned& planned) {
   const HermiteGrid hermite =
       buildHermiteGrid(input, marked, signs, ExactTimes::Dropped, planned.run);
   const ElementProbe probe(input, marked.elements, hermite.winner);
-  const CountedProbe asked(probe);
-  buildDualSurface(hermite, Options().components, &asked, planned.run);
+  const CountedProbe countedProbe(probe);
+  buildDualSurface(hermite, Options().components, &countedProbe, planned.run);
   return {static_cast<double>(sorted), static_cast<double>(hermite.crossings.size()),
-          asked.count()};
+          countedProbe.count()};
 }
 
 // The bounding box of a diagonal path is mostly empty: an estimate from the box gives 10 times as
@@ -188,8 +188,8 @@ TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
 TEST(TrialSteps, CrossingsAreHeldWhereNoItemHasMany) {
   const TriMesh body = makeBox({0, 0, 0}, {10, 10, 10});
   Trajectory path = bow(20000, 60, 0, 0.3);  // noise, so that no steps are merged
-  for (const Interpolation way : {Interpolation::None, Interpolation::Linear}) {
-    path.interpolation = way;
+  for (const Interpolation interpolation : {Interpolation::None, Interpolation::Linear}) {
+    path.interpolation = interpolation;
     Planned planned(body, path, 24);
     SamplerInput input = planned.input();
     const SamplingTrial trial(input, planned.run);
@@ -198,7 +198,7 @@ TEST(TrialSteps, CrossingsAreHeldWhereNoItemHasMany) {
     const double items = static_cast<double>(workItems(input).size());
     const double most = items * kMinThinRecords, surface = 1e4;
     const bool many = items > 1.2 * kMotionItems;
-    EXPECT_TRUE(many || way == Interpolation::Linear) << items;
+    EXPECT_TRUE(many || interpolation == Interpolation::Linear) << items;
     const auto bytes = [&](double crossings) {
       return trial.bytesOf({0, crossings, 0}, surface, 1);
     };
@@ -221,9 +221,9 @@ TEST(TrialSteps, SomeClustersStandForAll) {
   for (const ShownCluster& s : allClusters(planned.clusters, 4)) {
     faces += planned.clusters.clusters[s.cluster].faceCount;
   }
-  const double share = faces / static_cast<double>(planned.p.body.mesh.triangles.size());
-  EXPECT_NEAR(share, 0.25, 0.05);
-  EXPECT_NEAR(static_cast<double>(part) / static_cast<double>(all), share, 0.25 * share);
+  const double fraction = faces / static_cast<double>(planned.p.body.mesh.triangles.size());
+  EXPECT_NEAR(fraction, 0.25, 0.05);
+  EXPECT_NEAR(static_cast<double>(part) / static_cast<double>(all), fraction, 0.25 * fraction);
   input.clusterParts = 0;
   sampleCpu(input, planned.run);
   EXPECT_EQ(part, 0u);

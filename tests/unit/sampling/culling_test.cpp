@@ -72,7 +72,7 @@ TEST(Culling, SameSignsAsAllFacesAndNoCopyOfTheBodyIsOutside) {
     // the surface by less than 1e-4 cell, so points slightly beside them are tested too.
     const RayColumns rays(scene.body.mesh);
     std::uniform_int_distribution<std::size_t> any(0, culled.size() - 1);
-    for (int asked = 0; asked < 300; ++asked) {
+    for (int sample = 0; sample < 300; ++sample) {
       const std::size_t at = any(random);
       const auto k = static_cast<double>(at % scene.grid.points[2]);
       const auto j = static_cast<double>(at / scene.grid.points[2] % scene.grid.points[1]);
@@ -80,8 +80,8 @@ TEST(Culling, SameSignsAsAllFacesAndNoCopyOfTheBodyIsOutside) {
       const Eigen::Vector3d x = scene.grid.origin + scene.grid.cell * Eigen::Vector3d(i, j, k);
       for (const Placement& p : scene.motion.placements) {
         bool inside = true;
-        for (const double way : {-1e-4, 1e-4}) {
-          const Eigen::Vector3d y = x + Eigen::Vector3d::Constant(way * scene.grid.cell);
+        for (const double offset : {-1e-4, 1e-4}) {
+          const Eigen::Vector3d y = x + Eigen::Vector3d::Constant(offset * scene.grid.cell);
           inside = inside && rays.winding(p.rotation.transpose() * (y - p.translation)) > 0;
         }
         if (!inside) continue;
@@ -141,9 +141,9 @@ void record(Case& scene, std::mt19937& random, int n) {
   constexpr int kPlacements = 1500;
   for (int k = 0; k < kPlacements; ++k) {
     const double s = static_cast<double>(k) / kPlacements;
-    const Eigen::Array3d way = (waves.array() * s + Eigen::Array3d(0, 1, 2)).sin();
+    const Eigen::Array3d wave = (waves.array() * s + Eigen::Array3d(0, 1, 2)).sin();
     scene.motion.placements.push_back(
-        {Eigen::AngleAxisd(turn * way[0], axis).toRotationMatrix(), travel * way.matrix(), s});
+        {Eigen::AngleAxisd(turn * wave[0], axis).toRotationMatrix(), travel * wave.matrix(), s});
   }
   RunContext run;
   Options options;

@@ -30,10 +30,10 @@ Result kept(const TriMesh& body, const Trajectory& motion, double cell, bool kee
   return checkedCompute(body, motion, options);
 }
 
-Trajectory moving(const V3& way, double turn = 0) {
+Trajectory moving(const V3& travel, double turn = 0) {
   Pose end;
   end.timeSeconds = 1;
-  end.translation = way;
+  end.translation = travel;
   end.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(turn, V3::UnitZ()));
   return {{Pose{}, end}, Interpolation::Linear};
 }
@@ -68,11 +68,11 @@ TEST(Cavities, StillHollowBody) {
 }
 
 TEST(Cavities, HollowBallInMotionKeepsWhatNoWallPassed) {
-  for (const double way : {1.0, 3.0, 5.0}) {
-    const Result result = kept(hollowBall(), moving({way, 0, 0}), 0.2);
-    const double outer = 4.0 / 3 * kPi * 125 + kPi * 25 * way;
-    EXPECT_EQ(result.report.check.shells, 2) << way;
-    EXPECT_NEAR(result.report.check.volume, outer - lens(3, way), 0.004 * outer) << way;
+  for (const double travel : {1.0, 3.0, 5.0}) {
+    const Result result = kept(hollowBall(), moving({travel, 0, 0}), 0.2);
+    const double outer = 4.0 / 3 * kPi * 125 + kPi * 25 * travel;
+    EXPECT_EQ(result.report.check.shells, 2) << travel;
+    EXPECT_NEAR(result.report.check.volume, outer - lens(3, travel), 0.004 * outer) << travel;
   }
   // Farther than the cavity is wide: the wall sweeps all of it.
   const Result result = kept(hollowBall(), moving({6.5, 0, 0}), 0.2);

@@ -150,8 +150,8 @@ TEST(GlParity, SharedMeshes) {
   const std::filesystem::path data = SWEPT_SHARED_DATA;
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "no " << data;
   NEED_DEVICE(device);
-  const char* wished = std::getenv("SWEPT_PARITY_RESOLUTION");
-  const int resolution = wished ? std::atoi(wished) : 64;
+  const char* setting = std::getenv("SWEPT_PARITY_RESOLUTION");
+  const int resolution = setting ? std::atoi(setting) : 64;
   std::vector<std::string> names = {"fandisk_13k", "tooth_crown_4k", "beam_joint_part2_5k"};
   if (longRun()) {
     names.insert(

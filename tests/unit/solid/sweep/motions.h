@@ -65,10 +65,10 @@ inline TestMotion generalMotion(double angle = 0.7) {
   return motion;
 }
 
-inline TestMotion lineMotion(const Vector3d& way) {
+inline TestMotion lineMotion(const Vector3d& travel) {
   TestMotion motion;
   motion.from = pose({0, 0, 0});
-  motion.to = pose(way);
+  motion.to = pose(travel);
   return motion;
 }
 
