@@ -25,8 +25,8 @@ KEYS = (0.0, (0, 0, -140)), (8.0, (0, 0, -140)), (11.0, (0, 0, 0))
 
 def row_of(table, *names):
     """Returns the row of a neighbour, or of a pair in any order."""
-    told = [table.item(row, 0).text() for row in range(table.rowCount())]
-    (row,) = [row for row, text in enumerate(told) if all(name in text for name in names)]
+    texts = [table.item(row, 0).text() for row in range(table.rowCount())]
+    (row,) = [row for row, text in enumerate(texts) if all(name in text for name in names)]
     return row
 
 
@@ -46,8 +46,8 @@ def check_with_rules(doc, look):
     click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
     yield lambda: doc.getObject("Clearance") is not None
     yield 0.5
-    asked = find(QtWidgets.QTableWidget, "SweptVolumeRules")
-    yield from choose_contact(asked, doc.getObject("BellHousing").Label)
+    rule_table = find(QtWidgets.QTableWidget, "SweptVolumeRules")
+    yield from choose_contact(rule_table, doc.getObject("BellHousing").Label)
     click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
     yield lambda: list(doc.getObject("Clearance").RuleKinds) == ["Contact"]
     yield 0.5
@@ -99,9 +99,9 @@ def check_mechanism(doc, look):
     yield 0.6
     find(QtWidgets.QCheckBox, "SweptVolumeStanding").setChecked(True)
     yield 0.3
-    asked = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
+    rule_table = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
     starter, housing = (doc.getObject(name).Label for name in ("Starter", "BellHousing"))
-    yield from choose_contact(asked, starter, housing)
+    yield from choose_contact(rule_table, starter, housing)
     click(find(QtWidgets.QPushButton, "SweptVolumeCheckMechanism"))
     yield lambda: doc.getObject("Mechanism") is not None
     yield 0.5

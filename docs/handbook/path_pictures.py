@@ -16,7 +16,7 @@ from driver import (
 )
 
 
-def ways(picture):
+def paths(picture):
     """Finds and improves paths; a generator. picture(name): a generator that takes a picture."""
     from sweptvolume.features import motion
     from sweptvolume.panels import motion_panel

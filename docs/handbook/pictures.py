@@ -196,10 +196,10 @@ def in_dialog(name, action):
 
     seen = []
 
-    def look():
+    def wait_for_dialog():
         window = QtWidgets.QApplication.activeModalWidget()
         if window is None:
-            QtCore.QTimer.singleShot(1500, look)  # it opens slowly on a busy machine
+            QtCore.QTimer.singleShot(1500, wait_for_dialog)  # it opens slowly on a busy machine
             return
         seen.append(window)
         QtCore.QTimer.singleShot(1000, take)
@@ -213,7 +213,7 @@ def in_dialog(name, action):
         else:
             QtCore.QTimer.singleShot(100, lambda: close_after(taken))
 
-    QtCore.QTimer.singleShot(1500, look)
+    QtCore.QTimer.singleShot(1500, wait_for_dialog)
     action()
     yield 1.0
     assert seen, "no dialog for " + name
@@ -462,7 +462,7 @@ def scenario():
     yield
     for part in (bay, assembly, demo, joint, slider, selected, made_by, preferences):
         yield from part()
-    yield from path_pictures.ways(picture)
+    yield from path_pictures.paths(picture)
     yield from sequence_pictures.parts(picture)
     yield from mechanism_pictures.crank(picture)
     yield from spaces_pictures.envelopes(picture)

@@ -102,7 +102,7 @@ class OtherDocumentTable(Table):
         for document in both:
             document.commitTransaction()
         self.recomputed()
-        self.look(name)
+        self.check_states(name)
         # First the other document, so that restored links find their objects.
         for document, count in reversed(list(zip(both, before))):
             while document.UndoCount > count:
@@ -110,7 +110,7 @@ class OtherDocumentTable(Table):
         for obj, visible in shown:
             obj.Visibility = visible
         self.recomputed()
-        self.look(name + ", undone")
+        self.check_states(name + ", undone")
         if "expression" not in name:
             self.assertEqual(self.behind(), {})
 

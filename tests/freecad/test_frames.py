@@ -92,7 +92,7 @@ class Frames(Case):
             return "stopped early"
 
         recording = frames.Recording(run(), [(still, ""), (moving, "")]).run()
-        said = recording.poses(0).note
+        first_note = recording.poses(0).note
         for word in ("stopped early", '"Still" stands still in all 3 frames'):
-            self.assertIn(word, said)
+            self.assertIn(word, first_note)
         self.assertEqual(recording.poses(1).note, "stopped early")

@@ -29,7 +29,7 @@ class Renamed(Case):
         found = self.doc.getObject(name).ExpressionEngine
         return {path.lstrip("."): text for path, text in found}
 
-    def look(self):
+    def check(self):
         doc = self.doc
         self.assertEqual((doc.Motion.PoseType, doc.Motion.SourceRotaryAxes), ("Relative", "Table"))
         for name, parts in (
@@ -58,12 +58,12 @@ class Renamed(Case):
                 self.assertNotIn(old, obj.PropertiesList)
 
     def test_values_and_links_keep_and_results_stay_current(self):
-        self.look()
+        self.check()
         for name in ("Envelope", "EnvelopeSolid", "Clearance", "Mechanism", "SharedVolume"):
             self.assertEqual((name, self.doc.getObject(name).Status), (name, UP_TO_DATE))
         self.assertEqual(self.doc.Sequence.Status, NOT_COMPUTED)
         self.doc.recompute(None, True)  # all objects, as some versions do after opening
-        self.look()
+        self.check()
         for name in ("Envelope", "EnvelopeSolid", "Clearance", "Mechanism", "SharedVolume"):
             self.assertEqual((name, self.doc.getObject(name).Status), (name, UP_TO_DATE))
         smallest = self.doc.Clearance.Smallest.Value
@@ -100,7 +100,7 @@ class Renamed(Case):
         self.doc.recompute()
         self.reopen()
         self.doc = App.ActiveDocument
-        self.look()
+        self.check()
         self.test_expressions_go_with_them()
 
     def test_a_new_motion_has_no_old_names(self):

@@ -177,7 +177,7 @@ class AcrossDocuments(OtherDocumentTable):
         self.assertEqual(self.behind(), {})
         self.assertEqual(len(self.results()), 6)
         self.assertGreater(self.doc.SharedVolume.Volume.Value, 1)
-        self.look("nothing")
+        self.check_states("nothing")
 
     def test_closed_and_opened_again(self):
         path = elsewhere().FileName
@@ -188,7 +188,7 @@ class AcrossDocuments(OtherDocumentTable):
         App.openDocument(path)
         self.recomputed()
         self.assertEqual(self.behind(), {})
-        self.look("opened again")
+        self.check_states("opened again")
 
     def test_both_closed_and_opened(self):
         self.doc.save()
@@ -200,4 +200,4 @@ class AcrossDocuments(OtherDocumentTable):
         self.recomputed()
         self.assertEqual({obj.Status for obj in self.results()}, {UP_TO_DATE})
         self.assertEqual(self.record(self.doc.Envelope), before)
-        self.look("opened")
+        self.check_states("opened")

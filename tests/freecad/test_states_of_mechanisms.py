@@ -165,7 +165,7 @@ class Mechanisms(Table):
 
     def test_nothing_changes_nothing(self):
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
-        self.look("nothing")
+        self.check_states("nothing")
         self.doc.Box.Label = "Another name"
         self.doc.recompute()
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})

@@ -62,7 +62,7 @@ class Versions(Case):
             json.dump(known, file)
         App.closeDocument(self.doc.Name)
 
-    def look(self, file):
+    def check_document(self, file):
         with open(file[: -len("FCStd")] + "json") as text:
             known = json.load(text)
         doc = App.openDocument(file)
@@ -96,5 +96,5 @@ class Versions(Case):
         files = sorted(glob.glob(os.path.join(self.shared, "*.FCStd")))
         for file in files:
             with self.subTest(file=os.path.basename(file)):
-                self.look(file)
+                self.check_document(file)
         print("opened:", ", ".join(os.path.basename(file) for file in files))

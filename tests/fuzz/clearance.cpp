@@ -74,7 +74,7 @@ void requireRow(const NeighbourClearance& row, const Trajectory& motion) {
   }
 }
 
-/// Returns whether points inside the mesh are known without mending it.
+/// Returns whether it is defined, without mending the mesh, which points lie inside.
 bool isClosed(const TriMesh& mesh) {
   RunContext run;
   const MeshCheck check = checkMesh(mesh, run);

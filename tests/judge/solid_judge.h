@@ -1,5 +1,5 @@
-// Whether a solid can be used: what FreeCAD's *Check geometry* finds with its BOP test, the largest
-// tolerances, and whether the solid can be cut out of a block.
+// Judges whether a solid can be used: what FreeCAD's *Check geometry* finds with its BOP test, the
+// largest tolerances, and whether the solid can be cut out of a block.
 // In: a STEP or BREP file, or a shape of the kernel. Out: faults by kind. Units: mm. Cost: the BOP
 // test compares all faces with one another, some milliseconds a face.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -13,7 +13,7 @@
 namespace swept::test {
 
 struct JudgedSolid {
-  bool valid = false;  ///< BRepCheck_Analyzer
+  bool valid = false;  ///< result of BRepCheck_Analyzer
   int solids = 0, faces = 0, edges = 0;
   /// Number of shapes with faults that the BOP test finds, by kind: "SelfIntersect",
   /// "InvalidCurveOnSurface", "TooSmallEdge", ... Empty: no faults.

@@ -134,10 +134,10 @@ def test_no_way_out_ends_with_status_3(call, tmp_path):  # noqa: F811
 
 
 def test_a_motion_is_made_shorter_and_keeps_its_locked_keys():
-    way = np.array(
+    poses = np.array(
         [shift(0, 0, 60), shift(15, 0, 40), shift(3, 0.6, 20), shift(-9, 0, 9), shift(0, 0, 0)]
     )
-    motion = sv.Motion.from_matrices(way, np.arange(5.0))
+    motion = sv.Motion.from_matrices(poses, np.arange(5.0))
     report, better = sv.improve_path(PART, motion, WALLS, clearance=0.3)
     assert report["before"]["keys"] == 5 and report["kept_moves"] == 0
     assert len(better.times) == 2 and report["length"] == pytest.approx(60)

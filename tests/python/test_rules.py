@@ -142,14 +142,14 @@ def test_random_rules_against_stamps(call, inputs):  # noqa: F811
     )
     blamed = 0
     for _ in range(8):
-        words, asked = ["clearance", "body.ply", "--motion", "way.csv", "--stamp", 200], {}
+        words, rules_of = ["clearance", "body.ply", "--motion", "way.csv", "--stamp", 200], {}
         for k in range(5):
             low = np.array(
                 [random.uniform(-20, 70), random.uniform(10, 50), random.uniform(-20, 30)]
             )
             block(low, low + random.uniform(3, 12, 3)).write(str(inputs / f"n{k}.ply"))
-            asked[f"n{k}"] = float(random.uniform(0.5, 40))
-            words += [f"n{k}.ply", "--rule", f"n{k}={asked[f'n{k}']}"]
+            rules_of[f"n{k}"] = float(random.uniform(0.5, 40))
+            words += [f"n{k}.ply", "--rule", f"n{k}={rules_of[f'n{k}']}"]
         done = call(*words, "--report", "r.json", cwd=inputs)
         assert done.returncode in (0, 3), done.stderr
         stamped = {}
@@ -160,7 +160,7 @@ def test_random_rules_against_stamps(call, inputs):  # noqa: F811
         report = json.loads((inputs / "r.json").read_text())
         assert len(stamped) == 5
         for row in report["neighbours"]:
-            own = asked[row["name"]]
+            own = rules_of[row["name"]]
             if stamped[row["name"]] < own:
                 assert not row["meets_rule"], row["name"]
                 blamed += 1

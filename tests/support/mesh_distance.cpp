@@ -116,7 +116,7 @@ MeshDistance::Nearest MeshDistance::nearest(const V3& p, double limit) const {
 }
 
 bool MeshDistance::inside(const V3& p) const {
-  double sum = 0;  // of solid angles
+  double sum = 0;  // sum of solid angles
   for (const auto& tri : mesh_.triangles) {
     const V3 a = mesh_.vertices[tri[0]] - p, b = mesh_.vertices[tri[1]] - p,
              c = mesh_.vertices[tri[2]] - p;

@@ -13,7 +13,7 @@ namespace swept::test {
 
 struct PathCase {
   std::string name;
-  TriMesh part;  ///< in a frame of its own
+  TriMesh part;  ///< in its own coordinate system
   Pose start, goal;
   std::vector<TriMesh> neighbours;
   double clearance = 0;

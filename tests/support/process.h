@@ -39,8 +39,8 @@ class FileModeMask {
   [[maybe_unused]] unsigned old_ = 0;
 };
 
-/// Memory that comes directly from the system and goes back to it at once, past the allocator.
-/// (Under AddressSanitizer, freed memory stays resident for a while.)
+/// Memory that is taken directly from the system, without the allocator, and given back at once by
+/// the destructor. (Under AddressSanitizer, freed memory stays resident for a while.)
 class ResidentPages {
  public:
   explicit ResidentPages(std::size_t bytes);  ///< throws std::bad_alloc

@@ -135,7 +135,7 @@ SweptDistance::Contact SweptDistance::contact(const V3& x) const {
     }
     return sample.distance;
   };
-  std::vector<std::pair<double, double>> finest;  // distance, time
+  std::vector<std::pair<double, double>> finest;  // samples: distance, time
   std::vector<double> halves;
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     finest.emplace_back(evaluate(static_cast<double>(i)), static_cast<double>(i));

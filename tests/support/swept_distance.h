@@ -20,7 +20,7 @@ class SweptDistance {
   SweptDistance(const TriMesh& closedBody, const Trajectory& trajectory, double finest);
 
   struct Contact {
-    double distance = 0;             ///< outside exact; inside negative, a lower bound of the depth
+    double distance = 0;             ///< outside: exact; inside: minus a lower bound of the depth
     double time = 0;                 ///< in steps: 2.5 is half way from pose 2 to pose 3
     Eigen::Vector3d point{0, 0, 0};  ///< nearest point of the posed body
     std::vector<Eigen::Vector3d> normals;  ///< possible normals of the envelope there

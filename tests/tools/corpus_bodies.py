@@ -217,9 +217,9 @@ def variants(v, t, seed):
     yield "merged_box", True, lambda: joined((v, t), box(centre - size / 5, centre + size / 4))
     for cells in (12, 40):
         yield f"decimated_{cells}", False, lambda cells=cells: decimated(v, t, cells)
-    for share in (1e-4, 1e-2):
-        yield f"noised_{share:g}", False, lambda share=share: (
-            v + rng.normal(0, share * size, v.shape),
+    for fraction in (1e-4, 1e-2):
+        yield f"noised_{fraction:g}", False, lambda fraction=fraction: (
+            v + rng.normal(0, fraction * size, v.shape),
             t,
         )
     yield "cut", False, lambda: (v, t[((v[t].mean(axis=1) - centre) @ normal) < 0])

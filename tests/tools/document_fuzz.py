@@ -4,13 +4,13 @@
 
     document_fuzz.py [--count N] [--first SEED] [--seconds S] [--out FOLDER]
 
-A document with each kind of object of the workbench is saved once. Each case changes one to four values in it (numbers,
-texts, links, lists of times and placements, dropped properties), opens it, recomputes, reads every report,
-computes every object, saves it and opens it again. Each case must end as promised: FreeCAD refuses the
-file, or every run is Ok or fails with a sentence (InputProblem, CoreError). No other exception may occur,
-not even in methods that FreeCAD calls by itself, and no crash or hang. Cases run in a child process and
-depend only on their seed. A document that breaks the promise is kept in FOLDER (out/documents), and the
-exit status is 1.
+A document with each kind of object of the workbench is saved once. Each case changes one to four values in
+it (numbers, texts, links, lists of times and placements, dropped properties), opens it, recomputes, reads
+every report, computes every object, saves it and opens it again. Each case must end as promised: FreeCAD
+refuses the file, or every run is Ok or fails with a sentence (InputProblem, CoreError). No other exception
+may occur, not even in methods that FreeCAD calls by itself, and no crash or hang. Cases run in a child
+process and depend only on their seed. A document that breaks the promise is kept in FOLDER (out/documents),
+and the exit status is 1.
 """
 import argparse
 import collections
@@ -296,12 +296,12 @@ def other_list(data, tag, chance):
     if width is None or len(data) < 4:
         return data
     rows = [data[i : i + width] for i in range(4, len(data) - width + 1, width)]
-    way = chance.randrange(4)
-    if way == 0 and rows:
+    kind = chance.randrange(4)
+    if kind == 0 and rows:
         rows.pop(chance.randrange(len(rows)))
-    elif way == 1 and rows:
+    elif kind == 1 and rows:
         rows.insert(0, chance.choice(rows))
-    elif way == 2:
+    elif kind == 2:
         rows = []
     elif rows:
         row = chance.randrange(len(rows))

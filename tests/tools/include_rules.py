@@ -7,7 +7,7 @@ there is any.
 
 A room is a folder below cpp/src (or one of the folders beside it); a room inside a room is named by both
 ("solid/mesh"). Each room lists the rooms that it may include besides itself and the public headers. The
-list has no circle, which is checked as well. Each third-party library is included in one room only, and
+list has no cycle, which is checked as well. Each third-party library is included in one room only, and
 the headers of the operating system in one file of the core and one of the tests. Usage: include_rules.py
 [ROOT]
 """
@@ -183,7 +183,7 @@ def system_breaches(root):
     return found
 
 
-def circle(rooms):
+def cycle(rooms):
     """Returns a cycle of rooms that may include one another, or None."""
     try:
         graphlib.TopologicalSorter(rooms).prepare()
@@ -193,8 +193,8 @@ def circle(rooms):
 
 
 def main():
-    if circle(MAY_INCLUDE):
-        print(f"include rules: a circle of rooms, {circle(MAY_INCLUDE)}")
+    if cycle(MAY_INCLUDE):
+        print(f"include rules: a cycle of rooms, {cycle(MAY_INCLUDE)}")
         return 1
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
     found = breaches(root) + system_breaches(root)

@@ -61,22 +61,22 @@ def main():
     )
     seen = clearance.make_clearance(doc, Envelope=within, AllVisible=True)
     doc.recompute()
-    told = {}
+    results = {}
     for obj in (hull, grown, within):
         envelope.compute(obj)
-        told[obj.Name] = [obj.Status, obj.Mesh.CountFacets, obj.Volume.Value]
+        results[obj.Name] = [obj.Status, obj.Mesh.CountFacets, obj.Volume.Value]
     solid.compute(body)
-    told[body.Name] = [body.Status, len(body.Shape.Faces), body.Shape.Volume]
+    results[body.Name] = [body.Status, len(body.Shape.Faces), body.Shape.Volume]
     for obj in (chosen, seen):
         clearance.compute(obj)
         rows = clearance.report_of(obj)["neighbours"]
-        told[obj.Name] = [obj.Status, sorted((row["name"], row["distance"]) for row in rows)]
+        results[obj.Name] = [obj.Status, sorted((row["name"], row["distance"]) for row in rows)]
     doc.recompute()
     for obj in (hull, grown, within, body, chosen, seen):
-        told[obj.Name][0] = obj.Status
+        results[obj.Name][0] = obj.Status
     doc.saveAs(FILE)
     with open(FILE[: -len("FCStd")] + "json", "w") as out:
-        json.dump(told, out, indent=1)
+        json.dump(results, out, indent=1)
         out.write("\n")
 
 

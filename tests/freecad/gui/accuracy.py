@@ -82,9 +82,9 @@ def scenario():
         click(panel_button(Apply))
         yield lambda: not runner.running()
         yield 0.1
-        told = [panel.message.text(), panel.estimate_label.text()]
-        say("{}: {}".format(typed, told[0]))
-        assert words in told[0], (typed, words, told)
+        messages = [panel.message.text(), panel.estimate_label.text()]
+        say("{}: {}".format(typed, messages[0]))
+        assert words in messages[0], (typed, words, messages)
         assert (made.Accuracy.Value, made.UsedCellSize.Value) == (0.5, 0.25), typed
     shot("71_accuracy_too_coarse")
     type_over(find(QtWidgets.QWidget, "SweptVolumeAccuracy"), "2 mm")

@@ -100,7 +100,7 @@ def robot_arm(keyboard):
 
     doc = new_document("RobotArm")
     gripper = mesh_object(doc, "Gripper", GRIPPER)
-    stands = App.Placement(gripper.Placement)
+    initial = App.Placement(gripper.Placement)
     rows = list(rows_of(ARM, METRE))[::STRIDE]
     recorded = [(float(row["t_s"]), place) for row, place in rows]
     captured = len(recorded) * 2 // 3
@@ -140,7 +140,7 @@ def robot_arm(keyboard):
     )
     say("{} keys: at most {:.1e} mm and {:.1e} rad off".format(len(recorded), off, turned))
     assert off < 1e-6 and turned < 1e-6
-    gripper.Placement = stands
+    gripper.Placement = initial
     made = yield from envelope_of(doc, gripper, path)
     shot("51_robot_arm_envelope")
     yield 0.8

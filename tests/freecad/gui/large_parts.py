@@ -40,8 +40,8 @@ def star():
 
     points = []
     for k in range(SIDES):
-        angle, reach = 2 * math.pi * k / SIDES, 50 + 4 * (k % 2) + 0.01 * k
-        points.append(V(reach * math.cos(angle), reach * math.sin(angle), 0))
+        angle, radius = 2 * math.pi * k / SIDES, 50 + 4 * (k % 2) + 0.01 * k
+        points.append(V(radius * math.cos(angle), radius * math.sin(angle), 0))
     return Part.Face(Part.makePolygon(points + points[:1])).extrude(V(0, 0, 10))
 
 
@@ -65,8 +65,8 @@ def measured(text, steps, limit):
     """Runs steps and checks how long the window's own thread worked between two events."""
     gaps = Gaps()
     yield from steps
-    said = gaps.stop()
-    say("{}: longest gap {}; at once {:.0f} ms".format(text, said, 1000 * limit))
+    gap = gaps.stop()
+    say("{}: longest gap {}; at once {:.0f} ms".format(text, gap, 1000 * limit))
     assert gaps.busy < limit / 2, (text, gaps.busy, limit)
 
 

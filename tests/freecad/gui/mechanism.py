@@ -89,12 +89,12 @@ def scenario():
     assert moving.rowCount() == 3 and len(doc.Objects) == before, len(doc.Objects)
     find(QtWidgets.QCheckBox, "SweptVolumeStanding").setChecked(True)
     yield 0.2
-    asked = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
-    assert asked.rowCount() == 6, rows_of(asked)
+    rule_table = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
+    assert rule_table.rowCount() == 6, rows_of(rule_table)
     click(find(QtWidgets.QPushButton, "SweptVolumeTouchingPairs"))
-    yield lambda: asked.item(rows_of(asked)["Crank - Rod"], 2).text() == "Contact allowed"
-    told = [asked.item(r, 2).text() for r in range(6)]
-    assert told.count("Contact allowed") == 2, told
+    yield lambda: rule_table.item(rows_of(rule_table)["Crank - Rod"], 2).text() == "Contact allowed"
+    texts = [rule_table.item(r, 2).text() for r in range(6)]
+    assert texts.count("Contact allowed") == 2, texts
     undo, gaps = doc.UndoCount, Gaps()
     click(find(QtWidgets.QPushButton, "SweptVolumeCheckMechanism"))
     yield lambda: doc.getObject("Mechanism") is not None
@@ -140,8 +140,8 @@ def scenario():
     select(obj)
     Gui.runCommand("SweptVolume_Mechanism")
     yield 0.3
-    asked = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
-    assert asked.item(rows_of(asked)["Rod - Slider"], 2).text() == "Contact allowed"
+    rule_table = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
+    assert rule_table.item(rows_of(rule_table)["Rod - Slider"], 2).text() == "Contact allowed"
     find(QtWidgets.QWidget, "SweptVolumeMechanismAccuracy").setProperty("rawValue", 1e-5)
     summary = obj.Summary
     click(find(QtWidgets.QPushButton, "SweptVolumeCheckMechanism"))

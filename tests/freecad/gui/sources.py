@@ -53,9 +53,9 @@ def stops_early(doc):
             click(panel_button(Ok))
             yield 0.4
             if button == 0:
-                said = visible_text()
+                text = visible_text()
                 for words in ("stopped early", "4 of 5 frames", "0.75 s of 1 s", "OK again"):
-                    assert words in said, said
+                    assert words in text, text
                 shot("26_stops_early_{}".format(len(chosen)))
                 yield 0.6
         yield no_panel

@@ -219,7 +219,7 @@ TEST(SelfIntersections, FoldedFan) {
   mesh.vertices[2] = {std::cos(-0.4), std::sin(-0.4), 0};
   EXPECT_EQ(check(mesh).selfIntersections, bruteForce(mesh));
   EXPECT_GT(check(mesh).selfIntersections, 0);
-  // Out of the plane: triangles pierce one another round the vertex.
+  // Two vertices leave the plane, so that triangles pierce one another round the vertex.
   mesh.vertices[2] = {std::cos(-0.4), std::sin(-0.4), 0.2};
   mesh.vertices[1].z() = 0.3;
   EXPECT_EQ(check(mesh).selfIntersections, bruteForce(mesh));
@@ -326,7 +326,7 @@ TEST(MeshCheck, SameAnswerForAnyNumberOfThreads) {
     const MeshCheck other = check(mesh, threads);
     EXPECT_EQ(one.selfIntersections, other.selfIntersections);
     EXPECT_EQ(one.firstIntersections, other.firstIntersections);
-    EXPECT_EQ(one.volume, other.volume);  // every bit
+    EXPECT_EQ(one.volume, other.volume);  // to the last bit
     EXPECT_EQ(one.area, other.area);
   }
 }

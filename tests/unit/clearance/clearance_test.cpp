@@ -227,7 +227,7 @@ TEST(Clearance, SlidingAtAConstantGapIsCheap) {
   double lowest = 0;
   for (const Vector3d& v : body.vertices) lowest = std::min(lowest, v.z());
   EXPECT_NEAR(row.distance, 10.5 + lowest, 1e-9);
-  // Steps of the size of the accuracy would need 150,000 proofs.
+  // With steps as small as the accuracy, 150,000 proofs would be needed.
   EXPECT_LT(row.certificates, 2000);
 }
 
@@ -243,7 +243,7 @@ TEST(Clearance, ContactOfAThousandthOfAKeyInterval) {
   EXPECT_NEAR(row.contact[0].to - row.contact[0].from, 0.001, 0.0001);
   EXPECT_NEAR(row.contact[0].from, 0.6165, 0.0001);
   EXPECT_NEAR(row.penetration.depth, 2,
-              0.021);  // a face of the post through the middle of the body
+              0.021);  // a face of the post lies in the middle of the body
 }
 
 TEST(Clearance, GrazingForAThousandthIsFoundToo) {
@@ -277,7 +277,8 @@ TEST(Clearance, SmallPartInsideABigOne) {
   }
 }
 
-// Nearly every triangle is as near as any other: the middles move from 1 mm apart to 2 mm.
+// The middles of the balls are 1 mm apart at first, and 2 mm at the end. So nearly all triangles
+// are equally near.
 TEST(Clearance, BallInTheMiddleOfABall) {
   const TriMesh small = makeBall(Vector3d::Zero(), 3, 3), big = makeBall(Vector3d::Zero(), 10, 4);
   const Trajectory motion = motionOf({shifted(0, {1, 0, 0}), shifted(1, {2, 0, 0})});
@@ -286,7 +287,7 @@ TEST(Clearance, BallInTheMiddleOfABall) {
         swap ? checkOne(big, motion, small) : checkOne(small, motion, big);
     EXPECT_TRUE(row.inside);
     EXPECT_EQ(row.verdict, ClearanceVerdict::Clash);
-    // The surface of the small ball comes within 3 - 2 mm of the middle of the other.
+    // The surface of the small ball comes within 3 - 2 = 1 mm of the middle of the large one.
     EXPECT_LE(row.penetration.depth, 9);
     EXPECT_GE(row.penetration.depthBound, 9 - chordOf(big, Vector3d::Zero(), 10) - 0.05);
     EXPECT_GE(row.penetration.depth, 0.99 * row.penetration.depthBound - 0.01);

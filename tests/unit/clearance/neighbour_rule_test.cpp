@@ -76,7 +76,8 @@ TEST(NeighbourRule, RulesThatFitNobodyOrContradict) {
   EXPECT_NE(two.find("'bolt 1'"), std::string::npos);
   EXPECT_NE(two.find("'b*=3' and '*1=contact'"), std::string::npos) << two;
   refusal([&] { rulesFor(names, {{"cover", rule("3")}, {"cover", rule("4")}}); });
-  rulesFor(names, {{"b*", rule("3")}, {"*1", rule("3")}});  // the same twice is no contradiction
+  // The same rule twice is no contradiction.
+  rulesFor(names, {{"b*", rule("3")}, {"*1", rule("3")}});
 }
 
 // Names and patterns of two letters and wildcards, compared with a recursive matcher.

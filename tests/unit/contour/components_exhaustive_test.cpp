@@ -199,7 +199,8 @@ TEST(ComponentsExhaustive, ComponentsAreSingleLoops) {
   std::int64_t ambiguous = 0;
   std::uint64_t seed = 1;
   everyCell([&](const Block& block) {
-    if (block.insideBits == 255 || (block.insideBits | block.wallBits) == 0) return;  // empty
+    // No crossings.
+    if (block.insideBits == 255 || (block.insideBits | block.wallBits) == 0) return;
     Cell cell;
     const auto bit = [](int a, int b, int c, int axis) {
       int p[3];

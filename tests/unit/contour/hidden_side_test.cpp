@@ -18,7 +18,7 @@ namespace {
 
 using V3 = Eigen::Vector3d;
 
-/// Returns a prism along y over an L: a block with a step of the given height along its middle.
+/// Returns an L-shaped prism along y: a block with a step of the given height along its middle.
 TriMesh stepped(double height) {
   const double x[] = {0, 6, 6, 3, 3, 0}, z[] = {0, 0, 2, 2, 2 + height, 2 + height};
   TriMesh mesh;

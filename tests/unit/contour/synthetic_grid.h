@@ -21,7 +21,7 @@ class SyntheticGrid {
   bool inside(std::int32_t i, std::int32_t j, std::int32_t k) const {
     return inside_[index(i, j, k)] != 0;
   }
-  /// Makes the edge from (i, j, k) along `axis`, both ends outside, pass through a thin wall.
+  /// Lets a thin wall cross the edge from (i, j, k) along `axis`, both of whose ends are outside.
   void setWall(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
     walls_[3 * index(i, j, k) + static_cast<std::size_t>(axis)] = 1;
   }
@@ -43,7 +43,7 @@ class SyntheticGrid {
 struct Faults {
   std::int64_t openEdges = 0;         ///< directed edges without exactly one partner
   std::int64_t nonManifoldEdges = 0;  ///< undirected edges of more than two triangles
-  std::int64_t badVertices = 0;       ///< triangles round the vertex are not one closed ring
+  std::int64_t badVertices = 0;       ///< vertices whose triangles are not one closed ring
   std::int64_t degenerate = 0;        ///< triangles with a repeated vertex
   Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< position of the first fault
   bool any() const { return openEdges + nonManifoldEdges + badVertices + degenerate > 0; }

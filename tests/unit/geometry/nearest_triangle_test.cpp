@@ -90,7 +90,7 @@ TEST(NearestTriangle, WalksFindWhatSearchesFind) {
       Vector3d p = mesh.vertices[0];
       int near = 0;
       for (int n = 0; n < 500; ++n) {
-        // A path of small steps, with occasional jumps.
+        // The points follow a path of small steps, with occasional jumps.
         p = n % 50 == 0 ? Vector3d(mesh.vertices[0] + random.point(12))
                         : Vector3d(p + random.point(0.5));
         const double all = byLookingAtAll(p, mesh);

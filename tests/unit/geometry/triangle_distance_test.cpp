@@ -40,7 +40,7 @@ double distanceByDefinition(const Vector3d& p, const Triangle3d& triangle) {
   return static_cast<double>(best);
 }
 
-/// Returns the distance of a point that should lie on the triangle.
+/// Returns the distance of a point from the triangle on which it should lie.
 double distanceFromItself(const Vector3d& point, const Triangle3d& triangle) {
   return distanceByDefinition(point, triangle);
 }
@@ -79,8 +79,8 @@ TEST(TriangleDistance, NeedlesAndPointsAgreeWithTheDefinition) {
   }
 }
 
-// Returns the distance of two triangles: points of a fine grid on one are projected onto the other,
-// in both directions.
+// Returns an approximate distance of two triangles: points of a fine grid on one are projected onto
+// the other, in both directions.
 double sampledDistance(const Triangle3d& a, const Triangle3d& b, int steps) {
   double best = 1e300;
   for (int i = 0; i <= steps; ++i) {

@@ -75,8 +75,9 @@ Deviation deviation(const Result& result, double d,
 }
 
 /// Tests an offset of at least half a cell. Its vertices lie at the distance d, up to the chord
-/// error of the motion. They are never nearer, and farther only by what roundness needs. The few
-/// vertices whose move would make triangles intersect stay where contouring has put them.
+/// error of the motion. They are never nearer, and a little farther only where the surface is
+/// round. The few vertices whose move would make triangles intersect stay where contouring has put
+/// them.
 void expectVerticesAt(const Result& result, double d,
                       const std::function<double(const V3&)>& distance, double chord = 0) {
   double least = HUGE_VAL, most = -HUGE_VAL;

@@ -157,8 +157,8 @@ TEST(Overlap, OneInTheOtherAndFlushWithIt) {
 }
 
 TEST(Overlap, ATurnedCubeInACubeIsAnOctagonPrism) {
-  // Turned by 45 degrees about z: the square of side s cuts corners off, 2 (sqrt 2 - 1) s^2 is
-  // left.
+  // The other cube is turned by 45 degrees about z. Its square of side s cuts corners off, and the
+  // area 2 (sqrt 2 - 1) s^2 is left.
   const TriMesh a = cube({-5, -5, -5}, 10);
   const Eigen::Isometry3d turn(Eigen::AngleAxisd(std::atan(1.0), Vector3d::UnitZ()));
   const SharedVolume shared = intersect(a, transformed(a, turn));

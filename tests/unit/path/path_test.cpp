@@ -61,7 +61,8 @@ TEST(FindPath, MadeUpProblemsHaveTheRightAnswersAndEveryPathIsClear) {
   EXPECT_GE(found, 15);
 }
 
-// The shortest path passes the edge of the wall at the required distance. There is room for more.
+// The shortest path passes the edge of the wall at the required distance. There is room for a
+// larger distance, so the path must keep farther away.
 TEST(FindPath, PathsKeepAwayFromWhatTheyPass) {
   PathCase c;
   c.part = makeBox({-1, -1, -1}, {1, 1, 1});

@@ -229,8 +229,8 @@ TEST(TrialSteps, SomeClustersStandForAll) {
   EXPECT_EQ(part, 0u);
 }
 
-// Recordings with noise: 192 of their placements form a smooth motion, which needs only a third
-// of the probes.
+// Recordings with noise. Contouring a smooth motion through 192 of their placements needs only a
+// third of the probes.
 TEST(TrialSteps, ProbesOfContouringAreCountedInCellsOfTheWholeMotion) {
   struct Kind {
     TriMesh body;

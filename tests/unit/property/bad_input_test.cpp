@@ -173,7 +173,7 @@ TEST(BadInput, bad_input_12_cavity) {
 }
 
 TEST(BadInput, bad_input_13_thin_wall) {
-  const TriMesh body = makeBox({0, 0, 0}, {3, 3, 0.01});  // a tenth of a cell
+  const TriMesh body = makeBox({0, 0, 0}, {3, 3, 0.01});  // a tenth of a cell thick
   const Result result = run(body, shift({0.5, 0, 0}));
   expectGoodResult(result);
 }
@@ -353,7 +353,7 @@ TEST(BadInput, bad_input_45_thinner_than_the_cell_everywhere) {
   const TriMesh needle = makeBox({0.4, 0.4, 0.4}, {0.41, 0.41, 3.6});
   const Result result = run(needle, still(), options);
   expectRefused(result, "CellTooLarge");
-  // The cell size in the message works.
+  // The cell size that the message proposes works.
   const std::string& text = result.report.message;
   ASSERT_NE(text.find("try "), std::string::npos) << text;
   options.cellSize = std::stod(text.substr(text.find("try ") + 4));

@@ -166,7 +166,7 @@ TEST(Culling, WhatLiesInsideChangesNoCrossingThatCounts) {
     const auto all = counting(input);
     input.fillsHollows = true;
     const auto inside = findDeepInside(input, run);
-    if (!inside) continue;  // too little is hidden
+    if (!inside) continue;  // too few points are deep inside
     input.inside = &*inside;
     std::uint64_t sampled = 0;
     input.crossings = &sampled;

@@ -74,7 +74,7 @@ TEST(Cavities, HollowBallInMotionKeepsWhatNoWallPassed) {
     EXPECT_EQ(result.report.check.shells, 2) << travel;
     EXPECT_NEAR(result.report.check.volume, outer - lens(3, travel), 0.004 * outer) << travel;
   }
-  // Farther than the cavity is wide: the wall sweeps all of it.
+  // The motion is longer than the cavity is wide: the wall sweeps all of the cavity.
   const Result result = kept(hollowBall(), moving({6.5, 0, 0}), 0.2);
   EXPECT_EQ(result.report.check.shells, 1);
   EXPECT_EQ(cavities(result), 0);

@@ -80,7 +80,7 @@ TEST_P(SolidEstimates, ATrialKnowsFacesAndBytes) {
   EXPECT_EQ(estimate.faces, report.faces);
   EXPECT_EQ(estimate.tolerance, report.tolerance);
   EXPECT_EQ(estimate.deviation, report.deviation);
-  // The header contains the name of the file.
+  // The header contains the name of the file, so the sizes differ a little.
   EXPECT_NEAR(1e6 * estimate.megabytes, static_cast<double>(report.fileBytes), 100);
   EXPECT_GT(estimate.seconds, 0);
   EXPECT_GE(bound.faces, report.faces);

@@ -95,7 +95,7 @@ TEST(TextJudge, AFaceThatTheReaderRefusesLosesItsSurface) {
   StepOptions options;
   options.tolerance = 0.1;
   Outside reader;
-  // When only curved faces are checked, there is no solid.
+  // Refuses checks of few faces: those of the curved faces alone, which make no solid.
   reader.refuses = [](const SolidCheck& check) { return check.faces < 10; };
   RunContext run;
   const StepReport report =

@@ -20,9 +20,9 @@ struct FakeFaults {
   long long storageBytes = 1 << 27;
   std::string brokenShader;  ///< shaders whose source contains this word do not compile
   bool linkFails = false;
-  int resetFromFence = 0;         ///< contexts report a reset from the fence with this number on
-  int silentFromFence = 0;        ///< fences with this number and later ones never signal
-  int faultyContexts = 1000;      ///< only so many contexts have the two faults above
+  int resetFromFence = 0;     ///< contexts report a reset from the fence with this number on
+  int silentFromFence = 0;    ///< fences with this number and later ones never signal
+  int faultyContexts = 1000;  ///< number of contexts, from the first on, with the two faults above
   int setBitsFromReadback = 0;    ///< marks appear all over the brick
   int setOneBitAtReadback = 0;    ///< one mark appears, well within the empty border of the grid
   int clearBitsFromReadback = 0;  ///< a fraction of the marks disappears

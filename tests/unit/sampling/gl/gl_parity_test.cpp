@@ -68,7 +68,7 @@ TEST(GlParity, EveryKindOfMotion) {
   }
 }
 
-/// Faces on grid planes, vertices on grid lines: nothing but ties.
+/// Faces lie on grid planes and vertices on grid lines, so that every decision is a tie.
 TEST(GlParity, TiesOnTheLattice) {
   NEED_DEVICE(device);
   Trajectory path;
@@ -76,7 +76,8 @@ TEST(GlParity, TiesOnTheLattice) {
   Scene scene(makeBox({0, 0, 0}, {1, 1, 1}), path, 20);
   scene.grid.cell = 0.125;
   scene.grid.points = {20, 20, 20};
-  // Snapped vertices are odd: they miss the lattice by half a unit, edges run exactly between them.
+  // Coordinates of snapped vertices are odd: vertices miss the lattice by half a unit. Edges run
+  // exactly between lattice points.
   for (const double shift : {0.0, 0.125 * 0x1p-17, 0.0625}) {
     scene.grid.origin = Eigen::Vector3d(-0.5, -0.5 + shift, -0.5 - 2 * shift);
     expectSame(device, scene);
