@@ -39,7 +39,7 @@ def bring_up(widget):
 
 
 def check_with_rules(doc, look):
-    """Steps 1 and 2."""
+    """Steps 1 and 2: a clearance check without and with rules."""
     select(doc.getObject("Starter"), doc.getObject("Motion"))
     Gui.runCommand("SweptVolume_Clearance")
     yield 0.6
@@ -93,7 +93,7 @@ def move_the_exhaust(doc):
 
 
 def check_mechanism(doc, look):
-    """Step 4."""
+    """Step 4: the check of the mechanism."""
     Gui.Selection.clearSelection()
     Gui.runCommand("SweptVolume_Mechanism")
     yield 0.6

@@ -42,7 +42,7 @@ def make_wheel(build, version, folder):
 
 
 class Index(http.server.ThreadingHTTPServer):
-    """Serves the files of a folder. `held`: downloads of packages wait until it is set."""
+    """Serves the files of a folder. Downloads of packages wait until `may_download` is set."""
 
     def __init__(self, folder):
         super().__init__(("127.0.0.1", 0), _Handler)

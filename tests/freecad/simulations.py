@@ -73,7 +73,7 @@ def hinge(doc):
     return simulation, arm, drive
 
 
-FOUND = 4  # frames of a simulation that gets stuck
+FOUND = 4  # frames that the solver finds before it gets stuck
 
 
 def _begin(assembly, simulation):

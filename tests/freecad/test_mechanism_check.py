@@ -71,7 +71,7 @@ class Motions(SliderCrank):
             found, notes = joint_motions.of_source(self.doc, self.source(5))
         finally:
             motion.sources.driven.Handle.set = keep
-        self.assertEqual(runs, [0.0, 90.0, 180.0, 270.0, 360.0, "0"])  # "0" restores it
+        self.assertEqual(runs, [0.0, 90.0, 180.0, 270.0, 360.0, "0"])  # "0" restores the cell
         self.assertEqual(notes, [])
         self.assertEqual([m.SourceObjects[1].Name for m in found], ["Crank", "Rod", "Slider"])
         self.assertEqual([m.Label for m in found][0], "Motion of Crank")

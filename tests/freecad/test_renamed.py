@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Documents in which properties still have the names of earlier versions.
-
-names_of_before.FCStd was saved by the version before (documents/make_of_before.py says how).
+"""Documents in which properties still have the names of earlier versions. names_of_before.FCStd was saved by
+the last version with these names (documents/make_of_before.py says how).
 """
 import os
 import re

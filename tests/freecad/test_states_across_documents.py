@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """States of mechanism checks, sequences, shared volumes, studies and records of what made an envelope, whose
 parts, neighbours and values are in another document. After each change, in either document, a result may be
-up to date, and show what it shows, only if a fresh computation gives the same result.
+up to date only if a fresh computation gives what the result shows.
 """
 import os
 
@@ -170,7 +170,7 @@ class AcrossDocuments(OtherDocumentTable):
         other.saveAs(os.path.join(self.folder, "Elsewhere.FCStd"))
 
     def content(self, obj):
-        """Includes the summary line of each check."""
+        """Adds the summary line of each check."""
         return super().content(obj) + [getattr(obj, "Summary", "")]
 
     def test_nothing_changes_nothing(self):

@@ -39,7 +39,7 @@ class States(Table):
         return [obj for obj in super().results() if sequence.is_sequence(obj)]
 
     def content(self, obj):
-        """Returns the messages with their names, and the position of each part during playback."""
+        """Returns the messages, which contain names, and the position of each part during playback."""
         plan = sequence.Plan.of(obj)
         places = []
         if plan.steps:

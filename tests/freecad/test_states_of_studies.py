@@ -298,7 +298,7 @@ motion = "near.csv"
         return os.path.join(self.folder, name)
 
     def checked_status(self):
-        """No link notices a change of a file: the state is that of the last check."""
+        """Returns the state after a check of the files. FreeCAD itself does not notice changed files."""
         study.update_status(self.obj)
         return self.obj.Status
 

@@ -79,7 +79,8 @@ class Versions(Case):
         envelope.compute(obj)
         solid.compute(body)
         clearance.compute(check)
-        # The other version's table was deleted with its folder: its poses stay, marked as old.
+        # The file of poses of the other version was deleted with its folder. The motion keeps its poses, and
+        # is stale.
         here = os.path.isfile(known["table"])
         self.assertEqual(path.Status, "" if here else motion.STALE)
         self.assertEqual(obj.Status, envelope.UP_TO_DATE if here else envelope.STALE)

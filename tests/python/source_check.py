@@ -32,8 +32,7 @@ def matrices_of(quaternions):
 
 
 def _turns(first, second):
-    """Returns the rotation vectors (n, 3) from first to second, relative to first, the shorter way
-    round."""
+    """Returns rotation vectors (n, 3): the shorter rotations from first to second, relative to first."""
     turn = np.einsum("nji,njk->nik", first, second)
     cosine = np.clip((np.trace(turn, axis1=1, axis2=2) - 1) / 2, -1, 1)
     off = np.stack(

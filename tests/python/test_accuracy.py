@@ -12,9 +12,9 @@ from test_reports import report_of, validator  # noqa: F401
 
 
 def depths(points, half, travel):
-    """Returns signed distances (negative inside) of points (N, 3) from the sweep of a box along `way`:
-    the largest distance from its bounding planes. The box has these half sizes and the origin as its
-    middle."""
+    """Returns signed distances (negative inside) of points (N, 3) from the sweep of a box along `travel`: the
+    largest distance from its bounding planes. The box has these half sizes and the origin as its middle.
+    """
     planes = [sign * axis for axis in np.eye(3) for sign in (-1, 1)]
     for axis in np.eye(3):
         across = np.cross(axis, travel)

@@ -136,7 +136,7 @@ def test_inputs_are_told_once_and_hashed_once(light, monkeypatch):  # noqa: F811
 def test_what_may_touch_is_not_the_worst_neighbour(light):  # noqa: F811
     text = (light / "study.toml").read_text().replace('rail = "ignore"', 'rail = "contact:50"')
     (light / "study.toml").write_text(text)
-    write_motion(light / "by40.csv", 38)  # into the rail
+    write_motion(light / "by40.csv", 38)  # the box now moves into the rail
     report = sv.run_study(light / "study.toml")
     rows = {row["run"]: row for row in report["runs"]}
     assert rows["by40"]["state"] == "done" and rows["by40"]["neighbour"] == "post"

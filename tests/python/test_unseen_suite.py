@@ -79,4 +79,4 @@ def test_no_drawn_cell_is_larger_than_the_part():
         part, travel = np.ptp(case.mesh[0], axis=0).max(), np.ptp(case.motion[2], axis=0).max()
         assert travel / case.options["resolution"] < part
         fewest.append(travel / part)
-    assert max(fewest) > 24  # the smallest resolution would be too coarse
+    assert max(fewest) > 24  # 24 cells, the smallest resolution, would be too few

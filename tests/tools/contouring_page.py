@@ -193,8 +193,7 @@ class Comparison:
         return (*ends, self.far(method, 2 * POINTS)[1])
 
     def panel(self, body, method, marks):
-        """Draws the body, or an envelope with its marks, in the body's window. Returns the
-        pixels."""
+        """Draws the body, or an envelope with its marks, in the view of `body`. Returns the pixels."""
         picture = Picture(body.panel, body.centre, body.toward, body.up, body.width)
         if method not in self.envelopes:
             picture.fill(*self.mesh)

@@ -88,7 +88,7 @@ def mixed(rng, body):
 
 
 def touching(rng, body):
-    """Returns two boxes that share an edge or a corner, with its vertices, and a third body that touches
+    """Returns two boxes that share an edge or a corner and its vertices, and a third body that touches
     neither.
     """
     first = box((0, 0, 0), (1, 1, 1))

@@ -48,7 +48,7 @@ class MallInfo(ctypes.Structure):
 
 
 def in_use():
-    """Returns the bytes that are allocated and not freed, in all heaps and in mapped pieces."""
+    """Returns the bytes that are allocated and not freed, in all heaps and in separately mapped memory."""
     library = ctypes.CDLL(None)
     library.mallinfo2.restype = MallInfo
     found = library.mallinfo2()

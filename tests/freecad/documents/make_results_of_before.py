@@ -46,7 +46,7 @@ def main():
     group.Placement = App.Placement(V(5, -30, 0), App.Rotation(V(0, 0, 1), 30))
     wire = doc.addObject("Part::Feature", "Wire")
     wire.Shape = Part.makePolygon([V(), V(30, 0, 0), V(30, 20, 0)])
-    # The part turns along the way. Without a pivot, the origin of its coordinates moves straight.
+    # The part turns while it moves. Without a pivot, the origin of its coordinates moves straight.
     turned = App.Placement(V(40, 0, 0), App.Rotation(V(0, 0, 1), 60))
     path = motion.motion_from_poses(doc, [0, 1], [shift(0), turned])
     curve = motion.motion_from_source(doc, "Curve", [wire], count=9)

@@ -41,7 +41,7 @@ def scenario():
     path = motion.motion_from_poses(doc, [0, 2], places)
     doc.recompute()
 
-    # 0.5 mm: the estimate, the cells, the bound, and what an opened panel shows.
+    # An accuracy of 0.5 mm: the estimate, the cells, the bound, and what an opened panel shows.
     panel = envelope_panel.show(doc, [(wedge, "")], path)
     panel.by.setObjectName("By")
     yield 0.3

@@ -217,7 +217,7 @@ def scenario():
 
 
 def rules_of_groups(doc, obj):
-    """The rule of a group stays while rows of other parts change, or a row of a part in it."""
+    """The rule of a group stays if the row of another part, or of a part in the group, changes."""
     from sweptvolume.features import neighbour_rules
     from sweptvolume.features.neighbour_rules import Rule
 

@@ -81,7 +81,7 @@ def scenario():
     gaps = Gaps()
     for value, x in ((100, 10.0), (500, 50.0)):
         slider.setValue(value)
-        # From the corner of the slide at x + 10 to that of the wall at x = 70.
+        # The line runs from the corner of the slide at x + 10 to the corner of the wall at x = 70.
         yield lambda x=x: (
             line_of(graph) is not None and abs(line_of(graph)[0][0] - (x + 10)) < 0.2
         )

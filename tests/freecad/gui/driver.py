@@ -109,7 +109,7 @@ class Gaps:
 
 #: Longest time (s) until Stop has taken effect, without waiting times of the event loop.
 ANSWER = 0.3
-#: Longest CPU time (s) of the window's own thread between two events meanwhile.
+#: Longest CPU time (s) of the window's own thread between two events until Stop has taken effect.
 WORK = 0.2
 
 

@@ -98,7 +98,7 @@ def scenario():
     for name in ("checkShowReportViewOnError", "checkShowReportViewOnWarning"):
         App.ParamGet("User parameter:BaseApp/Preferences/OutputWindow").SetBool(name, True)
     messages = Messages()
-    # Told notices a planted error message.
+    # A planted error message is noticed.
     App.Console.PrintError("planted\n")
     yield 0.5
     _, _, coloured, seen = messages.new()

@@ -141,12 +141,12 @@ def scenario():
         doc = App.openDocument(os.path.join(folder, "large.FCStd"))
         yield 0.5
         hull, check = doc.Envelope, doc.Clearance
-        # Checked again, and still unchanged.
+        # The results are checked again, and are still up to date.
         yield from marked(hull, check)
         yield from measured("same", judged(doc, check, clearance.UP_TO_DATE), limit)
         yield lambda: hull.Status == envelope.UP_TO_DATE
         assert not [o.Name for o in doc.Objects if "Touched" in o.State]
-        # Another geometry of the same size.
+        # A part gets another geometry of the same size.
         doc.Star0.Shape = doc.Star0.Shape.mirror(V(), V(1, 0, 0))
         yield from measured("other", judged(doc, hull, envelope.STALE), limit)
         yield lambda: "read" not in hull.Message

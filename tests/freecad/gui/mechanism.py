@@ -110,10 +110,10 @@ def scenario():
     wall_row = rows["Slider - Wall"]
     assert abs(float(table.item(wall_row, 2).text()) - 5) < 0.01, table.item(wall_row, 2).text()
     shot("81_mechanism")
-    # A selected row: the parts at its time, and the line between the two.
+    # A selected row: both parts at its time, and the line between them.
     drawn = graph.getNumChildren()
     table.selectRow(wall_row)
-    yield lambda: graph.getNumChildren() == drawn + 2  # the parts, and the line
+    yield lambda: graph.getNumChildren() == drawn + 2  # two parts and a line
     table.itemDoubleClicked.emit(table.item(wall_row, 0))
     yield 0.5
     shot("82_mechanism_row")

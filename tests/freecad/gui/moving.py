@@ -102,7 +102,8 @@ def scenario():
     click(panel_button(Ok))
     yield no_panel
     assert made.Reference[0] is table and made.ReferenceMotion is swing
-    box = made.Mesh.BoundBox  # the arm stands still for the table, the jaw swings the other way
+    # Relative to the table, the arm stands still and the jaw swings the other way.
+    box = made.Mesh.BoundBox
     assert box.YMin < -20 and made.Status == envelope.UP_TO_DATE, box
     yield
 

@@ -29,7 +29,7 @@ from driver import (  # noqa: E402
 
 V = App.Vector
 NONSENSE = ["abc", "-5", "0.000001", "5 kg", "999999999"]
-#: How many of these are typed into a field of a panel; other fields get others.
+#: Number of these texts that are typed into each field of a panel. Different fields get different ones.
 TYPED = len(NONSENSE) if os.environ.get("SWEPT_LONG_TESTS") else 2
 CSV = "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n"
 #: Time (s) until a run is stopped. A run starts if a field has accepted what was typed.

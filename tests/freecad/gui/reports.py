@@ -81,9 +81,9 @@ def exported(obj, name):
     assert os.path.exists(path), os.listdir(FOLDER)
     if os.environ.get("SWEPT_SHOTS"):
         shutil.copy(path, os.environ["SWEPT_SHOTS"])
-    # The window's thread may compute for 50 ms at a time, or for 2.5 times the time of one picture of
-    # FreeCAD if this is longer: it takes one picture, and then the window draws another one. Waiting for
-    # a processor core does not count.
+    # The window's thread may compute for 50 ms at a time, or for 2.5 times the time of one picture of FreeCAD
+    # if this is longer: FreeCAD takes one picture, and then the window draws another one. Waiting for a
+    # processor core does not count.
     assert gaps.busy < max(0.05, 2.5 * alone), (gaps.busy, alone)
     return path
 

@@ -117,7 +117,8 @@ def scenario():
     yield no_panel
     along = made(doc).Placements[0].Rotation.multVec(V(1, 0, 0))
     assert (along - V(0, 0, 1)).Length < 1e-9, along
-    assert made(doc).PoseType == "RelativeToFirst"  # it follows the wire from where the part is
+    # The motion starts at the present placement of the part.
+    assert made(doc).PoseType == "RelativeToFirst"
 
     # A driving value: the cell of a spreadsheet moves the box.
     sheet = doc.addObject("Spreadsheet::Sheet", "Values")

@@ -25,8 +25,8 @@ from driver import (  # noqa: E402
 )
 
 V = App.Vector
-#: s from closing the window to the end of the process, without the time that its threads waited for a
-#: processor core.
+#: Longest time (s) from closing the window to the end of the process, without the time that its threads
+#: waited for a processor core.
 END = 2.0
 #: Code of a separate process that kills a process that ends too late. Arguments: the number of this
 #: process, and the time limit (s).
