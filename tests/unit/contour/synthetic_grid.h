@@ -41,7 +41,8 @@ class SyntheticGrid {
 
 /// Faults of a mesh, counted without any code of the contouring or the mesh check.
 struct Faults {
-  std::int64_t openEdges = 0;         ///< directed edges without exactly one partner
+  /// Undirected edges without exactly two triangles of opposite direction.
+  std::int64_t openEdges = 0;
   std::int64_t nonManifoldEdges = 0;  ///< undirected edges of more than two triangles
   std::int64_t badVertices = 0;       ///< vertices whose triangles are not one closed ring
   std::int64_t degenerate = 0;        ///< triangles with a repeated vertex

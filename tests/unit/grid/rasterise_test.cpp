@@ -14,7 +14,7 @@
 namespace swept::test {
 namespace {
 
-/// The number c[0] + c[1] e + c[2] e^2 + ..., for a positive e that is smaller than any number.
+/// The number c[0] + c[1] e + c[2] e^2 + ..., for an infinitely small positive e.
 struct Polynomial {
   std::array<__int128, 7> c{};
 

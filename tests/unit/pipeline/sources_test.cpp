@@ -1,5 +1,5 @@
-// What made each triangle of an envelope: it agrees with the body and the motion, and recording
-// it changes nothing else.
+// The recorded source of each triangle of an envelope agrees with the body and the motion, and
+// recording it changes nothing else.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/sources.h"
 

@@ -32,7 +32,7 @@ std::shared_ptr<gl::GlDevice> anyDevice(std::string& why) {
   const auto device = anyDevice(whyNoDevice); \
   if (!device) GTEST_SKIP() << whyNoDevice
 
-/// Runs both samplers; `settings` divide the work of the GPU.
+/// Runs both samplers. `settings` say how the work of the GPU is divided.
 Difference expectSame(const std::shared_ptr<gl::GlDevice>& device, const Scene& scene,
                       const gl::GlSettings& settings = {}) {
   RunContext run;
