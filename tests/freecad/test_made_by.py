@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made each triangle of an envelope: for parts in groups and links, and for several motions; what is
-kept in memory and what is stored in the document.
+"""Records of what made each triangle of an envelope: for parts in groups and links, and for several motions;
+records that are kept in memory and records that are stored in the document.
 """
 import json
 import os

@@ -108,7 +108,7 @@ class Renamed(Case):
 
 
 class Rewriting(Case):
-    """Which parts of an expression are names of properties, and which are not."""
+    """Tests which parts of an expression are names of properties."""
 
     def test_of_the_object_itself(self):
         names = {"Required": "RequiredDistance"}

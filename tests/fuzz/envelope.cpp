@@ -143,7 +143,8 @@ void preview(const std::uint8_t* data, std::size_t size) {
       if (printsInputs()) show(mesh, trajectory, chosen);
       const Result result = session.compute(trajectory, call);
       result.report.status == Status::Ok ? requireOk(result, chosen, 0) : requireFailure(result);
-      // What a user does in the motion editor: one pose is moved, another is added or deleted.
+      // The motion is edited as in the motion editor: one pose is moved, another is added or
+      // deleted.
       if (!trajectory.poses.empty())
         trajectory.poses[bytes.byte() % trajectory.poses.size()].translation = bytes.point();
       if (bytes.chance(64)) {

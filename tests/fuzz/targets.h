@@ -1,4 +1,4 @@
-// What the fuzzing programs call: bytes in, nothing out. Each function turns the bytes into an
+// Functions that the fuzzing programs call: bytes in, nothing out. Each one turns the bytes into an
 // input and runs the code under test. It throws BrokenPromise if a run ends in another way than
 // docs/pipeline.md, "The promise", allows. Tests run the kept cases through the same functions
 // (fuzz_cases_test.cpp).

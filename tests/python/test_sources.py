@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made each triangle of an envelope, in Python and in the program, checked with independent
-arithmetic.
+"""The recorded sources of the triangles of an envelope, in Python and in the program, checked with
+independent arithmetic.
 """
 import csv
 import pickle

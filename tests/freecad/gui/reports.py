@@ -54,8 +54,9 @@ def pictures_in(path):
 
 
 def picture():
-    """Returns the CPU seconds of the window's thread for one picture of FreeCAD's own, which cannot be
-    divided into steps."""
+    """Returns the CPU seconds of the window's thread for one picture that FreeCAD takes. This cannot be
+    divided into steps.
+    """
     from sweptvolume.panels.page_pictures import SIZE
 
     view, took = Gui.activeDocument().activeView(), []

@@ -43,7 +43,8 @@ std::vector<Case> cases() {
           {makeBox({-3, -2, -1}, {3, 2, 1}), turning(110, Interpolation::Linear), grown, 3}};
 }
 
-/// What must be the same in two runs of one case: all but times and memory, which are measured.
+/// The part of a result that must be the same in two runs of one case: all but times and memory,
+/// which are measured.
 struct Outcome {
   std::string bytes, report;
   bool operator==(const Outcome&) const = default;

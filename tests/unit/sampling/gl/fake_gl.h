@@ -10,7 +10,7 @@
 
 namespace swept::test {
 
-/// What goes wrong. Counts start at 1; 0: never.
+/// Faults that a test can plant. Counts start at 1; 0: never.
 struct FakeFaults {
   bool noLibrary = false, noContext = false;
   std::string missingFunction;  ///< e.g. "glFenceSync"
