@@ -163,7 +163,7 @@ class Paths(Case):
         self.assertTrue(report["escape"]["blockers"])
         self.assertEqual(len(self.doc.Objects), known)
 
-    def wayward(self, **settings):
+    def motion_through_a_post(self, **settings):
         """Makes a motion through a post that stands in the channel. An improved motion must go around the
         post. Returns (motion, pairs of its parts).
         """
@@ -190,7 +190,7 @@ class Paths(Case):
             with self.subTest(settings=settings):
                 for name in [o.Name for o in self.doc.Objects]:
                     self.doc.removeObject(name)
-                path, pairs = self.wayward(**settings)
+                path, pairs = self.motion_through_a_post(**settings)
                 self.assertEqual(self.checked(path, pairs, 0.4)["Post"]["verdict"], "clash")
                 plan = improve_plan.ImprovePlan(
                     path, pairs, self.beside(pairs), RequiredDistance=0.4, Budget=20.0
@@ -207,7 +207,7 @@ class Paths(Case):
     def test_locked_keys_stay_and_a_group_does_not_matter(self):
         group = self.doc.addObject("App::Part", "Group")
         group.Placement = turn(25, V(3, 1, 0), V(7, 8, 9))
-        path, pairs = self.wayward()
+        path, pairs = self.motion_through_a_post()
         for obj in [
             o for o in self.doc.Objects if o.Name in ("Cube", "Left", "Right", "Floor", "Post")
         ]:
@@ -226,7 +226,7 @@ class Paths(Case):
         self.assert_clear(better, pairs, 0.4)
 
     def test_copies_cannot_be_improved(self):
-        path, pairs = self.wayward(Interpolation="None")
+        path, pairs = self.motion_through_a_post(Interpolation="None")
         with self.assertRaises(improve_plan.InputProblem):
             improve_plan.improve(improve_plan.ImprovePlan(path, pairs, self.beside(pairs)))
 

@@ -117,8 +117,8 @@ def scenario():
         doc.removeObject(copy.Name)
     assert len(icons) == 5 and all(os.path.isfile(path) for path in icons), icons
 
-    # A run with the same inputs that is stopped has the state Cancelled; one that fails has the state
-    # Failed. The mesh stays.
+    # A run that is stopped leaves the state Cancelled; one that fails leaves the state Failed. The mesh
+    # stays.
     facets = made.Mesh.CountFacets
     swing.Placements = [still, App.Placement(V(), App.Rotation(V(0, 0, 1), 80))]
     made.Resolution = 1400
