@@ -176,7 +176,7 @@ TEST(ClearanceRules, ContactThatIsAllowedIsNoFault) {
       << report.summary;
 }
 
-// A box is pushed into a block: as deep as allowed is contact, deeper is a clash.
+// A box is pushed into a block. Up to the allowed depth this is contact, deeper is a clash.
 TEST(ClearanceRules, DeeperThanAllowedIsAClash) {
   const TriMesh block = makeBox({20, -30, -30}, {60, 40, 40});
   std::mt19937 engine(11);
