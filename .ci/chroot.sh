@@ -2,8 +2,8 @@
 # Functions for scripts that use chroots of other Debian releases, as root; source it after common.sh. Each
 # chroot takes about 3 GB. It stays in build-matrix/ and is used again. SWEPT_MIRROR: another mirror of Debian.
 [ "$(id -u)" = 0 ] || { echo "chroots can only be made as root" >&2; exit 1; }
-# Only this run sees its mounts, and they end with it even if it is killed. Otherwise /dev could stay mounted in a
-# chroot, and whoever then deletes the chroot would delete the files of /dev.
+# Only this run sees its mounts, and they end with it even if it is killed. Otherwise /dev could
+# stay mounted in a chroot, and deleting the chroot would delete the files of /dev.
 [ -n "${SWEPT_OWN_MOUNTS:-}" ] || SWEPT_OWN_MOUNTS=1 exec unshare --mount "$root/.ci/$(basename "$0")" "$@"
 mirror=${SWEPT_MIRROR:-} # empty: the default of debootstrap
 

@@ -19,19 +19,19 @@ from driver import (
 )
 
 HERE = os.path.dirname(os.path.realpath(__file__))
-#: Keys of the exhaust pipe: it hangs below its place, waits, is mounted (s, mm), as the page has them.
+#: Keys of the exhaust pipe (s, mm), as on the page: it hangs below its final position, waits, and is mounted.
 KEYS = (0.0, (0, 0, -140)), (8.0, (0, 0, -140)), (11.0, (0, 0, 0))
 
 
 def row_of(table, *names):
-    """The row of a neighbour, or of a pair in any order."""
-    told = [table.item(row, 0).text() for row in range(table.rowCount())]
-    (row,) = [row for row, text in enumerate(told) if all(name in text for name in names)]
+    """Returns the row of a neighbour, or of a pair in any order."""
+    texts = [table.item(row, 0).text() for row in range(table.rowCount())]
+    (row,) = [row for row, text in enumerate(texts) if all(name in text for name in names)]
     return row
 
 
 def bring_up(widget):
-    """Scrolls the panel until a widget is seen in full."""
+    """Scrolls the panel until the whole widget is visible."""
     area = widget.parentWidget()
     while not isinstance(area, QtWidgets.QScrollArea):
         area = area.parentWidget()
@@ -39,15 +39,15 @@ def bring_up(widget):
 
 
 def check_with_rules(doc, look):
-    """Steps 1 and 2."""
+    """Steps 1 and 2: a clearance check without and with rules."""
     select(doc.getObject("Starter"), doc.getObject("Motion"))
     Gui.runCommand("SweptVolume_Clearance")
     yield 0.6
     click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
     yield lambda: doc.getObject("Clearance") is not None
     yield 0.5
-    asked = find(QtWidgets.QTableWidget, "SweptVolumeRules")
-    yield from choose_contact(asked, doc.getObject("BellHousing").Label)
+    rule_table = find(QtWidgets.QTableWidget, "SweptVolumeRules")
+    yield from choose_contact(rule_table, doc.getObject("BellHousing").Label)
     click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
     yield lambda: list(doc.getObject("Clearance").RuleKinds) == ["Contact"]
     yield 0.5
@@ -93,22 +93,22 @@ def move_the_exhaust(doc):
 
 
 def check_mechanism(doc, look):
-    """Step 4."""
+    """Step 4: the check of the mechanism."""
     Gui.Selection.clearSelection()
     Gui.runCommand("SweptVolume_Mechanism")
     yield 0.6
     find(QtWidgets.QCheckBox, "SweptVolumeStanding").setChecked(True)
     yield 0.3
-    asked = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
+    rule_table = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
     starter, housing = (doc.getObject(name).Label for name in ("Starter", "BellHousing"))
-    yield from choose_contact(asked, starter, housing)
+    yield from choose_contact(rule_table, starter, housing)
     click(find(QtWidgets.QPushButton, "SweptVolumeCheckMechanism"))
     yield lambda: doc.getObject("Mechanism") is not None
     yield 0.5
     table = find(QtWidgets.QTableWidget, "SweptVolumeClearanceTable")
     table.selectRow(row_of(table, starter, doc.getObject("Exhaust").Label))
     yield 1.5
-    doc.getObject("FrameRail").ViewObject.Visibility = False  # it hides the place
+    doc.getObject("FrameRail").ViewObject.Visibility = False  # it would hide the clash
     table.itemDoubleClicked.emit(table.currentItem())
     yield 1.0
     yield from look("assembly_mechanism")
@@ -162,7 +162,7 @@ def run_study(doc, look, folder):
 
 
 def work(look, folder):
-    """The whole tutorial; a generator. look(name): a generator that takes a picture."""
+    """Carries out the whole tutorial; a generator. look(name): a generator that takes a picture."""
     Gui.runCommand("SweptVolume_Demo")
     yield 1.0
     doc = App.ActiveDocument

@@ -9,7 +9,7 @@ FOLDER = "/home/ann/.local/share/FreeCAD/AdditionalPythonPackages"
 
 
 def offer(picture):
-    """picture(name): a generator that makes one."""
+    """Takes the picture of the offer; a generator. picture(name): a generator that takes a picture."""
     from sweptvolume import core, core_install
     from sweptvolume.panels import core_dialog
 

@@ -24,7 +24,7 @@ FILES = os.path.join(HERE, "..", "..", "resources", "tutorials")
 
 
 def opened():
-    """The document of the tutorial, opened from a copy; its parts by label."""
+    """Opens the document of the tutorial from a copy. Returns the document, and its parts by label."""
     path = os.path.join(tempfile.mkdtemp(), "engine_bay.FCStd")
     shutil.copy(os.path.join(FILES, "engine_bay.FCStd"), path)
     doc = App.openDocument(path)
@@ -33,7 +33,7 @@ def opened():
 
 
 def path_from_file():
-    """A motion from the file that comes with the workbench; a generator."""
+    """Makes a motion from the file that comes with the workbench; a generator."""
     from sweptvolume.panels import file_panel
 
     with answered(file_panel, "ask_file", lambda: os.path.join(FILES, "starter.csv")):
@@ -44,13 +44,13 @@ def path_from_file():
 
 
 def estimated():
-    """Whether the panel of a solid shows the figures of a trial."""
+    """Returns whether the panel of a solid shows the figures of a trial."""
     text = find(QtWidgets.QLabel, "SweptVolumeSolidEstimate").text()
     return text and "Estimating" not in text
 
 
 def work(look, folder):
-    """The whole tutorial; a generator. look(name): a generator that takes a picture."""
+    """Carries out the whole tutorial; a generator. look(name): a generator that takes a picture."""
     from sweptvolume.panels import file_dialogs, motion_panel
 
     doc, made = opened()

@@ -22,7 +22,7 @@ import slider_crank  # noqa: E402
 
 
 def crank(picture):
-    """picture(name): a generator that makes one."""
+    """Checks the slider-crank; a generator. picture(name): a generator that takes a picture."""
     from sweptvolume.features import joint_motions
     from sweptvolume.trajectory import sources
 

@@ -16,8 +16,8 @@ from driver import (
 )
 
 
-def ways(picture):
-    """picture(name): a generator that makes one."""
+def paths(picture):
+    """Finds and improves paths; a generator. picture(name): a generator that takes a picture."""
     from sweptvolume.features import motion
     from sweptvolume.panels import motion_panel
 

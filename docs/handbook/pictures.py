@@ -74,8 +74,9 @@ def fill_view():
 
 
 def picture(name):
-    """A picture of the window when it has come to rest, as large as the screen. FreeCAD 1.1 has its
-    task panel in a dock of its own."""
+    """Takes a picture of the window, as large as the screen, after a pause; a generator. FreeCAD 1.1 has its
+    task panel in a separate dock.
+    """
     window = Gui.getMainWindow()
     window.setGeometry(0, 0, 1280, 1010)
     tasks = window.findChild(QtWidgets.QDockWidget, "Tasks")
@@ -92,14 +93,14 @@ def picture(name):
 
 
 def place(name):
-    """A folder of a user."""
+    """Returns the path of a folder of a user."""
     folder = os.path.join(os.environ["SWEPT_PLACE"], name)
     os.makedirs(folder, exist_ok=True)
     return folder
 
 
 def show_parts():
-    """The 3D view of the only document, in front of its spreadsheet."""
+    """Shows the 3D view of the only document, in front of its spreadsheet."""
     area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
     for window in area.subWindowList():
         if "View3DInventor" in window.widget().metaObject().className():
@@ -119,7 +120,8 @@ def demo():
     yield from picture("demo_opened")
 
     folder = place("engine bay")
-    App.ParamGet(file_dialogs.LAST).SetString("FileOpenSavePath", folder)  # of the file dialog
+    # The file dialog opens in this folder.
+    App.ParamGet(file_dialogs.LAST).SetString("FileOpenSavePath", folder)
     path = os.path.join(folder, "lift.csv")
     with open(path, "w") as out:
         out.write(CSV)
@@ -223,14 +225,14 @@ def demo():
 
 
 def in_dialog(name, action):
-    """Does what opens a modal dialog, takes its picture and cancels it."""
+    """Starts an action that opens a modal dialog, takes the picture of the dialog and cancels it."""
 
     seen = []
 
-    def look():
+    def wait_for_dialog():
         window = QtWidgets.QApplication.activeModalWidget()
         if window is None:
-            QtCore.QTimer.singleShot(1500, look)  # it opens slowly on a busy machine
+            QtCore.QTimer.singleShot(1500, wait_for_dialog)  # it opens slowly on a busy machine
             return
         seen.append(window)
         QtCore.QTimer.singleShot(1000, take)
@@ -244,14 +246,14 @@ def in_dialog(name, action):
         else:
             QtCore.QTimer.singleShot(100, lambda: close_after(taken))
 
-    QtCore.QTimer.singleShot(1500, look)
+    QtCore.QTimer.singleShot(1500, wait_for_dialog)
     action()
     yield 1.0
     assert seen, "no dialog for " + name
 
 
 def clearance(made):
-    """The check of an envelope that exists."""
+    """Checks the clearance of an envelope that exists."""
     select(made)
     Gui.runCommand("SweptVolume_Clearance")
     yield 0.5
@@ -277,13 +279,13 @@ def clearance(made):
 
 
 def bay():
-    """The first tutorial."""
+    """Carries out the first tutorial."""
     yield from engine_bay.work(picture, os.environ["SWEPT_SHOTS"])
     App.closeDocument(App.ActiveDocument.Name)
 
 
 def assembly():
-    """The third tutorial."""
+    """Carries out the third tutorial."""
     folder = place("bay")
     yield from assembly_pictures.work(picture, folder)
     for name in ("assembly.html", "study.html"):
@@ -292,14 +294,14 @@ def assembly():
 
 
 def opened(name):
-    """A document of the tutorials, opened from a copy."""
+    """Opens a document of the tutorials from a copy."""
     path = os.path.join(place("tutorials"), name)
     shutil.copy(os.path.join(engine_bay.FILES, name), path)
     return App.openDocument(path)
 
 
 def joint():
-    """The second tutorial: a beam is put on two posts."""
+    """Carries out the second tutorial: a beam is put on two posts."""
     turn = App.Rotation(App.Vector(0, 0, 1), 90)
     doc = opened("beam_and_posts.FCStd")
     beam = doc.getObject("Beam")
@@ -346,7 +348,7 @@ def joint():
 
 
 def slider():
-    """Own motions, a moving reference, a driving value."""
+    """Motions of single parts, a moving reference, and a driving value."""
     from sweptvolume.features import motion
 
     doc = new_document("Slider")
@@ -416,7 +418,7 @@ def slider():
 
 
 def selected():
-    """A motion from placements of copies."""
+    """A motion that is made from placements of copies."""
     doc = new_document("Copies")
     key = doc.addObject("Part::Box", "Key")
     key.Length, key.Width, key.Height = 20, 8, 8
@@ -440,7 +442,7 @@ def selected():
 
 
 def made_by():
-    """The faces that made an envelope, and a click on it."""
+    """The colours of the faces that made an envelope, and a click on it."""
     import Part
 
     from sweptvolume.features import envelope, motion
@@ -493,7 +495,7 @@ def scenario():
     yield
     for part in (bay, assembly, demo, joint, slider, selected, made_by, preferences):
         yield from part()
-    yield from path_pictures.ways(picture)
+    yield from path_pictures.paths(picture)
     yield from sequence_pictures.parts(picture)
     yield from mechanism_pictures.crank(picture)
     yield from spaces_pictures.envelopes(picture)

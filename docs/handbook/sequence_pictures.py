@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of a sequence: a case, a block and a shaft in it, and a lid, played while the lid comes."""
+"""The picture of a sequence: a case with a block and a shaft in it, and a lid. It shows the moment when the
+lid comes.
+"""
 from driver import (
     App,
     Close,
@@ -17,7 +19,7 @@ V = App.Vector
 
 
 def parts(picture):
-    """picture(name): a generator that makes one."""
+    """Finds and plays the sequence; a generator. picture(name): a generator that takes a picture."""
     import Part
     from sweptvolume.features import sequence
     from sweptvolume.panels import sequence_panel

@@ -23,7 +23,7 @@ from spaces import at, hidden_motion, swept_space  # noqa: E402
 
 
 def envelopes(picture):
-    """picture(name): a generator that makes one."""
+    """Checks two envelopes that cross; a generator. picture(name): a generator that takes a picture."""
     doc, found = new_document("Spaces"), []
     for name, start, end in (
         ("Gripper", (0, 0, 0), (120, 0, 0)),

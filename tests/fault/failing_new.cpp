@@ -20,7 +20,8 @@ bool mustFail() {
   return at != 0 && (now == at || (now > at && failLater.load(std::memory_order_relaxed)));
 }
 
-/// Header before each block. No C library has functions for both values on every system.
+/// Header before each block, with its start and its size. Not every C library has functions that
+/// return both.
 struct Block {
   void* start;
   std::size_t size;

@@ -7,12 +7,12 @@
 
 namespace swept::fault {
 
-/// Allocations since the last arm() or count(), on all threads.
+/// Returns the number of allocations since the last arm(), on all threads.
 std::int64_t allocations();
-/// Bytes that operator new has returned and that have not been freed.
+/// Returns the bytes that operator new has returned and that have not been freed.
 std::int64_t outstandingBytes();
 /// The n-th allocation from now (counted from 1) throws std::bad_alloc. With `andAllLater`, all
-/// later ones do too, until disarm(). 0: only counts.
+/// later ones do too, until disarm(). n = 0: allocations are only counted.
 void arm(std::int64_t n, bool andAllLater = false);
 void disarm();
 

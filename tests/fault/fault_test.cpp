@@ -1,6 +1,6 @@
-// Lets each allocation, each checkpoint and each write of small runs fail once. Each time, the
-// run must end with the right status, free all memory, and not affect the next run.
-// SWEPT_FAULTS=all tries every place; otherwise a sample.
+// Lets each allocation, each checkpoint and each write of small runs fail once. Each time, the run
+// must end with the right status, free all memory, and not affect the next run. With
+// SWEPT_FAULTS=all, all of them fail in turn; otherwise a sample of them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -21,10 +21,10 @@
 namespace swept::test {
 namespace {
 
-/// Returns the distance between places to try, so that about `sample` of `total` are tried.
+/// Returns the step from one fault to the next with which about `sample` of `total` are tried.
 std::int64_t strideFor(std::int64_t total, std::int64_t sample) {
-  const char* wish = std::getenv("SWEPT_FAULTS");
-  if (wish != nullptr && std::string(wish) == "all") return 1;
+  const char* setting = std::getenv("SWEPT_FAULTS");
+  if (setting != nullptr && std::string(setting) == "all") return 1;
   return std::max<std::int64_t>(1, total / sample);
 }
 
@@ -102,7 +102,8 @@ TEST_P(EveryAllocation, bad_input_27_out_of_memory) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
     std::uint64_t expected = 0;
-    for (int warm = 0; warm < 2; ++warm) {  // what is set up once in a process is set up now
+    // The first run sets up what lasts as long as the process.
+    for (int warm = 0; warm < 2; ++warm) {
       RunContext run;
       const Result result = compute(c, run);
       ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;

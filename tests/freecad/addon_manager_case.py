@@ -99,6 +99,6 @@ except ImportError:
     failures = install_of_0_20(addon, packages)
 else:
     failures = install_of_1(addon, packages)
-told = {"packages": packages, "failures": failures, "user": App.getUserAppDataDir()}
-print("\ntold:" + json.dumps(told), flush=True)
+report = {"packages": packages, "failures": failures, "user": App.getUserAppDataDir()}
+print("\ntold:" + json.dumps(report), flush=True)
 os._exit(0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Writes the settings of a fresh FreeCAD that asks nothing at its start. As a program, for the pictures:
+"""Writes settings with which a fresh FreeCAD asks no questions at its start. As a program, for the pictures:
 
     fresh_profile.py FOLDER [Dark|Light]
 """

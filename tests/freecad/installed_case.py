@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs in a FreeCAD that has nothing but an installed package of this workbench (.ci/try-deb), with or
-without a window: the envelope of a box is computed and written as STEP; in a window, each button of the
-workbench has a drawn icon. Writes what it found into the file SWEPT_TOLD."""
+without a window. The envelope of a box is computed and written as STEP. In a window, each button of the
+workbench must have a drawn icon. The results are written into the file that the variable SWEPT_RESULT names.
+"""
 import json
 import os
 import tempfile
@@ -64,7 +65,7 @@ def icons():
     return count, empty
 
 
-def told():
+def write_report():
     try:
         found = computed()
         if App.GuiUp:
@@ -73,7 +74,7 @@ def told():
         found["good"] = bool(good and found.get("buttons", 1))
     except Exception:  # pylint: disable=broad-except
         found = {"good": False, "problem": traceback.format_exc()}
-    with open(os.environ["SWEPT_TOLD"], "w") as file:
+    with open(os.environ["SWEPT_RESULT"], "w") as file:
         json.dump(found, file)
     os._exit(0)
 
@@ -81,6 +82,6 @@ def told():
 if App.GuiUp:
     from PySide import QtCore
 
-    QtCore.QTimer.singleShot(3000, told)  # after the window has opened
+    QtCore.QTimer.singleShot(3000, write_report)  # after the window has opened
 else:
-    told()
+    write_report()

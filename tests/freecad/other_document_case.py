@@ -84,8 +84,9 @@ def the_link_is_deleted(doc):
 
 
 class OtherDocumentTable(Table):
-    """A change may be made in both documents. Subclasses create the document Elsewhere, with undo,
-    in setUp()."""
+    """A table whose changes may affect both documents. Subclasses create the document Elsewhere, with undo,
+    in setUp().
+    """
 
     def results(self):
         return [obj for obj in super().results() if obj.Document is self.doc]
@@ -101,16 +102,15 @@ class OtherDocumentTable(Table):
         for document in both:
             document.commitTransaction()
         self.recomputed()
-        self.look(name)
-        for document, count in reversed(
-            list(zip(both, before))
-        ):  # links come back to what is there
+        self.check_states(name)
+        # First the other document, so that restored links find their objects.
+        for document, count in reversed(list(zip(both, before))):
             while document.UndoCount > count:
                 document.undo()
         for obj, visible in shown:
             obj.Visibility = visible
         self.recomputed()
-        self.look(name + ", undone")
+        self.check_states(name + ", undone")
         if "expression" not in name:
             self.assertEqual(self.behind(), {})
 

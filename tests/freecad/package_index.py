@@ -42,15 +42,15 @@ def make_wheel(build, version, folder):
 
 
 class Index(http.server.ThreadingHTTPServer):
-    """Serves the files of a folder. `held`: downloads of packages wait until it is set."""
+    """Serves the files of a folder. Downloads of packages wait until `may_download` is set."""
 
     def __init__(self, folder):
         super().__init__(("127.0.0.1", 0), _Handler)
         # Since 1.0, a broken pipe ends FreeCAD. This happens here when pip is stopped during a
         # download.
         signal.signal(signal.SIGPIPE, signal.SIG_IGN)
-        self.folder, self.asked, self.held = folder, [], threading.Event()
-        self.held.set()
+        self.folder, self.requests, self.may_download = folder, [], threading.Event()
+        self.may_download.set()
         self.daemon_threads = True
         self.address = "http://127.0.0.1:{}".format(self.server_address[1])
         threading.Thread(target=self.serve_forever, daemon=True).start()
@@ -66,7 +66,7 @@ class Index(http.server.ThreadingHTTPServer):
 
 class _Handler(http.server.BaseHTTPRequestHandler):
     def do_GET(self):  # noqa: N802
-        self.server.asked.append(self.path)
+        self.server.requests.append(self.path)
         name = os.path.basename(self.path.rstrip("/"))
         whole = os.path.join(self.server.folder, name)
         if self.path.startswith("/simple/"):
@@ -75,7 +75,7 @@ class _Handler(http.server.BaseHTTPRequestHandler):
             links = ['<a href="/{0}">{0}</a>'.format(n) for n in names]
             self._send("<html>{}</html>".format("\n".join(links)).encode(), "text/html")
         elif os.path.isfile(whole):
-            self.server.held.wait(300)
+            self.server.may_download.wait(300)
             with open(whole, "rb") as file:
                 self._send(file.read(), "application/zip")
         else:

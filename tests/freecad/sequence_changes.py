@@ -276,7 +276,7 @@ def clearance_by_an_expression(doc):
 
 @change
 def a_value_of_an_expression(doc):
-    doc.Values.set("A1", "4 mm")  # the length of the part of the envelope
+    doc.Values.set("A1", "4 mm")  # the length of the part from which the envelope is made
 
 
 @change

@@ -29,12 +29,12 @@ def _simulations():
     return CommandCreateSimulation
 
 
-def _python(parent, name, make, look, *values):
+def _python(parent, name, make, make_view, *values):
     """Makes an object with one of FreeCAD's classes; in a window also its view provider."""
     obj = parent.newObject("App::FeaturePython", name)
     make(obj, *values)
     if App.GuiUp:
-        look(obj.ViewObject)
+        make_view(obj.ViewObject)
     return obj
 
 
@@ -73,7 +73,7 @@ def hinge(doc):
     return simulation, arm, drive
 
 
-FOUND = 4  # frames of a simulation that gets stuck
+FOUND = 4  # frames that the solver finds before it gets stuck
 
 
 def _begin(assembly, simulation):
@@ -85,8 +85,8 @@ def _frames(assembly):
 
 
 def _show(assembly, frame):
-    way = App.Placement(V(10 * assembly.Step * max(frame - 1, 0), 0, 0), App.Rotation())
-    assembly.Part.Placement = way.multiply(assembly.Before)
+    travel = App.Placement(V(10 * assembly.Step * max(frame - 1, 0), 0, 0), App.Rotation())
+    assembly.Part.Placement = travel.multiply(assembly.Before)
 
 
 def stuck(doc):

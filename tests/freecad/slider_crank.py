@@ -9,7 +9,7 @@ import FreeCAD as App
 
 V = App.Vector
 CRANK, ROD, HALF = 30.0, 80.0, 10.0  # mm: radius, length of the rod, half the slider
-STOP = 125.0  # mm: where the wall before the slider begins
+STOP = 125.0  # mm: x at which the wall in front of the slider begins
 PIN = 6.0  # mm: width of crank and rod
 
 

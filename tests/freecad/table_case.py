@@ -52,7 +52,7 @@ def hidden_link(doc, name, linked):
 
 
 def put_into(group, obj, place=shift(0, 3)):
-    """Puts an object into a moved group, so that the object is at another place."""
+    """Puts an object into a moved group, so that the object is at another position."""
     group.Placement = place
     group.addObject(obj)
 
@@ -100,14 +100,14 @@ class Table(Case):
         box = (obj.Mesh if hasattr(obj, "Mesh") else obj.Shape).copy().BoundBox
         numbers = (place.Base.x, place.Base.y, place.Base.z, place.Rotation.Angle)
         numbers += (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax, obj.Volume.Value)
-        told = [obj.Message]
+        texts = [obj.Message]
         if kind_of(obj) == envelope.Envelope.KIND:
             numbers += (obj.Triangles, obj.Shells)
             numbers += (obj.UsedCellSize.Value, obj.AccuracyBound.Value)
-            told += self.record(obj)
+            texts += self.record(obj)
         if kind_of(obj) == solid.Solid.KIND:
             numbers += (obj.Deviation.Value, obj.EdgeTolerance.Value, len(obj.Shape.Faces))
-        return [round(n, 4) + 0.0 for n in numbers] + told
+        return [round(n, 4) + 0.0 for n in numbers] + texts
 
     def record(self, obj):
         """Returns what the record of an envelope says about some of its triangles, if it must have one."""
@@ -129,7 +129,7 @@ class Table(Case):
 
     def fresh(self):
         """Returns {name: content} for the document computed again as it is now. The value is None for a
-        refused input, and a code if only a run finds the fault: before that run the state is stale.
+        refused input. It is a code if only a run finds the fault; before that run, the state is stale.
         """
         path = os.path.join(self.folder, "fresh.FCStd")
         self.doc.saveCopy(path)
@@ -152,7 +152,7 @@ class Table(Case):
             os.remove(path)
             shutil.rmtree(path + "1", ignore_errors=True)
 
-    def look(self, name):
+    def check_states(self, name):
         fresh = self.fresh()
         for obj in self.results():
             with self.subTest(change=name, result=obj.Name, status=obj.Status):
@@ -171,14 +171,14 @@ class Table(Case):
         self.CHANGES[name](self.doc)
         self.doc.commitTransaction()
         self.doc.recompute()
-        self.look(name)
+        self.check_states(name)
         if self.doc.UndoNames[0] == name:  # changes of visibility alone are not recorded
             self.doc.undo()
         # FreeCAD's Undo changes neither the visibility of objects nor values set by an expression.
         for obj in self.doc.Objects:
             obj.Visibility = shown[obj.Name]
         self.doc.recompute()
-        self.look(name + ", undone")
+        self.check_states(name + ", undone")
         if "expression" not in name:
             self.assertEqual(
                 {o.Name: o.Status for o in self.results() if o.Status != UP_TO_DATE}, {}

@@ -100,7 +100,7 @@ def _written(path, text):
     return path
 
 
-def told_by(freecad, script, environment):
+def report_of(freecad, script, environment):
     done = subprocess.run(
         [freecad, str(script)],
         env=environment,
@@ -125,12 +125,12 @@ def home(index, tmp_path):
 
 
 def test_the_addon_manager_installs_workbench_and_core(freecad, tree, index, home, tmp_path):
-    done = told_by(freecad, CASE, {**home, "ADDON_SOURCE": str(tree)})
+    done = report_of(freecad, CASE, {**home, "ADDON_SOURCE": str(tree)})
     assert done["failures"] == []
     assert done["packages"] == ["swept_volume"], "of its packages, FreeCAD lacks the core alone"
-    assert any(path.endswith(".whl") for path in index.asked)
+    assert any(path.endswith(".whl") for path in index.requests)
     assert done["user"].startswith(str(tmp_path))
-    made = told_by(freecad, _written(tmp_path / "compute.py", COMPUTE), home)
+    made = report_of(freecad, _written(tmp_path / "compute.py", COMPUTE), home)
     assert made["workbench"].startswith(os.path.join(done["user"], "Mod", "SweptVolume"))
     packages = os.path.join(done["user"], "AdditionalPythonPackages")
     assert made["core"].startswith(packages)
@@ -141,10 +141,10 @@ def test_the_addon_manager_installs_workbench_and_core(freecad, tree, index, hom
 
 
 def test_the_workbench_installs_its_core_itself(freecad, tree, index, home, tmp_path):
-    mods = pathlib.Path(told_by(freecad, _written(tmp_path / "folder.py", FOLDER), home)) / "Mod"
+    mods = pathlib.Path(report_of(freecad, _written(tmp_path / "folder.py", FOLDER), home)) / "Mod"
     mods.mkdir(parents=True, exist_ok=True)
     shutil.copytree(tree, mods / "SweptVolume")
-    folder = told_by(freecad, _written(tmp_path / "install.py", INSTALL), home)
-    made = told_by(freecad, _written(tmp_path / "compute.py", COMPUTE), home)
+    folder = report_of(freecad, _written(tmp_path / "install.py", INSTALL), home)
+    made = report_of(freecad, _written(tmp_path / "compute.py", COMPUTE), home)
     assert os.path.dirname(made["core"]) == folder
     assert made["volume"] == pytest.approx(40 * 10 * 10, rel=1e-5)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Copies of shapes for other threads: they equal the originals, and FreeCAD does not draw into them."""
+"""Copies of shapes for other threads: they equal the originals, and drawing in FreeCAD does not change them.
+"""
 import threading
 import time
 from unittest import mock

@@ -20,22 +20,22 @@ from sweptvolume.panels import tasks
 
 
 class FailingTask(runner.Task):
-    """Adds an object. Raises an error in the method with the name `place`. For "fail", work() also
+    """Adds an object. Raises an error in the method with the name `method`. For "fail", work() also
     raises one, so that fail() is called."""
 
     title = "Failing"
 
-    def __init__(self, document, place):
+    def __init__(self, document, method):
         self.document = document
-        self.place = place
+        self.method = method
 
-    def at(self, place):
-        if self.place == place:
-            raise RuntimeError("fault planted in " + place)
+    def at(self, method):
+        if self.method == method:
+            raise RuntimeError("fault planted in " + method)
 
     def work(self, control):
         self.at("work")
-        if self.place == "fail":
+        if self.method == "fail":
             raise RuntimeError("what fail() is told")
 
     def room(self, value):

@@ -108,7 +108,7 @@ class BadRuns(BadCase):
         self.assertEqual((obj.Status, obj.Mesh.CountFacets), (envelope.FAILED, 0))
 
     def test_bad_input_27_out_of_memory(self):
-        said = self.in_a_process(
+        output = self.in_a_process(
             """
 compute()
 control = core.Control()
@@ -127,10 +127,10 @@ obj.Resolution = 48
 print(compute())
 """
         )
-        self.assertIn("OutOfMemory Failed True\nOk", said)
+        self.assertIn("OutOfMemory Failed True\nOk", output)
 
     def test_bad_input_28_no_gpu(self):
-        said = self.in_a_process(
+        output = self.in_a_process(
             """
 obj.Backend = "GPU"
 print(compute(), obj.Status)
@@ -139,12 +139,12 @@ print(compute(), obj.Status)
 """,
             __EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json",
         )
-        gpu, auto = said.strip().split("\n")[-2:]
+        gpu, auto = output.strip().split("\n")[-2:]
         self.assertRegex(gpu, "^DeviceUnavailable/.*EGL.* Failed$")
         self.assertEqual(auto, "Ok Up to date")
 
     def test_bad_input_29_software_only(self):
-        said = self.in_a_process(
+        output = self.in_a_process(
             """
 import json
 obj.Backend = "GPU"
@@ -155,7 +155,7 @@ print(compute(), json.loads(obj.Report)["backend"])
 """,
             LIBGL_ALWAYS_SOFTWARE="1",
         )
-        gpu, device, auto = said.strip().split("\n")[-3:]
+        gpu, device, auto = output.strip().split("\n")[-3:]
         if gpu.startswith("DeviceUnavailable"):
             self.skipTest("no software rasteriser: " + gpu)
         self.assertEqual(gpu, "Ok")
@@ -175,7 +175,7 @@ print(compute(), json.loads(obj.Report)["backend"])
         return obj
 
     def test_bad_input_36_full_disk_leaves_the_old_file(self):
-        said = self.in_a_process(
+        output = self.in_a_process(
             """
 import os, signal, tempfile
 from sweptvolume import export
@@ -200,10 +200,10 @@ with tempfile.TemporaryDirectory() as folder:
 """
         )
         expected = "ExportFailed old\nInputProblem True\n" * 2 + "['o.ply', 'o.step']"
-        self.assertIn(expected, said)
+        self.assertIn(expected, output)
 
     def test_bad_input_37_solid_that_reads_back_wrong(self):
-        """The file is damaged between writing and reading back: it must not replace the target."""
+        """The file is damaged between writing and reading back. It must not replace the target."""
         path = motion.motion_from_poses(self.doc, [0, 1], [shift(), turn(50, base=shift(9).Base)])
         obj = self.envelope([self.box()], path)
         envelope.compute(obj)

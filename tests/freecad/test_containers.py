@@ -25,8 +25,9 @@ class Containers(Case):
         self.doc.recompute()
 
     def recompute(self):
-        """Recomputes. No object may stay touched, and the graph may have no circle (FreeCAD only prints
-        a message about one)."""
+        """Recomputes. No object may stay touched, and the graph of dependencies may have no cycle (FreeCAD
+        only prints a message about one).
+        """
         self.doc.recompute()
         for obj in self.doc.Objects:
             self.assertNotIn("Touched", obj.State, obj.Name)
@@ -220,11 +221,11 @@ class Rule(Case):
         obj = self.envelope([self.part], self.path, CellSize=2)
         self.move_groups()
         for k, combination in enumerate(itertools.product(places, repeat=3)):
-            for held, group in zip((self.part, self.path, obj), combination):
-                for old in containers.around(held)[:1]:
-                    old.removeObject(held)
+            for member, group in zip((self.part, self.path, obj), combination):
+                for old in containers.around(member)[:1]:
+                    old.removeObject(member)
                 if group is not None:
-                    group.addObject(held)
+                    group.addObject(member)
             frame = FRAMES[k % 3]
             self.path.PoseType = frame
             self.doc.recompute()
@@ -254,8 +255,8 @@ class Rule(Case):
             self.assertEqual(obj.Status, envelope.UP_TO_DATE)
 
     def test_a_moved_group_of_all_moves_the_result(self):
-        for held in (self.part, self.path):
-            self.groups[1].addObject(held)
+        for member in (self.part, self.path):
+            self.groups[1].addObject(member)
         obj = self.envelope([self.part], self.path, Resolution=30)
         self.groups[1].addObject(obj)
         self.doc.recompute()

@@ -70,7 +70,7 @@ class Installing(unittest.TestCase):
         info = "swept_volume-{}.dist-info".format(__version__)
         self.assertEqual(self.there(), sorted([name, "of_another.py", "swept_volume", info]))
         self.assertNotIn("gone.py", os.listdir(os.path.join(self.folder, "swept_volume")))
-        self.assertFalse([path for path in self.index.asked if "numpy" in path])
+        self.assertFalse([path for path in self.index.requests if "numpy" in path])
 
     def test_the_old_core_stays_if_the_new_one_cannot_be_moved(self):
         old = self.plant_old()
@@ -91,7 +91,7 @@ class Installing(unittest.TestCase):
 
     def test_a_file_is_installed_without_the_index(self):
         self.assertEqual(self.installed(self.wheel).problem, "")
-        self.assertEqual(self.index.asked, [])
+        self.assertEqual(self.index.requests, [])
         self.assertTrue(core_search.holds_core(self.folder))
 
     def test_a_wheel_for_another_python_is_refused(self):
@@ -138,7 +138,7 @@ class Installing(unittest.TestCase):
         run.cancel()
         run.run()
         self.assertIn("Nothing was changed", run.problem)
-        self.assertEqual((self.there(), self.index.asked), ([], []))
+        self.assertEqual((self.there(), self.index.requests), ([], []))
 
     def test_a_core_that_would_be_loaded_first_is_named(self):
         with mock.patch.object(core_search, "searched_first", lambda: ["/nowhere", self.build]):

@@ -23,7 +23,7 @@ class CoreTexts(unittest.TestCase):
             self.assertEqual(core_texts.said("Unheard", "who knows"), "who knows")
 
     def test_codes_are_those_of_the_core(self):
-        """Each code exists in the core, and the codes of refused input are among them."""
+        """Each code that has a text exists in the core, and each code of refused input has a text."""
         if not os.path.isdir(os.path.join(ROOT, "cpp")):
             self.skipTest("the sources of the core are not here")
         found, refusals = set(), set()

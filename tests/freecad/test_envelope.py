@@ -346,8 +346,10 @@ class SolidAndFiles(Computed):
         path, judged = os.path.join(self.folder, "x.step"), step_reader.judged
 
         def refusing(shape):
-            said = judged(shape)  # a query that has only the curved faces has no solid
-            return said if said["solids"] else dict(said, bad_faces=list(range(said["faces"])))
+            answer = judged(shape)  # a query that has only the curved faces has no solid
+            return (
+                answer if answer["solids"] else dict(answer, bad_faces=list(range(answer["faces"])))
+            )
 
         with mock.patch.object(core, "has_solids", return_value=False):
             first = export.write(request, path)
@@ -359,10 +361,10 @@ class SolidAndFiles(Computed):
         self.assertGreater(second["faces"], first["faces"])
 
     def test_what_freecad_cannot_read_is_said(self):
-        said = step_reader.read(b"ISO-10303-21;\nnothing\n")
-        self.assertFalse(said["valid"])
-        self.assertTrue(said["complaint"])
-        self.assertEqual(said["faces"], 0)
+        answer = step_reader.read(b"ISO-10303-21;\nnothing\n")
+        self.assertFalse(answer["valid"])
+        self.assertTrue(answer["complaint"])
+        self.assertEqual(answer["faces"], 0)
 
     def test_step_is_read_back(self):
         obj = self.computed()

@@ -42,9 +42,9 @@ class Pages(Slide):
         check_alone(text)
         report = clearance.report_of(self.obj)
         kept = data(text, "report")
-        for told, row in zip(kept["neighbours"], report["neighbours"]):
-            self.assertEqual(told["distance"], row["distance"])
-            self.assertEqual(told["curve"], [list(p) for p in row["curve"]])
+        for shown, row in zip(kept["neighbours"], report["neighbours"]):
+            self.assertEqual(shown["distance"], row["distance"])
+            self.assertEqual(shown["curve"], [list(p) for p in row["curve"]])
         self.assertIn("2023-11-14 22:13 UTC", text)
         rows = cells(text, "verdicts")[1:]
         self.assertEqual(
@@ -202,17 +202,17 @@ class PagesOfMechanisms(Case):
         self.assertEqual(rules["Left - Wall"], ["at least 1 mm", "yes"])
         self.assertEqual(rules["Left - Right"], ["at least 8 mm", "no"])
         kept = data(text, "report")
-        for told, pair in zip(kept["pairs"], report["pairs"]):
-            self.assertEqual(told["clearance"]["curve"], pair["clearance"]["curve"])
+        for shown, pair in zip(kept["pairs"], report["pairs"]):
+            self.assertEqual(shown["clearance"]["curve"], pair["clearance"]["curve"])
         self.assertIn("<svg", text)
 
     def test_inputs_and_view_are_those_that_were_checked(self):
         mechanism.compute(self.obj)
         text = self.written()
         rows = cells(text, "inputs")[1:]
-        told = [row[:2] for row in rows]
+        shown = [row[:2] for row in rows]
         self.assertEqual(
-            told,
+            shown,
             [
                 ["moving part", "Left"],
                 ["motion", "There"],

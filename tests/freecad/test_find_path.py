@@ -36,7 +36,7 @@ class Paths(Case):
         return part, walls
 
     def checked(self, path, pairs, required):
-        """Returns the rows of a check by name."""
+        """Returns {name: row} of a clearance check along this path."""
         root, sub = pairs[0]
         obj = clearance.make_clearance(
             self.doc, Motion=path, AllVisible=True, RequiredDistance=required, MeshDeflection=0.05
@@ -79,9 +79,8 @@ class Paths(Case):
         part, _ = self.channel(inner)
         link = self.doc.addObject("App::Link", "Twin")
         link.LinkedObject = part
-        link.Placement = turn(
-            90, V(0, 0, 1), V(31, 0, 3)
-        )  # in the channel's frame, beside the cube
+        # In the coordinate system of the channel, beside the cube.
+        link.Placement = turn(90, V(0, 0, 1), V(31, 0, 3))
         inner.addObject(link)
         self.doc.recompute()
         for pairs in ([(outer, "Inner.Cube.")], [(outer, "Inner.Twin.")]):
@@ -164,9 +163,10 @@ class Paths(Case):
         self.assertTrue(report["escape"]["blockers"])
         self.assertEqual(len(self.doc.Objects), known)
 
-    def wayward(self, **settings):
-        """Makes a motion through a post that stands in the channel; an improved one must go around it.
-        Returns (motion, pairs of its parts)."""
+    def motion_through_a_post(self, **settings):
+        """Makes a motion through a post that stands in the channel. An improved motion must go around the
+        post. Returns (motion, pairs of its parts).
+        """
         part, walls = self.channel()
         post = self.doc.addObject("Part::Box", "Post")
         post.Length = post.Width = post.Height = 4
@@ -190,7 +190,7 @@ class Paths(Case):
             with self.subTest(settings=settings):
                 for name in [o.Name for o in self.doc.Objects]:
                     self.doc.removeObject(name)
-                path, pairs = self.wayward(**settings)
+                path, pairs = self.motion_through_a_post(**settings)
                 self.assertEqual(self.checked(path, pairs, 0.4)["Post"]["verdict"], "clash")
                 plan = improve_plan.ImprovePlan(
                     path, pairs, self.beside(pairs), RequiredDistance=0.4, Budget=20.0
@@ -207,7 +207,7 @@ class Paths(Case):
     def test_locked_keys_stay_and_a_group_does_not_matter(self):
         group = self.doc.addObject("App::Part", "Group")
         group.Placement = turn(25, V(3, 1, 0), V(7, 8, 9))
-        path, pairs = self.wayward()
+        path, pairs = self.motion_through_a_post()
         for obj in [
             o for o in self.doc.Objects if o.Name in ("Cube", "Left", "Right", "Floor", "Post")
         ]:
@@ -226,7 +226,7 @@ class Paths(Case):
         self.assert_clear(better, pairs, 0.4)
 
     def test_copies_cannot_be_improved(self):
-        path, pairs = self.wayward(Interpolation="None")
+        path, pairs = self.motion_through_a_post(Interpolation="None")
         with self.assertRaises(improve_plan.InputProblem):
             improve_plan.improve(improve_plan.ImprovePlan(path, pairs, self.beside(pairs)))
 

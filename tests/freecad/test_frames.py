@@ -64,7 +64,7 @@ class Frames(Case):
         self.doc.recompute()
         clearance.compute(check)
         self.assertIn("are large: near", check.Message)
-        path.SourceType = "Stored"  # poses of keys are not judged
+        path.SourceType = "Stored"  # stored poses are not judged
         self.doc.recompute()
         envelope.compute(obj)
         self.assertNotIn("are large: near", obj.Message)
@@ -92,7 +92,7 @@ class Frames(Case):
             return "stopped early"
 
         recording = frames.Recording(run(), [(still, ""), (moving, "")]).run()
-        said = recording.poses(0).note
+        first_note = recording.poses(0).note
         for word in ("stopped early", '"Still" stands still in all 3 frames'):
-            self.assertIn(word, said)
+            self.assertIn(word, first_note)
         self.assertEqual(recording.poses(1).note, "stopped early")

@@ -42,9 +42,8 @@ def test_icons_are_drawn_without_the_plug_ins_for_svg():
     own."""
     folders = _plug_ins_for_svg()
     script = "; ".join(["set -e"] + ["mount -t tmpfs none " + f for f in folders] + ['exec "$@"'])
-    mapped = (
-        ["--map-root-user"] if os.geteuid() else []
-    )  # root does not need it, and a chroot refuses it
+    # Root does not need the option, and a chroot refuses it.
+    mapped = ["--map-root-user"] if os.geteuid() else []
     apart = ["unshare", "--mount"] + mapped + ["sh", "-c", script, "sh"]
     if not folders or subprocess.run(apart + ["true"], capture_output=True).returncode:
         pytest.skip("Qt has no such plug-ins here, or this user may not mount anything")

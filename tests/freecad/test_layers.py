@@ -110,7 +110,7 @@ class Layers(unittest.TestCase):
         for path, _ in modules():
             for name, node in imports(path):
                 if not isinstance(node, ast.ImportFrom) or node.module is None:
-                    continue  # a module of a package
+                    continue  # imports modules, not names of a module
                 known = names_in(name)
                 for alias in node.names if known is not None else ():
                     text = "{}:{} {} has no {}".format(path, node.lineno, name, alias.name)

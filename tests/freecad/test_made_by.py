@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made each triangle of an envelope: for parts in groups and links, and for several motions; what is
-kept in memory and what is stored in the document.
+"""Records of what made each triangle of an envelope: for parts in groups and links, and for several motions;
+records that are kept in memory and records that are stored in the document.
 """
 import json
 import os
@@ -25,7 +25,7 @@ class MadeBy(Case):
         envelope.compute(obj)
         return obj
 
-    def check(self, obj, path, share=0.99):
+    def check(self, obj, path, fraction=0.99):
         """Moves the corners of each triangle back to the position of the part at the named time. They
         must lie on the named face, or on both faces of an edge, within what a cell and the triangles of
         the part permit."""
@@ -35,8 +35,8 @@ class MadeBy(Case):
         points = convert.transform(convert.global_matrix(*convert.root_path(obj)), points)
         middles = points[triangles].mean(axis=1)
         known = np.nonzero(record.kind >= 0)[0]
-        self.assertGreater(len(known), share * len(record.kind))
-        cell, near, asked = obj.UsedCellSize.Value, 0, 0
+        self.assertGreater(len(known), fraction * len(record.kind))
+        cell, near, checked = obj.UsedCellSize.Value, 0, 0
         for t in known[:: max(1, len(known) // 300)]:
             answer = record.answer(t)
             moving = motion.world_poses_of(self.doc.getObject(answer.motion))
@@ -48,9 +48,9 @@ class MadeBy(Case):
                     part["sub"] + "Face{}".format(number),
                     needSubElement=True,
                 )
-                asked += 1
+                checked += 1
                 near += shape.distToShape(Part.Vertex(back))[0] < cell
-        self.assertGreater(near, 0.98 * asked)
+        self.assertGreater(near, 0.98 * checked)
         return record
 
     def test_faces_of_a_solid(self):
@@ -138,22 +138,22 @@ class MadeBy(Case):
         """If only the tolerance changes, the record and the report describe both motions as before."""
         one, two = self.box("One"), self.box("Two")
         two.Placement = shift(0, 5, 0)
-        ways = [self.line(30), motion.motion_from_poses(self.doc, [5, 7], [shift(), shift(z=30)])]
-        obj = self.envelope([one, two], ways[0], MadeBy="Session", Tolerance=0.3)
-        obj.Motions = ways
+        paths = [self.line(30), motion.motion_from_poses(self.doc, [5, 7], [shift(), shift(z=30)])]
+        obj = self.envelope([one, two], paths[0], MadeBy="Session", Tolerance=0.3)
+        obj.Motions = paths
         envelope.compute(obj)
         obj.Tolerance = 0.05
         self.assertTrue(envelope.can_recut(obj))
         envelope.compute(obj)
-        again, told = made_by.find(obj), json.loads(obj.Report)
+        again, report = made_by.find(obj), json.loads(obj.Report)
         kept.drop()
         envelope.compute(obj)
         fresh, anew = made_by.find(obj), json.loads(obj.Report)
-        self.assertEqual([p["motion"] for p in again.parts], [m.Name for m in ways])
+        self.assertEqual([p["motion"] for p in again.parts], [m.Name for m in paths])
         np.testing.assert_array_equal(again.kind, fresh.kind)
         np.testing.assert_array_equal(again.faces, fresh.faces)
         for name in ("placements", "warnings", "joined"):
-            self.assertEqual(told[name], anew[name], name)
+            self.assertEqual(report[name], anew[name], name)
 
     def test_a_mesh_has_triangles_for_faces(self):
         import Mesh

@@ -71,7 +71,7 @@ class Motions(SliderCrank):
             found, notes = joint_motions.of_source(self.doc, self.source(5))
         finally:
             motion.sources.driven.Handle.set = keep
-        self.assertEqual(runs, [0.0, 90.0, 180.0, 270.0, 360.0, "0"])  # "0" restores it
+        self.assertEqual(runs, [0.0, 90.0, 180.0, 270.0, 360.0, "0"])  # "0" restores the cell
         self.assertEqual(notes, [])
         self.assertEqual([m.SourceObjects[1].Name for m in found], ["Crank", "Rod", "Slider"])
         self.assertEqual([m.Label for m in found][0], "Motion of Crank")
@@ -164,10 +164,10 @@ class Distances(SliderCrank):
         angles = np.linspace(0, 360, 100001)
         x = CRANK * np.cos(np.radians(angles))
         x += np.sqrt(ROD**2 - (CRANK * np.sin(np.radians(angles))) ** 2)
-        told = sum(b - a for a, b in row["below"])
+        reported = sum(b - a for a, b in row["below"])
         for slack, compare in ((0.0, self.assertGreaterEqual), (0.35, self.assertLessEqual)):
             near = np.mean(STOP - HALF - x < 6 + slack) * SECONDS
-            compare(told, near - 1e-3)
+            compare(reported, near - 1e-3)
 
     def test_crank_and_slider_that_meet(self):
         import Part
@@ -284,14 +284,14 @@ class Kept(SliderCrank):
         self.doc.recompute()
         plan = mechanism.Plan.of(self.check(self.motions()))
         found = mechanism.offered(plan.request(), core.Control())
-        told = {pair_rules.label_of(pair): rule.text() for pair, rule in found.items()}
-        self.assertEqual(sorted(told), ["Crank - Rod", "Rod - Slider"])
-        for text in told.values():
+        texts = {pair_rules.label_of(pair): rule.text() for pair, rule in found.items()}
+        self.assertEqual(sorted(texts), ["Crank - Rod", "Rod - Slider"])
+        for text in texts.values():
             self.assertAlmostEqual(float(text.split(":")[1]), 0.55, delta=0.02)  # 0.5 mm + 10 %
         plan.pair_rules = found
         report = mechanism.work(plan.request(), core.Control()).report
         verdicts = {p["first"] + " - " + p["second"]: p["clearance"] for p in report["pairs"]}
-        for name in told:
+        for name in texts:
             self.assertTrue(verdicts[name]["meets_rule"], verdicts[name])
 
     def test_a_cancelled_run_leaves_the_result(self):
@@ -306,7 +306,9 @@ class Kept(SliderCrank):
 
 class BadInput(SliderCrank):
     def refused(self, words, *pairs, **settings):
-        """Makes a check of these pairs (part, motion)."""
+        """Checks that a check of these pairs (part, motion) is refused with a message that contains the
+        words.
+        """
         obj = mechanism.make_mechanism(
             self.doc,
             MovingParts=[(part, "") for part, _ in pairs],

@@ -13,8 +13,8 @@ from sweptvolume.features import clearance, envelope, envelope_plan, motion
 class Moving(Case):
     NEEDS_CORE = True
 
-    def lines(self, *ways):
-        return [motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(*w)]) for w in ways]
+    def lines(self, *travels):
+        return [motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(*w)]) for w in travels]
 
     def assert_box(self, obj, low, high):
         box, cell = obj.Mesh.BoundBox, obj.UsedCellSize.Value
@@ -43,12 +43,12 @@ class Moving(Case):
         """The envelopes are sampled, and sampled again when they are joined. No bound of the error is
         known, so none is shown."""
         one, two = self.box("One"), self.box("Two")
-        ways = self.lines((30, 0, 0), (0, 0, 30))
-        obj = self.envelope([one, two], ways[0], Accuracy=1)
+        travels = self.lines((30, 0, 0), (0, 0, 30))
+        obj = self.envelope([one, two], travels[0], Accuracy=1)
         self.doc.recompute()
         plan = envelope_plan.Plan.of(obj)
         self.assertEqual([r.options["cell"] for r in plan.requests()], [0.5])
-        obj.Motions = ways
+        obj.Motions = travels
         self.doc.recompute()
         plan = envelope_plan.Plan.of(obj)
         cells = [r.options["cell"] for r in plan.requests()]
@@ -83,9 +83,9 @@ class Moving(Case):
         """Part and reference have the same motion: relative to the reference, the part stands still."""
         part, table = self.box("Part"), self.box("Table")
         table.Placement = shift(0, 50)
-        way = motion.motion_from_poses(self.doc, [0, 1], [shift(), turn(80, base=V(90, 5, 1))])
-        way.PoseType = "Relative"
-        obj = self.envelope([part], way, Reference=(table, [""]), ReferenceMotion=way)
+        path = motion.motion_from_poses(self.doc, [0, 1], [shift(), turn(80, base=V(90, 5, 1))])
+        path.PoseType = "Relative"
+        obj = self.envelope([part], path, Reference=(table, [""]), ReferenceMotion=path)
         envelope.compute(obj)
         self.assert_box(obj, (0, 0, 0), (10, 10, 10))
 
@@ -109,8 +109,8 @@ class Moving(Case):
         self.assertAlmostEqual(obj.Volume.Value, ring, delta=0.02 * ring)
 
     def test_reference_motion_needs_the_part(self):
-        way = self.line()
-        obj = self.envelope([self.box()], way, ReferenceMotion=way)
+        path = self.line()
+        obj = self.envelope([self.box()], path, ReferenceMotion=path)
         with self.assertRaisesRegex(InputProblem, "no reference part"):
             envelope.compute(obj)
 
@@ -119,14 +119,14 @@ class Moving(Case):
         box = self.box(size=2.0)
         speed = 20 * math.pi / 2
         places = [shift(20), shift(20 * math.sqrt(0.5), 20 * math.sqrt(0.5)), shift(0, 20)]
-        way = motion.motion_from_poses(self.doc, [0, 0.5, 1], places, "Spline")
-        way.Tangents = ["Given"] * 3
-        way.Velocities = [
+        path = motion.motion_from_poses(self.doc, [0, 0.5, 1], places, "Spline")
+        path.Tangents = ["Given"] * 3
+        path.Velocities = [
             V(0, speed),
             V(-speed * math.sqrt(0.5), speed * math.sqrt(0.5)),
             V(-speed, 0),
         ]
-        obj = self.envelope([box], way, Resolution=100)
+        obj = self.envelope([box], path, Resolution=100)
         envelope.compute(obj)
         # The box is convex in x and y and does not turn: the area below the path of each corner is that
         # of the circle.
@@ -135,21 +135,21 @@ class Moving(Case):
         points = convert.arrays_from_mesh(obj.Mesh)[0]
         outer = np.hypot(points[:, 0] - 2, points[:, 1] - 2)
         self.assertLess(abs(outer[(points[:, 0] > 3) & (points[:, 1] > 3)].max() - 20), 0.1)
-        way.Interpolation = "Linear"
+        path.Interpolation = "Linear"
         self.doc.recompute()
         self.assertEqual(obj.Status, envelope.STALE)
 
     def test_clearance_of_a_smooth_motion(self):
         places = [shift(0), shift(20, 20), shift(40)]
-        way = motion.motion_from_poses(self.doc, [0, 1, 2], places, "Spline")
+        path = motion.motion_from_poses(self.doc, [0, 1, 2], places, "Spline")
         part, wall = self.box("Part", 2.0), self.box("Wall", 2.0)
         wall.Placement = shift(20, 30)
-        check = clearance.make_clearance(self.doc, MovingParts=[(part, [""])], Motion=way)
+        check = clearance.make_clearance(self.doc, MovingParts=[(part, [""])], Motion=path)
         check.Neighbours, check.AllVisible = [(wall, [""])], False
         self.doc.recompute()
         row = clearance.compute(check)["neighbours"][0]
         self.assertAlmostEqual(row["distance"], 8, delta=0.02)
-        # Beside the mesh deflections and the accuracy: half of the accuracy, for the curve.
+        # Subtracted are the mesh deflections, the accuracy, and half of the accuracy for the curve.
         off = 2 * check.MeshDeflection.Value + 1.5 * check.Accuracy.Value
         self.assertAlmostEqual(row["guaranteed"], row["distance"] - off, places=9)
         check.RequiredDistance = row["distance"] - off + check.Accuracy.Value + 0.002
@@ -162,17 +162,17 @@ class Moving(Case):
     def test_stale_motion_makes_a_stale_envelope(self):
         text = "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,9,0,0,0,0,0,1\n"
         path = self.file("m.csv", text)
-        way = motion.motion_from_file(self.doc, path)
-        obj = self.envelope([self.box()], way)
+        recorded = motion.motion_from_file(self.doc, path)
+        obj = self.envelope([self.box()], recorded)
         envelope.compute(obj)
-        names = way.Name, obj.Name
+        names = recorded.Name, obj.Name
         self.file("m.csv", text + "2,9,9,0,0,0,0,1\n")
         self.reopen()
-        way, obj = map(self.doc.getObject, names)
-        self.assertEqual((way.Status, obj.Status), (motion.STALE, envelope.STALE))
-        motion.reload_source(way)
+        recorded, obj = map(self.doc.getObject, names)
+        self.assertEqual((recorded.Status, obj.Status), (motion.STALE, envelope.STALE))
+        motion.reload_source(recorded)
         self.doc.recompute()
-        self.assertEqual((way.Status, obj.Status), ("", envelope.STALE))
+        self.assertEqual((recorded.Status, obj.Status), ("", envelope.STALE))
         envelope.compute(obj)
         self.assertEqual(obj.Status, envelope.UP_TO_DATE)
 

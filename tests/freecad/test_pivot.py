@@ -17,7 +17,7 @@ from sweptvolume.trajectory.poses import Poses, at_time
 
 #: Middle of the part in its own coordinates, far from its origin.
 MIDDLE = V(105, 5, 5)
-#: Half of the diagonal of its square: the largest distance from the pivot when it turns about z.
+#: Half of the diagonal of the part's square section: the largest distance from the pivot in a turn about z.
 REACH = 5 * math.sqrt(2)
 
 
@@ -56,17 +56,17 @@ class Pivot(Case):
         self.assert_in_place(self.swept(part, path), MIDDLE)
 
     def test_it_is_the_same_motion_whatever_a_pose_means(self):
-        stands = App.Placement(V(20, -30, 4), App.Rotation(V(0, 0, 1), 25))
-        world = stands.multVec(MIDDLE)
+        initial = App.Placement(V(20, -30, 4), App.Rotation(V(0, 0, 1), 25))
+        world = initial.multVec(MIDDLE)
         first = App.Placement(V(3, 2, 1), App.Rotation(V(1, 1, 0), 40))
         moved = about(world, 90)
         for frame, keys, pivot in (
-            ("Absolute", [stands, moved.multiply(stands)], MIDDLE),
+            ("Absolute", [initial, moved.multiply(initial)], MIDDLE),
             ("Relative", [shift(), moved], world),
             ("RelativeToFirst", [first, moved.multiply(first)], first.inverse().multVec(world)),
         ):
             with self.subTest(frame=frame):
-                part = self.part(stands)
+                part = self.part(initial)
                 path = motion.motion_from_poses(self.doc, [0, 1], keys, frame=frame)
                 path.Pivot = pivot
                 self.assert_in_place(self.swept(part, path), world)

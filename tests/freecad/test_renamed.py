@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Documents in which properties still have the names of earlier versions.
-
-names_of_before.FCStd was saved by the version before (documents/make_of_before.py says how).
+"""Documents in which properties still have the names of earlier versions. names_of_before.FCStd was saved by
+the last version with these names (documents/make_of_before.py says how).
 """
 import os
 import re
@@ -29,7 +28,7 @@ class Renamed(Case):
         found = self.doc.getObject(name).ExpressionEngine
         return {path.lstrip("."): text for path, text in found}
 
-    def look(self):
+    def check(self):
         doc = self.doc
         self.assertEqual((doc.Motion.PoseType, doc.Motion.SourceRotaryAxes), ("Relative", "Table"))
         for name, parts in (
@@ -58,12 +57,12 @@ class Renamed(Case):
                 self.assertNotIn(old, obj.PropertiesList)
 
     def test_values_and_links_keep_and_results_stay_current(self):
-        self.look()
+        self.check()
         for name in ("Envelope", "EnvelopeSolid", "Clearance", "Mechanism", "SharedVolume"):
             self.assertEqual((name, self.doc.getObject(name).Status), (name, UP_TO_DATE))
         self.assertEqual(self.doc.Sequence.Status, NOT_COMPUTED)
         self.doc.recompute(None, True)  # all objects, as some versions do after opening
-        self.look()
+        self.check()
         for name in ("Envelope", "EnvelopeSolid", "Clearance", "Mechanism", "SharedVolume"):
             self.assertEqual((name, self.doc.getObject(name).Status), (name, UP_TO_DATE))
         smallest = self.doc.Clearance.Smallest.Value
@@ -100,7 +99,7 @@ class Renamed(Case):
         self.doc.recompute()
         self.reopen()
         self.doc = App.ActiveDocument
-        self.look()
+        self.check()
         self.test_expressions_go_with_them()
 
     def test_a_new_motion_has_no_old_names(self):
@@ -109,7 +108,7 @@ class Renamed(Case):
 
 
 class Rewriting(Case):
-    """Which parts of an expression are names of properties, and which are not."""
+    """Tests which parts of an expression are names of properties."""
 
     def test_of_the_object_itself(self):
         names = {"Required": "RequiredDistance"}

@@ -181,7 +181,7 @@ class Rules(Neighbours):
             found = neighbour_rules.merged(rules, shown, given)
             self.assertEqual(found, now)
             self.assertEqual(neighbour_rules.merged(found, shown, given), now)
-        # Rules of pairs: that of the group applies to far and both parts in the group.
+        # Rules of pairs: the rule of the group applies to the pairs of `far` with both parts in the group.
         pairs = [pair_rules.key(far, part) for part in (table, wall)]
         rules = {pair_rules.key(far, all_of): Rule(CONTACT, 0.2)}
         given = {pairs[0]: Rule(CONTACT, 0.2), pairs[1]: Rule(IGNORE)}

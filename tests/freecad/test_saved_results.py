@@ -101,7 +101,7 @@ class Stored(Case):
         opened = shutil.copy(os.path.join(self.HERE, "results_of_before.FCStd"), self.folder)
         self.doc = App.openDocument(opened)
 
-    def told(self, obj):
+    def results_of(self, obj):
         if clearance.is_clearance(obj):
             rows = clearance.report_of(obj)["neighbours"]
             return [obj.Status, sorted([row["name"], row["distance"]] for row in rows)]
@@ -109,17 +109,17 @@ class Stored(Case):
             return [obj.Status, obj.Mesh.CountFacets, obj.Volume.Value]
         return [obj.Status, len(obj.Shape.Faces), obj.Shape.Volume]
 
-    def all_told(self):
-        return {name: self.told(self.doc.getObject(name)) for name in self.known}
+    def all_results(self):
+        return {name: self.results_of(self.doc.getObject(name)) for name in self.known}
 
     def test_results_of_before_are_the_same(self):
         """The document is opened, its results are checked, and it is saved and opened again."""
-        self.assertEqual(self.all_told(), self.known)
+        self.assertEqual(self.all_results(), self.known)
         self.recomputed()
-        self.assertEqual(self.all_told(), self.known)
+        self.assertEqual(self.all_results(), self.known)
         self.reopen()
         self.recomputed()
-        self.assertEqual(self.all_told(), self.known)
+        self.assertEqual(self.all_results(), self.known)
 
     def recomputed(self):
         for obj in self.doc.Objects:
@@ -127,12 +127,12 @@ class Stored(Case):
         self.doc.recompute(None, True)
 
     def test_computed_anew_they_are_as_near_as_the_cells_allow(self):
-        """Poses rotate about the origin of the file as before, so nothing moves."""
+        """The poses of the old file still rotate about its origin, so nothing moves."""
         for name, (status, *known) in self.known.items():
             obj = self.doc.getObject(name)
             module = {"E": envelope, "C": clearance}[name[0]] if "Solid" not in name else solid
             module.compute(obj)
-            now, *found = self.told(obj)
+            now, *found = self.results_of(obj)
             with self.subTest(result=name):
                 self.assertEqual(now, status)
                 if name.startswith("Clearance"):
@@ -149,4 +149,4 @@ class Stored(Case):
         self.doc.Part.Length = 10.5
         self.doc.Inner.Placement = shift(0, 0, 41)
         self.doc.recompute()
-        self.assertNotIn("Up to date", [told[0] for told in self.all_told().values()])
+        self.assertNotIn("Up to date", [result[0] for result in self.all_results().values()])

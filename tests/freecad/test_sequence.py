@@ -94,7 +94,7 @@ class Sequences(Case):
         step = report["steps"][1]
         self.assertAlmostEqual(step["end"] - step["begin"], 5.0)
         seen = sequence.Plan.of(obj).seen()
-        at = seen[1][1]  # waits, moves, stays
+        at = seen[1][1]  # the part waits, moves, and then stays
         self.assert_placement(at(0.0), at(step["begin"]))
         self.assert_placement(at(step["end"] + 1), at(step["end"]))
         self.assertGreater((at(step["begin"]).Base - at(step["end"]).Base).Length, 79)

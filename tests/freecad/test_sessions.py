@@ -29,9 +29,9 @@ def ball(rings):
     return points, np.vstack(faces).astype(np.int32)
 
 
-def request(body, way, **options):
+def request(body, travel, **options):
     rotations = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1))
-    times, places = np.array([0.0, 1.0]), np.array([[0.0, 0.0, 0.0], way])
+    times, places = np.array([0.0, 1.0]), np.array([[0.0, 0.0, 0.0], travel])
     return core.Request(
         core.Triangles(*body), times, places, rotations, "linear", dict(options, resolution=48)
     )

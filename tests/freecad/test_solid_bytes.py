@@ -83,10 +83,10 @@ def box(*size):
     return corners, [[int(corner) for corner in side] for side in sides]
 
 
-def both(one, other, way):
+def both(one, other, shift):
     """Returns two bodies as one mesh, the other one moved along x."""
     n = len(one[0])
-    moved = [[x + way, y, z] for x, y, z in other[0]]
+    moved = [[x + shift, y, z] for x, y, z in other[0]]
     return one[0] + moved, one[1] + [[a + n, b + n, c + n] for a, b, c in other[1]]
 
 

@@ -46,7 +46,7 @@ class Settings(Made):
         self.assertEqual((obj.Count, obj.Duration), (3, 10.0))
         obj.SourceDuration, obj.SourceOrientation = 4.0, "Tangent"
         self.doc.recompute()
-        self.assertEqual((obj.Count, obj.Duration), (4, 4.0))  # it turns at the corner
+        self.assertEqual((obj.Count, obj.Duration), (4, 4.0))  # the motion turns at the corner
         obj.SourceCount = 5
         self.doc.recompute()
         self.assertEqual(obj.Count, 5)

@@ -184,9 +184,10 @@ class Sources(Case):
         head = motion.motion_from_source(self.doc, "CAM", [feature])
         table = motion.motion_from_source(self.doc, "CAM", [feature], convention="Table")
         self.assert_placement(head.Placements[-1], turn(90, base=V(10, 0, 0)), 1e-9)
-        # The workpiece turned by 90 degrees below the tool: relative to it, the tool turned back.
+        # The workpiece turned by 90 degrees below the tool. So relative to the workpiece, the tool turned
+        # back.
         self.assert_placement(table.Placements[-1], turn(-90, base=V(0, -10, 0)), 1e-9)
-        # Between two poses, the shorter way is taken, so a turn by 270 degrees has intermediate poses.
+        # Between two poses, the shorter rotation is taken, so a turn by 270 degrees has intermediate poses.
         feature.Path = Path.Path([Path.Command(line) for line in (lines[0], "G1 X10 C270")])
         far = motion.motion_from_source(self.doc, "CAM", [feature])
         self.assertEqual(len(far.Placements), 28)

@@ -368,7 +368,7 @@ class States(Table):
     def test_nothing_changes_nothing(self):
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
         self.assertGreater(len(set(self.record(self.doc.Envelope))), 5)
-        self.look("nothing")
+        self.check_states("nothing")
         label_only(self.doc)
         backend_only(self.doc)
         self.doc.recompute()

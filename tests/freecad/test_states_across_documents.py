@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """States of mechanism checks, sequences, shared volumes, studies and records of what made an envelope, whose
 parts, neighbours and values are in another document. After each change, in either document, a result may be
-up to date, and show what it shows, only if a fresh computation gives the same result.
+up to date only if a fresh computation gives what the result shows.
 """
 import os
 
@@ -170,14 +170,14 @@ class AcrossDocuments(OtherDocumentTable):
         other.saveAs(os.path.join(self.folder, "Elsewhere.FCStd"))
 
     def content(self, obj):
-        """Includes the summary line of each check."""
+        """Adds the summary line of each check."""
         return super().content(obj) + [getattr(obj, "Summary", "")]
 
     def test_nothing_changes_nothing(self):
         self.assertEqual(self.behind(), {})
         self.assertEqual(len(self.results()), 6)
         self.assertGreater(self.doc.SharedVolume.Volume.Value, 1)
-        self.look("nothing")
+        self.check_states("nothing")
 
     def test_closed_and_opened_again(self):
         path = elsewhere().FileName
@@ -188,7 +188,7 @@ class AcrossDocuments(OtherDocumentTable):
         App.openDocument(path)
         self.recomputed()
         self.assertEqual(self.behind(), {})
-        self.look("opened again")
+        self.check_states("opened again")
 
     def test_both_closed_and_opened(self):
         self.doc.save()
@@ -200,4 +200,4 @@ class AcrossDocuments(OtherDocumentTable):
         self.recomputed()
         self.assertEqual({obj.Status for obj in self.results()}, {UP_TO_DATE})
         self.assertEqual(self.record(self.doc.Envelope), before)
-        self.look("opened")
+        self.check_states("opened")

@@ -242,7 +242,7 @@ class Grouped(Table):
 
     def test_nothing_changes_nothing(self):
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
-        self.look("nothing")
+        self.check_states("nothing")
 
     def test_saved_and_opened(self):
         before = {obj.Name: self.content(obj) for obj in self.results()}
@@ -250,4 +250,4 @@ class Grouped(Table):
         self.doc.recompute(None, True)
         self.assertEqual({obj.Name: self.content(obj) for obj in self.results()}, before)
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
-        self.look("opened")
+        self.check_states("opened")

@@ -152,7 +152,7 @@ class StatesOfArrays(Table):
 
     def test_nothing_changes_nothing(self):
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
-        self.look("nothing")
+        self.check_states("nothing")
 
     def seen(self):
         """Computes the check with all visible parts again. Returns the places of the parts that it

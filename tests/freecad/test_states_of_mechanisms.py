@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""States of a mechanism check. After each change of the table, it may be up to date only if a fresh
+"""States of a mechanism check. After each change of the table, the check may be up to date only if a fresh
 computation gives the same result.
 """
 from case import V, shift, turn
@@ -165,7 +165,7 @@ class Mechanisms(Table):
 
     def test_nothing_changes_nothing(self):
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
-        self.look("nothing")
+        self.check_states("nothing")
         self.doc.Box.Label = "Another name"
         self.doc.recompute()
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})

@@ -211,7 +211,7 @@ class OtherDocuments(OtherDocumentTable):
 
     def test_nothing_changes_nothing(self):
         self.assertEqual(self.behind(), {})
-        self.look("nothing")
+        self.check_states("nothing")
 
     # --- the other document is closed and opened
 
@@ -224,7 +224,7 @@ class OtherDocuments(OtherDocumentTable):
         App.openDocument(self.file_there)
         self.recomputed()
         self.assertEqual(self.behind(), {})
-        self.look("opened again")
+        self.check_states("opened again")
 
     def test_changed_while_this_document_is_closed(self):
         elsewhere().Wall.Height = 14
@@ -233,7 +233,7 @@ class OtherDocuments(OtherDocumentTable):
         elsewhere().save()
         self.opened_again()
         self.recomputed()
-        self.look("the neighbour has grown meanwhile")
+        self.check_states("the neighbour has grown meanwhile")
         self.assertNotEqual(self.doc.Clearance001.Status, UP_TO_DATE)
         self.assertEqual(self.doc.Envelope.Status, UP_TO_DATE)
 
@@ -245,14 +245,14 @@ class OtherDocuments(OtherDocumentTable):
         App.openDocument(self.file_there)
         self.recomputed()
         self.assertEqual(self.behind(), {})
-        self.look("the part has its former length again")
+        self.check_states("the part has its former length again")
 
     def test_both_closed_and_opened(self):
         self.opened_again()
         self.assertEqual(self.behind(), {})
-        self.look("opened")
+        self.check_states("opened")
         self.recomputed()
-        self.look("opened and recomputed")
+        self.check_states("opened and recomputed")
 
     def opened_again(self):
         """Both documents are closed. This one is opened, and FreeCAD opens the other one with it."""
@@ -266,11 +266,11 @@ class OtherDocuments(OtherDocumentTable):
         elsewhere().Label = "Moved"
         self.recomputed()
         self.assertEqual(self.behind(), {})
-        self.look("saved elsewhere")
+        self.check_states("saved elsewhere")
         elsewhere().Part.Length = 12
         self.recomputed()
         self.assertNotEqual(self.doc.Envelope.Status, UP_TO_DATE)
-        self.look("changed there")
+        self.check_states("changed there")
 
     def test_the_file_is_gone(self):
         for name in (self.doc.Name, "Elsewhere"):

@@ -136,9 +136,9 @@ class Paths(Table):
         self.doc.commitTransaction()
         self.doc.recompute()
         envelope.compute(self.doc.Envelope)
-        self.look("grown")
+        self.check_states("grown")
         for k in range(2):
             self.doc.undo()
             self.doc.recompute()
-            self.look("undone {}".format(k))
+            self.check_states("undone {}".format(k))
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})

@@ -192,15 +192,15 @@ class Reports(Table):
         if obj.Name == "Envelope":
             return super().content(obj)
         text = page.text(page.request(obj), core.Control())
-        told = [cells(text, name)[1:] for name in ("verdicts", "rules", "inputs")]
-        told[2] = [row for row in told[2] if row[0] != "document"]
+        tables = [cells(text, name)[1:] for name in ("verdicts", "rules", "inputs")]
+        tables[2] = [row for row in tables[2] if row[0] != "document"]
         if core.has_page_view():
             seen = data(text, "scene")["parts"]
-            told.append([(part["name"], part["kind"], part["verdict"]) for part in seen])
-        return [obj.Label, obj.Summary] + [sorted(map(tuple, rows)) for rows in told]
+            tables.append([(part["name"], part["kind"], part["verdict"]) for part in seen])
+        return [obj.Label, obj.Summary] + [sorted(map(tuple, rows)) for rows in tables]
 
-    def look(self, name):
-        super().look(name)
+    def check_states(self, name):
+        super().check_states(name)
         for obj in self.results():
             if obj.Status != UP_TO_DATE and obj.Name != "Envelope":
                 with self.subTest(change=name, result=obj.Name):

@@ -39,19 +39,19 @@ class States(Table):
         return [obj for obj in super().results() if sequence.is_sequence(obj)]
 
     def content(self, obj):
-        """Returns the messages with their names, and the position of each part during playback."""
+        """Returns the messages, which contain names, and the position of each part during playback."""
         plan = sequence.Plan.of(obj)
         places = []
         if plan.steps:
             for time in (0.0, plan.steps[0]["end"], plan.steps[-1]["end"]):
                 for _, course in plan.seen():
                     places.append([round(x, 4) + 0.0 for x in course(time).Base])
-        told = sequence.told(sequence.report_of(obj))
-        return super().content(obj) + [obj.Summary, told, places]
+        text = sequence.told(sequence.report_of(obj))
+        return super().content(obj) + [obj.Summary, text, places]
 
     def test_nothing_changes_nothing(self):
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
-        self.look("nothing")
+        self.check_states("nothing")
 
     def test_names_count_at_once(self):
         """FreeCAD does not recompute after this change. Messages must use the new name of a neighbour
@@ -94,12 +94,12 @@ class States(Table):
         obj.Neighbours = kept + [(link, "")]
         self.doc.recompute()
         sequence.compute(obj)
-        self.look("a wall of another document")
+        self.check_states("a wall of another document")
         wall.Length = 3.3
         there.recompute()
         self.doc.recompute()
         self.assertEqual(obj.Status, STALE)
-        self.look("it has grown there")
+        self.check_states("it has grown there")
         there.undo()
         wall.Length = 3
         there.recompute()

@@ -183,8 +183,8 @@ class Settings(Table):
         link.LinkedObject, link.Placement = inner, shift(0, -30)
         self.sheet("length", "6 mm")
         along, up = (
-            motion.motion_from_poses(doc, [0, 1], [shift(), way])
-            for way in (shift(18), shift(0, 4, 15))
+            motion.motion_from_poses(doc, [0, 1], [shift(), end])
+            for end in (shift(18), shift(0, 4, 15))
         )
         doc.recompute()
         self.envelope([box], along, Resolution=20, MadeBy="Session")

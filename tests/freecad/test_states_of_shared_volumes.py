@@ -237,19 +237,19 @@ class States(Table):
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
         self.assertEqual(len(self.results()), 3)
         self.assertTrue(all(o.Volume.Value > 1 for o in self.results()))
-        self.look("nothing")
+        self.check_states("nothing")
 
     def test_an_envelope_that_is_computed_anew(self):
         self.doc.Envelope.Resolution = 20
         self.doc.recompute()
         envelope.compute(self.doc.Envelope)
         self.doc.recompute()
-        self.look("computed")
+        self.check_states("computed")
         self.assertNotEqual(self.doc.SharedVolume002.Status, UP_TO_DATE)
         self.doc.undo()
         self.doc.Envelope.Resolution = 12
         self.doc.recompute()
-        self.look("undone")
+        self.check_states("undone")
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
 
     def test_a_side_of_another_document(self):
@@ -263,11 +263,11 @@ class States(Table):
         obj.Neighbours = [(link, "")]
         self.doc.recompute()
         shared.compute(obj)
-        self.look("a side of another document")
+        self.check_states("a side of another document")
         block.Length = 5
         there.recompute()
         self.doc.recompute()
-        self.look("it has shrunk there")
+        self.check_states("it has shrunk there")
         self.assertNotEqual(obj.Status, UP_TO_DATE)
         block.Length = 10
         there.recompute()

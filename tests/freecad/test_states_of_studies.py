@@ -234,9 +234,9 @@ class OfADocument(Table):
         """Tests the study only; its inputs have tables of their own."""
         return [obj for obj in super().results() if study.is_study(obj)]
 
-    def look(self, name):
+    def check_states(self, name):
         """A page describes the present document, or there is none."""
-        super().look(name)
+        super().check_states(name)
         with self.subTest(change=name):
             if self.doc.Study.Status == UP_TO_DATE:
                 self.assertEqual(study.written(self.doc.Study)[1], self.doc.Study.Results)
@@ -251,10 +251,10 @@ class OfADocument(Table):
 
     def test_nothing_changes_nothing(self):
         self.assertEqual({o.Status for o in self.results()}, {UP_TO_DATE})
-        self.look("nothing")
+        self.check_states("nothing")
         self.doc.Study.Label = "Another name"
         self.doc.recompute()
-        self.look("label of the study")
+        self.check_states("label of the study")
         self.assertEqual(self.doc.Study.Status, UP_TO_DATE)
 
 
@@ -262,8 +262,8 @@ def box_file(path, size, place=V()):
     Mesh.Mesh(Part.makeBox(size, 10, 10, place).tessellate(1)).write(path)
 
 
-def motion_text(way):
-    return "0,0,0,0,0,0,0,1\n1,{},0,0,0,0,0,1\n".format(way)
+def motion_text(travel):
+    return "0,0,0,0,0,0,0,1\n1,{},0,0,0,0,0,1\n".format(travel)
 
 
 class OfAFile(Case):
@@ -286,8 +286,8 @@ motion = "near.csv"
         super().setUp()
         box_file(self.at("box.ply"), 10)
         box_file(self.at("wall.ply"), 10, V(43, 0, 0))
-        for name, way in (("near", 30), ("other", 31)):
-            self.file(name + ".csv", motion_text(way))
+        for name, travel in (("near", 30), ("other", 31)):
+            self.file(name + ".csv", motion_text(travel))
         self.obj = study.make_study(self.doc, File=self.file("study.toml", self.TEXT))
         self.doc.recompute()
         study.compute(self.obj)
@@ -297,8 +297,8 @@ motion = "near.csv"
     def at(self, name):
         return os.path.join(self.folder, name)
 
-    def looked(self):
-        """No link notices a change of a file: the state is that of the last check."""
+    def checked_status(self):
+        """Returns the state after a check of the files. FreeCAD itself does not notice changed files."""
         study.update_status(self.obj)
         return self.obj.Status
 
@@ -341,24 +341,24 @@ motion = "near.csv"
                 kept = self.at("kept")
                 shutil.copy2(self.at(name), kept)
                 change(self.at(name))
-                self.assertEqual(self.looked(), FAILED if refused else STALE)
+                self.assertEqual(self.checked_status(), FAILED if refused else STALE)
                 self.assertEqual(bool(self.obj.Message), refused)
                 self.assertEqual(self.fresh() is None, refused)
                 os.replace(kept, self.at(name))
-                self.assertEqual(self.looked(), UP_TO_DATE)
+                self.assertEqual(self.checked_status(), UP_TO_DATE)
 
     def test_files_that_no_run_names_and_names_of_objects(self):
         self.file("other.csv", motion_text(40))
         self.obj.Label = "Another name"
-        self.assertEqual(self.looked(), UP_TO_DATE)
+        self.assertEqual(self.checked_status(), UP_TO_DATE)
         self.obj.Jobs = 2
-        self.assertEqual(self.looked(), UP_TO_DATE)
+        self.assertEqual(self.checked_status(), UP_TO_DATE)
 
     def test_the_folder_moves_as_a_whole(self):
         moved = self.at("moved")
         os.mkdir(moved)
         for name in ("study.toml", "box.ply", "wall.ply", "near.csv"):
             shutil.move(self.at(name), moved)
-        self.assertEqual(self.looked(), FAILED)
+        self.assertEqual(self.checked_status(), FAILED)
         self.obj.File = os.path.join(moved, "study.toml")
-        self.assertEqual(self.looked(), UP_TO_DATE)
+        self.assertEqual(self.checked_status(), UP_TO_DATE)

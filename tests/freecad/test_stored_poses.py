@@ -127,21 +127,22 @@ class KeptPoses(Case):
         linked = motion.motion_from_objects(self.doc, boxes)
         linked.Label = "Linked"
         self.doc.recompute()
-        before = self.assert_told()
+        before = self.assert_stored()
         self.doc.openTransaction("a change")
         CHANGES[name](_ByLabel(self.doc, linked))
-        same = name in ("nothing", "one_placement_in_its_last_digit")  # words are rounded
-        self.assertEqual(self.assert_told() == before, same)
+        same = name in ("nothing", "one_placement_in_its_last_digit")  # words() rounds the numbers
+        self.assertEqual(self.assert_stored() == before, same)
         self.doc.commitTransaction()
         for step in (self.doc.undo, self.doc.redo, self.doc.undo):
             step()
-            self.assert_told()
+            self.assert_stored()
         self.doc.recompute()
-        self.assert_told()
+        self.assert_stored()
 
-    def assert_told(self):
-        """Checks that the stored poses of all motions equal those that FreeCAD gives. Returns the
-        words of all motions."""
+    def assert_stored(self):
+        """Checks that the stored poses of all motions equal those that FreeCAD gives. Returns words() of each
+        motion.
+        """
         found = [obj for obj in self.doc.Objects if motion.is_motion(obj)]
         self.assertTrue(found)
         for obj in found:
@@ -232,8 +233,8 @@ class InPieces(Case):
             box = self.box("Box{}".format(k))
             box.Placement = shift(30 * k)
             pairs.append((box, ""))
-            ways = [shift(30 * k), shift(30 * k, 5)]
-            motions.append(motion.motion_from_poses(self.doc, [0, 1], ways))
+            placements = [shift(30 * k), shift(30 * k, 5)]
+            motions.append(motion.motion_from_poses(self.doc, [0, 1], placements))
         self.doc.recompute()
         plan = Plan(self.doc, pairs, motions, [], False, VALUES)
         plan.words()

@@ -49,8 +49,8 @@ class Studies(Slide):
         wall = self.part.Shape.copy()
         wall.translate(App.Vector(43, 0, 0))
         Mesh.Mesh(wall.tessellate(1)).write(os.path.join(self.folder, "wall.ply"))
-        for name, way in (("near", 30), ("into", 35), ("far", 10)):
-            self.file(name + ".csv", "0,0,0,0,0,0,0,1\n1,{},0,0,0,0,0,1\n".format(way))
+        for name, travel in (("near", 30), ("into", 35), ("far", 10)):
+            self.file(name + ".csv", "0,0,0,0,0,0,0,1\n1,{},0,0,0,0,0,1\n".format(travel))
         obj = study.make_study(self.doc, File=self.file("study.toml", text))
         self.doc.recompute()
         return obj
@@ -158,8 +158,8 @@ class Studies(Slide):
     def test_a_study_file(self):
         obj = self.of_file()
         self.assertEqual((obj.Status, obj.Message), (NOT_COMPUTED, ""))
-        told = study.compute(obj)
-        rows = {row["run"]: row for row in told["runs"]}
+        report = study.compute(obj)
+        rows = {row["run"]: row for row in report["runs"]}
         self.assertEqual(rows["near"]["state"], "done")
         self.assertAlmostEqual(rows["near"]["distance"], 3, delta=0.01)
         self.assertEqual(rows["into"]["verdict"], "clash")

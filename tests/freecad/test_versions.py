@@ -62,7 +62,7 @@ class Versions(Case):
             json.dump(known, file)
         App.closeDocument(self.doc.Name)
 
-    def look(self, file):
+    def check_document(self, file):
         with open(file[: -len("FCStd")] + "json") as text:
             known = json.load(text)
         doc = App.openDocument(file)
@@ -79,7 +79,8 @@ class Versions(Case):
         envelope.compute(obj)
         solid.compute(body)
         clearance.compute(check)
-        # The other version's table was deleted with its folder: its poses stay, marked as old.
+        # The file of poses of the other version was deleted with its folder. The motion keeps its poses, and
+        # is stale.
         here = os.path.isfile(known["table"])
         self.assertEqual(path.Status, "" if here else motion.STALE)
         self.assertEqual(obj.Status, envelope.UP_TO_DATE if here else envelope.STALE)
@@ -96,5 +97,5 @@ class Versions(Case):
         files = sorted(glob.glob(os.path.join(self.shared, "*.FCStd")))
         for file in files:
             with self.subTest(file=os.path.basename(file)):
-                self.look(file)
+                self.check_document(file)
         print("opened:", ", ".join(os.path.basename(file) for file in files))

@@ -15,9 +15,11 @@ from sweptvolume.trajectory.poses import course
 
 def distance(point, line):
     """Returns the distance of a point (3,) from a line through points (n, 3)."""
-    start, way = line[:-1], np.diff(line, axis=0)
-    part = np.einsum("ij,ij->i", point - start, way) / np.maximum((way**2).sum(axis=1), 1e-300)
-    near = start + np.clip(part, 0.0, 1.0)[:, None] * way
+    start, chord = line[:-1], np.diff(line, axis=0)
+    part = np.einsum("ij,ij->i", point - start, chord) / np.maximum(
+        (chord**2).sum(axis=1), 1e-300
+    )
+    near = start + np.clip(part, 0.0, 1.0)[:, None] * chord
     return float(np.sqrt(((point - near) ** 2).sum(axis=1).min()))
 
 

@@ -171,9 +171,8 @@ class Words(unittest.TestCase):
                     parts = words.split(" ... ")
                     held = [text for text in sources if all(part in text for part in parts)]
                     self.assertTrue(held, (here, words))
-        self.assertEqual(
-            silent, {"BadOption", "BadFile"}
-        )  # their messages differ from case to case
+        # The messages of these codes differ from case to case.
+        self.assertEqual(silent, {"BadOption", "BadFile"})
         self.assertEqual(set(core_texts._TEXTS) - codes, set())
 
     def test_every_code_of_the_core_is_in_the_page_for_troubleshooting(self):
@@ -181,8 +180,8 @@ class Words(unittest.TestCase):
 
         path = os.path.join(ROOT, "docs", "handbook", "troubleshooting.md")
         with open(path, encoding="utf-8") as file:
-            told = set(re.findall(r"`([A-Z][A-Za-z]+)`", file.read()))
-        self.assertEqual(set(core_texts._TEXTS) - told, set())
+            codes_named = set(re.findall(r"`([A-Z][A-Za-z]+)`", file.read()))
+        self.assertEqual(set(core_texts._TEXTS) - codes_named, set())
         if not os.path.isdir(os.path.join(ROOT, "cpp", "src")):
             return
         found = set()
@@ -196,4 +195,4 @@ class Words(unittest.TestCase):
                             re.findall(r'(?:Status::[A-Za-z]+,|refuse\()\s*"([A-Z]\w+)"', text)
                         )
                         found.update(re.findall(r'\{\s*"([A-Z][a-z]+[A-Z]\w+)",\s*[\w(]', text))
-        self.assertEqual(sorted(found - told - {"Ok"}), [])
+        self.assertEqual(sorted(found - codes_named - {"Ok"}), [])

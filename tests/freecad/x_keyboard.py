@@ -33,7 +33,7 @@ def entry(name):
     return ["Alt_L+s"] + ["Down"] * len(steps) + ["Return"]
 
 
-#: Longest time (s) in which a key must reach the window, also on a busy machine.
+#: Longest time (s) that a key may take to reach the window, also on a busy machine.
 LATE = 2.0
 
 

@@ -1,5 +1,6 @@
-// Makes numbers from the bytes of a fuzzer: small and round ones as often as values that break
-// programs. Missing bytes count as zeros, so every input is valid.
+// Makes numbers from the bytes of a fuzzer. Half of the numbers are small and round, and one in
+// eight is a value that often breaks programs. Missing bytes count as zeros, so every input is
+// valid.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,13 +17,14 @@ class ByteSource {
 
   bool empty() const { return data_ == end_; }
   std::uint8_t byte() { return empty() ? 0 : *data_++; }
-  /// 0 to n - 1.
+  /// Returns a number from 0 to n - 1.
   int below(int n) { return byte() % n; }
   bool chance(int of256) { return byte() < of256; }
 
-  /// A multiple of 1/16 from -8 to 8: faces lie on grid planes, vertices coincide.
+  /// Returns a multiple of 1/16 from -8 to below 8. With such numbers, faces lie on grid planes and
+  /// vertices coincide.
   double even() { return (byte() - 128) / 16.0; }
-  /// Any number between -8 and 8.
+  /// Returns any number between -8 and 8.
   double odd() { return even() + (byte() * 256 + byte()) / 1048576.0; }
   double number() {
     const int kind = below(16);

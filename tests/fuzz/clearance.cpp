@@ -15,7 +15,7 @@
 namespace swept::fuzz {
 namespace {
 
-constexpr int kMaxCheckpoints = 150;  ///< some tenths of a second
+constexpr int kMaxCheckpoints = 150;  ///< enough for some tenths of a second
 
 ClearanceOptions clearanceOptions(ByteSource& bytes) {
   ClearanceOptions options;
@@ -34,7 +34,7 @@ std::vector<ClearanceNeighbour> neighbours(ByteSource& bytes) {
   for (int i = 0; i < count; ++i) {
     ClearanceNeighbour part{std::to_string(i), body(bytes), 0};
     if (bytes.chance(32)) part.chordError = bytes.number() / 64;
-    // Mostly beside the moving body, not in it.
+    // The offset puts most parts beside the moving body, not into it.
     const Eigen::Vector3d aside(bytes.even(), bytes.even(), bytes.even());
     for (auto& v : part.mesh.vertices) v += aside;
     parts.push_back(std::move(part));
@@ -74,15 +74,15 @@ void requireRow(const NeighbourClearance& row, const Trajectory& motion) {
   }
 }
 
-/// Points inside are known without repair.
+/// Returns whether it is defined, without mending the mesh, which points lie inside.
 bool isClosed(const TriMesh& mesh) {
   RunContext run;
   const MeshCheck check = checkMesh(mesh, run);
   return check.closed && check.misorientedEdges == 0;
 }
 
-// Measures the corners of the body at the given poses: none is nearer than the result says, or
-// deeper inside.
+// Measures the corners of the body at the given poses. None may be nearer, or deeper inside, than
+// the result says.
 void requireCorners(const NeighbourClearance& row, const TriMesh& body, const Trajectory& motion,
                     const TriMesh& part, const ClearanceOptions& options) {
   double size = 1;
@@ -92,7 +92,7 @@ void requireCorners(const NeighbourClearance& row, const TriMesh& body, const Tr
   for (const Pose& pose : motion.poses) {
     size = std::max(size, pose.translation.cwiseAbs().maxCoeff());
   }
-  const double rounding = 1e-3 + 1e-9 * size;  // 1e-3: poses may be off by a drift of 1e-4
+  const double rounding = 1e-3 + 1e-9 * size;  // 1e-3: the rotation of a pose may be off by 1e-4
   const double touch = options.tolerance + row.chordError + rounding;
   const test::MeshDistance surface(part);
   const bool partIsClosed = isClosed(part);
@@ -116,21 +116,21 @@ void requireCorners(const NeighbourClearance& row, const TriMesh& body, const Tr
 void clearance(const std::uint8_t* data, std::size_t size) {
   ByteSource bytes(data, size);
   const ClearanceOptions chosen = clearanceOptions(bytes);
-  const Trajectory way = motion(bytes);
+  const Trajectory trajectory = motion(bytes);
   RunContext run;
   limit(run);
-  // Parts of kilometres with an accuracy of a hundredth of a millimetre: the run would take
-  // nearly for ever, so it is cancelled.
+  // With parts of kilometres and an accuracy of a hundredth of a millimetre, a run would take
+  // nearly for ever, so every run is cancelled after some checkpoints.
   run.cancelAtCheckpoint = bytes.chance(16) ? 1 + bytes.byte() : kMaxCheckpoints;
   const TriMesh mesh = body(bytes);
   const std::vector<ClearanceNeighbour> parts = neighbours(bytes);
-  if (wantsToSee()) {
+  if (printsInputs()) {
     std::printf("tolerance %g\n", chosen.tolerance);
-    show(way);
+    show(trajectory);
     show(mesh);
     for (const ClearanceNeighbour& part : parts) show(part.mesh);
   }
-  const ClearanceReport report = checkClearance(mesh, way, parts, chosen, run);
+  const ClearanceReport report = checkClearance(mesh, trajectory, parts, chosen, run);
   if (report.status != Status::Ok) {
     requireNamed("a clearance", report.status, report.code, report.message);
     return;
@@ -139,8 +139,8 @@ void clearance(const std::uint8_t* data, std::size_t size) {
     throw BrokenPromise("a report with holes");
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    requireRow(report.neighbours[i], way);
-    requireCorners(report.neighbours[i], mesh, way, parts[i].mesh, chosen);
+    requireRow(report.neighbours[i], trajectory);
+    requireCorners(report.neighbours[i], mesh, trajectory, parts[i].mesh, chosen);
   }
 }
 

@@ -51,7 +51,8 @@ void require(bool holds, const std::string& what, const Report& report) {
                       report.message + ")");
 }
 
-/// With a tolerance, vertices may leave the planned box by this distance.
+/// Checks a result with the status Ok. With a tolerance, vertices may leave the planned box by this
+/// distance.
 void requireOk(const Result& result, const Options& options, double tolerance) {
   const Report& report = result.report;
   require(report.code.empty() && report.message.empty(), "Ok with a complaint", report);
@@ -70,15 +71,15 @@ void requireOk(const Result& result, const Options& options, double tolerance) {
   }
 }
 
-/// A grown envelope contains the plain one, to within a cell.
-void requireGrown(const Result& grown, const TriMesh& mesh, const Trajectory& way,
+/// Checks that a grown envelope contains the plain one, to within a cell.
+void requireGrown(const Result& grown, const TriMesh& mesh, const Trajectory& trajectory,
                   Options options) {
   RunContext run;
   limit(run);
   options.offset = 0;
   options.conservative = false;
   options.cellSize = grown.report.cellSize;
-  const Result plain = compute(mesh, way, options, run);
+  const Result plain = compute(mesh, trajectory, options, run);
   if (plain.report.status != Status::Ok) return;
   const MeshCheck& check = plain.report.check;
   require(grown.report.check.volume >= check.volume - check.area * options.cellSize,
@@ -100,27 +101,27 @@ void requireFailure(const Result& result) {
 void envelope(const std::uint8_t* data, std::size_t size) {
   ByteSource bytes(data, size);
   const Options chosen = options(bytes);
-  const Trajectory way = motion(bytes);
+  const Trajectory trajectory = motion(bytes);
   RunContext run;
   limit(run);
   if (bytes.chance(16)) run.cancelAtCheckpoint = bytes.byte();
   const TriMesh mesh = body(bytes);
-  if (wantsToSee()) show(mesh, way, chosen);
-  Result result = compute(mesh, way, chosen, run);
+  if (printsInputs()) show(mesh, trajectory, chosen);
+  Result result = compute(mesh, trajectory, chosen, run);
   if (result.report.status != Status::Ok) {
     requireFailure(result);
     return;
   }
   requireOk(result, chosen, chosen.tolerance);
   if (chosen.tolerance == 0 && (chosen.offset > 0 || chosen.conservative))
-    requireGrown(result, mesh, way, chosen);
+    requireGrown(result, mesh, trajectory, chosen);
   if (result.kept == nullptr) return;
   double tolerance = std::abs(bytes.number());
   try {
     recut(result, tolerance, run);
   } catch (const Error& error) {
     requireNamed("a cut at another tolerance", error);
-    tolerance = chosen.tolerance;  // as before
+    tolerance = chosen.tolerance;  // the result has not changed
   }
   requireOk(result, chosen, tolerance);
 }
@@ -128,7 +129,7 @@ void envelope(const std::uint8_t* data, std::size_t size) {
 void preview(const std::uint8_t* data, std::size_t size) {
   ByteSource bytes(data, size);
   const Options chosen = options(bytes);
-  Trajectory way = motion(bytes);
+  Trajectory trajectory = motion(bytes);
   RunContext run;
   limit(run);
   const TriMesh mesh = body(bytes);
@@ -139,21 +140,22 @@ void preview(const std::uint8_t* data, std::size_t size) {
       RunContext call;
       limit(call);
       if (bytes.chance(16)) call.cancelAtCheckpoint = bytes.byte();
-      if (wantsToSee()) show(mesh, way, chosen);
-      const Result result = session.compute(way, call);
+      if (printsInputs()) show(mesh, trajectory, chosen);
+      const Result result = session.compute(trajectory, call);
       result.report.status == Status::Ok ? requireOk(result, chosen, 0) : requireFailure(result);
-      // What a user does in the motion editor: one pose is moved, another is added or deleted.
-      if (!way.poses.empty())
-        way.poses[bytes.byte() % way.poses.size()].translation = bytes.point();
+      // The motion is edited as in the motion editor: one pose is moved, another is added or
+      // deleted.
+      if (!trajectory.poses.empty())
+        trajectory.poses[bytes.byte() % trajectory.poses.size()].translation = bytes.point();
       if (bytes.chance(64)) {
-        Pose pose = way.poses.empty() ? Pose{} : way.poses.back();
+        Pose pose = trajectory.poses.empty() ? Pose{} : trajectory.poses.back();
         pose.timeSeconds += 1;
         pose.translation += bytes.point();
-        way.poses.push_back(pose);
-      } else if (bytes.chance(64) && !way.poses.empty()) {
-        way.poses.pop_back();
+        trajectory.poses.push_back(pose);
+      } else if (bytes.chance(64) && !trajectory.poses.empty()) {
+        trajectory.poses.pop_back();
       }
-      if (bytes.chance(128) && !chosen.conservative) session.sketch(way, call);
+      if (bytes.chance(128) && !chosen.conservative) session.sketch(trajectory, call);
     }
   } catch (const Error& error) {
     requireNamed("a preview", error);

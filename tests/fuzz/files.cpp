@@ -30,7 +30,8 @@ void motionFile(const std::uint8_t* data, std::size_t size) {
     if (motion.poses.empty()) throw BrokenPromise("a motion file without poses is taken");
     for (const Pose& pose : motion.poses) {
       if (!pose.translation.allFinite() && motion.poses.size() < 1000000) {
-        // Metres to millimetres may overflow: the trajectory check refuses that.
+        // The conversion from metres to millimetres may overflow. The trajectory check refuses such
+        // values.
         continue;
       }
       if (!pose.rotation.coeffs().allFinite()) throw BrokenPromise("a rotation is not finite");

@@ -51,10 +51,10 @@ TriMesh firstBody(ByteSource& bytes) {
   }
 }
 
-/// A few blows with a hammer.
+/// Damages the mesh in up to five places.
 void damage(TriMesh& mesh, ByteSource& bytes) {
-  const int blows = bytes.below(6);
-  for (int i = 0; i < blows; ++i) {
+  const int changes = bytes.below(6);
+  for (int i = 0; i < changes; ++i) {
     if (mesh.triangles.empty() || mesh.vertices.empty()) return;
     auto& triangle = mesh.triangles[bytes.byte() % mesh.triangles.size()];
     auto& vertex = mesh.vertices[bytes.byte() % mesh.vertices.size()];
@@ -97,8 +97,8 @@ TriMesh body(ByteSource& bytes) {
   constexpr double kScales[] = {1, 1, 1, 1, 1e-3, 1e3, 1e-9, 1e7};
   const double scale = kScales[bytes.below(8)];
   constexpr double kPlaces[] = {0, 0, 0, 0, 1, 1e6, 5e8, 1e12};
-  const double place = kPlaces[bytes.below(8)];
-  for (auto& v : mesh.vertices) v = v * scale + Eigen::Vector3d(place, -place, place / 3);
+  const double position = kPlaces[bytes.below(8)];
+  for (auto& v : mesh.vertices) v = v * scale + Eigen::Vector3d(position, -position, position / 3);
   return mesh;
 }
 
@@ -129,7 +129,7 @@ Trajectory motion(ByteSource& bytes) {
   return motion;
 }
 
-bool wantsToSee() { return std::getenv("SWEPT_FUZZ_SHOW") != nullptr; }
+bool printsInputs() { return std::getenv("SWEPT_FUZZ_SHOW") != nullptr; }
 
 void show(const Trajectory& motion) {
   std::printf("%s\n", interpolationName(motion.interpolation));

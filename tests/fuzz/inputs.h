@@ -7,13 +7,14 @@
 
 namespace swept::fuzz {
 
-/// Returns a small body, intact or damaged, near the origin or far away; mm.
+/// Returns a small body (mm), intact or damaged, near the origin or far away.
 TriMesh body(ByteSource& bytes);
-/// 0 to 6 poses.
+/// Returns a motion of 0 to 6 poses.
 Trajectory motion(ByteSource& bytes);
 
-/// SWEPT_FUZZ_SHOW=1 prints the inputs as text, to show what the bytes mean.
-bool wantsToSee();
+/// Returns whether SWEPT_FUZZ_SHOW=1 is set. Then the inputs are printed as text, to show what the
+/// bytes mean.
+bool printsInputs();
 void show(const Trajectory& motion);
 void show(const TriMesh& mesh);
 

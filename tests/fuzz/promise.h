@@ -1,4 +1,5 @@
-// What a run must keep to in the fuzzing programs, and the limits of its time and memory.
+// Checks of the results of runs in the fuzzing programs, and limits of the time and memory of the
+// runs.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,7 +17,8 @@ class BrokenPromise : public std::logic_error {
   explicit BrokenPromise(const std::string& what) : std::logic_error(what) {}
 };
 
-/// One thread, and memory for about a second: the programs look for faults, not for large grids.
+/// Sets one thread, and a memory limit for runs of about a second. The programs look for faults,
+/// not for large grids.
 void limit(RunContext& run);
 
 /// Throws BrokenPromise unless a failure has a code, a sentence and one of the allowed statuses.

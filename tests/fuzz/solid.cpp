@@ -13,7 +13,7 @@
 namespace swept::fuzz {
 namespace {
 
-constexpr std::int64_t kMaxFaces = 400;  // the kernel takes milliseconds a face here
+constexpr std::int64_t kMaxFaces = 400;  // under a fuzzer, the kernel takes milliseconds a face
 
 StepOptions stepOptions(ByteSource& bytes) {
   StepOptions options;
@@ -32,7 +32,7 @@ StepOptions stepOptions(ByteSource& bytes) {
   return options;
 }
 
-/// An envelope if there is one, otherwise the body: the writer accepts any mesh.
+/// Returns an envelope if there is one, otherwise the body. The writer accepts any mesh.
 TriMesh surface(ByteSource& bytes, RunContext& run) {
   const TriMesh mesh = body(bytes);
   if (bytes.chance(64)) return mesh;

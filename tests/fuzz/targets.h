@@ -1,7 +1,7 @@
-// What the fuzzing programs call: bytes in, nothing out. Each turns the bytes into an input, runs
-// the code under test and throws BrokenPromise when a run ends in another way than
-// docs/pipeline.md, "The promise", allows. The kept cases are run through the same functions by
-// the tests (fuzz_cases_test.cpp).
+// Functions that the fuzzing programs call: bytes in, nothing out. Each one turns the bytes into an
+// input and runs the code under test. It throws BrokenPromise if a run ends in another way than
+// docs/pipeline.md, "The promise", allows. Tests run the kept cases through the same functions
+// (fuzz_cases_test.cpp).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,19 +10,20 @@
 
 namespace swept::fuzz {
 
-/// Body, motion and options from the bytes, then compute(), and recut() where it is simplified.
+/// Makes a body, a motion and options from the bytes. Calls compute(), and recut() if the envelope
+/// is simplified.
 void envelope(const std::uint8_t* data, std::size_t size);
-/// Body and options from the bytes, then a PreviewSession while the motion is edited.
+/// Makes a body and options from the bytes, and edits the motion during a PreviewSession.
 void preview(const std::uint8_t* data, std::size_t size);
-/// The bytes as a table of poses, plain or packed, then checkTrajectory's part of compute().
+/// Reads the bytes as a table of poses, plain or packed.
 void motionFile(const std::uint8_t* data, std::size_t size);
-/// First byte: the format; the rest: a mesh file, then the body check.
+/// Reads a mesh file, whose format is given by the first byte.
 void meshFile(const std::uint8_t* data, std::size_t size);
-/// Body, motion and parts that stand still from the bytes, then checkClearance(); corners of the
-/// body at the poses are measured against the parts once more.
+/// Makes a body, a motion and parts that stand still from the bytes, and calls checkClearance().
+/// Measures corners of the body at the poses against the parts once more.
 void clearance(const std::uint8_t* data, std::size_t size);
-/// A surface (mostly an envelope) and options from the bytes, then writeSolid(). Only with
-/// OpenCASCADE.
+/// Makes a surface (mostly an envelope) and options from the bytes, and calls writeSolid(). Only
+/// with OpenCASCADE.
 void solid(const std::uint8_t* data, std::size_t size);
 
 }  // namespace swept::fuzz

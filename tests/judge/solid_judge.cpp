@@ -91,7 +91,8 @@ std::string describe(const TopoDS_Shape& shape) {
   return text.str();
 }
 
-// The settings of FreeCAD's check, TaskCheckGeometry and TopoShape::analyze.
+// Searches for faults with the settings of FreeCAD's check, TaskCheckGeometry and
+// TopoShape::analyze.
 void findFaults(const TopoDS_Shape& shape, std::size_t detailCount, JudgedSolid& judged) {
   BOPAlgo_ArgumentAnalyzer analyzer;
   analyzer.SetShape1(BRepBuilderAPI_Copy(shape).Shape());

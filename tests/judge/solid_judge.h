@@ -1,5 +1,5 @@
-// Whether a solid can be used: what FreeCAD's *Check geometry* finds with its BOP test, the largest
-// tolerances, and whether the solid can be cut out of a block.
+// Judges whether a solid can be used: what FreeCAD's *Check geometry* finds with its BOP test, the
+// largest tolerances, and whether the solid can be cut out of a block.
 // In: a STEP or BREP file, or a shape of the kernel. Out: faults by kind. Units: mm. Cost: the BOP
 // test compares all faces with one another, some milliseconds a face.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -13,7 +13,7 @@
 namespace swept::test {
 
 struct JudgedSolid {
-  bool valid = false;  ///< BRepCheck_Analyzer
+  bool valid = false;  ///< result of BRepCheck_Analyzer
   int solids = 0, faces = 0, edges = 0;
   /// Number of shapes with faults that the BOP test finds, by kind: "SelfIntersect",
   /// "InvalidCurveOnSurface", "TooSmallEdge", ... Empty: no faults.
@@ -22,18 +22,20 @@ struct JudgedSolid {
   std::vector<std::string> details;
   double edgeTolerance = 0, vertexTolerance = 0;  ///< mm: the largest ones
   double volume = 0;                              ///< mm^3
-  /// Relative difference between the volume of a block through half of the solid and the sum of
-  /// the volumes of cut and common with it. Negative: the kernel gave no result.
+  /// A block that contains half of the solid is cut by the solid and intersected with it. This is
+  /// the relative difference between the volume of the block and the sum of both results' volumes.
+  /// Negative: the kernel gave no result.
   double blockError = -1;
 };
 
-/// Throws std::runtime_error where the file cannot be read.
+/// Throws std::runtime_error if the file cannot be read.
 TopoDS_Shape readShape(const std::string& path);
 
 /// Writes a cylinder about the z axis, from z = 0, as a BREP file.
 void writeRod(double radius, double length, const std::string& path);
 
-/// detailCount: at most as many faults are described. withBlock: also cut (takes longer).
+/// detailCount: largest number of faults that are described. withBlock: also computes blockError
+/// (takes longer).
 JudgedSolid judgeSolid(const TopoDS_Shape& shape, std::size_t detailCount, bool withBlock);
 
 }  // namespace swept::test

@@ -12,7 +12,7 @@ def box(low, high):
 
 
 def prism(sides, radius, height, taper=1.0):
-    """Returns a prism round the z axis; with another taper a frustum."""
+    """Returns a prism round the z axis, or a frustum if taper is not 1."""
     angle = 2 * np.pi * np.arange(sides) / sides
     ring = np.stack([np.cos(angle), np.sin(angle)], axis=1) * radius
     low = np.column_stack([ring, np.zeros(sides)])

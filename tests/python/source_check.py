@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Checks what an envelope says of its sources against the body and the motion as they were given.
-
-Independent of the core: a point that belongs to a triangle is moved back by the pose at the named time,
-computed here, and its distance to the named triangles or edges of the body is measured. Lengths in mm.
+"""Checks the sources that an envelope reports against the body and the motion as they were given. Uses no
+code of the core: a point that belongs to a triangle is moved back by the pose at the named time, computed
+here. Then its distance to the named triangles or edges of the body is measured. Lengths in mm.
 """
 import numpy as np
 
@@ -33,8 +32,7 @@ def matrices_of(quaternions):
 
 
 def _turns(first, second):
-    """Returns the rotation vectors (n, 3) from first to second, relative to first, the shorter way
-    round."""
+    """Returns rotation vectors (n, 3): the shorter rotations from first to second, relative to first."""
     turn = np.einsum("nji,njk->nik", first, second)
     cosine = np.clip((np.trace(turn, axis1=1, axis2=2) - 1) / 2, -1, 1)
     off = np.stack(
@@ -146,7 +144,7 @@ def residuals(points, sources, body, motion):
 
 
 class Rows:
-    """Some rows of sources."""
+    """The rows of sources that an index or a mask selects."""
 
     NAMES = ("kind", "faces", "step", "time", "point")
 

@@ -11,27 +11,27 @@ from test_recut import slide
 from test_reports import report_of, validator  # noqa: F401
 
 
-def depths(points, half, way):
-    """Returns signed distances (negative inside) of points (N, 3) from the sweep of a box along `way`:
-    the largest distance from its bounding planes. The box has these half sizes and the origin as its
-    middle."""
+def depths(points, half, travel):
+    """Returns signed distances (negative inside) of points (N, 3) from the sweep of a box along `travel`: the
+    largest distance from its bounding planes. The box has these half sizes and the origin as its middle.
+    """
     planes = [sign * axis for axis in np.eye(3) for sign in (-1, 1)]
     for axis in np.eye(3):
-        across = np.cross(axis, way)
+        across = np.cross(axis, travel)
         planes += [sign * across / np.linalg.norm(across) for sign in (-1, 1)]
     planes = np.array(planes)
-    farthest = np.abs(planes) @ half + np.maximum(planes @ way, 0)
+    farthest = np.abs(planes) @ half + np.maximum(planes @ travel, 0)
     return (points @ planes.T - farthest).max(axis=1)
 
 
 @pytest.mark.parametrize("accuracy", [1.5, 0.4])
 def test_the_surface_lies_within_the_accuracy(accuracy):
-    half, way = np.array([4.0, 2.0, 1.0]), slide()[1, :3, 3]
+    half, travel = np.array([4.0, 2.0, 1.0]), slide()[1, :3, 3]
     result = sv.compute(bodies.box(-half, half), slide_motion(), accuracy=accuracy)
     bound = result.report["accuracy_bound"]
     assert 0 < bound <= accuracy
     centres = result.vertices[result.triangles].mean(axis=1)
-    off = np.abs(depths(np.vstack([result.vertices, centres]), half, way))
+    off = np.abs(depths(np.vstack([result.vertices, centres]), half, travel))
     assert off.max() <= bound
     assert result.report["simplification_deviation"] > 0
 
@@ -62,8 +62,8 @@ def test_python_refuses_an_accuracy_that_is_not_above_0(box, accuracy):
 
 
 def test_the_estimate_follows_the_accuracy(box):
-    said = sv.estimate(box, slide_motion(), accuracy=0.5, trial=False)
-    assert said["cell"] == sv.compute(box, slide_motion(), accuracy=0.5).report["cell"]
+    estimated = sv.estimate(box, slide_motion(), accuracy=0.5, trial=False)
+    assert estimated["cell"] == sv.compute(box, slide_motion(), accuracy=0.5).report["cell"]
 
 
 def test_program(report_of, inputs):  # noqa: F811

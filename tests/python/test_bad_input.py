@@ -37,7 +37,7 @@ def both(program, tmp_path):
         vertices, triangles = np.asarray(vertices, float), np.asarray(triangles, np.int64)
         try:
             report = _swept.compute(vertices, triangles, motion, **options).report
-        except _swept.Error as error:  # what is refused while arrays are read has no report
+        except _swept.Error as error:  # inputs refused while arrays are read have no report
             report = error.report or {
                 "status": error.status,
                 "code": error.code,
@@ -65,13 +65,16 @@ def both(program, tmp_path):
             ],
             capture_output=True, text=True, timeout=120,
         )  # fmt: skip
-        told = json.loads((tmp_path / "report.json").read_text())
-        assert told["status"] == report["status"], (told["message"], report["message"])
+        from_program = json.loads((tmp_path / "report.json").read_text())
+        assert from_program["status"] == report["status"], (
+            from_program["message"],
+            report["message"],
+        )
         assert (done.returncode == 0) == (report["status"] == "Ok") == output.exists()
         if report["status"] != "Ok":
-            assert done.stderr.count("\n") == 1 and told["message"] in done.stderr
+            assert done.stderr.count("\n") == 1 and from_program["message"] in done.stderr
             assert len(report["message"]) > 30, "what, where, how much, what to do"
-        run.program_code = told["code"]
+        run.program_code = from_program["code"]
         return report
 
     return run
@@ -305,8 +308,8 @@ def test_bad_input_26_plate_that_turns_often():
         _swept.compute(*plate, motion, "none", run=run, resolution=256)
     run = _swept.RunContext(memory_limit_mb=100)
     report = _swept.compute(*plate, motion, run=run, resolution=256).report
-    (said,) = [w for w in report["warnings"] if w["code"] == "ChordCapped"]
-    assert report["chord_error"] > 0.02 * report["cell"] and "memory" in said["text"]
+    (finding,) = [w for w in report["warnings"] if w["code"] == "ChordCapped"]
+    assert report["chord_error"] > 0.02 * report["cell"] and "memory" in finding["text"]
 
 
 def test_bad_input_27_out_of_memory(program, box, tmp_path):
@@ -389,9 +392,9 @@ def on_a_device(program, box, tmp_path):
 
     def run(**environment):
         environment = {**os.environ, "PYTHONPATH": os.path.dirname(_swept.__file__), **environment}
-        asked = {"env": environment, "capture_output": True, "text": True, "timeout": 120}
-        said = subprocess.run([sys.executable, "-c", ON_A_DEVICE], **asked)
-        assert said.returncode == 0, said.stderr
+        options = {"env": environment, "capture_output": True, "text": True, "timeout": 120}
+        output = subprocess.run([sys.executable, "-c", ON_A_DEVICE], **options)
+        assert output.returncode == 0, output.stderr
         _swept.write_mesh(tmp_path / "b.ply", *box)
         (tmp_path / "m.csv").write_text("0,0,0,0,0,0,0,1\n")
         reports = []
@@ -402,19 +405,19 @@ def on_a_device(program, box, tmp_path):
                     "--output", tmp_path / "o.ply", "--report", tmp_path / "r.json",
                     "--resolution", "16", "--backend", backend,
                 ],
-                **asked,
+                **options,
             )  # fmt: skip
             reports.append(json.loads((tmp_path / "r.json").read_text()))
-        return said.stdout.splitlines(), reports
+        return output.stdout.splitlines(), reports
 
     return run
 
 
 def test_bad_input_28_no_gpu(on_a_device):
     """A machine without a driver: `gpu` is refused, `auto` computes on the CPU."""
-    said, reports = on_a_device(__EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
-    assert re.match("DeviceUnavailable .*EGL", said[0]), said
-    assert said[1].strip() == "cpu"
+    output, reports = on_a_device(__EGL_VENDOR_LIBRARY_FILENAMES="/nowhere.json")
+    assert re.match("DeviceUnavailable .*EGL", output[0]), output
+    assert output[1].strip() == "cpu"
     assert reports[0]["status"] == "DeviceUnavailable" and "EGL" in reports[0]["message"]
     assert reports[1]["status"] == "Ok" and reports[1]["backend"] == "cpu"
 
@@ -428,10 +431,10 @@ def test_bad_input_28_importing_never_touches_gl():
 
 
 def test_bad_input_29_software_only(on_a_device):
-    said, reports = on_a_device(LIBGL_ALWAYS_SOFTWARE="1")
-    if said[0].startswith("DeviceUnavailable"):
-        pytest.skip(f"no software rasteriser: {said[0]}")
-    assert re.match("gpu .*llvmpipe", said[0]) and said[1].strip() == "cpu", said
+    output, reports = on_a_device(LIBGL_ALWAYS_SOFTWARE="1")
+    if output[0].startswith("DeviceUnavailable"):
+        pytest.skip(f"no software rasteriser: {output[0]}")
+    assert re.match("gpu .*llvmpipe", output[0]) and output[1].strip() == "cpu", output
     assert reports[0]["status"] == "Ok" and "llvmpipe" in reports[0]["device"]
     assert reports[1]["backend"] == "cpu"
 
@@ -531,7 +534,7 @@ def damaged(folder, *kept):
 
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 def test_bad_input_37_solid_that_reads_back_wrong(program, tmp_path, box):
-    """The file is damaged between writing and reading back: it must not replace the target."""
+    """The file is damaged between writing and reading back. It must not replace the target."""
     # Many faces, so that writing takes long enough for the header to be damaged meanwhile.
     result = _swept.compute(*box, slide(20, 9, 4), resolution=48)
     target, report = tmp_path / "o.step", tmp_path / "r.json"

@@ -113,8 +113,8 @@ def test_terminated_runs_end_with_143(folder, program, name, validator):  # noqa
     time.sleep(0.5)
     assert child.poll() is None, child.communicate()
     child.send_signal(signal.SIGTERM)
-    _, said = child.communicate(timeout=240)
-    assert child.returncode == 143 and said.startswith("swept: Cancelled"), said
+    _, errors = child.communicate(timeout=240)
+    assert child.returncode == 143 and errors.startswith("swept: Cancelled"), errors
     report = json.loads((folder / "made.json").read_text())
     validator.validate(report)
     assert report["status"] == "Cancelled"

@@ -75,12 +75,12 @@ def test_a_filter_that_would_save_most_of_the_time_is_named_and_does(box):
     foreseen = sv.estimate(box, motion, interpolation="none", resolution=48)
     useful = foreseen["useful_filter"]
     plain = sv.compute(box, motion, interpolation="none", resolution=48)
-    (said,) = [w for w in plain.report["warnings"] if w["code"] == "FilterUseful"]
-    assert f"{useful:.3g}" in said["text"]
+    (finding,) = [w for w in plain.report["warnings"] if w["code"] == "FilterUseful"]
+    assert f"{useful:.3g}" in finding["text"]
     filtered = sv.compute(box, motion, interpolation="none", resolution=48, position_filter=useful)
     assert filtered.report["refined_placements"] < plain.report["refined_placements"] / 3
     distances = np.abs(sv.distance_to_mesh(filtered.vertices, plain.mesh))
-    # The effect of the filter, the chord error, and twice the error of an exact crossing.
+    # The limit covers the effect of the filter, the chord error, and twice the error of an exact crossing.
     assert distances.max() < 2 * useful + 0.05 * plain.report["cell"]
     assert not [w for w in filtered.report["warnings"] if w["code"] == "FilterUseful"]
     assert "useful_filter" not in sv.estimate(

@@ -301,8 +301,8 @@ def test_solid_within_a_tolerance_as_large_as_the_body(box, tmp_path):
     steps, axis = np.arange(4.0), np.array([1, 2, 3]) / np.sqrt(14)
     half = 0.35 * steps[:, None]
     turns = np.hstack([np.sin(half) * axis, np.cos(half)])
-    ways = np.column_stack([1.1 * steps, 0.5 * steps, 0.3 * steps**2])
-    envelope = _swept.compute(*body, (steps, turns, ways), "screw", resolution=32)
+    shifts = np.column_stack([1.1 * steps, 0.5 * steps, 0.3 * steps**2])
+    envelope = _swept.compute(*body, (steps, turns, shifts), "screw", resolution=32)
     size = float(np.ptp(envelope.vertices, axis=0).max())
     mesh = envelope.vertices, envelope.triangles
     report = _swept.write_solid(tmp_path / "envelope.step", *mesh, tolerance=size)

@@ -67,9 +67,9 @@ def complaints(text):
         for node in ast.walk(ast.parse(source))
         if isinstance(node, ast.FunctionDef) and node.name.startswith("validate_")
     ]
-    said = []
+    messages = []
     page = types.SimpleNamespace(data=lambda: b"<html>")
-    console = types.SimpleNamespace(PrintLog=said.append, PrintError=said.append)
+    console = types.SimpleNamespace(PrintLog=messages.append, PrintError=messages.append)
     names = {
         "FreeCAD": types.SimpleNamespace(Console=console),
         "NetworkManager": types.SimpleNamespace(
@@ -86,7 +86,7 @@ def complaints(text):
         check = names[node.name]
         setattr(manager, node.name, check if alone else functools.partial(check, manager))
     manager.validate_package_xml(types.SimpleNamespace(metadata=read(text), name="it"))
-    return {line.strip(" *\n") for line in said[1:]}
+    return {line.strip(" *\n") for line in messages[1:]}
 
 
 class Record(dict):

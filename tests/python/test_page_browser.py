@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pages in a real browser, without a window: the 3D view draws, follows the slider and the rows, and nothing
-complains. Skipped where there is no chromium or the module was built without three.js.
-
-SWEPT_SCREENSHOTS=FOLDER keeps pictures of the pages, to be looked at."""
+"""Pages in a real browser, without a window: the 3D view draws, follows the slider and the rows, and no error
+is logged. Skipped where there is no chromium or the module was built without three.js. With
+SWEPT_SCREENSHOTS=FOLDER, pictures of the pages are kept, to be looked at.
+"""
 import html
 import json
 import os
@@ -132,10 +132,10 @@ def test_the_view_draws_and_follows(tmp_path, report):
     assert seen["last"]["x"] > seen["first"]["x"] + 0.05, "it has moved to the right"
     assert seen["hidden"]["blue"] < 0.1 * seen["last"]["blue"] and seen["again"] == seen["last"]
     rows = {row["name"]: row for row in seen["rows"]}
-    for told in report["neighbours"][:3]:
-        row = rows[told["name"]]
+    for neighbour in report["neighbours"][:3]:
+        row = rows[neighbour["name"]]
         assert row["chosen"] and row["yellow"] > 20, "the closest line"
-        assert float(row["now"].split()[0]) == pytest.approx(told["time_seconds"], abs=1e-3)
+        assert float(row["now"].split()[0]) == pytest.approx(neighbour["time_seconds"], abs=1e-3)
 
 
 def test_mechanisms_and_german(tmp_path):
@@ -159,8 +159,8 @@ def test_nothing_is_cut_off_on_paper(tmp_path, report):
     browse(tmp_path, page_of(report), "--no-pdf-header-footer", f"--print-to-pdf={paper}")
     text = subprocess.run(["pdftotext", "-raw", paper, "-"], capture_output=True).stdout.decode()
     words = " ".join(text.split())
-    for told in ("Below required for", "Depth", "below required", "Rules", "Settings", "Findings"):
-        assert told in words, (told, words)
+    for word in ("Below required for", "Depth", "below required", "Rules", "Settings", "Findings"):
+        assert word in words, (word, words)
     below = report["neighbours"][0]["below"][0]
     assert f"{below[1] - below[0]:.4g} s" in words and "Point at a curve" not in words
     assert shutil.which("pdftoppm") is None or room_at_the_right(tmp_path, paper) > 0

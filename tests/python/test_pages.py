@@ -96,9 +96,9 @@ def test_the_graph_shows_every_curve_and_the_required_distance(report, page):
         y for p in curves.values() for _, y in (map(float, q.split(",")) for q in p.split())
     )
     assert 0.2 * height < floor - required, "3 mm can be seen beside 37 mm"
-    told = report["neighbours"][0]["curve"]
-    assert len(points) == len(told)
-    for (_, y), (_, distance) in zip(points, told):  # below the line: too near
+    curve = report["neighbours"][0]["curve"]
+    assert len(points) == len(curve)
+    for (_, y), (_, distance) in zip(points, curve):  # below the line: too near
         assert (y >= required - 0.1) == (distance <= 3 + 0.02)
     assert points == sorted(points) and "required: 3 mm" in page
 
@@ -124,10 +124,10 @@ def test_the_scene_holds_the_shapes_and_the_motion(report, page):
     assert len(poses) == len(times) and (np.diff(times) >= 0).all()
     assert np.allclose(poses[:, 0], 20 * times, atol=1e-4)
     for row in scene["rows"]:
-        told = report["neighbours"][row["row"]]
-        assert times[row["frame"]] == told["time_seconds"]
-        assert np.allclose(poses[row["frame"], :3], told["pose"]["translation"], atol=1e-4)
-        assert row["name"] == told["name"]
+        neighbour = report["neighbours"][row["row"]]
+        assert times[row["frame"]] == neighbour["time_seconds"]
+        assert np.allclose(poses[row["frame"], :3], neighbour["pose"]["translation"], atol=1e-4)
+        assert row["name"] == neighbour["name"]
     clash = next(row for row in scene["rows"] if row["name"] == "clash")
     deepest = report["neighbours"][1]["penetration"]
     assert clash["line"] == [deepest["point"], deepest["surface"]]
@@ -244,8 +244,8 @@ def test_the_program_writes_a_page(call, inputs, bench, monkeypatch):  # noqa: F
     check_alone(page)
     assert data(page, "report") == steady(json.loads((inputs / "r.json").read_text()))
     assert "2023-11-14 22:13 UTC" in page
-    told = [row[1:] for row in cells(page, "inputs")[1:]]
-    for row, name in zip(told, ("box.ply", "slide.csv", "near.ply", "far ü.ply")):
+    rows = [row[1:] for row in cells(page, "inputs")[1:]]
+    for row, name in zip(rows, ("box.ply", "slide.csv", "near.ply", "far ü.ply")):
         content = (inputs / name).read_bytes()
         assert row == [name, f"{len(content)} bytes", hashlib.sha256(content).hexdigest()]
     again = call(*bench, "--page", "-", "--threads", 1)

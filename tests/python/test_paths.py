@@ -134,10 +134,10 @@ def test_no_way_out_ends_with_status_3(call, tmp_path):  # noqa: F811
 
 
 def test_a_motion_is_made_shorter_and_keeps_its_locked_keys():
-    way = np.array(
+    poses = np.array(
         [shift(0, 0, 60), shift(15, 0, 40), shift(3, 0.6, 20), shift(-9, 0, 9), shift(0, 0, 0)]
     )
-    motion = sv.Motion.from_matrices(way, np.arange(5.0))
+    motion = sv.Motion.from_matrices(poses, np.arange(5.0))
     report, better = sv.improve_path(PART, motion, WALLS, clearance=0.3)
     assert report["before"]["keys"] == 5 and report["kept_moves"] == 0
     assert len(better.times) == 2 and report["length"] == pytest.approx(60)
@@ -212,9 +212,8 @@ def test_neighbours_ask_for_clearances_of_their_own_and_a_watch_sees_the_way():
     report, _ = _swept.find_path(
         PART.vertices, PART.triangles, shift(0, 0, 0), rows, watch=watch, **options
     )
-    assert (
-        report["verdict"] == "found" and watch.farthest() is None
-    )  # a straight path needs no search
+    # A straight path needs no search.
+    assert report["verdict"] == "found" and watch.farthest() is None
     rows[2] = rows[2][:4] + (4.1,)
     with pytest.raises(sv.InvalidInput, match="floor"):
         _swept.find_path(PART.vertices, PART.triangles, shift(0, 0, 0), rows, **options)

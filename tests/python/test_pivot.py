@@ -98,9 +98,9 @@ def test_motions_with_a_pivot_are_values():
 @pytest.mark.parametrize("bad", [math.nan, math.inf, 1e10])
 def test_a_pivot_beyond_all_measure_is_refused(bad):
     for run in (sv.compute, sv.estimate):
-        with pytest.raises(_swept.InvalidInput, match="the pivot is") as told:
+        with pytest.raises(_swept.InvalidInput, match="the pivot is") as error:
             run(CUBE, turned_in_place(pivot=[0, bad, 0]))
-        assert told.value.code == "BadOption"
+        assert error.value.code == "BadOption"
 
 
 def test_the_program_takes_it(program, tmp_path):

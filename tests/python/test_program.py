@@ -287,10 +287,10 @@ def test_bad_input_24_and_25_interrupts_cancel_cleanly(program, shared, inputs):
     child.send_signal(signal.SIGINT)
     time.sleep(0.02)
     child.send_signal(signal.SIGINT)  # a second signal changes nothing
-    _, said = child.communicate(timeout=60)
-    assert child.returncode == 130, said
+    _, errors = child.communicate(timeout=60)
+    assert child.returncode == 130, errors
     assert time.monotonic() - start < 10
-    assert said.startswith("swept: Cancelled")
+    assert errors.startswith("swept: Cancelled")
     assert json.loads((inputs / "r.json").read_text())["status"] == "Cancelled"
     assert not (inputs / "o.ply").exists()
     assert not [name for name in os.listdir(inputs) if name.startswith(".")], "left-overs"

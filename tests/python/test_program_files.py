@@ -122,8 +122,8 @@ def test_terminated_runs_end_with_143(program, shared, inputs):  # noqa: F811
     wait_until_caught(child, signal.SIGTERM)
     time.sleep(0.3)
     child.send_signal(signal.SIGTERM)
-    _, said = child.communicate(timeout=60)
-    assert child.returncode == 143, said
+    _, errors = child.communicate(timeout=60)
+    assert child.returncode == 143, errors
     assert json.loads((inputs / "r.json").read_text())["status"] == "Cancelled"
     assert sorted(os.listdir(inputs)) == ["box.ply", "r.json", "slide.csv"]
 
@@ -173,23 +173,23 @@ def test_solids_and_meshes_from_pipes(program, inputs, box):  # noqa: F811
         "cat box.step | swept check x.step",
         "cat box.step | swept check - --format step",
     ):
-        status, said = run(line)
-        assert status == 0 and "1 solids" in said, line + said
+        status, output = run(line)
+        assert status == 0 and "1 solids" in output, line + output
     for line in (
         "swept clearance {} <(cat far.step) --motion <(cat slide.csv) -q --csv - < box.ply",
         "swept clearance {} <(cat far.ply) --motion <(cat slide.csv) -q --csv - < box.step",
         "swept clearance {} --body-format stl far.step --motion slide.csv -q --csv - < box.stl",
     ):
         for body in ("-", "/dev/stdin"):
-            status, said = run(line.format(body))
-            assert status == 0 and ",clear,40" in said, line + said
+            status, output = run(line.format(body))
+            assert status == 0 and ",clear,40" in output, line + output
     for line, says in (
         ("cat box.ply | swept check - --format step", "'-' does not begin like a STEP"),
         ("cat slide.csv | swept check -", "has no file extension"),
         ("swept check <(head -c 300 box.step)", "is not a valid STEP file"),
     ):
-        status, said = run(line)
-        assert status == 1 and says in said and "/proc/" not in said, said
+        status, output = run(line)
+        assert status == 1 and says in output and "/proc/" not in output, output
 
 
 def test_formats_of_standard_input_and_output(program, inputs):  # noqa: F811
@@ -340,15 +340,21 @@ def test_check_finds_in_the_file_what_the_report_said(call, inputs, suffix, far)
     words = envelope(inputs, f"o.{suffix}", "--resolution", 120, "--report", inputs / "r.json")
     done = call(*words)
     assert done.returncode == 0, done.stderr
-    said = json.loads((inputs / "r.json").read_text())
+    report = json.loads((inputs / "r.json").read_text())
     checked = json.loads(call("check", inputs / f"o.{suffix}", "--report", "-").stdout)
-    keys = set(said) & set(checked) - {"report_version", "command", "input", "seconds", "warnings"}
-    keys -= {"vertices"} if suffix == "stl" and said["unused_vertices"] else set()
+    keys = set(report) & set(checked) - {
+        "report_version",
+        "command",
+        "input",
+        "seconds",
+        "warnings",
+    }
+    keys -= {"vertices"} if suffix == "stl" and report["unused_vertices"] else set()
     assert {"triangles", "closed", "self_intersections", "volume", "degenerate_triangles"} <= keys
-    assert {k: said[k] for k in keys} == pytest.approx({k: checked[k] for k in keys}, rel=1e-12)
-    codes = {w["code"] for w in said["warnings"]}
+    assert {k: report[k] for k in keys} == pytest.approx({k: checked[k] for k in keys}, rel=1e-12)
+    codes = {w["code"] for w in report["warnings"]}
     assert ("SinglePrecision" in codes) == ("SinglePrecision" in done.stderr)
-    if said["self_intersections"] > 0:
+    if report["self_intersections"] > 0:
         assert call(*words, "--strict").returncode == 1
 
 

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What must hold for any body and motion, tested on random cases. Hypothesis draws them, and
-reduces the cases that fail.
+"""Properties that hold for any body and motion, tested on random cases. Hypothesis draws them, and reduces
+the cases that fail.
 
-Each test tries a few cases; with SWEPT_EXAMPLES=500 it tries 500 (.ci/properties). The cases are
-the same in every run. Volumes are compared in units of area x cell; each of two results may be off
-by 0.05.
+Each test tries a few cases; with SWEPT_EXAMPLES=500 it tries 500 (.ci/properties). The cases are the same in
+every run. Volumes are compared in units of area x cell; each of two results may be off by 0.05.
 """
 import os
 

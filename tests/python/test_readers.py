@@ -14,10 +14,10 @@ class Reader:
     """A reader that returns the same solids for every file, and records its arguments."""
 
     def __init__(self, *solids):
-        self.solids, self.asked = solids, []
+        self.solids, self.calls = solids, []
 
     def __call__(self, path, deflection, angle):
-        self.asked.append((path, deflection, angle))
+        self.calls.append((path, deflection, angle))
         return self.solids
 
 
@@ -28,15 +28,15 @@ def step(tmp_path):
     return path
 
 
-def moved(box, way):
-    return box[0] + way, box[1]
+def moved(box, shift):
+    return box[0] + shift, box[1]
 
 
 def test_the_reader_gives_the_body(box, step):
     faces = np.arange(12) // 2
     reader = Reader(("a", *box, faces), ("b", *moved(box, 100.0), faces + 6))
     body = sv.read_body(step, tolerance=0.1, angle=0.3, reader=reader)
-    assert reader.asked == [(str(step), 0.1, 0.3)]
+    assert reader.calls == [(str(step), 0.1, 0.3)]
     assert len(body.vertices) == 16 and len(body.triangles) == 24
     np.testing.assert_array_equal(body.faces, np.r_[faces, faces + 6])
     assert body.chord_error == 0.1 and body.shape is None
@@ -47,7 +47,7 @@ def test_the_reader_gives_the_body(box, step):
 def test_without_a_tolerance_the_size_is_read_first(box, step):
     reader = Reader(("a", *box, None))
     body = sv.read_body(step, resolution=100, reader=reader)
-    (_, coarse, _), (_, fine, _) = reader.asked
+    (_, coarse, _), (_, fine, _) = reader.calls
     longest = np.ptp(box[0], axis=0).max()
     assert coarse == 1 and fine == pytest.approx(0.02 * longest / 3**0.5 / 100)
     assert body.chord_error == fine and body.faces is None
@@ -57,7 +57,7 @@ def test_parts_keep_the_names_of_the_reader(box, step):
     reader = Reader(("left", *box, None), ("empty", *NOTHING, None), ("right", *box, None))
     parts = sv.read_parts(step, deflection=0.2, reader=reader)
     assert [name for name, _ in parts] == ["left", "right"]
-    assert reader.asked[0][1] == 0.2
+    assert reader.calls[0][1] == 0.2
 
 
 def test_a_mesh_file_needs_no_reader(box, tmp_path):
@@ -65,7 +65,7 @@ def test_a_mesh_file_needs_no_reader(box, tmp_path):
     sv.write_mesh(path, box)
     assert len(sv.read_body(path, reader=reader).triangles) == 12
     assert len(sv.read_parts(path, reader=reader)) == 1
-    assert not reader.asked
+    assert not reader.calls
 
 
 def test_what_a_reader_does_wrong_is_said(box, step):

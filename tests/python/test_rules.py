@@ -130,7 +130,7 @@ def test_rules_of_python_are_checked():
     assert found["neighbours"][0]["rule"] == {"required": 2.5}
 
 
-# Compares the walls that break a random mixture of rules with FCL's distances at 400 times of the
+# Random mixtures of rules: the walls that break them are compared with FCL's distances at 400 times of the
 # motion.
 def test_random_rules_against_stamps(call, inputs):  # noqa: F811
     random = np.random.default_rng(4)
@@ -142,14 +142,14 @@ def test_random_rules_against_stamps(call, inputs):  # noqa: F811
     )
     blamed = 0
     for _ in range(8):
-        words, asked = ["clearance", "body.ply", "--motion", "way.csv", "--stamp", 200], {}
+        words, rules_of = ["clearance", "body.ply", "--motion", "way.csv", "--stamp", 200], {}
         for k in range(5):
             low = np.array(
                 [random.uniform(-20, 70), random.uniform(10, 50), random.uniform(-20, 30)]
             )
             block(low, low + random.uniform(3, 12, 3)).write(str(inputs / f"n{k}.ply"))
-            asked[f"n{k}"] = float(random.uniform(0.5, 40))
-            words += [f"n{k}.ply", "--rule", f"n{k}={asked[f'n{k}']}"]
+            rules_of[f"n{k}"] = float(random.uniform(0.5, 40))
+            words += [f"n{k}.ply", "--rule", f"n{k}={rules_of[f'n{k}']}"]
         done = call(*words, "--report", "r.json", cwd=inputs)
         assert done.returncode in (0, 3), done.stderr
         stamped = {}
@@ -160,11 +160,11 @@ def test_random_rules_against_stamps(call, inputs):  # noqa: F811
         report = json.loads((inputs / "r.json").read_text())
         assert len(stamped) == 5
         for row in report["neighbours"]:
-            own = asked[row["name"]]
+            own = rules_of[row["name"]]
             if stamped[row["name"]] < own:
                 assert not row["meets_rule"], row["name"]
                 blamed += 1
-            elif stamped[row["name"]] > own + 0.5:  # stamps are 0.2 mm of travel apart
+            elif stamped[row["name"]] > own + 0.5:  # FCL's times are 0.2 mm of travel apart
                 assert row["meets_rule"], row["name"]
         assert (done.returncode == 3) == any(not row["meets_rule"] for row in report["neighbours"])
     assert 8 < blamed < 36

@@ -176,8 +176,8 @@ def test_a_promise_of_billions_takes_no_memory(program, tmp_path, name):
     body, motion = tmp_path / name, tmp_path / "m.csv"
     body.write_bytes(PROMISES[name])
     motion.write_bytes(STILL)
-    code, said, megabytes = envelope(program, tmp_path, body, motion)
-    assert code > 0 and "BadFile" in said and name in said, (code, said)
+    code, output, megabytes = envelope(program, tmp_path, body, motion)
+    assert code > 0 and "BadFile" in output and name in output, (code, output)
     assert megabytes < 100, megabytes
     assert not (tmp_path / "out.ply").exists()
 
@@ -188,8 +188,8 @@ def test_a_small_archive_of_much_takes_no_memory(program, tmp_path, text):
     body.write_bytes(BOX)
     motion.write_bytes(gzip.compress(text * ((100 << 20) // len(text)), 1))
     assert motion.stat().st_size < 4 << 20
-    code, said, megabytes = envelope(program, tmp_path, body, motion)
-    assert code > 0 and re.search("BadFile|EmptyTrajectory|ResourceLimit", said), (code, said)
+    code, output, megabytes = envelope(program, tmp_path, body, motion)
+    assert code > 0 and re.search("BadFile|EmptyTrajectory|ResourceLimit", output), (code, output)
     assert megabytes < 100, megabytes
 
 

@@ -48,9 +48,9 @@ def test_a_solid_sweeps_as_its_mesh_does(program, part, name):
     assert done.returncode == 0, done.stderr
     _, plain = envelope(program, part, "part.ply")
     assert report["volume"] == pytest.approx(plain["volume"], rel=1e-9)
-    told = report["warnings"][0]
-    assert told["code"] == "Tessellated" and "12 triangles" in told["text"]
-    assert "at most 0.02 mm" in told["text"], "0.02 of the cell of 1 mm"
+    warning = report["warnings"][0]
+    assert warning["code"] == "Tessellated" and "12 triangles" in warning["text"]
+    assert "at most 0.02 mm" in warning["text"], "0.02 of the cell of 1 mm"
     assert "Tessellated" in done.stderr
     assert "Tessellated" not in [finding["code"] for finding in plain["warnings"]]
 

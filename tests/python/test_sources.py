@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What made each triangle of an envelope, in Python and in the program, checked with independent
-arithmetic.
+"""The recorded sources of the triangles of an envelope, in Python and in the program, checked with
+independent arithmetic.
 """
 import csv
 import pickle
@@ -18,7 +18,7 @@ sys.path.insert(0, str(BUILD / "python"))
 sys.path.insert(0, str(ROOT / "python"))
 sv = pytest.importorskip("swept_volume")
 
-#: In cells: the smallest distance of crossings from lattice points.
+#: Smallest distance (cells) of crossings from lattice points.
 OFF = 1e-3
 FACES = np.repeat(np.arange(6), 2)
 
@@ -34,12 +34,12 @@ def motion():
     return sv.Motion([0, 1, 2.5], turns, [(0, 0, 0), (12, 3, 5), (20, 15, 2)])
 
 
-def wrong(sources, mesh, motion, cell):
+def wrong_fractions(sources, mesh, motion, cell):
     """Returns the fraction of wrong sources among the triangles with a source, and the fraction of
     triangles without a source."""
     body = source_check.BodyFaces(mesh.vertices, mesh.triangles, mesh.faces)
-    way = motion.times, motion.quaternions, motion.translations, motion.pivot
-    off = source_check.residuals(sources.point, sources, body, way)
+    poses = motion.times, motion.quaternions, motion.translations, motion.pivot
+    off = source_check.residuals(sources.point, sources, body, poses)
     known = sources.kind >= 0
     return np.mean(off[known] > OFF * cell), np.mean(~known)
 
@@ -55,7 +55,7 @@ def test_sources_are_true(box, motion, named, pivot):
     assert len(sources) == len(found.triangles)
     assert sources.faces.shape == (len(sources), 2) and sources.point.shape == (len(sources), 3)
     assert set(sources.kind) - {-1} == {0, 1, 2}
-    false, unknown = wrong(sources, mesh, motion, found.report["cell"])
+    false, unknown = wrong_fractions(sources, mesh, motion, found.report["cell"])
     assert false < 0.01 and unknown < 0.01
     again = pickle.loads(pickle.dumps(found))
     for name in sources.__slots__:
@@ -71,7 +71,7 @@ def test_planted_faults_are_seen(box, motion):
     def after(spoil):
         rows = source_check.Rows(found.sources, everything)
         spoil(rows)
-        return wrong(rows, mesh, motion, found.report["cell"])[0]
+        return wrong_fractions(rows, mesh, motion, found.report["cell"])[0]
 
     assert after(lambda rows: None) < 0.01
 
@@ -96,7 +96,7 @@ def test_simplified_and_cut_again(box, motion):
     fine = sv.compute(mesh, motion, resolution=64, sources=True, tolerance=0.1)
     for result in (fine, fine.recut(0.5), fine.recut(0)):
         assert len(result.sources) == len(result.triangles)
-        false, unknown = wrong(result.sources, mesh, motion, result.report["cell"])
+        false, unknown = wrong_fractions(result.sources, mesh, motion, result.report["cell"])
         assert false < 0.03 and unknown < 0.03
 
 
@@ -156,7 +156,7 @@ def test_program_writes_a_table(program, tmp_path, path, motion):
         column("time_s", float, np.nan),
         np.column_stack([column(axis, float, np.nan) for axis in "xyz"]),
     )
-    false, unknown = wrong(sources, body, motion, 1.0)
+    false, unknown = wrong_fractions(sources, body, motion, 1.0)
     assert false < 0.01 and unknown < 0.01
 
 

@@ -136,7 +136,7 @@ def test_inputs_are_told_once_and_hashed_once(light, monkeypatch):  # noqa: F811
 def test_what_may_touch_is_not_the_worst_neighbour(light):  # noqa: F811
     text = (light / "study.toml").read_text().replace('rail = "ignore"', 'rail = "contact:50"')
     (light / "study.toml").write_text(text)
-    write_motion(light / "by40.csv", 38)  # into the rail
+    write_motion(light / "by40.csv", 38)  # the box now moves into the rail
     report = sv.run_study(light / "study.toml")
     rows = {row["run"]: row for row in report["runs"]}
     assert rows["by40"]["state"] == "done" and rows["by40"]["neighbour"] == "post"
@@ -187,16 +187,16 @@ def test_threads_of_one_process_are_refused_as_well(light):  # noqa: F811
 def test_rows_are_told_as_runs_end(run, light):  # noqa: F811
     done = run("--rows", "--report", light / "all.json")
     assert done.returncode == 1
-    told = [json.loads(line) for line in done.stdout.splitlines()]
-    assert [line["done"] for line in told] == [1, 2, 3, 4] and {line["runs"] for line in told} == {
-        4
-    }
+    lines = [json.loads(line) for line in done.stdout.splitlines()]
+    assert [line["done"] for line in lines] == [1, 2, 3, 4] and {
+        line["runs"] for line in lines
+    } == {4}
     rows = json.loads((light / "all.json").read_text())["runs"]
-    assert {json.dumps(line["row"]) for line in told} == {json.dumps(row) for row in rows}
-    told = [json.loads(line) for line in run("--rows").stdout.splitlines()]
-    kept = [line["row"]["run"] for line in told if "done" not in line]
+    assert {json.dumps(line["row"]) for line in lines} == {json.dumps(row) for row in rows}
+    lines = [json.loads(line) for line in run("--rows").stdout.splitlines()]
+    kept = [line["row"]["run"] for line in lines if "done" not in line]
     assert (
-        kept == ["by30", "by40", "with b rail"] and told[3]["done"] == 4
+        kept == ["by30", "by40", "with b rail"] and lines[3]["done"] == 4
     ), "what is there comes first"
     assert run("--rows", "--report", "-").returncode == 2
 

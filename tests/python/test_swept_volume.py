@@ -41,8 +41,8 @@ def test_meshes_and_arrays_say_the_same_everywhere(box, slide, mesh, motion):
     assert outcome(sv.compute(mesh, slide, **OPTIONS)) == expected
     matrices = np.tile(np.eye(4), (2, 1, 1))
     matrices[1, 0, 3] = 50
-    for way in (matrices, ([0, 1], matrices), list(matrices), sv.Motion.from_matrices(matrices)):
-        assert outcome(sv.compute(mesh, way, **OPTIONS)) == expected
+    for given in (matrices, ([0, 1], matrices), list(matrices), sv.Motion.from_matrices(matrices)):
+        assert outcome(sv.compute(mesh, given, **OPTIONS)) == expected
     assert sv.check_mesh(mesh) == sv.check_mesh(box)
     assert sv.estimate(mesh, motion)["grid"] == sv.estimate(box, slide)["grid"]
     points = [[-5, 0, 0], [5, 10, 15]]
@@ -304,15 +304,19 @@ def test_the_example_of_a_cnc_program_runs(example, root, tmp_path):
 
 
 def test_the_example_of_an_assembly_runs(example, tmp_path):
-    said = example("assembly.py", "path.csv")
-    assert "slider and crank: clear" in said and "cover: contact" in said and "way: found" in said
+    output = example("assembly.py", "path.csv")
+    assert (
+        "slider and crank: clear" in output
+        and "cover: contact" in output
+        and "way: found" in output
+    )
     assert len(sv.read_motion(tmp_path / "path.csv").times) > 2
 
 
 def test_the_example_of_an_installation_runs(example, tmp_path):
-    said = example("installation.py", "made")
-    assert "order: motor, lid" in said and "lid and motor share" in said
-    assert "study: 1 done, nearest 1 mm" in said
+    output = example("installation.py", "made")
+    assert "order: motor, lid" in output and "lid and motor share" in output
+    assert "study: 1 done, nearest 1 mm" in output
     assert (tmp_path / "made/results/study.csv").exists()
 
 

@@ -36,7 +36,7 @@ def test_the_mesh_to_the_last_digit(box, tmp_path):
 
 
 def test_large_meshes_go_through_in_pieces(tmp_path):
-    # More text than is compressed at once.
+    # The mesh has more text than is compressed at once.
     rows = 150
     grid = np.arange(rows * rows)
     vertices = np.stack([grid % rows, grid // rows, np.sin(grid)], axis=1).astype(float)

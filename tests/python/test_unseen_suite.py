@@ -49,8 +49,8 @@ def test_volume_of_the_part():
 )
 def test_each_broken_promise_is_named(report, field, value, word):
     report[field] = value
-    (said,) = unseen_suite.broken_promises(report, 6000.0)
-    assert said.startswith(word)
+    (promise,) = unseen_suite.broken_promises(report, 6000.0)
+    assert promise.startswith(word)
 
 
 def test_a_refused_input_is_a_broken_promise(program, tmp_path):
@@ -76,7 +76,7 @@ def test_little_output_does_not_make_a_quick_run_slow():
 def test_no_drawn_cell_is_larger_than_the_part():
     fewest = []
     for case in unseen_inputs.cases(3, 60, most_triangles=300, most_poses=300):
-        part, way = np.ptp(case.mesh[0], axis=0).max(), np.ptp(case.motion[2], axis=0).max()
-        assert way / case.options["resolution"] < part
-        fewest.append(way / part)
-    assert max(fewest) > 24  # the smallest resolution would be too coarse
+        part, travel = np.ptp(case.mesh[0], axis=0).max(), np.ptp(case.motion[2], axis=0).max()
+        assert travel / case.options["resolution"] < part
+        fewest.append(travel / part)
+    assert max(fewest) > 24  # 24 cells, the smallest resolution, would be too few

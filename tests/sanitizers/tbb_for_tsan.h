@@ -1,7 +1,7 @@
-// Tells ThreadSanitizer what hands work from thread to thread inside TBB, whose library is not
-// instrumented: included before everything else in that build only (CMakeLists.txt). Work that is
-// forked sees what its caller did before, and the caller sees after the join what the work did;
-// items of one loop do not see each other, so that races between them are found.
+// Tells ThreadSanitizer in which order the threads of TBB work; TBB's library is not instrumented.
+// The build with ThreadSanitizer, and no other, includes this header before everything else
+// (CMakeLists.txt). A forked task sees what its caller did before, and after the join the caller
+// sees what the task did. Items of one loop do not see each other, so races between them are found.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -61,7 +61,8 @@ void watched_invoke(const Bodies&... bodies) {
   };
   call(watched::item(bodies)...);
 }
-// TBB's own would write the values of its parts after the item has ended, which cannot be told.
+// TBB's own parallel_reduce would write the values of its parts after the item has ended. This
+// cannot be declared to ThreadSanitizer.
 template <class Range, class Value, class Body, class Join>
 Value reduce_parts(Range range, const Value& start, const Body& body, const Join& join, int depth) {
   if (depth == 0 || !range.is_divisible()) return body(range, start);
@@ -75,7 +76,7 @@ template <class Range, class Value, class Body, class Join>
 Value watched_reduce(const Range& range, const Value& start, const Body& body, const Join& join) {
   return reduce_parts(range, start, body, join, 4);
 }
-// Its items are of TBB's own making.
+// Sorts on one thread: the tasks of TBB's parallel_sort are made inside TBB and cannot be wrapped.
 template <class Iterator, class... Less>
 void watched_sort(Iterator first, Iterator last, const Less&... less) {
   std::sort(first, last, less...);

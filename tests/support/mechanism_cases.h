@@ -15,9 +15,9 @@ namespace swept::test {
 /// stand still, and two may move as one body.
 std::vector<MechanismPart> randomMechanism(unsigned seed);
 
-/// Returns the first promise of checkMechanism() that the report breaks, or an empty text.
-/// Compares every pair with distances of FCL, at `between` times between each two poses, and
-/// measures every reported distance again at its poses.
+/// Returns the first promise of checkMechanism() that the report breaks, or an empty text. Compares
+/// every pair with distances of FCL, at `between` times between successive poses, and measures
+/// every reported distance again at its poses.
 std::string wrongWith(const std::vector<MechanismPart>& parts, const MechanismReport& report,
                       int between);
 

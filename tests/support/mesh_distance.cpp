@@ -9,10 +9,10 @@ namespace {
 
 using V3 = Eigen::Vector3d;
 
-double share(double part, double whole) { return part > 0 ? part / whole : 0; }
+double ratio(double part, double whole) { return part > 0 ? part / whole : 0; }
 
 /// Returns the nearest point of a triangle, by the region of the plane in which the projection
-/// lies. The triangle may be a line or a point.
+/// lies. The triangle may be degenerate: a line or a point.
 V3 nearestOnTriangle(const V3& p, const V3& a, const V3& b, const V3& c) {
   const V3 ab = b - a, ac = c - a, ap = p - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -21,18 +21,18 @@ V3 nearestOnTriangle(const V3& p, const V3& a, const V3& b, const V3& c) {
   const double d3 = ab.dot(bp), d4 = ac.dot(bp);
   if (d3 >= 0 && d4 <= d3) return b;
   const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + ab * share(d1, d1 - d3);
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + ab * ratio(d1, d1 - d3);
   const V3 cp = p - c;
   const double d5 = ab.dot(cp), d6 = ac.dot(cp);
   if (d6 >= 0 && d5 <= d6) return c;
   const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + ac * share(d2, d2 - d6);
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + ac * ratio(d2, d2 - d6);
   const double va = d3 * d6 - d5 * d4;
   if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    return b + (c - b) * share(d4 - d3, (d4 - d3) + (d5 - d6));
+    return b + (c - b) * ratio(d4 - d3, (d4 - d3) + (d5 - d6));
   }
   const double sum = va + vb + vc;
-  return a + ab * share(vb, sum) + ac * share(vc, sum);
+  return a + ab * ratio(vb, sum) + ac * ratio(vc, sum);
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ MeshDistance::Nearest MeshDistance::nearest(const V3& p, double limit) const {
 }
 
 bool MeshDistance::inside(const V3& p) const {
-  double sum = 0;  // of solid angles
+  double sum = 0;  // sum of solid angles
   for (const auto& tri : mesh_.triangles) {
     const V3 a = mesh_.vertices[tri[0]] - p, b = mesh_.vertices[tri[1]] - p,
              c = mesh_.vertices[tri[2]] - p;

@@ -33,16 +33,16 @@ Pose after(const Eigen::Isometry3d& frame, const Pose& pose) {
   return out;
 }
 
-// Moves the whole case to a random frame, and the part to another one, so that nothing is parallel
-// to an axis.
+// Moves the whole case to a random frame, and describes the part in another one, so that nothing is
+// parallel to an axis.
 PathCase inFrames(PathCase c, Random& random) {
   const Eigen::Isometry3d world = randomFrame(random);
-  Eigen::Isometry3d own = randomFrame(random);
-  own.translation() *= 0.1;
-  c.part = transformed(c.part, own);
+  Eigen::Isometry3d partFrame = randomFrame(random);
+  partFrame.translation() *= 0.1;
+  c.part = transformed(c.part, partFrame);
   for (TriMesh& mesh : c.neighbours) mesh = transformed(mesh, world);
   for (Pose* pose : {&c.start, &c.goal}) {
-    const Eigen::Isometry3d back = own.inverse();
+    const Eigen::Isometry3d back = partFrame.inverse();
     Pose local;
     local.rotation = (pose->rotation * Eigen::Quaterniond(back.linear())).normalized();
     local.translation = pose->rotation * back.translation() + pose->translation;
@@ -116,7 +116,7 @@ PathCase slotCase(unsigned seed) {
   append(plate, boxAt(-2, 2, -half, -s, -half, half));
   append(plate, boxAt(-2, 2, -s, s, t, half));
   append(plate, boxAt(-2, 2, -s, s, -half, -t));
-  // Closed far behind the plate; the opening is at the plate.
+  // The room is closed far behind the plate, and open at the plate.
   const TriMesh room = transformed(channelWalls(half, 4 * length, 3),
                                    placement({0, 0, 1}, 0, {-4 * length - 2, 0, 0}));
   c.neighbours = {plate, room};
@@ -144,7 +144,7 @@ PathCase hookCase(unsigned seed) {
   append(hook, boxAt(s, s + 3, -s, s + 3, -3, 3));
   append(hook, boxAt(-s, -0.4 * r, s, s + 3, -3, 3));
   c.part = hook;
-  // The bar is flat: it passes the opening only on its narrow side.
+  // The bar is flat: only its narrow side passes the opening of the hook.
   const double flat = 0.5 * (s + 0.4 * r) - 0.5 * gap;
   TriMesh bar;
   append(bar, boxAt(-r, r, -flat, flat, -25, 25));
@@ -365,7 +365,7 @@ PathCase nutCase(unsigned seed) {
   Random random(seed);
   PathCase c;
   c.name = "nut";
-  // A round ring on a round shaft of three pieces with bends of some thirty degrees.
+  // A round ring on a round shaft of three pieces, with bends of 25 to 40 degrees.
   const double r = random.number(1.5, 2.5), hole = r + random.number(1, 1.5);
   c.part = makeTorus(hole + 1.5, 1.5, 32, 12);
   const double bend = random.number(25, 40);

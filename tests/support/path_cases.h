@@ -13,20 +13,20 @@ namespace swept::test {
 
 struct PathCase {
   std::string name;
-  TriMesh part;  ///< in a frame of its own
+  TriMesh part;  ///< in its own coordinate system
   Pose start, goal;
   std::vector<TriMesh> neighbours;
   double clearance = 0;
   double release = 0;
   bool possible = true;    ///< a path exists
-  bool needsTurn = false;  ///< none without turning
+  bool needsTurn = false;  ///< no path exists without turning
 };
 
 /// A peg deep in a square channel that is open at one end.
 PathCase channelCase(unsigned seed);
 /// A block in a tunnel with one corner.
 PathCase cornerCase(unsigned seed);
-/// A bar lies across behind a plate with a slot: it must turn to get out.
+/// A bar lies behind a plate with a slot, across the slot. It must turn to get out.
 PathCase slotCase(unsigned seed);
 /// A hook around a bar: it gets out by turning and shifting at the same time.
 PathCase hookCase(unsigned seed);
@@ -49,7 +49,7 @@ PathCase pathCase(unsigned number);
 PathCase keyCase(unsigned seed);
 /// A square ring over a rod with two right bends.
 PathCase ringCase(unsigned seed);
-/// A handle (U) that has to be threaded through a window.
+/// A U-shaped handle that has to be threaded through a window.
 PathCase handleCase(unsigned seed);
 /// A pin with a head in a keyhole.
 PathCase keyholeCase(unsigned seed);
@@ -62,7 +62,7 @@ PathCase drawerCase(unsigned seed);
 /// A block in a bay, under a beam.
 PathCase engineCase(unsigned seed);
 
-/// Returns a case of the kinds from the key on. Successive numbers go through all kinds.
+/// Returns a case of one of the kinds from keyCase() on. Successive numbers go through these kinds.
 PathCase hardPathCase(unsigned number);
 
 }  // namespace swept::test

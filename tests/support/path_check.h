@@ -1,4 +1,4 @@
-// Checks from its keys alone whether a path keeps what was promised.
+// Checks a path against the promises of the search, from its key poses alone.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -1,5 +1,5 @@
-// Functions of the operating system that tests need and base/system.h does not have. No other
-// file of the tests calls POSIX. available() says whether the system has them.
+// Functions of the operating system that tests need and base/system.h does not have. No other file
+// of the tests calls POSIX. available() says whether the system supports a class.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -39,8 +39,8 @@ class FileModeMask {
   [[maybe_unused]] unsigned old_ = 0;
 };
 
-/// Memory that the process gets and returns at once, whatever the allocator keeps. (Under
-/// AddressSanitizer, freed memory stays resident for a while.)
+/// Memory that is taken directly from the system, without the allocator, and given back at once by
+/// the destructor. (Under AddressSanitizer, freed memory stays resident for a while.)
 class ResidentPages {
  public:
   explicit ResidentPages(std::size_t bytes);  ///< throws std::bad_alloc

@@ -30,8 +30,8 @@ double distanceToPiece(const ProfilePiece& piece, const V2& p) {
   return std::min((p - piece.from).norm(), (p - piece.to).norm());
 }
 
-/// Returns the angle through which the piece turns as seen from p: that of its chord, plus a full
-/// turn for a point between chord and arc.
+/// Returns the signed angle (rad) under which the piece is seen from p: that of its chord, plus or
+/// minus a full turn if p lies between chord and arc.
 double turnSeenFrom(const ProfilePiece& piece, const V2& p) {
   const V2 a = piece.from - p, b = piece.to - p;
   double turn = (a - b).norm() > 1e-12 ? std::atan2(cross(a, b), a.dot(b)) : 0;

@@ -32,7 +32,8 @@ class Profile {
   /// Returns the corners at which the direction changes by more than 10 degrees.
   std::vector<Eigen::Vector2d> corners() const;
 
-  /// Fills distance, surface, creases, volume and area with those of the prism from z0 to z1.
+  /// Sets distance, surface, creases, volume and area of `truth` to those of the prism from z0 to
+  /// z1.
   void extrude(double z0, double z1, double spacing, Truth& truth) const;
 
  private:

@@ -9,12 +9,12 @@
 namespace swept::test {
 
 /// Returns a box, ball, cylinder, torus, square ring or two overlapping ones of these, turned by
-/// odd angles.
+/// random angles.
 TriMesh randomBody(std::mt19937& random);
-/// Returns a motion of two to four poses: turns up to 100 degrees a step, travel up to the size of
-/// the bodies, any of the interpolations none, linear and screw.
+/// Returns a motion of two to four poses. A step turns by up to 100 degrees and travels up to the
+/// size of the bodies. The interpolation is none, linear or screw.
 Trajectory randomMotion(std::mt19937& random);
-/// Rotation and translation of any size.
+/// Returns a random rotation and translation.
 Eigen::Isometry3d randomFrame(std::mt19937& random);
 /// Returns the same mesh with vertices and triangles in another order.
 TriMesh shuffled(const TriMesh& mesh, std::mt19937& random);

@@ -8,12 +8,13 @@
 
 namespace swept::test {
 
-// The distributions of the standard library differ between systems. The next two give the numbers
-// of GNU's: two draws for a fraction, and the upper half of a product for an integer.
+// The distributions of the standard library differ between systems. The next two functions return
+// the numbers of GNU's library: a fraction from two draws, an integer from the upper half of a
+// product.
 
 /// Returns a number from low (inclusive) to high.
 inline double uniform(std::mt19937& random, double low, double high) {
-  constexpr double kDraws = 4294967296.0;  // of the generator: 2^32
+  constexpr double kDraws = 4294967296.0;  // number of values that the generator can draw: 2^32
   const auto first = static_cast<double>(random());
   const auto second = static_cast<double>(random());
   return (first + second * kDraws) / (kDraws * kDraws) * (high - low) + low;
@@ -21,7 +22,8 @@ inline double uniform(std::mt19937& random, double low, double high) {
 
 /// Returns an integer from 0 to count - 1.
 inline int uniformBelow(std::uint32_t count, std::mt19937& random) {
-  const std::uint32_t uneven = -count % count;  // draws below it would prefer some results
+  // Draws below `uneven` would make some results more likely.
+  const std::uint32_t uneven = -count % count;
   std::uint64_t product = 0;
   do {
     product = static_cast<std::uint64_t>(random()) * count;

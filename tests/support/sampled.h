@@ -1,6 +1,7 @@
-// How many cases of a long series a test takes: all, or a part of them under sanitizers. Under a
-// sanitizer a run is ten times slower, and the code that runs matters more than the number of
-// cases. Some series are so long that only the variable SWEPT_LONG_TESTS runs them completely.
+// Number of cases that a test takes from a long series: all, or a fraction of them under
+// sanitizers. Under a sanitizer a test is ten times slower, and which code runs matters more than
+// how many cases. Some series are so long that they run completely only if the variable
+// SWEPT_LONG_TESTS is set.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

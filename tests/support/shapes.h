@@ -17,7 +17,7 @@ TriMesh makeBall(const Eigen::Vector3d& centre, double radius, int levels);
 TriMesh makeCylinder(double radius, double z0, double z1, int sides);
 /// Returns a square ring: outer half width `outer`, inner half width `inner`, from z0 to z1.
 TriMesh makeSquareRing(double outer, double inner, double z0, double z1);
-/// Returns a torus round the z axis.
+/// Returns a torus round the z axis, with around x across vertices.
 TriMesh makeTorus(double ringRadius, double tubeRadius, int around, int across);
 
 void append(TriMesh& mesh, const TriMesh& other);

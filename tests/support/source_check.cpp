@@ -28,9 +28,9 @@ struct ByPlace {
 };
 
 double distanceToSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d way = b - a;
-  const double part = std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-  return (p - a - part * way).norm();
+  const Vector3d edge = b - a;
+  const double fraction = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+  return (p - a - fraction * edge).norm();
 }
 
 /// The faces of a body and the edges between them. Vertices at the same position count as one; of

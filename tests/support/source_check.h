@@ -8,11 +8,11 @@
 
 namespace swept::test {
 
-/// Returns a distance (mm) for each triangle of the envelope. The point of its source is moved
-/// back by the pose at the named time. The distance is that of this point from the named faces,
-/// or from the edge between them. It is infinite if the body has no such face or edge, or if the
-/// time does not belong to the step, and -1 if there is no source. body: an empty faceOf means
-/// that each triangle is a face.
+/// Returns a distance (mm) for each triangle of the envelope. The point of the triangle's source is
+/// moved back by the pose at the source's time. The distance is that of the moved point from the
+/// source's faces, or from the edge between them. It is infinite if the body has no such face or
+/// edge, or if the time does not belong to the step, and -1 if there is no source. body: an empty
+/// faceOf means that each triangle is a face.
 std::vector<double> sourceDistances(const TriMesh& body, const Trajectory& motion,
                                     const Sources& sources);
 

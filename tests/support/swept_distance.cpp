@@ -127,7 +127,7 @@ SweptDistance::Contact SweptDistance::contact(const V3& x) const {
   double bestTime = 0;
   double best = 1e300;
   std::vector<double> candidates;  // middles of finest intervals
-  auto look = [&](double time) {
+  auto evaluate = [&](double time) {
     const Sample sample = sampleAt(time, x, 1e300);
     if (sample.distance < best) {
       best = sample.distance;
@@ -135,10 +135,10 @@ SweptDistance::Contact SweptDistance::contact(const V3& x) const {
     }
     return sample.distance;
   };
-  std::vector<std::pair<double, double>> finest;  // distance, time
+  std::vector<std::pair<double, double>> finest;  // samples: distance, time
   std::vector<double> halves;
   for (std::size_t i = 0; i < poses_.size(); ++i) {
-    finest.emplace_back(look(static_cast<double>(i)), static_cast<double>(i));
+    finest.emplace_back(evaluate(static_cast<double>(i)), static_cast<double>(i));
     halves.push_back(0);
   }
   if (continuous_) {
@@ -162,7 +162,7 @@ SweptDistance::Contact SweptDistance::contact(const V3& x) const {
                            a.rotation.angularDistance(b.rotation) * reach;  // mm per step
       const double middle = (interval.from + interval.to) / 2;
       const double half = (interval.to - interval.from) / 2;
-      const double distance = look(middle);
+      const double distance = evaluate(middle);
       const double least = distance - speed * half;
       if (least > best) continue;
       if (2 * speed * half <= finest_) {
@@ -191,18 +191,18 @@ SweptDistance::Contact SweptDistance::contact(const V3& x) const {
       done.push_back(centre);
       double low = std::max(0.0, centre - half), high = std::min(lastTime(), centre + half);
       double p = high - ratio * (high - low), q = low + ratio * (high - low);
-      double dp = look(p), dq = look(q);
+      double dp = evaluate(p), dq = evaluate(q);
       for (int k = 0; k < 18; ++k) {
         if (dp < dq) {
           high = q;
           q = p;
           dq = dp;
-          dp = look(p = high - ratio * (high - low));
+          dp = evaluate(p = high - ratio * (high - low));
         } else {
           low = p;
           p = q;
           dp = dq;
-          dq = look(q = low + ratio * (high - low));
+          dq = evaluate(q = low + ratio * (high - low));
         }
       }
     }
@@ -221,18 +221,19 @@ SweptDistance::Contact SweptDistance::contact(const V3& x) const {
     contact.normals.push_back(here.linear() * faceNormals_[index]);
     return contact;
   }
-  std::vector<V3> ways;
+  std::vector<V3> velocities;
   if (continuous_) {
-    if (bestTime > 1e-4) ways.push_back(velocity(bestTime, contact.point, true));
-    if (bestTime < lastTime() - 1e-4) ways.push_back(velocity(bestTime, contact.point, false));
+    if (bestTime > 1e-4) velocities.push_back(velocity(bestTime, contact.point, true));
+    if (bestTime < lastTime() - 1e-4)
+      velocities.push_back(velocity(bestTime, contact.point, false));
   }
   if (feature == 1) {
     const Edge& edge = edges_[index];
     const V3 along =
         here.linear() * (tree_.mesh().vertices[edge.b] - tree_.mesh().vertices[edge.a]);
-    for (const V3& way : ways) {
-      V3 n = along.cross(way);
-      if (n.norm() < 1e-6 * along.norm() * way.norm()) continue;
+    for (const V3& v : velocities) {
+      V3 n = along.cross(v);
+      if (n.norm() < 1e-6 * along.norm() * v.norm()) continue;
       n.normalize();
       contact.normals.push_back(n.dot(outward) < 0 ? V3(-n) : n);
     }
@@ -249,10 +250,9 @@ SweptDistance::Contact SweptDistance::contact(const V3& x) const {
     if (tri[0] != index && tri[1] != index && tri[2] != index) continue;
     contact.normals.push_back(here.linear() * faceNormals_[t]);
   }
-  for (const V3& way : ways) {
-    if (way.norm() > 0) {
-      contact.normals.push_back(
-          (outward - outward.dot(way) / way.squaredNorm() * way).normalized());
+  for (const V3& v : velocities) {
+    if (v.norm() > 0) {
+      contact.normals.push_back((outward - outward.dot(v) / v.squaredNorm() * v).normalized());
     }
   }
   return contact;

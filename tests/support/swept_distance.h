@@ -20,8 +20,8 @@ class SweptDistance {
   SweptDistance(const TriMesh& closedBody, const Trajectory& trajectory, double finest);
 
   struct Contact {
-    double distance = 0;             ///< outside exact; inside negative, a lower bound of the depth
-    double time = 0;                 ///< in keys: 2.5 is half way from pose 2 to pose 3
+    double distance = 0;             ///< outside: exact; inside: minus a lower bound of the depth
+    double time = 0;                 ///< in steps: 2.5 is half way from pose 2 to pose 3
     Eigen::Vector3d point{0, 0, 0};  ///< nearest point of the posed body
     std::vector<Eigen::Vector3d> normals;  ///< possible normals of the envelope there
   };
@@ -31,8 +31,8 @@ class SweptDistance {
   Eigen::Isometry3d placement(double time) const;
   bool isUnion() const { return !continuous_; }
   double lastTime() const { return static_cast<double>(poses_.size() - 1); }
-  /// Returns the velocity (mm per pose step) of the point that is at x at this time, just before
-  /// or after it.
+  /// Returns the velocity (mm per step) of the point that is at x at this time, just before or just
+  /// after this time.
   Eigen::Vector3d velocity(double time, const Eigen::Vector3d& x, bool before) const;
 
   struct Edge {
@@ -57,7 +57,8 @@ class SweptDistance {
   bool continuous_;
   double finest_;
   std::vector<Edge> edges_;
-  std::vector<std::array<std::int32_t, 3>> edgesOf_;  ///< of a triangle: edge k from corner k
+  /// For each triangle: its edge k starts at its corner k.
+  std::vector<std::array<std::int32_t, 3>> edgesOf_;
   std::vector<Eigen::Vector3d> faceNormals_, vertexNormals_;
 };
 

@@ -19,7 +19,7 @@ class TemporaryFolder {
     const bool memory = std::filesystem::exists("/dev/shm");  // faster for thousands of small files
     const std::filesystem::path parent =
         memory ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path();
-    do {  // a process that was killed leaves its folders, and its number may come again
+    do {  // a process that was killed leaves its folders, and a later one may get its number
       path_ = parent /
               ("swept-test-" + std::to_string(os::processId()) + "-" + std::to_string(counter++));
     } while (!std::filesystem::create_directory(path_));

@@ -25,8 +25,8 @@ Trajectory keys(const std::vector<Eigen::Isometry3d>& placements,
   return motion;
 }
 
-Trajectory alongLine(const V3& way) {
-  return keys({placement({0, 0, 1}, 0, {0, 0, 0}), placement({0, 0, 1}, 0, way)});
+Trajectory alongLine(const V3& travel) {
+  return keys({placement({0, 0, 1}, 0, {0, 0, 0}), placement({0, 0, 1}, 0, travel)});
 }
 
 /// Returns evenly spread directions (golden-angle spiral).
@@ -45,19 +45,19 @@ Truth ballAlongLine() {
   Truth truth;
   truth.name = "ball_along_line";
   const double r = 3;
-  const V3 a(0, 0, 0), way(7, 4, 2);
+  const V3 a(0, 0, 0), travel(7, 4, 2);
   truth.body = makeBall(a, r, kBallLevels);
-  truth.motion = alongLine(way);
+  truth.motion = alongLine(travel);
   truth.distance = [=](const V3& p) {
-    const double t = std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    return std::abs((p - a - t * way).norm() - r);
+    const double t = std::clamp((p - a).dot(travel) / travel.squaredNorm(), 0.0, 1.0);
+    return std::abs((p - a - t * travel).norm() - r);
   };
-  truth.volume = 4.0 / 3 * M_PI * r * r * r + M_PI * r * r * way.norm();
-  truth.area = 4 * M_PI * r * r + 2 * M_PI * r * way.norm();
+  truth.volume = 4.0 / 3 * M_PI * r * r * r + M_PI * r * r * travel.norm();
+  truth.area = 4 * M_PI * r * r + 2 * M_PI * r * travel.norm();
   for (const V3& d : directions(2000)) {
-    truth.surface.push_back(d.dot(way) < 0 ? V3(a + r * d) : V3(a + way + r * d));
-    const V3 side = (d - d.dot(way) / way.squaredNorm() * way).normalized();
-    truth.surface.push_back(a + 0.5 * (d.x() + 1) * way + r * side);
+    truth.surface.push_back(d.dot(travel) < 0 ? V3(a + r * d) : V3(a + travel + r * d));
+    const V3 side = (d - d.dot(travel) / travel.squaredNorm() * travel).normalized();
+    truth.surface.push_back(a + 0.5 * (d.x() + 1) * travel + r * side);
   }
   return truth;
 }
@@ -66,16 +66,16 @@ Truth ballAlongLine() {
 Truth boxAlongLine() {
   Truth truth;
   truth.name = "box_along_line";
-  const V3 half(2, 1.5, 1), way(4.1, 2.7, 3.3);
+  const V3 half(2, 1.5, 1), travel(4.1, 2.7, 3.3);
   truth.body = makeBox(-half, half);
-  truth.motion = alongLine(way);
-  const V3 g[4] = {V3(half.x(), 0, 0), V3(0, half.y(), 0), V3(0, 0, half.z()), way / 2};
+  truth.motion = alongLine(travel);
+  const V3 g[4] = {V3(half.x(), 0, 0), V3(0, half.y(), 0), V3(0, 0, half.z()), travel / 2};
   TriMesh hull;
   for (int i = 0; i < 4; ++i) {
     for (int j = i + 1; j < 4; ++j) {
       const V3 n = g[i].cross(g[j]);
       for (const double sign : {1.0, -1.0}) {
-        V3 middle = way / 2;
+        V3 middle = travel / 2;
         for (int k = 0; k < 4; ++k) {
           if (k != i && k != j) middle += (sign * n.dot(g[k]) > 0 ? 1 : -1) * g[k];
         }
@@ -189,7 +189,8 @@ Truth ringAcrossAxis() {
 Truth helixOfBall() {
   Truth truth;
   truth.name = "helix_of_ball";
-  const double ring = 4, r = 1.1, turns = 1.5, rise = 4 * turns;  // pitch 4, above two radii
+  // The pitch of 4 is larger than the diameter of the ball.
+  const double ring = 4, r = 1.1, turns = 1.5, rise = 4 * turns;
   truth.body = makeBall({ring, 0, 0}, r, kBallLevels);
   std::vector<Eigen::Isometry3d> placements;
   for (int i = 0; i <= 6; ++i) {
@@ -222,8 +223,8 @@ Truth helixOfBall() {
   truth.area = 2 * M_PI * r * length + 4 * M_PI * r * r;
   for (int i = 0; i <= 120; ++i) {
     const double t = i / 120.0;
-    const V3 way = (at(std::min(1.0, t + 1e-6)) - at(std::max(0.0, t - 1e-6))).normalized();
-    const V3 u = way.cross(V3::UnitZ()).normalized(), v = way.cross(u);
+    const V3 tangent = (at(std::min(1.0, t + 1e-6)) - at(std::max(0.0, t - 1e-6))).normalized();
+    const V3 u = tangent.cross(V3::UnitZ()).normalized(), v = tangent.cross(u);
     for (int j = 0; j < 24; ++j) {
       const double angle = 2 * M_PI * j / 24;
       truth.surface.push_back(at(t) + r * (std::cos(angle) * u + std::sin(angle) * v));

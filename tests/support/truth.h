@@ -1,6 +1,6 @@
 // Sweeps whose envelope is known in closed form.
 // A Truth consists of the moving body, its motion, the distance of any point to the true envelope,
-// points on it and on its creases, its volume and its area. Units mm.
+// points on the envelope and on its creases, and the volume and area of the envelope. Units mm.
 //
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -22,7 +22,7 @@ struct Truth {
   std::vector<Eigen::Vector3d> creases;                    ///< points on its sharp edges
   double volume = 0;
   double area = 0;
-  double thickness = 0;  ///< thinnest wall of the envelope, where that is what the case is about
+  double thickness = 0;  ///< thinnest wall of the envelope, in cases of thin walls
 };
 
 /// Returns all cases: ball along a line, box along a line in general direction, box turning about
@@ -30,7 +30,8 @@ struct Truth {
 /// axis and across it (two cases), ball on a helix, motion with two equal keys, body with a sealed
 /// cavity.
 std::vector<Truth> allTruths();
-/// Plates of the given thickness: moved in their plane, across it, and turned in their plane.
+/// Returns sweeps of plates of this thickness: moved in their plane, moved across it, and turned in
+/// it.
 std::vector<Truth> thinPlates(double thickness);
 
 /// Returns the same sweep in another coordinate system.

@@ -19,7 +19,7 @@ MEASURED = 100
 
 
 def slerp(a, b, s):
-    """Interpolates between the rows of a and b (unit quaternions), on the shorter way."""
+    """Interpolates between the rows of a and b (unit quaternions), along the shorter arc."""
     dot = np.sum(a * b, axis=1, keepdims=True)
     b = np.where(dot < 0, -b, b)
     angle = np.arccos(np.clip(np.abs(dot), 0, 1))

@@ -23,7 +23,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from mesh_picture import INNER, Picture  # noqa: E402
 from shared_data import FOLDER  # noqa: E402
 
-WAYS = ("dc", "dmc", "equivalence", "greedy", "consistent")
+METHODS = ("dc", "dmc", "equivalence", "greedy", "consistent")
 POINTS = 60000
 FAR = 0.5  # cells
 FINER = 4
@@ -145,16 +145,16 @@ def closed(vertices, triangles):
 class Comparison:
     """The envelopes of one body, made by some of the five methods. `size`: resolution=cells or cell=mm."""
 
-    def __init__(self, swept, file, unit, ways, **size):
+    def __init__(self, swept, file, unit, methods, **size):
         self.swept = swept
         mesh = swept.read_mesh(str(FOLDER / "meshes" / file), unit)
         self.mesh = closed(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
-        self.envelopes = {way: self.envelope(way, **size) for way in ways}
-        self.cell = self.envelopes[ways[0]].report["cell"]
+        self.envelopes = {method: self.envelope(method, **size) for method in methods}
+        self.cell = self.envelopes[methods[0]].report["cell"]
         self.fine = self.envelope("consistent", cell=self.cell / FINER)
 
-    def envelope(self, way, **size):
-        made = self.swept.compute(*self.mesh, np.eye(4)[None], components=way, **size)
+    def envelope(self, method, **size):
+        made = self.swept.compute(*self.mesh, np.eye(4)[None], components=method, **size)
         return Envelope(np.asarray(made.vertices), np.asarray(made.triangles), made.report)
 
     def distance(self, points, mesh):
@@ -165,41 +165,40 @@ class Comparison:
         """Returns those of the body's points that lie on its outer surface."""
         return points[self.distance(points, self.fine) <= 0.5 / FINER]
 
-    def far(self, way, count):
+    def far(self, method, count):
         """Returns (distances, lost points, filled points) of `count` points of the body's outer
         surface."""
         points = self.outer(spread(*self.mesh, count))
-        distances = self.distance(points, self.envelopes[way])
+        distances = self.distance(points, self.envelopes[method])
         points = points[distances > FAR]
-        filled = inside(points, self.envelopes[way])
+        filled = inside(points, self.envelopes[method])
         return distances, points[~filled], points[filled]
 
-    def row(self, way):
-        made = self.envelopes[way]
+    def row(self, method):
+        made = self.envelopes[method]
         report = made.report
         forth = self.distance(spread(made.vertices, made.triangles, POINTS), self.mesh)
-        back, *far = self.far(way, POINTS)
+        back, *far = self.far(method, POINTS)
         figures = [f"{np.quantile(d, 0.99):.3f} / {d.max():.2f}" for d in (forth, back)]
         shares = [f"{100 * len(points) / len(back):.2f} %" for points in far]
         bad = f"{report['non_manifold_edges']} / {report['non_manifold_vertices']}"
         counts = [report["open_edges"], bad, report["self_intersections"]]
-        return (way, f"{report['triangles']:,}", *counts, *figures, *shares)
+        return (method, f"{report['triangles']:,}", *counts, *figures, *shares)
 
-    def marks(self, way):
+    def marks(self, method):
         """Returns the ends of open edges, the ends of non-manifold edges, and the lost points of
         the body's outer surface."""
-        made = self.envelopes[way]
+        made = self.envelopes[method]
         ends = [made.vertices[e] for e in edges_by_use(made.triangles, len(made.vertices))]
-        return (*ends, self.far(way, 2 * POINTS)[1])
+        return (*ends, self.far(method, 2 * POINTS)[1])
 
-    def panel(self, body, way, marks):
-        """Draws the body, or an envelope with its marks, in the body's window. Returns the
-        pixels."""
+    def panel(self, body, method, marks):
+        """Draws the body, or an envelope with its marks, in the view of `body`. Returns the pixels."""
         picture = Picture(body.panel, body.centre, body.toward, body.up, body.width)
-        if way not in self.envelopes:
+        if method not in self.envelopes:
             picture.fill(*self.mesh)
             return picture.array()
-        draw_net(picture, *self.envelopes[way][:2])
+        draw_net(picture, *self.envelopes[method][:2])
         alone, many, lost = marks
         picture.dots(lost, RED, 1.5, 1)
         picture.lines(*many.transpose(1, 0, 2), ORANGE, 2, 4)
@@ -286,13 +285,16 @@ def main():
         return simplified(_swept, arguments.pictures)
     for name in arguments.body:
         body = BODIES[name]
-        comparison = Comparison(_swept, body.file, body.unit, WAYS, resolution=body.cells)
-        for way in WAYS:
-            show(f"{body.title}, {body.cells}" if way == WAYS[0] else "", *comparison.row(way))
+        comparison = Comparison(_swept, body.file, body.unit, METHODS, resolution=body.cells)
+        for method in METHODS:
+            show(
+                f"{body.title}, {body.cells}" if method == METHODS[0] else "",
+                *comparison.row(method),
+            )
         if arguments.pictures:
             panels = {"body": comparison.panel(body, "body", None)}
-            for way in WAYS:
-                panels[way] = comparison.panel(body, way, comparison.marks(way))
+            for method in METHODS:
+                panels[method] = comparison.panel(body, method, comparison.marks(method))
             write(panels, body.columns, MARKS, arguments.pictures / f"components_{name}.png")
 
 

@@ -207,30 +207,30 @@ def main():
     parser.add_argument("--only", action="append", default=[])
     parser.add_argument("--store", default=str(ROOT / "out/corpus.jsonl"))
     parser.add_argument("--serve", action="store_true", help=argparse.SUPPRESS)
-    wish = parser.parse_args()
-    if wish.serve:
-        return serve(wish.build)
+    options = parser.parse_args()
+    if options.serve:
+        return serve(options.build)
     if not FOLDER.exists():
         print("shared test data not found: {}".format(FOLDER))
         return 0
-    store = pathlib.Path(wish.store)
+    store = pathlib.Path(options.store)
     store.parent.mkdir(exist_ok=True)
     key = ("body", "motion", "resolution")
     stored = [json.loads(line) for line in store.open()] if store.exists() else []
     done = {tuple(r[k] for k in key): r for r in stored}
     results = list(done.values())
-    resolutions = wish.resolution or [64, 128]
+    resolutions = options.resolution or [64, 128]
     jobs = [
         {"body": name, "family": family, "valid": valid, "motion": motion, "resolution": r}
         for name, family, valid, _ in corpus_bodies.all_bodies(None)
         for motion in MOTIONS
         for r in resolutions
-        if not wish.only or any(word in name for word in wish.only)
+        if not options.only or any(word in name for word in options.only)
     ]
     bodies = len({job["body"] for job in jobs})
     print(f"{bodies} bodies, {len(jobs)} runs, {len(done)} stored in {store}", flush=True)
     jobs = one_of_each_first(jobs, resolutions)
-    child, end = Child(wish.build), time.time() + wish.seconds
+    child, end = Child(options.build), time.time() + options.seconds
     with store.open("a") as file:
         for job in jobs:
             if time.time() > end:

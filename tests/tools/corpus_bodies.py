@@ -19,7 +19,7 @@ CLOSED = (
 
 
 def solid(rng):
-    """Returns a box, prism, torus or ball, or two of them, turned by odd angles; 1 to 5 mm."""
+    """Returns a box, prism, torus or ball, or two of them, turned by random angles; 1 to 5 mm."""
 
     def piece():
         kind = rng.integers(4)
@@ -88,8 +88,9 @@ def mixed(rng, body):
 
 
 def touching(rng, body):
-    """Returns two boxes that share an edge or a corner, including its vertices, and a third body
-    apart."""
+    """Returns two boxes that share an edge or a corner and its vertices, and a third body that touches
+    neither.
+    """
     first = box((0, 0, 0), (1, 1, 1))
     shift = np.array([1, 1, 0]) if rng.random() < 0.5 else np.array([1, 1, 1])
     v, t = joined(first, (first[0] + shift, first[1]), moved(body, frame((0, 0, 1), 0, (9, 0, 0))))
@@ -155,7 +156,8 @@ def any_cell(rng, body):
     return body
 
 
-#: Row of the table or a word, the change to a body, and whether the result is a valid solid.
+#: Name, which begins with the row of the table of bad input (or 00); change to a body; whether the result is
+#: a valid solid.
 FAMILIES = [
     ("00_solid", any_cell, True),
     ("01_empty", empty, False),
@@ -215,9 +217,9 @@ def variants(v, t, seed):
     yield "merged_box", True, lambda: joined((v, t), box(centre - size / 5, centre + size / 4))
     for cells in (12, 40):
         yield f"decimated_{cells}", False, lambda cells=cells: decimated(v, t, cells)
-    for share in (1e-4, 1e-2):
-        yield f"noised_{share:g}", False, lambda share=share: (
-            v + rng.normal(0, share * size, v.shape),
+    for fraction in (1e-4, 1e-2):
+        yield f"noised_{fraction:g}", False, lambda fraction=fraction: (
+            v + rng.normal(0, fraction * size, v.shape),
             t,
         )
     yield "cut", False, lambda: (v, t[((v[t].mean(axis=1) - centre) @ normal) < 0])

@@ -1,8 +1,8 @@
 // Compares an envelope with the true one, by dense distances over continuous time.
 //   swept_deviation MESH MOTION.csv MM_PER_UNIT RESOLUTION... [--samples N] [--tolerance MM]
-// Prints, in cells: deviation of creases at the first and last key (mean / max), share of area
-// whose normal is more than 20 degrees off, distance of the result from the truth (mean, p95, p99,
-// max) and of the truth from the result (max).
+// Prints, in cells: deviation of creases at the first and last key (mean / max), fraction of the
+// area whose normal is more than 20 degrees off, distance of the result from the truth (mean, p95,
+// p99, max) and of the truth from the result (max).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <tbb/parallel_for.h>
 
@@ -104,9 +104,9 @@ std::vector<V3> truthPoints(const SweptDistance& truth, int count, double slack,
     const Eigen::Isometry3d place = truth.placement(time);
     const V3 x = place * (mesh.vertices[edge.a] +
                           unit(random) * (mesh.vertices[edge.b] - mesh.vertices[edge.a]));
-    const V3 way = truth.velocity(time, x, false);
-    const double left = way.dot(place.linear() * truth.body().normal(edge.left));
-    const double right = way.dot(place.linear() * truth.body().normal(edge.right));
+    const V3 velocity = truth.velocity(time, x, false);
+    const double left = velocity.dot(place.linear() * truth.body().normal(edge.left));
+    const double right = velocity.dot(place.linear() * truth.body().normal(edge.right));
     if (left * right > 0) continue;
     points.push_back(x);
     ++found;
@@ -164,8 +164,8 @@ bool hasNormalNear(const SweptDistance& truth, const SurfacePoint& at, double re
   };
   if (agrees(at.point + 0.5 * reach * at.normal)) return true;
   for (int k = 0; k < 48; ++k) {
-    const V3 way(normal(random), normal(random), normal(random));
-    if (agrees(at.point + (k % 2 == 0 ? 1.0 : 0.5) * reach * way.normalized())) return true;
+    const V3 direction(normal(random), normal(random), normal(random));
+    if (agrees(at.point + (k % 2 == 0 ? 1.0 : 0.5) * reach * direction.normalized())) return true;
   }
   return false;
 }
@@ -182,15 +182,15 @@ void measureSurface(const SweptDistance& truth, const MeshDistance& out,
     off[i] = !hasNormalNear(truth, points[i], std::abs(contact.distance) + 0.03 * cell);
   });
   std::size_t worst = 0;
-  double mean = 0, share = 0;
+  double mean = 0, fraction = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (deviation[i] > deviation[worst]) worst = i;
     mean += deviation[i] / static_cast<double>(points.size());
-    share += off[i] / static_cast<double>(points.size());
+    fraction += off[i] / static_cast<double>(points.size());
   }
   std::vector<double> sorted = deviation;
   std::sort(sorted.begin(), sorted.end());
-  std::printf("  normals over 20 degrees off: %.3f %% of the area\n", 100 * share);
+  std::printf("  normals over 20 degrees off: %.3f %% of the area\n", 100 * fraction);
   for (std::size_t i = 0, shown = 0; i < points.size() && shown < 6; ++i) {
     if (off[i] == 0) continue;
     printPlace("off", points[i].point, report);

@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Saved documents with damaged properties of ours, opened and used in FreeCAD.
+"""Saved documents with damaged properties of the workbench, opened and used in FreeCAD.
 
     document_fuzz.py [--count N] [--first SEED] [--seconds S] [--out FOLDER]
 
-A document with each kind of our objects is saved once. Each case changes one to four values in it (numbers,
-texts, links, lists of times and placements, dropped properties), opens it, recomputes, reads every report,
-computes every object, saves it and opens it again. Each case must end as promised: FreeCAD refuses the
-file, or every run is Ok or fails with a sentence (InputProblem, CoreError). No other exception may occur,
-not even in methods that FreeCAD calls by itself, and no crash or hang. Cases run in a child process and
-depend only on their seed. A document that breaks the promise is kept in FOLDER (out/documents), and the
-exit status is 1.
+A document with each kind of object of the workbench is saved once. Each case changes one to four values in
+it (numbers, texts, links, lists of times and placements, dropped properties), opens it, recomputes, reads
+every report, computes every object, saves it and opens it again. Each case must end as promised: FreeCAD
+refuses the file, or every run is Ok or fails with a sentence (InputProblem, CoreError). No other exception
+may occur, not even in methods that FreeCAD calls by itself, and no crash or hang. Cases run in a child
+process and depend only on their seed. A document that breaks the promise is kept in FOLDER (out/documents),
+and the exit status is 1.
 """
 import argparse
 import collections
@@ -64,7 +64,7 @@ TEXTS += [
 
 
 def base_document(folder):
-    """Saves a document with one object of each of our kinds. Returns its path."""
+    """Saves a document with one object of each kind of the workbench. Returns its path."""
     import FreeCAD as App
     from case import Case, shift, turn
     from sweptvolume.features import clearance, envelope, motion, solid
@@ -106,7 +106,7 @@ def base_document(folder):
 
 @contextlib.contextmanager
 def watched(found):
-    """Collects exceptions of proxies in `found`, except our own kinds. FreeCAD only prints them."""
+    """Collects exceptions of proxies in `found`, except those of the workbench. FreeCAD only prints them."""
     from sweptvolume import core
     from sweptvolume.convert import InputProblem
     from sweptvolume.features import clearance, envelope, motion, solid
@@ -207,7 +207,7 @@ def serve(folder):
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # for whatever FreeCAD and the kernel print
     sys.path[:0] = [str(ROOT / "tests/freecad")]
-    import conftest  # noqa: F401 (the way to FreeCAD, with a profile of its own)
+    import conftest  # noqa: F401 (finds FreeCAD, with a separate profile)
 
     path = base_document(folder)
     with zipfile.ZipFile(path) as file:
@@ -223,8 +223,9 @@ def serve(folder):
 
 
 def damage(items, chance, path):
-    """Writes a document with one to four changes to properties of our objects. Returns the changes as
-    texts."""
+    """Writes a document with one to four changes to properties of the workbench's objects. Returns the
+    changes as texts.
+    """
     items = dict(items)
     tree = ElementTree.fromstring(items["Document.xml"])
     places = []
@@ -295,12 +296,12 @@ def other_list(data, tag, chance):
     if width is None or len(data) < 4:
         return data
     rows = [data[i : i + width] for i in range(4, len(data) - width + 1, width)]
-    way = chance.randrange(4)
-    if way == 0 and rows:
+    kind = chance.randrange(4)
+    if kind == 0 and rows:
         rows.pop(chance.randrange(len(rows)))
-    elif way == 1 and rows:
+    elif kind == 1 and rows:
         rows.insert(0, chance.choice(rows))
-    elif way == 2:
+    elif kind == 2:
         rows = []
     elif rows:
         row = chance.randrange(len(rows))

@@ -67,7 +67,7 @@ def run_case(seed, build, threads, most_seconds):
             return {"failed": str(error)}, 0
         return found, time.process_time() - start
 
-    foreseen, looked = in_child(estimate)
+    foreseen, estimate_seconds = in_child(estimate)
     if "failed" in foreseen:
         return {"name": case.name, "failed": foreseen["failed"]}
     if foreseen["seconds"] > most_seconds:
@@ -80,7 +80,7 @@ def run_case(seed, build, threads, most_seconds):
     now = resource.getrusage(resource.RUSAGE_SELF)
     return {
         "name": case.name,
-        "looked": looked,
+        "looked": estimate_seconds,
         "foreseen": foreseen,
         "seconds": (now.ru_utime - usage.ru_utime + now.ru_stime - usage.ru_stime) / threads,
         "bytes": report["peak_memory_bytes"] - before,

@@ -7,7 +7,7 @@ there is any.
 
 A room is a folder below cpp/src (or one of the folders beside it); a room inside a room is named by both
 ("solid/mesh"). Each room lists the rooms that it may include besides itself and the public headers. The
-list has no circle, which is checked as well. Each third-party library is included in one room only, and
+list has no cycle, which is checked as well. Each third-party library is included in one room only, and
 the headers of the operating system in one file of the core and one of the tests. Usage: include_rules.py
 [ROOT]
 """
@@ -49,7 +49,7 @@ MAY_INCLUDE = {
     "overlap": BELOW | {"clearance", "input"},
     # Searches for a path; `clearance` checks every step.
     "path": BELOW | {"clearance", "input"},
-    # Makes a page from a report; a public header thins the shapes for it.
+    # Makes a page from a report. The shapes for it are thinned through a public header.
     "page": {"base", "geometry", "motion"},
     "solid/carrier": BELOW,
     # Surfaces that the edges and faces of a moving body sweep.
@@ -58,7 +58,7 @@ MAY_INCLUDE = {
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},
     "solid/model": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
     "solid/text": BELOW | {"solid/carrier", "solid/mesh", "solid/model"},
-    # Makes faces from the sources of the triangles; cuts around patches like `recognise`.
+    # Makes faces from the sources of the triangles. Uses functions of `recognise` to cut around patches.
     "solid/label": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
     "solid/kernel": BELOW
     | {f"solid/{r}" for r in "carrier mesh recognise label model text".split()},
@@ -107,7 +107,7 @@ SYSTEM_WORDS = re.compile(
     r"\b(SIGHUP|SIGPIPE|SIGXFSZ|SIGKILL|SIGUSR[12]|sigaction|getpid|fileno|isatty|setenv|mkstemp|"
     r"gmtime_r|localtime_r|clock_gettime|strtok_r|nanosleep)\b"
 )
-# Tests may name files that only some systems have, and then skip.
+# Tests may name files that only some systems have; on other systems they are skipped.
 MAY_NAME_DEVICES = "tests/"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -183,8 +183,8 @@ def system_breaches(root):
     return found
 
 
-def circle(rooms):
-    """Returns a circle of rooms that may include one another, or None."""
+def cycle(rooms):
+    """Returns a cycle of rooms that may include one another, or None."""
     try:
         graphlib.TopologicalSorter(rooms).prepare()
     except graphlib.CycleError as error:
@@ -193,8 +193,8 @@ def circle(rooms):
 
 
 def main():
-    if circle(MAY_INCLUDE):
-        print(f"include rules: a circle of rooms, {circle(MAY_INCLUDE)}")
+    if cycle(MAY_INCLUDE):
+        print(f"include rules: a cycle of rooms, {cycle(MAY_INCLUDE)}")
         return 1
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
     found = breaches(root) + system_breaches(root)

@@ -40,8 +40,8 @@ def arc(swept, word, unit, vertices):
     bunny = np.asarray(mesh.vertices)
     here, there = (np.tile(middle(v), (len(turns), 1)) for v in (vertices, bunny))
     scale = np.ptp(vertices, axis=0).max() / np.ptp(bunny, axis=0).max()
-    way = scale * (shifts - there + rotate(turns, there))  # path of the middle
-    return times, turns, here - rotate(turns, here) + way
+    shift = scale * (shifts - there + rotate(turns, there))  # scaled path of the middle
+    return times, turns, here - rotate(turns, here) + shift
 
 
 def runs(swept, path, resolution):

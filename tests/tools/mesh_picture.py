@@ -8,7 +8,9 @@ SAMPLES = 2  # samples per pixel and direction: pictures are drawn larger, then 
 
 
 class Picture:
-    """`toward` points at the viewer; `width` of the mesh fits across `pixels` = (width, height)."""
+    """A picture of `pixels` = (width, height), seen from the direction `toward`. Its width shows the length
+    `width` of the mesh.
+    """
 
     def __init__(self, pixels, centre, toward, up, width):
         self.shape = (pixels[1] * SAMPLES, pixels[0] * SAMPLES)

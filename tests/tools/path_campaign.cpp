@@ -1,8 +1,8 @@
 // Solves many random path problems. Checks each path again from its keys with checkClearance(), and
 // each verdict against what is known of the problem.
 // Usage: swept_path_campaign FIRST LAST [BUDGET_S [THREADS [KIND [MOVES]]]]
-// KIND "hard": the other kinds of hardPathCase(). MOVES: limit of moves instead of a time limit;
-// 0: none. Ends with 1 if anything fails.
+// KIND: name of the only cases to solve, or "hard" for the kinds of hardPathCase(). MOVES: limit of
+// moves instead of a time limit; 0: none. Ends with 1 if anything fails.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cstdio>
 #include <cstdlib>

@@ -3,12 +3,12 @@
 
     python3 tests/tools/soak.py [RUNS]      (200)
 
-Makes five rounds of the same runs; only the runs that a timer cancels differ. The first round is a
-warm-up. After each run, the bytes in use (as the allocator counts them) and the resident size are
-read. All threads share one heap (MALLOC_ARENA_MAX=1). Otherwise the heap of each thread keeps what
-its largest run needed. These sizes jump by up to 18 MB without a trend, and would hide a trend. The
-exit status is 0 only if the largest number of bytes in use and the median resident size of the last
-round are within 5 % of those of the second, and no file handle or thread was added.
+Makes five rounds of the same runs; only the runs that a timer cancels differ. The first round is a warm-up.
+After each run, the bytes in use (as the allocator counts them) and the resident size are read. All threads
+share one heap (MALLOC_ARENA_MAX=1). Otherwise each thread has a heap that keeps what its largest run needed.
+The sizes of such heaps jump by up to 18 MB without a trend, and would hide a trend. The exit status is 0 only
+if the largest number of bytes in use and the median resident size of the last round are within 5 % of those
+of the second, and no file handle or thread was added.
 """
 import ctypes
 import os
@@ -48,7 +48,7 @@ class MallInfo(ctypes.Structure):
 
 
 def in_use():
-    """Returns the bytes that are allocated and not freed, in all heaps and in mapped pieces."""
+    """Returns the bytes that are allocated and not freed, in all heaps and in separately mapped memory."""
     library = ctypes.CDLL(None)
     library.mallinfo2.restype = MallInfo
     found = library.mallinfo2()
@@ -127,9 +127,8 @@ def main(runs):
 
 
 if __name__ == "__main__":
-    if (
-        os.environ.get("MALLOC_ARENA_MAX") != "1"
-    ):  # the variable works only if it is set before the process starts
+    # The variable works only if it is set before the process starts.
+    if os.environ.get("MALLOC_ARENA_MAX") != "1":
         os.environ["MALLOC_ARENA_MAX"] = "1"
         os.execv(sys.executable, [sys.executable, *sys.argv])
     sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 200))

@@ -19,7 +19,7 @@ import tempfile
 import numpy as np
 import shared_data
 
-SHARE = 1e-3  # of the box diagonal: the tolerance
+SHARE = 1e-3  # tolerance, as a fraction of the box diagonal
 SECONDS = 900
 COLUMNS = ("case", "outcome", "triangles", "faces", "curved", "megabytes", "share", "seconds")
 # Codes of allowed refusals: the envelope has no surface of which a solid can be made.

@@ -123,8 +123,8 @@ def judge(swept, path, cells, rounds):
     shape = kernel_shape(path)
     rng = np.random.default_rng(1)
     for name, motion in motions(body.vertices.min(0), body.vertices.max(0)):
-        way = swept.Motion(*motion[:3])
-        seconds, result = timed(swept, body, way, cells, rounds)
+        trajectory = swept.Motion(*motion[:3])
+        seconds, result = timed(swept, body, trajectory, cells, rounds)
         sources, cell = result.sources, result.report["cell"]
         known = np.nonzero(sources.kind >= 0)[0]
         some = rng.choice(known, min(10 * SAMPLE, len(known)), replace=False)
@@ -142,11 +142,11 @@ def judge(swept, path, cells, rounds):
 
         line = [len(result.triangles), share(sources.kind >= 0), right(), right(near=CHORD)]
         if shape is not None:
-            asked = some[:SAMPLE]
-            rows = source_check.Rows(sources, asked)
+            sample = some[:SAMPLE]
+            rows = source_check.Rows(sources, sample)
             back = source_check.moved_back(rows.point, rows, motion)
             line.append(share(on_faces(shape, back, rows, body.chord_error + 0.01 * cell)))
-            corner = result.vertices[result.triangles[asked, rng.integers(0, 3, len(asked))]]
+            corner = result.vertices[result.triangles[sample, rng.integers(0, 3, len(sample))]]
             back = source_check.moved_back(corner, rows, motion)
             line.append(share(on_faces(shape, back, rows, body.chord_error + ON_CORNERS * cell)))
         kinds = np.bincount(sources.kind[known], minlength=3) / len(known)

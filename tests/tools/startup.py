@@ -62,7 +62,7 @@ def main(times):
             for n in range(times + 1):
                 for name, home in homes.items():
                     seconds = started(command, home)
-                    if n:  # the first pair fills caches
+                    if n:  # the first start of each kind only fills caches
                         found[name].append(seconds)
             for name, seconds in found.items():
                 used = [s[0] for s in seconds]

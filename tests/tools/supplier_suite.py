@@ -23,7 +23,7 @@ import tempfile
 import numpy as np
 import shared_data
 
-SHARE = 1e-3  # of the box diagonal of the envelope: the tolerance
+SHARE = 1e-3  # tolerance, as a fraction of the box diagonal of the envelope
 COLUMNS = (
     "part", "status", "valid", "faults", "edge_tolerance", "vertex_tolerance", "tolerance",
     "deviation", "triangles", "faces", "facets", "seconds", "megabytes", "block_error",

@@ -249,8 +249,8 @@ def motion(rng, size):
     start, axis, wobble = rng.normal(size=(3, 3))
     turns = []
     for at in s[:, 0]:
-        way = axis / np.linalg.norm(axis) + 0.3 * math.sin(3 * at) * wobble
-        turns.append(rotation(way, 70 * at) @ rotation(start, 50))
+        tilted = axis / np.linalg.norm(axis) + 0.3 * math.sin(3 * at) * wobble
+        turns.append(rotation(tilted, 70 * at) @ rotation(start, 50))
     return np.arange(KEYS, dtype=float), np.array([_quaternion(m) for m in turns]), places
 
 

@@ -15,7 +15,7 @@ import tempfile
 
 import thin_parts
 
-#: What swept_deviation prints, in the order of the columns.
+#: Patterns of the figures that swept_deviation prints, in the order of the columns.
 FIGURES = (
     r"creases .*mean (\S+)  p99 (\S+)",
     r"degrees off: (\S+) %",

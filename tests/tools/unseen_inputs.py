@@ -104,24 +104,24 @@ def draw_part(rng, triangles):
     return vertices @ bodies.rotation(rng.normal(size=3), rng.uniform(0, 180)).T, faces
 
 
-def _way(rng, s):
+def _curve(rng, s):
     """Returns the points (K, 3) at the fractions s of a random curve of length about 1."""
     kind = rng.integers(4)
     if kind == 0:
-        way = s[:, None] * [1.0, 0, 0]
+        curve = s[:, None] * [1.0, 0, 0]
     elif kind == 1:
         whole = rng.uniform(0.3, 2 * math.pi)
-        way = np.stack([np.cos(whole * s), np.sin(whole * s), 0 * s], axis=1) / whole
+        curve = np.stack([np.cos(whole * s), np.sin(whole * s), 0 * s], axis=1) / whole
     elif kind == 2:
         whole = 2 * math.pi * rng.integers(2, 12)
         angle = whole * s
-        way = np.stack([np.cos(angle), np.sin(angle), angle / 6], axis=1) / whole
+        curve = np.stack([np.cos(angle), np.sin(angle), angle / 6], axis=1) / whole
     else:
         waves = rng.normal(size=(6, 3)) / np.arange(1, 7)[:, None]
         phases = rng.uniform(0, 2 * math.pi, (6, 3))
-        way = sum(w * np.sin((k + 1) * math.pi * s[:, None] + p)
-                  for k, (w, p) in enumerate(zip(waves, phases))) / 6  # fmt: skip
-    return way @ bodies.rotation(rng.normal(size=3), rng.uniform(0, 180)).T
+        curve = sum(w * np.sin((k + 1) * math.pi * s[:, None] + p)
+                    for k, (w, p) in enumerate(zip(waves, phases))) / 6  # fmt: skip
+    return curve @ bodies.rotation(rng.normal(size=3), rng.uniform(0, 180)).T
 
 
 def draw_motion(rng, poses, size):
@@ -130,7 +130,7 @@ def draw_motion(rng, poses, size):
     if rng.random() < 0.2:  # to and fro
         s = 0.5 - 0.5 * np.cos(2 * math.pi * rng.integers(1, 6) * s)
     travel = _logarithmic(rng, 0.01, 100) * size
-    places = travel * _way(rng, s)
+    places = travel * _curve(rng, s)
     turn = rng.uniform(0, 4 * math.pi) if rng.random() < 0.5 else 0.0
     turn = min(turn, LARGEST_TURN * max(1, poses - 1))
     axis = rng.normal(size=3)
@@ -141,8 +141,8 @@ def draw_motion(rng, poses, size):
         places = places + rng.normal(size=places.shape) * noise * size
         vectors = vectors + rng.normal(size=vectors.shape) * noise / 4
     angles = np.linalg.norm(vectors, axis=1, keepdims=True)
-    ways = np.divide(vectors, angles, out=np.zeros_like(vectors), where=angles > 0)
-    quaternions = np.hstack([ways * np.sin(angles / 2), np.cos(angles / 2)])
+    axes = np.divide(vectors, angles, out=np.zeros_like(vectors), where=angles > 0)
+    quaternions = np.hstack([axes * np.sin(angles / 2), np.cos(angles / 2)])
     return np.arange(poses) * 0.01, quaternions, places
 
 

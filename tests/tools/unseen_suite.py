@@ -111,8 +111,8 @@ def run_case(case, program, folder):
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     if not (folder / "report.json").exists():
-        said = done.stderr.strip().splitlines()[-1:] or ["nothing said"]
-        return Outcome(case.name, seconds, 0, (f"status {done.returncode}: {said[0]}",))
+        errors = done.stderr.strip().splitlines()[-1:] or ["nothing said"]
+        return Outcome(case.name, seconds, 0, (f"status {done.returncode}: {errors[0]}",))
     report = json.loads((folder / "report.json").read_text())
     return Outcome(case.name, seconds, report.get("triangles", 0),
                    broken_promises(report, volume_of(vertices, triangles)))  # fmt: skip

@@ -46,7 +46,7 @@ def main():
     group.Placement = App.Placement(V(5, -30, 0), App.Rotation(V(0, 0, 1), 30))
     wire = doc.addObject("Part::Feature", "Wire")
     wire.Shape = Part.makePolygon([V(), V(30, 0, 0), V(30, 20, 0)])
-    # The part turns along the way. Without a pivot, the origin of its coordinates moves straight.
+    # The part turns while it moves. Without a pivot, the origin of its coordinates moves straight.
     turned = App.Placement(V(40, 0, 0), App.Rotation(V(0, 0, 1), 60))
     path = motion.motion_from_poses(doc, [0, 1], [shift(0), turned])
     curve = motion.motion_from_source(doc, "Curve", [wire], count=9)
@@ -61,22 +61,22 @@ def main():
     )
     seen = clearance.make_clearance(doc, Envelope=within, AllVisible=True)
     doc.recompute()
-    told = {}
+    results = {}
     for obj in (hull, grown, within):
         envelope.compute(obj)
-        told[obj.Name] = [obj.Status, obj.Mesh.CountFacets, obj.Volume.Value]
+        results[obj.Name] = [obj.Status, obj.Mesh.CountFacets, obj.Volume.Value]
     solid.compute(body)
-    told[body.Name] = [body.Status, len(body.Shape.Faces), body.Shape.Volume]
+    results[body.Name] = [body.Status, len(body.Shape.Faces), body.Shape.Volume]
     for obj in (chosen, seen):
         clearance.compute(obj)
         rows = clearance.report_of(obj)["neighbours"]
-        told[obj.Name] = [obj.Status, sorted((row["name"], row["distance"]) for row in rows)]
+        results[obj.Name] = [obj.Status, sorted((row["name"], row["distance"]) for row in rows)]
     doc.recompute()
     for obj in (hull, grown, within, body, chosen, seen):
-        told[obj.Name][0] = obj.Status
+        results[obj.Name][0] = obj.Status
     doc.saveAs(FILE)
     with open(FILE[: -len("FCStd")] + "json", "w") as out:
-        json.dump(told, out, indent=1)
+        json.dump(results, out, indent=1)
         out.write("\n")
 
 

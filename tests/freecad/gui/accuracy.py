@@ -41,7 +41,7 @@ def scenario():
     path = motion.motion_from_poses(doc, [0, 2], places)
     doc.recompute()
 
-    # 0.5 mm: the estimate, the cells, the bound, and what an opened panel shows.
+    # An accuracy of 0.5 mm: the estimate, the cells, the bound, and what an opened panel shows.
     panel = envelope_panel.show(doc, [(wedge, "")], path)
     panel.by.setObjectName("By")
     yield 0.3
@@ -82,9 +82,9 @@ def scenario():
         click(panel_button(Apply))
         yield lambda: not runner.running()
         yield 0.1
-        told = [panel.message.text(), panel.estimate_label.text()]
-        say("{}: {}".format(typed, told[0]))
-        assert words in told[0], (typed, words, told)
+        messages = [panel.message.text(), panel.estimate_label.text()]
+        say("{}: {}".format(typed, messages[0]))
+        assert words in messages[0], (typed, words, messages)
         assert (made.Accuracy.Value, made.UsedCellSize.Value) == (0.5, 0.25), typed
     shot("71_accuracy_too_coarse")
     type_over(find(QtWidgets.QWidget, "SweptVolumeAccuracy"), "2 mm")

@@ -30,7 +30,7 @@ def scenario():
     folder = tempfile.mkdtemp()
     yield from assembly_pictures.work(look, folder)
     doc = App.ActiveDocument
-    # What the page says.
+    # The results that the page names.
     alone = verdicts(clearance.report_of(doc.Clearance))
     assert alone == {"Flywheel": "below", "Exhaust pipe": "below"}, alone
     together = mechanism.report_of(doc.Mechanism)
@@ -40,11 +40,13 @@ def scenario():
         "Starter motor - Flywheel": "below",
     }, bad
     deep = together["pairs"][together["smallest"]]["clearance"]
-    told = "{:.1f} mm deep at {:.1f} s".format(deep["penetration"]["depth"], deep["time_seconds"])
+    expected = "{:.1f} mm deep at {:.1f} s".format(
+        deep["penetration"]["depth"], deep["time_seconds"]
+    )
     page = os.path.join(assembly_pictures.HERE, "tutorial_assembly.md")
     with open(page, encoding="utf-8") as file:
         text = file.read()
-    assert told in text, told
+    assert expected in text, expected
     assert doc.Mechanism.Status == study.UP_TO_DATE, doc.Mechanism.Message
     rows = {row["run"]: row["state"] for row in study.report_of(doc.Study)["runs"]}
     assert rows == {"Clearance": "not clear", "Clearance001": "done", "Envelope": "done"}, rows
@@ -55,7 +57,7 @@ def scenario():
     ):
         with open(os.path.join(folder, name), encoding="utf-8") as file:
             assert words in file.read(), name
-    say(told)
+    say(expected)
 
 
 run(scenario)

@@ -74,7 +74,7 @@ def scenario():
     doc.recompute()
     assert [hull.Status for hull in hulls] == [envelope.UP_TO_DATE, envelope.STALE]
 
-    # Blue and golden, not FreeCAD's grey.
+    # The envelope is blue and the solid golden; neither has FreeCAD's grey.
     red, green, blue = colour(hulls[0])
     assert blue > red + 0.3, (red, green, blue)
     body = solid.make_solid(doc, hulls[0])
@@ -118,7 +118,7 @@ def scenario():
     yield lambda: not player.play.isChecked()
     assert player.now() == 2.0, player.now()
 
-    # The dragger is as large as the part (pivot.py tests its place).
+    # The dragger is as large as the part (pivot.py tests its position).
     find(QtWidgets.QTableWidget, "SweptVolumeKeys").setCurrentCell(1, 1)
     yield 0.5
     box = slide.Shape.BoundBox

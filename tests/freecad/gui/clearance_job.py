@@ -172,22 +172,22 @@ def scenario():
     select(obj)
     Gui.runCommand("SweptVolume_Clearance")
     yield 0.5
-    asked = find(QtWidgets.QTableWidget, "SweptVolumeRules")
-    assert asked.rowCount() == 5, asked.rowCount()
-    row_of = {asked.item(r, 0).text(): r for r in range(5)}
+    rule_table = find(QtWidgets.QTableWidget, "SweptVolumeRules")
+    assert rule_table.rowCount() == 5, rule_table.rowCount()
+    row_of = {rule_table.item(r, 0).text(): r for r in range(5)}
     click(find(QtWidgets.QPushButton, "SweptVolumeTouching"))
-    yield lambda: asked.item(row_of["Bench"], 2).text() == "Contact allowed"
-    assert [asked.item(r, 2).text() for r in range(5)].count("Contact allowed") == 1
-    asked.item(row_of["Far"], 1).setText("12 cm")
-    asked.setCurrentCell(row_of["Post"], 2)
-    asked.editItem(asked.item(row_of["Post"], 2))
+    yield lambda: rule_table.item(row_of["Bench"], 2).text() == "Contact allowed"
+    assert [rule_table.item(r, 2).text() for r in range(5)].count("Contact allowed") == 1
+    rule_table.item(row_of["Far"], 1).setText("12 cm")
+    rule_table.setCurrentCell(row_of["Post"], 2)
+    rule_table.editItem(rule_table.item(row_of["Post"], 2))
     yield 0.2
-    choice = asked.findChild(QtWidgets.QComboBox)
+    choice = rule_table.findChild(QtWidgets.QComboBox)
     assert choice.count() == 3, choice.count()
     choice.setCurrentIndex(2)
     choice.activated.emit(2)
     yield 0.2
-    assert asked.item(row_of["Post"], 2).text() == "Ignored"
+    assert rule_table.item(row_of["Post"], 2).text() == "Ignored"
     shot("15_clearance_rules")
     undo = doc.UndoCount
     click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
@@ -217,7 +217,7 @@ def scenario():
 
 
 def rules_of_groups(doc, obj):
-    """The rule of a group stays while rows of other parts change, or a row of a part in it."""
+    """The rule of a group stays if the row of another part, or of a part in the group, changes."""
     from sweptvolume.features import neighbour_rules
     from sweptvolume.features.neighbour_rules import Rule
 
@@ -231,9 +231,9 @@ def rules_of_groups(doc, obj):
     select(obj)
     Gui.runCommand("SweptVolume_Clearance")
     yield 0.5
-    asked = find(QtWidgets.QTableWidget, "SweptVolumeRules")
-    row_of = {asked.item(r, 0).text(): r for r in range(asked.rowCount())}
-    assert [asked.item(row_of[name], 1).text() for name in ("Stop", "Wall", "Far")] == [
+    rule_table = find(QtWidgets.QTableWidget, "SweptVolumeRules")
+    row_of = {rule_table.item(r, 0).text(): r for r in range(rule_table.rowCount())}
+    assert [rule_table.item(row_of[name], 1).text() for name in ("Stop", "Wall", "Far")] == [
         "3",
         "3",
         "",
@@ -243,7 +243,7 @@ def rules_of_groups(doc, obj):
         ("Wall", "4", {fixture: Rule(length=3.0), far: Rule(length=20.0), wall: Rule(length=4.0)}),
         ("Wall", "", {far: Rule(length=20.0), stop: Rule(length=3.0)}),
     ):
-        asked.item(row_of[name], 1).setText(text)
+        rule_table.item(row_of[name], 1).setText(text)
         undo = doc.UndoCount
         click(find(QtWidgets.QPushButton, "SweptVolumeCheck"))
         yield lambda undo=undo: doc.UndoCount == undo + 1

@@ -81,7 +81,7 @@ def scenario():
     gaps = Gaps()
     for value, x in ((100, 10.0), (500, 50.0)):
         slider.setValue(value)
-        # From the corner of the slide at x + 10 to that of the wall at x = 70.
+        # The line runs from the corner of the slide at x + 10 to the corner of the wall at x = 70.
         yield lambda x=x: (
             line_of(graph) is not None and abs(line_of(graph)[0][0] - (x + 10)) < 0.2
         )
@@ -118,7 +118,7 @@ def scenario():
         assert body.Status == shared.UP_TO_DATE, (body.Status, body.Message)
         assert body.Volume.Value > least, body.Volume
     assert doc.UndoCount == undo + 2, doc.UndoNames
-    # Segments of a circle of 6 mm: the slide passes through 3 mm of it, over a height of 10 mm.
+    # The volume is a segment of a circle of radius 6 mm, 3 mm deep, times its height of 10 mm.
     import math
 
     angle = 2 * math.acos(3 / 6)

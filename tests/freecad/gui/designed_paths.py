@@ -100,7 +100,7 @@ def robot_arm(keyboard):
 
     doc = new_document("RobotArm")
     gripper = mesh_object(doc, "Gripper", GRIPPER)
-    stands = App.Placement(gripper.Placement)
+    initial = App.Placement(gripper.Placement)
     rows = list(rows_of(ARM, METRE))[::STRIDE]
     recorded = [(float(row["t_s"]), place) for row, place in rows]
     captured = len(recorded) * 2 // 3
@@ -113,7 +113,7 @@ def robot_arm(keyboard):
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     yield lambda: focused() == "SweptVolumeKeys"
     assert table.rowCount() == 0
-    choose("SweptVolumePivot", "Origin")  # the file contains placements
+    choose("SweptVolumePivot", "Origin")  # the file contains placements, whose pivot is the origin
     for count, (time, place) in enumerate(recorded[:captured], 1):
         gripper.Placement = place
         yield from keyboard.press("Control_L+Return")
@@ -140,7 +140,7 @@ def robot_arm(keyboard):
     )
     say("{} keys: at most {:.1e} mm and {:.1e} rad off".format(len(recorded), off, turned))
     assert off < 1e-6 and turned < 1e-6
-    gripper.Placement = stands
+    gripper.Placement = initial
     made = yield from envelope_of(doc, gripper, path)
     shot("51_robot_arm_envelope")
     yield 0.8
@@ -208,7 +208,8 @@ def beams(keyboard):
     assert found["Beam2"] == "Clash", found
     say("beams, straight: {}".format(found))
 
-    # Two keys between start and goal, one above each; they are raised until the path is clear.
+    # Two keys between start and goal: 15 mm above the start and the goal, then 30 mm, which makes the path
+    # clear.
     for lift in (15, 30):
         select(beam, motion)
         Gui.runCommand("SweptVolume_EditMotion")

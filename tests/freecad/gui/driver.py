@@ -65,12 +65,12 @@ def titles_of(table):
 def check_table(table):
     """Checks that no heading of a table is cut off, and no text in its first column."""
     header = table.horizontalHeader()
-    room = header.fontMetrics()
+    metrics = header.fontMetrics()
     for column in range(table.columnCount()):
         if table.isColumnHidden(column):
             continue
         text = table.horizontalHeaderItem(column).text()
-        wide = max(room.boundingRect(line).width() for line in text.split("\n"))
+        wide = max(metrics.boundingRect(line).width() for line in text.split("\n"))
         assert wide <= header.sectionSize(column), (text, wide, header.sectionSize(column))
     wraps = int(getattr(QtCore.Qt.TextWordWrap, "value", QtCore.Qt.TextWordWrap))
     for row in range(table.rowCount()):
@@ -109,7 +109,7 @@ class Gaps:
 
 #: Longest time (s) until Stop has taken effect, without waiting times of the event loop.
 ANSWER = 0.3
-#: Longest CPU time (s) of the window's own thread between two events meanwhile.
+#: Longest CPU time (s) of the window's own thread between two events until Stop has taken effect.
 WORK = 0.2
 
 
@@ -240,9 +240,9 @@ def drag(start, end, steps=8):
         x, y = view.getPointOnScreen(point)
         places.append(QtCore.QPointF(x / ratio, widget.height() - 1 - y / ratio))
 
-    def send(kind, where, button, held):
+    def send(kind, where, button, buttons):
         spot = QtCore.QPointF(widget.mapToGlobal(where.toPoint()))
-        event = QtGui.QMouseEvent(kind, where, spot, button, held, QtCore.Qt.NoModifier)
+        event = QtGui.QMouseEvent(kind, where, spot, button, buttons, QtCore.Qt.NoModifier)
         QtWidgets.QApplication.sendEvent(widget, event)
 
     left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
@@ -334,11 +334,11 @@ def click(button):
     left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
     keys = QtCore.Qt.NoModifier
     where = QtCore.QPointF(button.mapToGlobal(place))
-    for kind, held in (
+    for kind, buttons in (
         (QtCore.QEvent.MouseButtonPress, left),
         (QtCore.QEvent.MouseButtonRelease, none),
     ):
-        event = QtGui.QMouseEvent(kind, middle, where, left, held, keys)
+        event = QtGui.QMouseEvent(kind, middle, where, left, buttons, keys)
         QtWidgets.QApplication.sendEvent(button, event)
 
 

@@ -129,7 +129,7 @@ def slot(doc):
     table.item(0, 1).setText("")
     click(panel_button(Close))
     yield no_panel
-    while doc.UndoCount > begin:  # the checks are steps of their own
+    while doc.UndoCount > begin:  # the checks are separate undo steps
         doc.undo()
     assert not motions(doc), doc.Objects
 

@@ -67,9 +67,9 @@ def scenario():
         Gui.Selection.clearSelection()
         shot("70_german_" + name)
         yield 0.8
-        said = texts_of_panel()
+        texts = texts_of_panel()
         for text in expected:
-            assert any(text in line for line in said), (text, said)
+            assert any(text in line for line in texts), (text, texts)
         click(panel_button(Cancel if name != "Clearance" else QtWidgets.QDialogButtonBox.Close))
         yield no_panel
 

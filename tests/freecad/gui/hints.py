@@ -31,7 +31,7 @@ from driver import (  # noqa: E402
 V = App.Vector
 
 
-class Told:
+class Messages:
     """Records messages outside the panels: message boxes, which are closed at once, and lines of the
     report view."""
 
@@ -45,11 +45,11 @@ class Told:
             if e.metaObject().className() == "Gui::DockWnd::ReportOutput"
         )
         self._timer = QtCore.QTimer()
-        self._timer.timeout.connect(self._look)
+        self._timer.timeout.connect(self._collect)
         self._timer.start(50)
         self.new()
 
-    def _look(self):
+    def _collect(self):
         for widget in QtWidgets.QApplication.topLevelWidgets():
             if isinstance(widget, QtWidgets.QMessageBox) and widget.isVisible():
                 self.boxes.append(widget.text())
@@ -77,10 +77,10 @@ class Told:
         return boxes, plain, coloured, seen
 
 
-def check(told, text, boxes=0, lines=0, panel=""):
+def check(messages, text, boxes=0, lines=0, panel=""):
     """Checks that a text appeared in just these message boxes and lines, or in the panel. Nothing may
     be coloured, and the report view must stay closed."""
-    found, plain, coloured, seen = told.new()
+    found, plain, coloured, seen = messages.new()
     say("{!r}: boxes {}, lines {}, coloured {}, open {}".format(text, found, plain, coloured, seen))
     assert [text in box for box in found] == [True] * boxes, (text, found)
     assert sum(text in line for line in plain) == lines, (text, plain)
@@ -97,11 +97,11 @@ def scenario():
     yield 0.5
     for name in ("checkShowReportViewOnError", "checkShowReportViewOnWarning"):
         App.ParamGet("User parameter:BaseApp/Preferences/OutputWindow").SetBool(name, True)
-    told = Told()
-    # This check finds a message that is shown twice.
+    messages = Messages()
+    # A planted error message is noticed.
     App.Console.PrintError("planted\n")
     yield 0.5
-    _, _, coloured, seen = told.new()
+    _, _, coloured, seen = messages.new()
     assert len(coloured) == 1 and coloured[0].endswith("planted") and seen, (coloured, seen)
     yield
 
@@ -114,14 +114,14 @@ def scenario():
     hull = envelope.make_envelope(doc, [box], path, Resolution=40)
     envelope.compute(hull)
     yield 0.3
-    told.new()
+    messages.new()
 
     # A command that cannot do what was requested: one message box.
     with answered(file_dialogs, "ask_export", lambda name: "/nowhere/to/be/found/x.step"):
         select(hull)
         Gui.runCommand("SweptVolume_Export")
         yield 0.5
-    check(told, "/nowhere/to/be/found", boxes=1)
+    check(messages, "/nowhere/to/be/found", boxes=1)
 
     # A run that the core refuses: a message in its panel.
     select(hull)
@@ -139,7 +139,7 @@ def scenario():
 
     yield refused
     yield 0.5
-    check(told, "the limit is 4 faces", panel=message[0])
+    check(messages, "the limit is 4 faces", panel=message[0])
     click(panel_button(Cancel))
     yield no_panel
 
@@ -152,7 +152,7 @@ def scenario():
     Gui.runCommand("SweptVolume_Recompute")
     yield no_panel
     yield 0.3
-    check(told, hull.Label + ": ", lines=1)
+    check(messages, hull.Label + ": ", lines=1)
 
     # A deleted input: the object has the message, and FreeCAD prints none.
     doc.openTransaction("Delete")
@@ -161,7 +161,7 @@ def scenario():
     doc.recompute()
     yield 0.3
     assert hull.Status == envelope.FAILED, hull.Status
-    check(told, hull.Message, panel=hull.Message)
+    check(messages, hull.Message, panel=hull.Message)
     doc.undo()
     doc.recompute()
 
@@ -175,7 +175,7 @@ def scenario():
     yield 0.5
     check_of = doc.getObject("Clearance")
     assert check_of.Status == clearance.UP_TO_DATE
-    told.new()
+    messages.new()
 
     os.chdir("/")
     App.ParamGet(file_dialogs.LAST).SetString("FileOpenSavePath", "")
@@ -193,10 +193,10 @@ def scenario():
     Gui.runCommand("SweptVolume_Export")
     yield 0.5
     assert no_panel(), "a dialog that is left asks nothing more"
-    say(str(told.files))
-    folders = [os.path.realpath(f) for f, _ in told.files]
-    assert folders == [home, folder, folder], (told.files, home, folder)
-    names = [os.path.basename(chosen) for _, chosen in told.files]
+    say(str(messages.files))
+    folders = [os.path.realpath(f) for f, _ in messages.files]
+    assert folders == [home, folder, folder], (messages.files, home, folder)
+    names = [os.path.basename(chosen) for _, chosen in messages.files]
     assert names[1] == check_of.Label + ".csv" and names[2] == hull.Label + ".step", names
 
 

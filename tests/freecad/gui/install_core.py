@@ -86,7 +86,7 @@ def scenario():
     package = "swept-volume, version {}, for Python {}.{}"
     assert text("Package") == package.format(sweptvolume.__version__, *sys.version_info[:2])
     assert text("Folder") == folder and "not installed" in text("State")
-    assert index.asked == [], "the index was asked before the user wanted it"
+    assert index.requests == [], "the index was asked before the user wanted it"
     default, published = core_install.DEFAULT_INDEX, core_install.PUBLISHED
     assert ("not published" in core_dialog.told_source(default)) == (not published)
     assert core_dialog.told_source(index.address) == index.address
@@ -102,10 +102,10 @@ def scenario():
 
     # A slow download is stopped; the window responds meanwhile.
     make_wheel(build, sweptvolume.__version__, served)
-    index.held.clear()
+    index.may_download.clear()
     gaps = Gaps()
     click(button("Install"))
-    yield lambda: any(path.endswith(".whl") for path in index.asked)
+    yield lambda: any(path.endswith(".whl") for path in index.requests)
     yield 0.5
     shot("82_core_download")
     yield 0.6
@@ -116,7 +116,7 @@ def scenario():
     assert gaps.busy < 0.2, gaps.busy
     assert "Nothing was changed" in text("Message"), text("Message")
     assert in_folder(folder) == [] and not core.available()
-    index.held.set()
+    index.may_download.set()
 
     # A panel without the core offers it as well, and works as soon as it is installed.
     click(button("Close"))
@@ -157,11 +157,11 @@ def scenario():
 
     # A file of another version is refused, and so is a file that is no core; the message names it.
     other = make_wheel(build, "0.0.7", served)
-    for path, said in ((other, "0.0.7"), (__file__, "cannot be read")):
+    for path, expected in ((other, "0.0.7"), (__file__, "cannot be read")):
         installation = core_install.Installation(path)
         installation.start()
         yield lambda: not installation.is_alive()
-        assert said in installation.problem, installation.problem
+        assert expected in installation.problem, installation.problem
     App.closeDocument(doc.Name)
     yield
 

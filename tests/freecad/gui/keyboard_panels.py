@@ -56,7 +56,7 @@ def from_file(keyboard, doc, folder):
     yield opened
     yield 0.4
     yield from keyboard.tab_to("SweptVolumeUnit")
-    yield from keyboard.press("Down")  # mm, cm
+    yield from keyboard.press("Down")  # from mm to cm
     assert find(QtWidgets.QComboBox, "SweptVolumeUnit").currentData() == "cm"
     shot("90_keyboard_file")
     yield 0.5

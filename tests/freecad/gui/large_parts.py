@@ -40,8 +40,8 @@ def star():
 
     points = []
     for k in range(SIDES):
-        angle, reach = 2 * math.pi * k / SIDES, 50 + 4 * (k % 2) + 0.01 * k
-        points.append(V(reach * math.cos(angle), reach * math.sin(angle), 0))
+        angle, radius = 2 * math.pi * k / SIDES, 50 + 4 * (k % 2) + 0.01 * k
+        points.append(V(radius * math.cos(angle), radius * math.sin(angle), 0))
     return Part.Face(Part.makePolygon(points + points[:1])).extrude(V(0, 0, 10))
 
 
@@ -65,8 +65,8 @@ def measured(text, steps, limit):
     """Runs steps and checks how long the window's own thread worked between two events."""
     gaps = Gaps()
     yield from steps
-    said = gaps.stop()
-    say("{}: longest gap {}; at once {:.0f} ms".format(text, said, 1000 * limit))
+    gap = gaps.stop()
+    say("{}: longest gap {}; at once {:.0f} ms".format(text, gap, 1000 * limit))
     assert gaps.busy < limit / 2, (text, gaps.busy, limit)
 
 
@@ -141,12 +141,12 @@ def scenario():
         doc = App.openDocument(os.path.join(folder, "large.FCStd"))
         yield 0.5
         hull, check = doc.Envelope, doc.Clearance
-        # Checked again, and still unchanged.
+        # The results are checked again, and are still up to date.
         yield from marked(hull, check)
         yield from measured("same", judged(doc, check, clearance.UP_TO_DATE), limit)
         yield lambda: hull.Status == envelope.UP_TO_DATE
         assert not [o.Name for o in doc.Objects if "Touched" in o.State]
-        # Another geometry of the same size.
+        # A part gets another geometry of the same size.
         doc.Star0.Shape = doc.Star0.Shape.mirror(V(), V(1, 0, 0))
         yield from measured("other", judged(doc, hull, envelope.STALE), limit)
         yield lambda: "read" not in hull.Message

@@ -77,14 +77,14 @@ def dragging(panel, row):
 
     began, n, home = time.perf_counter(), 0, App.Placement(panel.keys.placements[row])
     due = began
-    way = 0.05 * max(b.Base.distanceToPoint(home.Base) for b in panel.keys.placements)
+    amplitude = 0.05 * max(b.Base.distanceToPoint(home.Base) for b in panel.keys.placements)
     base, back = panel.base(), panel.handle
     wanted = panel.preview.updates + LEAST
     while time.perf_counter() - began < SECONDS or panel.preview.updates < wanted:
         assert time.perf_counter() - began < LIMIT, "the preview stood still"
         n += 1
         place = App.Placement(home)
-        place.Base.z += way * (1 - abs(n % 40 - 20) / 20.0)
+        place.Base.z += amplitude * (1 - abs(n % 40 - 20) / 20.0)
         panel.dragged(place.multiply(base.inverse()).multiply(panel.body.placement).multiply(back))
         while due <= time.perf_counter():  # ticks that are missed are left out, as Qt does
             due += dragger.POLL / 1000

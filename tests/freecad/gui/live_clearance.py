@@ -79,7 +79,7 @@ def box_before_a_wall():
     yield lambda: " to Wall" in text() and abs(float(text().split()[0]) - (27 - moved)) < 0.05
     wall.Placement.Base.z -= 7
     yield 0.7
-    # Farther: into the wall.
+    # A longer drag moves the cube into the wall.
     start = panel._standing_at(0).multiply(panel.handle).Base
     tip = start + V(0, 0, panel.dragger.arrow)
     yield from drag(tip, tip + V(0, 0, 15))
@@ -104,8 +104,8 @@ def box_before_a_wall():
     height = panel.keys.placements[0].Base.z
     assert 19.5 < height < 20, height
     assert panel.history.before and abs(panel.history.now[0].placements[0].Base.z - height) < 1e-9
-    stands = panel.dragger.placement().Base
-    assert (stands - panel._standing_at(0).multiply(panel.handle).Base).Length < 1e-4, stands
+    position = panel.dragger.placement().Base
+    assert (position - panel._standing_at(0).multiply(panel.handle).Base).Length < 1e-4, position
     click(panel_button(Cancel))
     yield no_panel
 
@@ -141,8 +141,8 @@ def engine_bay():
             shot("83_live_engine_bay")
     seconds = time.perf_counter() - began
     rate = (panel.live.live.answers - answers) / seconds
-    told = "engine bay: {:.1f} answers a second to {:.1f} questions, gap {}"
-    say(told.format(rate, n / seconds, gaps.stop()))
+    text_of_rates = "engine bay: {:.1f} answers a second to {:.1f} questions, gap {}"
+    say(text_of_rates.format(rate, n / seconds, gaps.stop()))
     click(panel_button(Cancel))
     yield no_panel
 

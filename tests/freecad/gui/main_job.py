@@ -108,7 +108,7 @@ def scenario():
     assert made.Status == envelope.UP_TO_DATE
     yield
 
-    # A changed input marks it stale, the command computes it again.
+    # A changed input makes the envelope stale, and the command computes it again.
     box.Height = 14
     doc.recompute()
     assert made.Status == envelope.STALE

@@ -66,8 +66,8 @@ class Judge:
         self.gaps = Gaps()
 
     def stop(self, text):
-        said = self.gaps.stop()
-        say("{}: {}".format(text, said))
+        gap = self.gaps.stop()
+        say("{}: {}".format(text, gap))
         assert self.gaps.busy < self.limit, (text, self.gaps.busy, self.limit)
 
 

@@ -89,12 +89,12 @@ def scenario():
     assert moving.rowCount() == 3 and len(doc.Objects) == before, len(doc.Objects)
     find(QtWidgets.QCheckBox, "SweptVolumeStanding").setChecked(True)
     yield 0.2
-    asked = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
-    assert asked.rowCount() == 6, rows_of(asked)
+    rule_table = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
+    assert rule_table.rowCount() == 6, rows_of(rule_table)
     click(find(QtWidgets.QPushButton, "SweptVolumeTouchingPairs"))
-    yield lambda: asked.item(rows_of(asked)["Crank - Rod"], 2).text() == "Contact allowed"
-    told = [asked.item(r, 2).text() for r in range(6)]
-    assert told.count("Contact allowed") == 2, told
+    yield lambda: rule_table.item(rows_of(rule_table)["Crank - Rod"], 2).text() == "Contact allowed"
+    texts = [rule_table.item(r, 2).text() for r in range(6)]
+    assert texts.count("Contact allowed") == 2, texts
     undo, gaps = doc.UndoCount, Gaps()
     click(find(QtWidgets.QPushButton, "SweptVolumeCheckMechanism"))
     yield lambda: doc.getObject("Mechanism") is not None
@@ -110,10 +110,10 @@ def scenario():
     wall_row = rows["Slider - Wall"]
     assert abs(float(table.item(wall_row, 2).text()) - 5) < 0.01, table.item(wall_row, 2).text()
     shot("81_mechanism")
-    # A selected row: the parts at its time, and the line between the two.
+    # A selected row: both parts at its time, and the line between them.
     drawn = graph.getNumChildren()
     table.selectRow(wall_row)
-    yield lambda: graph.getNumChildren() == drawn + 2  # the parts, and the line
+    yield lambda: graph.getNumChildren() == drawn + 2  # two parts and a line
     table.itemDoubleClicked.emit(table.item(wall_row, 0))
     yield 0.5
     shot("82_mechanism_row")
@@ -140,8 +140,8 @@ def scenario():
     select(obj)
     Gui.runCommand("SweptVolume_Mechanism")
     yield 0.3
-    asked = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
-    assert asked.item(rows_of(asked)["Rod - Slider"], 2).text() == "Contact allowed"
+    rule_table = find(QtWidgets.QTableWidget, "SweptVolumePairRules")
+    assert rule_table.item(rows_of(rule_table)["Rod - Slider"], 2).text() == "Contact allowed"
     find(QtWidgets.QWidget, "SweptVolumeMechanismAccuracy").setProperty("rawValue", 1e-5)
     summary = obj.Summary
     click(find(QtWidgets.QPushButton, "SweptVolumeCheckMechanism"))

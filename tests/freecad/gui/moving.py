@@ -102,7 +102,8 @@ def scenario():
     click(panel_button(Ok))
     yield no_panel
     assert made.Reference[0] is table and made.ReferenceMotion is swing
-    box = made.Mesh.BoundBox  # the arm stands still for the table, the jaw swings the other way
+    # Relative to the table, the arm stands still and the jaw swings the other way.
+    box = made.Mesh.BoundBox
     assert box.YMin < -20 and made.Status == envelope.UP_TO_DATE, box
     yield
 
@@ -116,8 +117,8 @@ def scenario():
         doc.removeObject(copy.Name)
     assert len(icons) == 5 and all(os.path.isfile(path) for path in icons), icons
 
-    # A run with the same inputs that is stopped has the state Cancelled; one that fails has the state
-    # Failed. The mesh stays.
+    # A run that is stopped leaves the state Cancelled; one that fails leaves the state Failed. The mesh
+    # stays.
     facets = made.Mesh.CountFacets
     swing.Placements = [still, App.Placement(V(), App.Rotation(V(0, 0, 1), 80))]
     made.Resolution = 1400

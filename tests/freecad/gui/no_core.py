@@ -68,12 +68,12 @@ def scenario():
     assert not runner.running() and doc.getObject("Envelope") is None
     click(panel_button(Cancel))
     yield no_panel
-    told = []
-    widgets.warn = lambda title, text: told.append(text)
+    messages = []
+    widgets.warn = lambda title, text: messages.append(text)
     hull = envelope.make_envelope(doc, [box], path)
     select(hull)
     Gui.runCommand("SweptVolume_Solid")
-    assert told, "nothing was said"
+    assert messages, "nothing was said"
 
     core_search.folders = found
     App.closeDocument(doc.Name)

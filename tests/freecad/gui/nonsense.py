@@ -29,10 +29,10 @@ from driver import (  # noqa: E402
 
 V = App.Vector
 NONSENSE = ["abc", "-5", "0.000001", "5 kg", "999999999"]
-#: How many of these are typed into a field of a panel; other fields get others.
+#: Number of these texts that are typed into each field of a panel. Different fields get different ones.
 TYPED = len(NONSENSE) if os.environ.get("SWEPT_LONG_TESTS") else 2
 CSV = "t,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n1,4,0,0,0,0,0,1\n"
-#: Time (s) until a run is stopped: a field may have accepted what was typed.
+#: Time (s) until a run is stopped. A run starts if a field has accepted what was typed.
 PATIENCE = 0.3
 
 
@@ -59,7 +59,7 @@ def storm(name, reopen, confirm):
     """Types every kind of invalid text into every field of a panel."""
     panel = reopen()
     yield 0.4
-    count, told = len(fields(panel.form)), 0
+    count, shown = len(fields(panel.form)), 0
     for k in range(count):
         for text in (NONSENSE * 2)[k % 5 : k % 5 + TYPED]:
             if no_panel():
@@ -77,7 +77,7 @@ def storm(name, reopen, confirm):
             if no_panel():
                 continue
             assert edit.text() == typed or edit.text(), "{}: what was typed is lost".format(name)
-            told += visible_text(panel.form) != before
+            shown += visible_text(panel.form) != before
             if text == "5 kg":
                 shot("60_nonsense_{}_{}".format(name, k))
         if not no_panel():
@@ -86,8 +86,8 @@ def storm(name, reopen, confirm):
     if not no_panel():
         panel.reject()
         yield no_panel
-    say("{}: {} fields, told {} times".format(name, count, told))
-    assert count and told, (name, count, told)
+    say("{}: {} fields, told {} times".format(name, count, shown))
+    assert count and shown, (name, count, shown)
 
 
 def table_storm(panel):
@@ -116,13 +116,13 @@ def counted_as_rows(doc, box):
     try:
         envelope.compute(hull)
     except core.CoreError as problem:
-        said = str(problem)
+        message = str(problem)
     panel = motion_panel.show(doc, path, (box, ""))
     yield 0.5
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
     rows = [str(table.model().headerData(r, QtCore.Qt.Vertical)) for r in range(3)]
     words = "between pose {} and pose {} the part turns by 180".format(*rows[1:])
-    assert words in said and words in hull.Message, (words, said, hull.Message)
+    assert words in message and words in hull.Message, (words, message, hull.Message)
     panel.reject()
     yield no_panel
     doc.removeObject(hull.Name)

@@ -100,21 +100,21 @@ def lists(doc):
         yield 0.3
         table = find(QtWidgets.QTableWidget, rules)
 
-        def told(*names):
+        def lists_only(*names):
             rows = [table.item(row, 0).text() for row in range(table.rowCount())]
             return len(rows) == len(names) and all(
                 name in panel.chosen.text() and any(name in row for row in rows) for name in names
             )
 
-        assert told("Wall"), panel.chosen.text()
+        assert lists_only("Wall"), panel.chosen.text()
         doc.Wall.ViewObject.Visibility = False
-        yield lambda: told()
+        yield lambda: lists_only()
         doc.Wall.ViewObject.Visibility = True
-        yield lambda: told("Wall")
+        yield lambda: lists_only("Wall")
         table.item(0, 1).setText("3")
         add_box(doc, "Post", (5, 5, 5), (90, 0, 0))
         doc.recompute()
-        yield lambda: told("Wall", "Post")
+        yield lambda: lists_only("Wall", "Post")
         assert sorted(table.item(row, 1).text() for row in range(2))[1].startswith("3")
         cell = table.item(0, 1)
         doc.Slide.Placement = doc.Slide.Placement
@@ -123,9 +123,9 @@ def lists(doc):
         assert table.item(0, 1) is cell  # nothing new to list
         select(doc.Post)
         click(panel.take)
-        yield lambda: told("Post")
+        yield lambda: lists_only("Post")
         doc.removeObject("Post")
-        yield lambda: told()
+        yield lambda: lists_only()
         yield close()
 
 
@@ -252,8 +252,8 @@ def installation(doc):
     obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
     yield 0.5
     table = find(QtWidgets.QTableWidget, "SweptVolumeSequenceParts")
-    told = [table.item(row, 2).text() for row in range(2)]
-    assert all(told), told
+    texts = [table.item(row, 2).text() for row in range(2)]
+    assert all(texts), texts
     release = find(QtWidgets.QWidget, "SweptVolumeRelease")
     release.setProperty("rawValue", 7.0)
     doc.openTransaction("Move")
@@ -264,7 +264,7 @@ def installation(doc):
     yield lambda: not any(table.item(row, 2).text() for row in range(2))
     doc.undo()
     doc.recompute()
-    yield lambda: [table.item(row, 2).text() for row in range(2)] == told
+    yield lambda: [table.item(row, 2).text() for row in range(2)] == texts
     assert release.property("rawValue") == 7.0
     doc.removeObject(obj.Name)
     yield lambda: not any(table.item(row, 2).text() for row in range(2))

@@ -139,9 +139,9 @@ def scenario():
     yield from drag(tip, tip + up * 60)
     moved = panel.keys.placements[0].Base - before.Base
     say("dragged by {:.3f} {:.3f} {:.3f} mm".format(*moved))
-    way = moved.dot(up)
-    assert (moved - up * way).Length < 1e-3, moved
-    assert way >= 30 and abs(way / 10 - round(way / 10)) < 1e-4, way
+    height = moved.dot(up)
+    assert (moved - up * height).Length < 1e-3, moved
+    assert height >= 30 and abs(height / 10 - round(height / 10)) < 1e-4, height
     shown = float(table.item(0, 3).toolTip().split()[0])  # all digits
     assert abs(shown - panel.keys.numbers(0)[2]) < 1e-3, shown
     shot("15_dragged")

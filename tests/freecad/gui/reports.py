@@ -54,8 +54,9 @@ def pictures_in(path):
 
 
 def picture():
-    """Returns the CPU seconds of the window's thread for one picture of FreeCAD's own, which cannot be
-    divided into steps."""
+    """Returns the CPU seconds of the window's thread for one picture that FreeCAD takes. This cannot be
+    divided into steps.
+    """
     from sweptvolume.panels.page_pictures import SIZE
 
     view, took = Gui.activeDocument().activeView(), []
@@ -76,14 +77,14 @@ def exported(obj, name):
     alone, gaps = picture(), Gaps()
     Gui.runCommand("SweptVolume_ExportReport")
     yield no_panel
-    told = "{}: the window stood still for {}; a picture takes {:.0f} ms"
-    say(told.format(name, gaps.stop(), 1000 * alone))
+    line = "{}: the window stood still for {}; a picture takes {:.0f} ms"
+    say(line.format(name, gaps.stop(), 1000 * alone))
     assert os.path.exists(path), os.listdir(FOLDER)
     if os.environ.get("SWEPT_SHOTS"):
         shutil.copy(path, os.environ["SWEPT_SHOTS"])
-    # The window's thread may compute for 50 ms at a time, or for 2.5 times the time of one picture of
-    # FreeCAD if this is longer: it takes one picture, and then the window draws another one. Waiting for
-    # a processor core does not count.
+    # The window's thread may compute for 50 ms at a time, or for 2.5 times the time of one picture of FreeCAD
+    # if this is longer: FreeCAD takes one picture, and then the window draws another one. Waiting for a
+    # processor core does not count.
     assert gaps.busy < max(0.05, 2.5 * alone), (gaps.busy, alone)
     return path
 
@@ -93,12 +94,12 @@ def make_mechanism(doc):
 
     V = App.Vector
     parts, motions = [], []
-    for k, way in enumerate((V(30, 0, 0), V(-30, 0, 0), V(0, 25, 0))):
+    for k, travel in enumerate((V(30, 0, 0), V(-30, 0, 0), V(0, 25, 0))):
         part = doc.addObject("Part::Box", "Box")
         part.Label = ("Links", "Rechts", "Oben")[k]
         part.Placement.Base = (V(0, 0, 0), V(60, 4, 0), V(25, -20, 0))[k]
         first = part.Placement
-        last = App.Placement(first.Base + way, App.Rotation(V(0, 0, 1), 30.0 * k))
+        last = App.Placement(first.Base + travel, App.Rotation(V(0, 0, 1), 30.0 * k))
         path = motion.motion_from_poses(doc, [0, 1], [first, last])
         parts.append((part, ""))
         motions.append(path)
@@ -171,15 +172,15 @@ def scenario():
     assert "Links - Rechts" in text and "Drei Teile" in text and "<svg" in text
     paper = yield from exported(obj, "mechanism.pdf")
     assert pictures_in(paper) >= 2, "graph and places"
-    told = text_of(paper)
-    for word in ("Drei Teile", "Links - Rechts", "Verdicts", "Rules", "SHA-256") if told else ():
-        assert word in told, (word, told)
+    content = text_of(paper)
+    for word in ("Drei Teile", "Links - Rechts", "Verdicts", "Rules", "SHA-256") if content else ():
+        assert word in content, (word, content)
     assert graph.getNumChildren() == drawn, "what was drawn for pictures is gone"
     yield from stopped(obj)
     whole = yield from exported(study, "study.pdf")
-    told = text_of(whole)
-    for word in ("Run 1", "not clear") if told else ():
-        assert word in told, (word, told)
+    content = text_of(whole)
+    for word in ("Run 1", "not clear") if content else ():
+        assert word in content, (word, content)
     assert pictures_in(whole) >= 2, "a graph for each run"
     # Custom templates, one for each kind of file.
     template = os.path.join(FOLDER, "acme.html")
@@ -188,11 +189,11 @@ def scenario():
     group = App.ParamGet(settings.PATH)
     group.SetString("PrintTemplate", template)
     paper = yield from exported(obj, "acme.pdf")
-    told = text_of(paper)
-    assert not told or ("ACME paper" in told and "SHA-256" not in told), told
+    content = text_of(paper)
+    assert not content or ("ACME paper" in content and "SHA-256" not in content), content
     paper = yield from exported(study, "acme study.pdf")
-    told = text_of(paper)
-    assert not told or ("ACME paper" in told and "Run 1" in told), told
+    content = text_of(paper)
+    assert not content or ("ACME paper" in content and "Run 1" in content), content
     group.RemString("PrintTemplate")
 
 

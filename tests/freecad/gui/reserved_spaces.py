@@ -58,7 +58,7 @@ def scenario():
     yield
     doc = new_document("Spaces")
     first, second = envelopes(doc)
-    post = add_box(doc, "Post", (4, 4, 30), (72, 3, -10))  # 2 mm off the first
+    post = add_box(doc, "Post", (4, 4, 30), (72, 3, -10))  # 2 mm from the first envelope
     doc.recompute()
     view = view_from("Isometric")
     yield
@@ -103,7 +103,7 @@ def scenario():
     assert abs(kept.Volume.Value - 600) < 0.5 and doc.UndoCount == undo + 1, kept.Volume
     click(panel_button(Close))
     yield no_panel
-    assert graph.getNumChildren() <= drawn + 1  # only the drawing of the object
+    assert graph.getNumChildren() <= drawn + 1  # only the new object is drawn
     first.ViewObject.Transparency = second.ViewObject.Transparency = 70
     yield 0.3
     shot("92_shared_volume")

@@ -152,7 +152,7 @@ def scenario():
         click(panel_button(Cancel))
         yield no_panel
 
-    # A file: its megabytes.
+    # For a file, the panel shows its megabytes.
     target = os.path.join(tempfile.mkdtemp(), "ring.step")
     with answered(file_dialogs, "ask_export", lambda name: target):
         select(hull)

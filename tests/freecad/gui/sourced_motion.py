@@ -31,20 +31,20 @@ V = App.Vector
 
 def answering(button, picture=""):
     """Presses a button of the next question from the event loop. Returns the text of the question."""
-    asked = []
+    questions = []
 
     def answer():
         box = QtWidgets.QApplication.activeModalWidget()
         if not isinstance(box, QtWidgets.QMessageBox):
             QtCore.QTimer.singleShot(50, answer)
             return
-        asked.append(box.text())
+        questions.append(box.text())
         if picture:
             shot(picture)
         click(box.button(button))
 
     QtCore.QTimer.singleShot(50, answer)
-    return asked
+    return questions
 
 
 def menu_of(name):
@@ -56,16 +56,16 @@ def menu_of(name):
     view.setCurrentItem(item)
     texts = []
 
-    def look():
+    def read_menu():
         menu = QtWidgets.QApplication.activePopupWidget()
         if menu is None:
-            QtCore.QTimer.singleShot(50, look)
+            QtCore.QTimer.singleShot(50, read_menu)
             return
         texts.extend(a.text().replace("&", "") for a in menu.actions() if not a.isSeparator())
         shot("72_menu_" + name)
         menu.close()
 
-    QtCore.QTimer.singleShot(100, look)
+    QtCore.QTimer.singleShot(100, read_menu)
     place = view.visualItemRect(item).center()
     event = QtGui.QContextMenuEvent(
         QtGui.QContextMenuEvent.Mouse, place, view.viewport().mapToGlobal(place)
@@ -95,10 +95,10 @@ def scenario():
     yield
     panel = motion_panel.opened[-1]
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
-    asked = answering(QtWidgets.QMessageBox.No, "70_cut")
+    questions = answering(QtWidgets.QMessageBox.No, "70_cut")
     table.item(1, 1).setText("77")
     yield
-    assert asked and "Wire" in asked[0], asked
+    assert questions and "Wire" in questions[0], questions
     assert table.item(1, 1).text() == "60" and not panel.history.before
     shot("71_sourced_editor")
     yield 0.3
@@ -110,11 +110,11 @@ def scenario():
     Gui.runCommand("SweptVolume_EditMotion")
     yield
     table = find(QtWidgets.QTableWidget, "SweptVolumeKeys")
-    asked = answering(QtWidgets.QMessageBox.Yes)
+    questions = answering(QtWidgets.QMessageBox.Yes)
     table.item(1, 1).setText("77")
     table.item(2, 1).setText("78")
     yield
-    assert len(asked) == 1
+    assert len(questions) == 1
     click(panel_button(Ok))
     yield no_panel
     assert path.SourceType == "Stored" and path.Placements[1].Base.x == 77

@@ -53,9 +53,9 @@ def stops_early(doc):
             click(panel_button(Ok))
             yield 0.4
             if button == 0:
-                said = visible_text()
+                text = visible_text()
                 for words in ("stopped early", "4 of 5 frames", "0.75 s of 1 s", "OK again"):
-                    assert words in said, said
+                    assert words in text, text
                 shot("26_stops_early_{}".format(len(chosen)))
                 yield 0.6
         yield no_panel
@@ -117,7 +117,8 @@ def scenario():
     yield no_panel
     along = made(doc).Placements[0].Rotation.multVec(V(1, 0, 0))
     assert (along - V(0, 0, 1)).Length < 1e-9, along
-    assert made(doc).PoseType == "RelativeToFirst"  # it follows the wire from where the part is
+    # The motion starts at the present placement of the part.
+    assert made(doc).PoseType == "RelativeToFirst"
 
     # A driving value: the cell of a spreadsheet moves the box.
     sheet = doc.addObject("Spreadsheet::Sheet", "Values")

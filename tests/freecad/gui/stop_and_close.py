@@ -25,8 +25,8 @@ from driver import (  # noqa: E402
 )
 
 V = App.Vector
-#: s from closing the window to the end of the process, without the time that its threads waited for a
-#: processor core.
+#: Longest time (s) from closing the window to the end of the process, without the time that its threads
+#: waited for a processor core.
 END = 2.0
 #: Code of a separate process that kills a process that ends too late. Arguments: the number of this
 #: process, and the time limit (s).
@@ -134,13 +134,13 @@ def stopped_at(panel, part):
 
 def discard():
     """Answers FreeCAD's question about unsaved changes. From then on, FreeCAD must end in time."""
-    asked = QtWidgets.QApplication.activeModalWidget()
-    if asked is None:
+    question = QtWidgets.QApplication.activeModalWidget()
+    if question is None:
         return QtCore.QTimer.singleShot(50, discard)
     say("stop_and_close.py passed")
     watch = ["python3", "-c", WATCH, str(os.getpid()), str(END)]
     subprocess.Popen(watch, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    asked.button(QtWidgets.QMessageBox.Discard).click()
+    question.button(QtWidgets.QMessageBox.Discard).click()
 
 
 def scenario():

@@ -72,8 +72,8 @@ def make(doc):
     part = box(doc, "Slide")
     wall, post = box(doc, "Wall", x=43), box(doc, "Post", y=12)
     found = []
-    for way, label in ((30, "To the stop"), (36, "Too far"), (10, "Short")):
-        poses = [App.Placement(), App.Placement(App.Vector(way, 0, 0), App.Rotation())]
+    for travel, label in ((30, "To the stop"), (36, "Too far"), (10, "Short")):
+        poses = [App.Placement(), App.Placement(App.Vector(travel, 0, 0), App.Rotation())]
         path = motion.motion_from_poses(doc, [0, 1], poses)
         path.Label = "Way of " + label
         found.append(
@@ -106,9 +106,9 @@ def write_files():
         mesh = Mesh.createBox(10, 10, 10)
         mesh.translate(x, y, 0)
         mesh.write(os.path.join(FOLDER, name + ".stl"))
-    for name, way in (("near", 30), ("into", 36)):
+    for name, travel in (("near", 30), ("into", 36)):
         with open(os.path.join(FOLDER, name + ".csv"), "w") as file:
-            file.write("0,0,0,0,0,0,0,1\n1,{},0,0,0,0,0,1\n".format(way))
+            file.write("0,0,0,0,0,0,0,1\n1,{},0,0,0,0,0,1\n".format(travel))
     path = os.path.join(FOLDER, "study.toml")
     with open(path, "w") as file:
         file.write(FILE)

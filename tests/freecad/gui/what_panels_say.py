@@ -52,12 +52,12 @@ def export(hull, made, stale):
     from sweptvolume.panels import file_dialogs
 
     path = os.path.join(tempfile.mkdtemp(), "a.step")
-    for chosen, told in ((hull, False), (made, True)):
+    for chosen, noted in ((hull, False), (made, True)):
         select(chosen)
         with answered(file_dialogs, "ask_export", lambda *ignored: path):
             Gui.runCommand("SweptVolume_Export")
         yield 0.5
-        assert ("stored solid is not used" in visible_text()) == told, visible_text()
+        assert ("stored solid is not used" in visible_text()) == noted, visible_text()
         assert ('"Together" is not up to date' in visible_text()) == stale, visible_text()
         click(panel_button(Cancel))
         yield no_panel

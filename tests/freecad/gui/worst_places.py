@@ -146,7 +146,7 @@ def scenario():
     shot("17_clearance_parts")
     yield 1.0
     check_graph(find(QtWidgets.QWidget, "SweptVolumeDistanceGraph"))
-    # Begins with the worst place, whatever column sorts the table.
+    # The button begins with the worst place, whatever column sorts the table.
     table.sortItems(0)
     worse = find(QtWidgets.QPushButton, "SweptVolumeNextWorst")
     back = find(QtWidgets.QPushButton, "SweptVolumePlaceBefore")

@@ -10,7 +10,7 @@
 namespace swept {
 namespace {
 
-// While one task fails at once, the loops of the other tasks do all of their work.
+// Two tasks fail at once. The loops of all other tasks still do all of their work.
 TEST(Parallel, AFailureCutsNoLoopOfOtherTasksShort) {
   constexpr std::size_t kTasks = 16, kItems = 2000;
   for (int round = 0; round < 50; ++round) {

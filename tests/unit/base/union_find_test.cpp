@@ -1,4 +1,5 @@
-// Union-find, compared with a simple relabelling; joined in any order, by any number of threads.
+// Union-find, compared with a simple relabelling. Sets are joined in any order, by any number of
+// threads.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/union_find.h"
 

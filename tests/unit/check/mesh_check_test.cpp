@@ -219,7 +219,7 @@ TEST(SelfIntersections, FoldedFan) {
   mesh.vertices[2] = {std::cos(-0.4), std::sin(-0.4), 0};
   EXPECT_EQ(check(mesh).selfIntersections, bruteForce(mesh));
   EXPECT_GT(check(mesh).selfIntersections, 0);
-  // Out of the plane: triangles pierce one another round the vertex.
+  // Two vertices leave the plane, so that triangles pierce one another round the vertex.
   mesh.vertices[2] = {std::cos(-0.4), std::sin(-0.4), 0.2};
   mesh.vertices[1].z() = 0.3;
   EXPECT_EQ(check(mesh).selfIntersections, bruteForce(mesh));
@@ -278,8 +278,8 @@ TEST(SelfIntersections, AgreesWithAllPairsOnRandomMeshes) {
   std::uniform_real_distribution<double> jitter(-1, 1);
   std::int64_t total = 0;
   for (int round = 0; round < 60; ++round) {
-    // From hardly disturbed meshes to tangled ones; every third one on a coarse lattice with many
-    // ties.
+    // The meshes range from hardly disturbed to tangled. In every third one, coordinates are
+    // rounded to a coarse lattice, so many are equal.
     TriMesh mesh = round % 2 == 0 ? makeBall({0, 0, 0}, 1, 2) : makeTorus(2, 0.7, 16, 9);
     const double amount = 0.02 * (round / 3);
     for (auto& v : mesh.vertices) {
@@ -326,7 +326,7 @@ TEST(MeshCheck, SameAnswerForAnyNumberOfThreads) {
     const MeshCheck other = check(mesh, threads);
     EXPECT_EQ(one.selfIntersections, other.selfIntersections);
     EXPECT_EQ(one.firstIntersections, other.firstIntersections);
-    EXPECT_EQ(one.volume, other.volume);  // every bit
+    EXPECT_EQ(one.volume, other.volume);  // to the last bit
     EXPECT_EQ(one.area, other.area);
   }
 }

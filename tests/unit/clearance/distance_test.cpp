@@ -23,7 +23,7 @@ Eigen::Isometry3d randomPose(Random& random, double size) {
 TEST(Part, InsideOfNestedAndOverlappingShells) {
   TriMesh mesh = makeBox(Vector3d::Constant(-10), Vector3d::Constant(10));
   append(mesh, inverted(makeBox(Vector3d::Constant(-4), Vector3d::Constant(4))));  // a cavity
-  append(mesh, makeBall(Vector3d(9, 0, 0), 4, 2));                                 // overlaps
+  append(mesh, makeBall(Vector3d(9, 0, 0), 4, 2));  // overlaps the box
   for (const TriMesh& m : {mesh, soup(mesh)}) {
     const Part tree(m, "the mesh");
     EXPECT_TRUE(tree.closed());
@@ -44,7 +44,7 @@ TEST(Part, InsideOfNestedAndOverlappingShells) {
 }
 
 TEST(Part, InsideHoldsForEveryLatticePointOfABox) {
-  // Many of these rays pass through edges and diagonals of faces.
+  // Many rays of the inside test pass through edges and diagonals of faces.
   const Part tree(makeBox(Vector3d::Zero(), Vector3d::Constant(8)), "the box");
   for (int i = -1; i <= 9; ++i)
     for (int j = -1; j <= 9; ++j)

@@ -53,14 +53,15 @@ TEST(Mechanism, CubesPassEachOther) {
   const NeighbourClearance& row = only(report);
   EXPECT_NEAR(row.distance, 3, options.tolerance);
   EXPECT_EQ(row.verdict, ClearanceVerdict::BelowRequired);
-  // Side by side while the middles are less than 10 mm apart in x: at 80 mm/s for both together.
+  // The cubes are side by side while their middles are less than 10 mm apart in x. They approach
+  // each other at 80 mm/s.
   EXPECT_GE(row.timeSeconds, 1 - 10.0 / 80 - 1e-9);
   EXPECT_LE(row.timeSeconds, 1 + 10.0 / 80 + 1e-9);
   ASSERT_EQ(row.below.size(), 1u);
   const double reach = (10 + std::sqrt(16.0 - 9.0)) / 80;
   EXPECT_NEAR(row.below[0].from, 1 - reach, 0.2 / 80);
   EXPECT_NEAR(row.below[0].to, 1 + reach, 0.2 / 80);
-  // World coordinates: points on the facing sides, which do not move in y.
+  // In world coordinates, the closest points lie on the facing sides, which do not move in y.
   EXPECT_NEAR(row.pointOnBody.y(), 5, 1e-9);
   EXPECT_NEAR(row.pointOnNeighbour.y(), 8, 1e-9);
   EXPECT_NEAR(report.pairs[0].poseOfFirst.translation.x(), 40 * (row.timeSeconds - 1), 1e-6);
@@ -84,7 +85,7 @@ TEST(Mechanism, BarsTurnAgainstEachOther) {
     const MechanismReport report =
         check({partOf("left", bar, left, kind), partOf("right", bar, right, kind)}, options);
     const NeighbourClearance& row = only(report);
-    double least = 1e300;  // of rectangles in the plane, at many times; the bars are mirror images
+    double least = 1e300;  // smallest gap at many angles
     const auto gap = [&](double degrees) {
       const MechanismPart a = partOf("a", bar, {turned(0, degrees, {0, 0, 0})});
       const MechanismPart b = partOf("b", bar, {turned(0, 90 - degrees, {100, 0, 0})});
@@ -93,7 +94,8 @@ TEST(Mechanism, BarsTurnAgainstEachOther) {
     };
     for (double degrees = 0; degrees < 90; degrees += 0.5) least = std::min(least, gap(degrees));
     EXPECT_LE(row.distance, least + 0.01);
-    EXPECT_GE(row.distance, least - 0.3);  // half a degree at 60 mm is 0.5 mm
+    // Between two of these angles, an end of a bar moves 0.5 mm.
+    EXPECT_GE(row.distance, least - 0.3);
     EXPECT_NEAR(gap(45 * row.timeSeconds), row.distance, 1e-6);
   }
 }
@@ -115,7 +117,7 @@ TEST(Mechanism, WhatMovesAsOneIsJoined) {
   ASSERT_EQ(report.status, Status::Ok) << report.message;
   ASSERT_EQ(report.joined.size(), 1u);
   EXPECT_EQ(report.joined[0], (PartPair{0, 1}));
-  ASSERT_EQ(report.pairs.size(), 4u);  // wall and ground both stand still
+  ASSERT_EQ(report.pairs.size(), 4u);  // wall and ground are no pair: both stand still
   EXPECT_EQ(report.farPairs, 0);
   const double corner = std::hypot(30.0, 5.0);
   for (const PairClearance& pair : report.pairs)
@@ -135,7 +137,7 @@ TEST(Mechanism, APartThatWaitsIsPassed) {
   const MechanismReport waits = check({partOf("gate", cube(5), gate), runner(3)});
   EXPECT_NEAR(only(waits).distance, 1, 0.01);
   EXPECT_NEAR(only(waits).timeSeconds, 3.5, 0.15);
-  // Without the wait, at t = 4.75 the gate would be half way up.
+  // If the wait were ignored, the gate would rise from t = 1 on and be far away at t = 4.75.
   const MechanismReport early = check({partOf("gate", cube(5), gate), runner(4.5)});
   EXPECT_NEAR(only(early).distance, 1, 0.01);
 }
@@ -171,7 +173,7 @@ TEST(Mechanism, OneMovingPartIsAsForTheClearance) {
   }
 }
 
-// A peg goes 2 mm deep into a plate, and both move: depth, place and box are in world
+// A peg goes 2 mm deep into a plate, and both move. Depth, position and box are in world
 // coordinates.
 TEST(Mechanism, ClashOfTwoThatMove) {
   const MechanismReport report =
@@ -203,7 +205,8 @@ TEST(Mechanism, PairsAreLeftOutAndFarOnesAreCounted) {
   ASSERT_EQ(all.status, Status::Ok) << all.message;
   ASSERT_EQ(all.pairs.size(), 5u);
   EXPECT_EQ(all.farPairs, 10);
-  EXPECT_EQ(all.joined.size(), 0u);  // every second one moves alike, but those are far apart
+  // Every second part has the same motion, but these parts are far apart.
+  EXPECT_EQ(all.joined.size(), 0u);
   options.rules = {{"c", "b", parseRule("ignore")}};
   const MechanismReport less = check(parts, options);
   ASSERT_EQ(less.pairs.size(), 4u);
@@ -233,7 +236,7 @@ TEST(Mechanism, TimesOfSpinningBalls) {
     const MechanismReport report =
         check({partOf("still", ball, still), partOf("swinging", ball, swinging)}, options);
     const NeighbourClearance& row = only(report);
-    const auto touching = [&](double level) {  // s in each swing of two seconds
+    const auto touching = [&](double level) {  // s below `level` in each swing of two seconds
       return 2 * std::acos((apart - 2 * radius - level) / swing) / M_PI;
     };
     const auto lengths = [](const std::vector<TimeInterval>& spans) {

@@ -76,7 +76,8 @@ TEST(NeighbourRule, RulesThatFitNobodyOrContradict) {
   EXPECT_NE(two.find("'bolt 1'"), std::string::npos);
   EXPECT_NE(two.find("'b*=3' and '*1=contact'"), std::string::npos) << two;
   refusal([&] { rulesFor(names, {{"cover", rule("3")}, {"cover", rule("4")}}); });
-  rulesFor(names, {{"b*", rule("3")}, {"*1", rule("3")}});  // the same twice is no contradiction
+  // The same rule twice is no contradiction.
+  rulesFor(names, {{"b*", rule("3")}, {"*1", rule("3")}});
 }
 
 // Names and patterns of two letters and wildcards, compared with a recursive matcher.
@@ -175,7 +176,7 @@ TEST(ClearanceRules, ContactThatIsAllowedIsNoFault) {
       << report.summary;
 }
 
-// A box is pushed into a block: as deep as allowed is contact, deeper is a clash.
+// A box is pushed into a block. Up to the allowed depth this is contact, deeper is a clash.
 TEST(ClearanceRules, DeeperThanAllowedIsAClash) {
   const TriMesh block = makeBox({20, -30, -30}, {60, 40, 40});
   std::mt19937 engine(11);

@@ -17,7 +17,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using namespace swept::test;
 
-/// Groups that are curved, slanted or without area, and with triangles of both orientations.
+/// Returns a mesh with groups of triangles that are curved, slanted or without area, in both
+/// orientations.
 TriMesh mixture() {
   TriMesh mesh = makeTorus(10, 3, 30, 16);
   append(mesh, makeBox({6, 6, -20}, {7, 7, 20}));

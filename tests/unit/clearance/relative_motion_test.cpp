@@ -67,7 +67,7 @@ TEST(RelativeMotion, NoPointLeavesItsBounds) {
         const double time = motion.timeAt(u);
         const Vector3d local(random.number(-1, 1), random.number(-1, 1), random.number(-1, 1));
         const Vector3d x = body.centre() + body.half().cwiseProduct(local);
-        // The true positions: each motion by itself, in world coordinates.
+        // The true position, from each motion separately, in world coordinates.
         const Pose back = frame.poseAt(time);
         const Vector3d world = placed(body.poseAt(time), x) - back.translation;
         const Vector3d seen = back.rotation.conjugate() * world;
@@ -84,8 +84,7 @@ TEST(RelativeMotion, NoPointLeavesItsBounds) {
   }
 }
 
-// The bound must shrink with the time span, or no search would end: by three quarters with each
-// halving.
+// The bound must shrink with the time span, or no search would end.
 TEST(RelativeMotion, BoundsShrinkWithTheSpan) {
   Random random(8);
   const auto [body, frame, span] = randomTwo(random, 3);

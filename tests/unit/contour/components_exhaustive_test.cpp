@@ -27,7 +27,7 @@ Faults contourFaults(const SyntheticGrid& synthetic, Geometry geometry, std::uin
 
 /// A block of bx x by x bz lattice points with its doubly crossed edges.
 struct Block {
-  std::uint64_t insideBits = 0;  ///< (i * by + j) * bz + k
+  std::uint64_t insideBits = 0;  ///< point (i, j, k) has bit (i * by + j) * bz + k
   std::uint64_t wallBits = 0;    ///< in the order of blockEdges()
 };
 
@@ -58,7 +58,7 @@ std::vector<BlockEdge> blockEdges(const BlockShape& s) {
   return edges;
 }
 
-/// Collects blocks in a cubic arrangement, and contours it whenever it is full.
+/// Puts blocks into a cubic grid, and contours the grid whenever it is full.
 class BlockTester {
  public:
   BlockTester(BlockShape shape, Geometry geometry, std::uint64_t seed)
@@ -134,20 +134,20 @@ class BlockTester {
 };
 
 /// Returns the edges of a block with both ends outside: these may be doubly crossed.
-std::vector<int> wallPlaces(const std::vector<BlockEdge>& edges, std::uint64_t inside) {
-  std::vector<int> places;
+std::vector<int> crossableEdges(const std::vector<BlockEdge>& edges, std::uint64_t inside) {
+  std::vector<int> positions;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!(inside >> edges[e].low & 1u) && !(inside >> edges[e].high & 1u)) {
-      places.push_back(static_cast<int>(e));
+      positions.push_back(static_cast<int>(e));
     }
   }
-  return places;
+  return positions;
 }
 
-std::uint64_t spread(std::uint64_t bits, const std::vector<int>& places) {
+std::uint64_t spread(std::uint64_t bits, const std::vector<int>& positions) {
   std::uint64_t out = 0;
-  for (std::size_t p = 0; p < places.size(); ++p) {
-    if (bits >> p & 1u) out |= 1ull << places[p];
+  for (std::size_t p = 0; p < positions.size(); ++p) {
+    if (bits >> p & 1u) out |= 1ull << positions[p];
   }
   return out;
 }
@@ -158,9 +158,9 @@ std::int64_t everyCell(const std::function<void(const Block&)>& use) {
   const auto edges = blockEdges({2, 2, 2});
   std::int64_t count = 0;
   for (std::uint64_t inside = 0; inside < 256; ++inside) {
-    const auto places = wallPlaces(edges, inside);
-    for (std::uint64_t bits = 0; bits < 1ull << places.size(); ++bits, ++count) {
-      use({inside, spread(bits, places)});
+    const auto positions = crossableEdges(edges, inside);
+    for (std::uint64_t bits = 0; bits < 1ull << positions.size(); ++bits, ++count) {
+      use({inside, spread(bits, positions)});
     }
   }
   return count;
@@ -199,7 +199,8 @@ TEST(ComponentsExhaustive, ComponentsAreSingleLoops) {
   std::int64_t ambiguous = 0;
   std::uint64_t seed = 1;
   everyCell([&](const Block& block) {
-    if (block.insideBits == 255 || (block.insideBits | block.wallBits) == 0) return;  // empty
+    // No crossings.
+    if (block.insideBits == 255 || (block.insideBits | block.wallBits) == 0) return;
     Cell cell;
     const auto bit = [](int a, int b, int c, int axis) {
       int p[3];
@@ -279,7 +280,8 @@ TEST(ComponentsExhaustive, EveryFacePair) {
   }
 }
 
-/// All 2^20 choices of doubly crossed edges in two cells whose corners all lie outside.
+/// Choices of doubly crossed edges in two cells whose corners all lie outside: all 2^20 in a long
+/// run, otherwise a sample.
 TEST(ComponentsExhaustive, FacePairsOfWalls) {
   BlockTester tester({2, 2, 3}, Geometry::Random, 5);
   const std::uint64_t stride = longRun() ? 1 : kUnderSanitizer ? 293 : 31;
@@ -341,8 +343,7 @@ TEST(ComponentsExhaustive, RandomGrids) {
   }
 }
 
-/// The fault counter above finds faults: one vertex per cell makes non-manifold edges in such a
-/// grid.
+/// findFaults() can fail: one vertex per cell makes non-manifold edges in such a grid.
 TEST(ComponentsExhaustive, PlainDualContouringHasFaults) {
   SyntheticGrid grid(9, 9, 9);
   for (std::int32_t p = 0; p < 343; ++p) {

@@ -18,7 +18,7 @@ namespace {
 
 using V3 = Eigen::Vector3d;
 
-/// Returns a prism along y over an L: a block with a step of the given height along its middle.
+/// Returns an L-shaped prism along y: a block with a step of the given height along its middle.
 TriMesh stepped(double height) {
   const double x[] = {0, 6, 6, 3, 3, 0}, z[] = {0, 0, 2, 2, 2 + height, 2 + height};
   TriMesh mesh;
@@ -40,19 +40,19 @@ TriMesh stepped(double height) {
 
 constexpr double kCell = 0.25;
 
-/// Computes the envelope of a block that stands still, turned about `axis`, with a ledge of this
-/// height in cells. use(distance): distance in cells of a point, given in the block's
-/// coordinates, from the envelope.
+/// Computes the envelope of a block that stands still, turned about `axis`. Its ledge is `height`
+/// cells high. use(distance): distance(p) is the distance (in cells) from the envelope to a point p
+/// in the block's coordinates.
 template <class Use>
 void withLedge(double height, const V3& axis, double degrees, const Use& use) {
-  const Eigen::Isometry3d place = placement(axis, degrees, {0.07, 0.11, 0.03});
+  const Eigen::Isometry3d pose = placement(axis, degrees, {0.07, 0.11, 0.03});
   Options options;
   options.cellSize = kCell;
   const Trajectory still{{poseOf(0, Eigen::Isometry3d::Identity())}, Interpolation::None};
-  const TriMesh body = transformed(stepped(height * kCell), place);
+  const TriMesh body = transformed(stepped(height * kCell), pose);
   const Result result = checkedCompute(body, still, options);
   const MeshDistance envelope(result.mesh);
-  use([&](const V3& x) { return envelope.distance(place * x) / kCell; });
+  use([&](const V3& x) { return envelope.distance(pose * x) / kCell; });
 }
 
 TEST(HiddenSide, UpperEdgeOfALedgeLowerThanACell) {
@@ -108,18 +108,18 @@ TEST(KnownSide, RimOfAWallNearlyAsThickAsACell) {
   std::vector<double> edges;
   for (const double height : {0.5, 0.7, 0.9}) {
     for (const double degrees : {17.0, 31.0, 43.0}) {
-      const Eigen::Isometry3d place = placement({0.4, 1, 0.25}, degrees, {0.07, 0.11, 0.03});
+      const Eigen::Isometry3d pose = placement({0.4, 1, 0.25}, degrees, {0.07, 0.11, 0.03});
       const V3 size(kWidth, kLength, height * kCell);
       Options options;
       options.cellSize = kCell;
       const Trajectory still{{poseOf(0, Eigen::Isometry3d::Identity())}, Interpolation::None};
       const Result result =
-          checkedCompute(transformed(makeBox({0, 0, 0}, size), place), still, options);
+          checkedCompute(transformed(makeBox({0, 0, 0}, size), pose), still, options);
       const MeshDistance envelope(result.mesh);
       for (int n = 4; n <= 196; ++n) {
         for (const double x : {0.0, kWidth}) {
           for (const double z : {0.0, size.z()}) {
-            edges.push_back(envelope.distance(place * V3(x, kLength * n / 200, z)) / kCell);
+            edges.push_back(envelope.distance(pose * V3(x, kLength * n / 200, z)) / kCell);
           }
         }
       }

@@ -74,7 +74,7 @@ TEST(DualMarchingCubes, LosesAWallThinnerThanACell) {
 }
 
 TEST(Equivalence, JoinsTwoCornersThatAWalkConnects) {
-  // Two inside corners on a diagonal of the cell: the outside walk joins all crossings.
+  // Two inside corners on a diagonal of the cell: the walk over the outside joins all crossings.
   const Cell cell = cellOf(0xffu & ~(1u << 0 | 1u << 7));
   Components c;
   findEquivalence(cell, c);
@@ -85,7 +85,7 @@ TEST(Equivalence, JoinsTwoCornersThatAWalkConnects) {
 
 TEST(Greedy, TakesTheInsideWalkWhereItsNormalsAgree) {
   const Cell cell = cellOf(0xffu & ~(1u << 0 | 1u << 7));
-  // Around corner 0 the normals point along -(1,1,1), around corner 7 along (1,1,1).
+  // Around corner 0 the normals point along (1,1,1), around corner 7 along -(1,1,1).
   std::vector<Crossing> crossings(6);
   for (int slot = 0; slot < kSlots; ++slot) {
     if (!cell.has(slot)) continue;

@@ -1,5 +1,5 @@
-// The vertex for the planes of a component: it is at the best place in the cell, and inexact
-// planes do not move it far.
+// The vertex for the planes of a component: no point of the cell has a smaller quadratic error, and
+// inexact planes do not move the vertex far.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contour/qef.h"
 
@@ -15,14 +15,15 @@ using V3 = Eigen::Vector3d;
 
 TEST(Qef, NoPlaceInTheCellIsBetter) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> share(0, 1), sign(-1, 1);
+  std::uniform_real_distribution<double> fraction(0, 1), sign(-1, 1);
   constexpr double kMargin = 1e-4;
   for (int n = 0; n < 300; ++n) {
     Qef planes;
     const V3 about = V3(sign(random), sign(random), sign(random));
     for (int p = 0; p < 3 + n % 4; ++p) {
       const V3 turn(sign(random), sign(random), sign(random));
-      planes.add(V3(share(random), share(random), share(random)), (about + turn).normalized());
+      planes.add(V3(fraction(random), fraction(random), fraction(random)),
+                 (about + turn).normalized());
     }
     V3 free;
     const V3 best = planes.solve(kMargin, free);
@@ -33,7 +34,7 @@ TEST(Qef, NoPlaceInTheCellIsBetter) {
              Qef::kDamping * planes.count() * (x - planes.massPoint()).squaredNorm();
     };
     for (int k = 0; k < 200; ++k) {
-      const V3 x = V3(share(random), share(random), share(random)) * (1 - 2 * kMargin);
+      const V3 x = V3(fraction(random), fraction(random), fraction(random)) * (1 - 2 * kMargin);
       EXPECT_GE(error(x + V3::Constant(kMargin)), error(best) - 1e-9);
     }
   }

@@ -102,7 +102,7 @@ std::string faultsOf(const DrawnCell& drawn, bool layered) {
 template <class Use>
 void forAllCells(const Use& use) {
   for (std::uint32_t corners = 0; corners < 256; ++corners) {
-    std::uint32_t free = 0;  // edges that may pass through a wall
+    std::uint32_t free = 0;  // edges with both ends outside, which may be doubly crossed
     for (int edge = 0; edge < kEdges; ++edge) {
       if ((corners >> cornerOf(edge, 0) & 1u) == 0 && (corners >> cornerOf(edge, 1) & 1u) == 0)
         free |= 1u << edge;

@@ -31,9 +31,9 @@ Specks drop(Surface& surface, SelfIntersections& pairs, double mostVolume = kSpe
 
 TEST(Specks, OnlyWhatIsFarSmallerThanACellGoes) {
   Surface surface;
-  append(surface, makeBox({5, 0, 0}, {5.2, 0.2, 0.2}), 0);    // 0.008: a speck
+  append(surface, makeBox({5, 0, 0}, {5.2, 0.2, 0.2}), 0);    // volume 0.008: a speck
   append(surface, makeBox({0, 0, 0}, {3, 3, 3}), 1);          // stays
-  append(surface, makeBox({8, 0, 0}, {8.3, 0.3, 0.3}), 2);    // 0.027: stays
+  append(surface, makeBox({8, 0, 0}, {8.3, 0.3, 0.3}), 2);    // volume 0.027: stays
   append(surface, makeBox({0, 9, 0}, {2.5, 9.01, 0.01}), 3);  // thin but long: stays
   const auto faces = static_cast<std::int32_t>(makeBox({0, 0, 0}, {1, 1, 1}).triangles.size());
   SelfIntersections pairs{2, {{0, faces + 1}, {faces + 2, 2 * faces + 3}}};
@@ -64,7 +64,7 @@ TEST(Specks, WhereSmallPartsStayAShellWithoutVolumeGoes) {
   Surface surface;
   append(surface, makeBox({0, 0, 0}, {3, 3, 3}), 0);
   append(surface, makeBox({5, 0, 0}, {5.01, 0.01, 0.01}), 1);
-  append(surface, makeBox({8, 0, 0}, {8.1, 0.1, 0}), 2);  // laid flat
+  append(surface, makeBox({8, 0, 0}, {8.1, 0.1, 0}), 2);  // without volume
   SelfIntersections pairs;
   EXPECT_EQ(drop(surface, pairs, kFlatVolume).count, 1);
   ASSERT_EQ(surface.mesh.vertices.size(), 16u);

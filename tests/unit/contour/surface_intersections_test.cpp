@@ -107,9 +107,9 @@ TEST(CertainlyApart, NeverSaysSoOfTrianglesThatMeet) {
     }
     if (hasNoArea(mesh, 0) || hasNoArea(mesh, 1)) continue;
     const bool meets = trianglesIntersect(mesh, 0, 1);
-    const bool said = certainlyApart(mesh, 0, 1);
-    EXPECT_FALSE(meets && said) << "case " << n;
-    apart += said;
+    const bool foundApart = certainlyApart(mesh, 0, 1);
+    EXPECT_FALSE(meets && foundApart) << "case " << n;
+    apart += foundApart;
     meet += meets;
   }
   EXPECT_GT(apart, 1000);

@@ -86,7 +86,7 @@ HermiteGrid SyntheticGrid::build(Geometry geometry, std::uint64_t seed) const {
 
 namespace {
 struct HalfEdge {
-  std::uint64_t key;  // smaller vertex, larger vertex
+  std::uint64_t key;  // smaller vertex in the upper half, larger one in the lower half
   std::uint32_t id;
   bool ascending;
   bool operator<(const HalfEdge& o) const { return key != o.key ? key < o.key : id < o.id; }

@@ -1,5 +1,5 @@
-// Hermite grids made by hand: signs of lattice points, which edges carry two crossings, and a
-// geometry drawn from a seed. For tests of what depends on the configuration and not on a body.
+// Hermite grids made by hand, from signs of lattice points and from edges that carry two crossings.
+// The geometry may be random. For tests of what depends on the configuration and not on a body.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,7 +21,7 @@ class SyntheticGrid {
   bool inside(std::int32_t i, std::int32_t j, std::int32_t k) const {
     return inside_[index(i, j, k)] != 0;
   }
-  /// Makes the edge from (i, j, k) along `axis`, both ends outside, pass through a thin wall.
+  /// Lets a thin wall cross the edge from (i, j, k) along `axis`, both of whose ends are outside.
   void setWall(int axis, std::int32_t i, std::int32_t j, std::int32_t k) {
     walls_[3 * index(i, j, k) + static_cast<std::size_t>(axis)] = 1;
   }
@@ -41,11 +41,12 @@ class SyntheticGrid {
 
 /// Faults of a mesh, counted without any code of the contouring or the mesh check.
 struct Faults {
-  std::int64_t openEdges = 0;         ///< directed edges without exactly one partner
+  /// Undirected edges without exactly two triangles of opposite direction.
+  std::int64_t openEdges = 0;
   std::int64_t nonManifoldEdges = 0;  ///< undirected edges of more than two triangles
-  std::int64_t badVertices = 0;       ///< triangles round the vertex are not one closed ring
+  std::int64_t badVertices = 0;       ///< vertices whose triangles are not one closed ring
   std::int64_t degenerate = 0;        ///< triangles with a repeated vertex
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< where the first one lies
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< position of the first fault
   bool any() const { return openEdges + nonManifoldEdges + badVertices + degenerate > 0; }
 };
 Faults findFaults(const TriMesh& mesh);

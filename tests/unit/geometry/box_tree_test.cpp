@@ -44,9 +44,9 @@ double distanceTo(const Vector3d& p, const Bounds& box) {
   return (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0).norm();
 }
 
-bool meet(const Bounds& a, const Bounds& b, double room) {
-  return (a.low.array() <= b.high.array() + room).all() &&
-         (b.low.array() <= a.high.array() + room).all();
+bool meet(const Bounds& a, const Bounds& b, double rounding) {
+  return (a.low.array() <= b.high.array() + rounding).all() &&
+         (b.low.array() <= a.high.array() + rounding).all();
 }
 
 using Order = BoxTree::Order;
@@ -56,7 +56,7 @@ class BoxTrees : public testing::TestWithParam<std::tuple<Kind, Order>> {
   static Kind kind() { return std::get<0>(GetParam()); }
   static Order order() { return std::get<1>(GetParam()); }
 
-  /// Calls use(boxes, tree, size of the rounding) for trees of many sizes.
+  /// Calls use(random, boxes, tree, size of the rounding) for trees of many sizes.
   template <class Use>
   void forTrees(const Use& use) {
     Random random(31);
@@ -70,7 +70,7 @@ class BoxTrees : public testing::TestWithParam<std::tuple<Kind, Order>> {
   }
   Vector3d somewhere(Random& random, const BoxTree& tree) {
     const Vector3d extent = tree.bounds().high - tree.bounds().low + Vector3d::Constant(1e-3);
-    // Also far away, where the rounding error of the point exceeds the distances between the
+    // Some points are so far away that their rounding error exceeds the distances between the
     // boxes.
     const double size = random.number(0, 1) < 0.6 ? 0.6 : std::pow(10.0, random.number(0, 6));
     return tree.middle() + random.point(size).cwiseProduct(extent);
@@ -78,7 +78,7 @@ class BoxTrees : public testing::TestWithParam<std::tuple<Kind, Order>> {
 };
 
 TEST_P(BoxTrees, HoldEveryItemOnceAndEveryBoxInItsParents) {
-  forTrees([&](Random&, const std::vector<Bounds>& boxes, const BoxTree& tree, double room) {
+  forTrees([&](Random&, const std::vector<Bounds>& boxes, const BoxTree& tree, double rounding) {
     ASSERT_EQ(tree.size(), boxes.size());
     if (boxes.empty()) return;
     std::set<std::int32_t> seen;
@@ -93,7 +93,7 @@ TEST_P(BoxTrees, HoldEveryItemOnceAndEveryBoxInItsParents) {
           ASSERT_GE(group.high[axis][index % 4], box.high[axis] - tree.middle()[axis]);
           if (level > 0) continue;
           ASSERT_NEAR(group.low[axis][index % 4], box.low[axis] - tree.middle()[axis],
-                      room + 1e-30);
+                      rounding + 1e-30);
         }
       }
     }
@@ -103,21 +103,22 @@ TEST_P(BoxTrees, HoldEveryItemOnceAndEveryBoxInItsParents) {
 }
 
 TEST_P(BoxTrees, FindAllThatMeetABox) {
-  forTrees([&](Random& random, const std::vector<Bounds>& boxes, const BoxTree& tree, double room) {
+  forTrees([&](Random& random, const std::vector<Bounds>& boxes, const BoxTree& tree,
+               double rounding) {
     for (int n = 0; n < 50; ++n) {
       const Vector3d p = somewhere(random, tree);
       const Vector3d half = (n % 3 == 0 ? 0.0 : 0.2) * (p - tree.middle()).cwiseAbs();
-      const Bounds asked{p - half, p + half};
+      const Bounds query{p - half, p + half};
       std::set<std::int32_t> found;
-      tree.forBox(asked.low, asked.high,
+      tree.forBox(query.low, query.high,
                   [&](std::uint32_t place) { EXPECT_TRUE(found.insert(tree.item(place)).second); });
       for (std::size_t i = 0; i < boxes.size(); ++i) {
         const bool isFound = found.count(static_cast<std::int32_t>(i)) > 0;
-        if (meet(boxes[i], asked, 0)) {
+        if (meet(boxes[i], query, 0)) {
           EXPECT_TRUE(isFound);
         }
         if (isFound) {
-          EXPECT_TRUE(meet(boxes[i], asked, room + 1e-6 * (p - tree.middle()).norm()));
+          EXPECT_TRUE(meet(boxes[i], query, rounding + 1e-6 * (p - tree.middle()).norm()));
         }
       }
     }

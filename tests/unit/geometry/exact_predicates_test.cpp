@@ -9,7 +9,8 @@
 namespace swept::test {
 namespace {
 
-/// Returns the sign, computed with 128-bit integers, for points on an integer lattice.
+/// Returns the sign of the determinant of b - a, c - a and d - a, computed with 128-bit integers.
+/// The coordinates must be integers.
 int integerSign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                 const Eigen::Vector3d& d) {
   __extension__ using Wide = __int128;
@@ -34,7 +35,8 @@ TEST(ExactPredicates, AgreeWithIntegersNearThePlane) {
     for (auto& x : p) {
       x = Eigen::Vector3d(double(wide(random)), double(wide(random)), double(wide(random)));
     }
-    // d on the plane of the others, then moved by at most one lattice step.
+    // The fourth point lies in the plane of the others, and is then moved by at most one lattice
+    // step.
     p[3] = p[1] + p[2] - p[0];
     p[3] += Eigen::Vector3d(small(random), small(random), small(random));
     const int expected = integerSign(p[0], p[1], p[2], p[3]);

@@ -34,7 +34,8 @@ bool ascends(const TriMesh& mesh, std::uint32_t h) {
   return t[h % 3] < t[(h + 1) % 3];
 }
 
-/// Triangles over few vertices: edges with one, two and many triangles, turned at random.
+/// Returns random triangles over few vertices. Edges have one, two or many triangles, in any
+/// orientation.
 TriMesh randomTriangles(int vertices, int triangles, unsigned seed) {
   std::mt19937 random(seed);
   TriMesh mesh;

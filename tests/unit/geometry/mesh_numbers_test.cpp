@@ -41,7 +41,7 @@ TEST(MeshNumbers, FirstBadIndexWhereverItStands) {
       for (std::size_t k = 0; k < 3; ++k) {
         TriMesh mesh = ball;
         mesh.triangles[t][k] = value;
-        mesh.triangles.back()[2] = -7;  // a later one is not named
+        mesh.triangles.back()[2] = -7;  // a later bad index, which is not named
         const auto bad = findBadIndex(mesh);
         ASSERT_TRUE(bad.has_value());
         EXPECT_EQ(bad->triangle, static_cast<std::int64_t>(t));

@@ -67,7 +67,8 @@ TEST(NearestTriangle, KeepsToItsBounds) {
       const Vector3d p = mesh.vertices[0] + random.point(12);
       const double all = byLookingAtAll(p, mesh), limit = random.number(0, 60);
       EXPECT_EQ(nearest.query(p, limit, 0), std::min(all, limit));
-      // Both bounds equal the limit: the query only tells whether a triangle is nearer than that.
+      // Both bounds equal the limit: the query only finds whether a triangle is nearer than the
+      // limit.
       EXPECT_EQ(nearest.query(p, limit, limit) < limit, all < limit);
       const double enough = random.number(0, 60), found = nearest.query(p, HUGE_VAL, enough);
       EXPECT_GE(found, all);
@@ -89,7 +90,7 @@ TEST(NearestTriangle, WalksFindWhatSearchesFind) {
       Vector3d p = mesh.vertices[0];
       int near = 0;
       for (int n = 0; n < 500; ++n) {
-        // A path of small steps, with occasional jumps.
+        // The points follow a path of small steps, with occasional jumps.
         p = n % 50 == 0 ? Vector3d(mesh.vertices[0] + random.point(12))
                         : Vector3d(p + random.point(0.5));
         const double all = byLookingAtAll(p, mesh);

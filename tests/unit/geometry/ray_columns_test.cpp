@@ -58,7 +58,8 @@ TEST(RayColumns, WindingAgreesWithSolidAngles) {
     const RayColumns rays(mesh);
     for (int n = 0; n < 1500; ++n) {
       const Vector3d p =
-          n % 2 == 0 ? random.point(25) : Vector3d(random.point(14).array().round());  // hits edges
+          // Rays from rounded points hit edges.
+          n % 2 == 0 ? random.point(25) : Vector3d(random.point(14).array().round());
       if (isOnSurface(mesh, p)) continue;
       const double angles = bySolidAngles(mesh, p);
       ASSERT_NEAR(angles, std::round(angles), 1e-6);
@@ -109,11 +110,11 @@ TEST(RayColumns, ColumnsOfAPartAnswerForThatPart) {
 
 TEST(RayColumns, LongTrianglesStandInTheColumnsThatTheyCover) {
   Random random(41);
-  // Slanted, and far from the origin.
+  // The cylinder is slanted, and far from the origin.
   const TriMesh mesh =
       transformed(makeCylinder(1, 0, 40, 1000), placement({1, 2, 3}, 70, {5e4, -7e4, 1e4}));
   const RayColumns rays(mesh);
-  // Their boxes cover hundreds of columns.
+  // The box of each triangle covers hundreds of columns.
   EXPECT_LT(rays.entries(), 60 * mesh.triangles.size());
 
   // A mesh of one triangle has one column.

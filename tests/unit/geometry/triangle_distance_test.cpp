@@ -40,7 +40,7 @@ double distanceByDefinition(const Vector3d& p, const Triangle3d& triangle) {
   return static_cast<double>(best);
 }
 
-/// Returns the distance of a point that should lie on the triangle.
+/// Returns the distance of a point from the triangle on which it should lie.
 double distanceFromItself(const Vector3d& point, const Triangle3d& triangle) {
   return distanceByDefinition(point, triangle);
 }
@@ -59,8 +59,9 @@ TEST(TriangleDistance, PointsAgreeWithTheDefinition) {
   }
 }
 
-// Heights from a thousandth of the longest edge down to zero. Rounding of the coordinates may move
-// such a triangle by 1e-16, but must not move the nearest point along the triangle.
+// The heights of the triangles range from a thousandth of the longest edge down to zero. Rounding
+// of the coordinates may move such a triangle by 1e-16, but must not move the nearest point along
+// the triangle.
 TEST(TriangleDistance, NeedlesAndPointsAgreeWithTheDefinition) {
   Random random(5);
   for (int n = 0; n < 20000; ++n) {
@@ -78,8 +79,8 @@ TEST(TriangleDistance, NeedlesAndPointsAgreeWithTheDefinition) {
   }
 }
 
-// Returns the distance of two triangles: points of a fine grid on one are projected onto the other,
-// in both directions.
+// Returns an approximate distance of two triangles: points of a fine grid on one are projected onto
+// the other, in both directions.
 double sampledDistance(const Triangle3d& a, const Triangle3d& b, int steps) {
   double best = 1e300;
   for (int i = 0; i <= steps; ++i) {
@@ -111,7 +112,7 @@ TEST(TriangleDistance, AgreesWithSampling) {
     EXPECT_NEAR((footOnTriangle(p.b, b).point - p.b).norm(), 0, 1e-9);
     const double sampled = std::min(sampledDistance(a, b, 60), sampledDistance(b, a, 60));
     EXPECT_LE(d, sampled + 1e-12) << k;
-    EXPECT_GE(d, sampled - 0.08) << k;  // 60 steps over edges of up to 3.5
+    EXPECT_GE(d, sampled - 0.08) << k;  // the grid divides edges of up to 3.5 by 60
   }
 }
 

@@ -1,6 +1,6 @@
-// Compares the rasteriser with a reference that computes with the shifted lattice itself. In the
-// reference, every number is a polynomial in the shift e with integer coefficients. Its sign is
-// that of the coefficient of the lowest power that is not zero.
+// Compares the rasteriser with a reference that really shifts the lattice, by (e, e^2, e^3). In the
+// reference, every number is a polynomial in e with integer coefficients. Its sign is that of the
+// coefficient of the lowest power that is not zero.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "grid/rasterise.h"
 
@@ -14,7 +14,7 @@
 namespace swept::test {
 namespace {
 
-/// The number c[0] + c[1] e + c[2] e^2 + ..., for a positive e that is smaller than any number.
+/// The number c[0] + c[1] e + c[2] e^2 + ..., for an infinitely small positive e.
 struct Polynomial {
   std::array<__int128, 7> c{};
 
@@ -66,8 +66,8 @@ Polynomial side(const SnappedPoint& from, const SnappedPoint& to, int u, int v,
          number(to[v] - from[v]) * (line[u] - number(from[u]));
 }
 
-/// Returns all lattice edges between 0 and `points` that the triangle crosses. `ties`: how often
-/// the shift decided.
+/// Returns all lattice edges between 0 and `points` that the triangle crosses. `ties` counts how
+/// often the shift decided.
 std::set<Edge> oracle(const Corners& t, std::int32_t points, std::int64_t& ties) {
   std::set<Edge> found;
   for (int w = 0; w < 3; ++w) {
@@ -113,8 +113,8 @@ std::int32_t randomCoordinate(std::mt19937& random, std::int32_t points) {
                            : 2 * anywhere(random) + 1;
 }
 
-/// Returns the point on the other side of a lattice point: the edge between the two passes
-/// through it.
+/// Returns the point reflected in the nearest lattice point. The edge between both points passes
+/// through this lattice point.
 SnappedPoint opposite(const SnappedPoint& p) {
   SnappedPoint out;
   for (int axis = 0; axis < 3; ++axis) {

@@ -28,7 +28,7 @@ TEST(SinglePrecision, EveryCoordinateIsTheNearestWhereNothingIsInTheWay) {
   }
 }
 
-/// At 10 m the numbers are a micrometre apart, and the ball's edges some of these.
+/// At 10 m, neighbouring numbers are a micrometre apart, and the ball's edges are about as long.
 TEST(SinglePrecision, VerticesStayApartAndTrianglesKeepTheirAreas) {
   const TriMesh ball = moved(makeBall({0, 0, 0}, 0.03, 5), {10000, 7000, -9000});
   RunContext run;

@@ -81,7 +81,7 @@ TEST(TrajectoryCsv, RecordingsAsTheyAre) {
   const std::string tum = "1403636579.5 1.5 2 3 .6 0 0 .8\n1403636580.5 1.5 2 3 .6 0 0 .8\n";
   expectTwo(readText(folder, tum));
   expectTwo(readText(folder, "# ground truth\n# timestamp tx ty tz qx qy qz qw\n" + tum));
-  // The scalar first, because a comment says so.
+  // The scalar of the quaternion comes first, as the comment in the file says.
   expectTwo(readText(folder,
                      "# time x y z qw qx qy qz\n1403636579.5 1.5 2 3 .8 .6 0 0\n"
                      "1403636580.5 1.5 2 3 .8 .6 0 0\n"));
@@ -94,7 +94,7 @@ TEST(TrajectoryCsv, RecordingsAsTheyAre) {
       "b_w_RS_S_y [rad s^-1], b_w_RS_S_z [rad s^-1], b_a_RS_S_x [m s^-2], b_a_RS_S_y [m s^-2], "
       "b_a_RS_S_z [m s^-2]\n1403636579500000000,1.5,2,3,.8,.6,0,0" +
           more + "1403636580500000000,1.5,2,3,.8,.6,0,0" + more));
-  // Spreadsheets: decimal commas, rows of separators only, the header once more on each page.
+  // Spreadsheets: decimal commas, rows that consist of separators, the header again on each page.
   const std::string page = "t;tx;ty;tz;qx;qy;qz;qw\n1403636579,5;1,5;2,0;3;0,6;0;0;0,8\n;;;;;;;\n";
   expectTwo(readText(folder, "\xef\xbb\xbf\n" + page +
                                  "t;tx;ty;tz;qx;qy;qz;qw\n1403636580,5;1,5;2,0;3;0,6;0;0;0,8\n"));
@@ -252,7 +252,7 @@ TEST(PoseFromMatrix, BadInput20SmallDriftIsMended) {
   EXPECT_NEAR(pose.rotation.norm(), 1.0, 1e-15);
   EXPECT_EQ(pose.translation, Eigen::Vector3d(7, 8, 9));
   EXPECT_EQ(pose.timeSeconds, 2.5);
-  // The nearest rotation takes half of the shear.
+  // The nearest rotation contains half of the shear.
   EXPECT_NEAR(pose.rotation.x(), -0.25e-5, 1e-9);
 }
 

@@ -1,4 +1,4 @@
-// Merged steps of recordings: their deviation is measured on the true motion by brute force.
+// Merged steps of recordings: brute force measures how far they deviate from the true motion.
 // Motions that cannot be merged stay unchanged.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "motion/merge_steps.h"
@@ -27,29 +27,29 @@ Trajectory recording(std::mt19937& random, int poses, double travel, double turn
                      Interpolation kind = Interpolation::Linear) {
   std::normal_distribution<double> normal(0, 1);
   const auto any = [&] { return Vector3d(normal(random), normal(random), normal(random)); };
-  const Vector3d way = any(), swing = any(), axis = any().normalized();
+  const Vector3d direction = any(), swing = any(), axis = any().normalized();
   Trajectory out;
   out.interpolation = kind;
   double time = 0;
   for (int n = 0; n < poses; ++n) {
     const double s = static_cast<double>(n) / poses;
-    const Vector3d at = travel * (s * way + 0.3 * std::sin(9 * s) * swing) + noise * any();
+    const Vector3d at = travel * (s * direction + 0.3 * std::sin(9 * s) * swing) + noise * any();
     if (n % 11 != 5) time += 0.01 * (1 + n % 3);
     out.poses.push_back(poseOf(time, placement(axis, turn * std::sin(5 * s), at)));
   }
   return out;
 }
 
-/// Returns the largest distance of a body vertex in the true motion from its place on the chord of
-/// the motion at the same time. Looks at each pose and at three times between successive poses. If
-/// several steps contain this time, the nearest place counts.
+/// Returns the largest distance between a body vertex in the true motion and the same vertex on the
+/// chord of `motion` at the same time. Checks each pose, and three times between successive poses.
+/// If several steps contain a time, the nearest position counts.
 double farthestOff(const TriMesh& body, const Trajectory& truth, const Motion& motion) {
   double most = 0;
   std::size_t first = 0;
   for (std::size_t i = 0; i + 1 < truth.poses.size(); ++i) {
     const StepPath path(truth.poses[i], truth.poses[i + 1], truth.interpolation);
-    for (int look = 0; look <= 4; ++look) {
-      const Pose pose = path.poseAt(look / 4.0);
+    for (int quarter = 0; quarter <= 4; ++quarter) {
+      const Pose pose = path.poseAt(quarter / 4.0);
       const auto offAt = [&](std::size_t k, double s) {
         const Placement &p = motion.placements[k], &q = motion.placements[k + 1];
         double off = 0;
@@ -69,7 +69,8 @@ double farthestOff(const TriMesh& body, const Trajectory& truth, const Motion& m
         if (duration > 0) {
           least = std::min(least, offAt(k, std::min(1.0, (time - start) / duration)));
         } else {
-          least = std::min(least, offAt(k, look / 4.0));  // the step is a jump, which takes no time
+          // The step is a jump, which takes no time.
+          least = std::min(least, offAt(k, quarter / 4.0));
         }
       }
       most = std::max(most, least);
@@ -208,8 +209,8 @@ TEST(MergeSteps, SourcesNameThePoseAndTimeOfTheGivenMotion) {
   off.erase(std::remove(off.begin(), off.end(), -1.0), off.end());
   std::sort(off.begin(), off.end());
   ASSERT_FALSE(off.empty());
-  const double share = off[static_cast<std::size_t>(0.99 * static_cast<double>(off.size()))];
-  EXPECT_LT(share, 2 * found.report.chordError + 1e-3 * options.cellSize);
+  const double quantile = off[static_cast<std::size_t>(0.99 * static_cast<double>(off.size()))];
+  EXPECT_LT(quantile, 2 * found.report.chordError + 1e-3 * options.cellSize);
   EXPECT_LT(off.back(), 0.25 * options.cellSize);
   options.sources = false;
   const Result plain = compute(body, motion, options, run);

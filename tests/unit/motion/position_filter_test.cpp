@@ -98,12 +98,13 @@ TEST(PositionFilter, TheRunSaysWhatWasDroppedAndTheEnvelopeLosesNoMore) {
   EXPECT_LT(filtered.report.refinedPlacements, 60);
   EXPECT_GT(filtered.report.positionFilterDistance, 0);
   EXPECT_LE(filtered.report.positionFilterDistance, 0.5);
-  std::int64_t said = 0;
+  std::int64_t reported = 0;
   for (const Finding& finding : filtered.report.warnings) {
-    if (finding.code == "PositionFiltered") said = finding.count;
+    if (finding.code == "PositionFiltered") reported = finding.count;
   }
-  EXPECT_EQ(said, 60 - filtered.report.refinedPlacements);
-  // Each envelope may be off by one cell (tests/unit/truth), so the two differ by two cells more.
+  EXPECT_EQ(reported, 60 - filtered.report.refinedPlacements);
+  // Each envelope may be off by one cell (tests/unit/truth). So the distance between both may
+  // exceed the filter's distance by two cells.
   const double slack = 2 * options.cellSize;
   const MeshDistance tree(filtered.mesh);
   for (const auto& v : full.mesh.vertices) {

@@ -29,7 +29,8 @@ Trajectory quarterTurn(double radians) {
 TEST(SplitEdges, NoEdgeIsLongerAndTheSurfaceIsTheSame) {
   RunContext run;
   TriMesh body = makeSquareRing(4, 3, 0, 7);
-  append(body, makeBox({20, 0, 0}, {20.5, 9, 0.25}));  // slender: 1, 2 and 3 long edges a triangle
+  // slender: its triangles have 1, 2 or 3 long edges.
+  append(body, makeBox({20, 0, 0}, {20.5, 9, 0.25}));
   for (const double longest : {5.0, 1.0, 0.3}) {
     const TriMesh split = splitEdges(body, longest, run);
     EXPECT_LE(longestEdge(split), longest);
@@ -105,7 +106,7 @@ TEST(SplitEdges, TooManyCopiesMakeTheChordLarger) {
   const Following fewer = planFollowing(c.body, c.turn, chord, cell, most, false, run);
   EXPECT_GT(fewer.chord, chord);
   EXPECT_LT(static_cast<double>(copies(fewer)), 1.01 * most);
-  // Twice the placements for a chord error of one cell are always allowed.
+  // Twice as many placements as for a chord error of one cell are always allowed.
   EXPECT_LT(planFollowing(c.body, c.turn, chord, cell, 1, false, run).chord, cell);
 }
 
@@ -125,7 +126,7 @@ TEST(SplitEdges, ABoxIsFollowedWithFewPlacements) {
   // placement to the next would need about 2,500 placements to be flat enough. The arcs of the
   // vertices alone need fewer than 40 (piecesOf() in step_path.h).
   EXPECT_LT(result.report.refinedPlacements, 300);
-  // A quarter of a disc up to the far corner, and the two halves of the box beside it.
+  // The quarter of a disc that the far corner sweeps, and the two halves of the box beside it.
   const double area = 17 * M_PI / 4 + 4;
   EXPECT_NEAR(result.report.check.volume, 10 * area, 2e-3 * 10 * area);
 }

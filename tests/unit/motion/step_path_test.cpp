@@ -83,8 +83,8 @@ TEST(StepPath, LinearIsSlerpAboutTheMovingOrigin) {
   }
 }
 
-/// A screw is a one-parameter group: two halves of it give the whole, wherever they begin.
-/// Together with both ends this determines it.
+/// A screw is a one-parameter group: the motion up to s and then the motion up to t give the motion
+/// up to s + t. Together with both ends, this determines the motion.
 TEST(StepPath, ScrewIsAOneParameterGroup) {
   Random random(3);
   for (int n = 0; n < 2000; ++n) {

@@ -24,7 +24,7 @@ Result conservative(const TriMesh& body, const Trajectory& motion, Options optio
   return checkedCompute(body, motion, options);
 }
 
-/// Returns random points of the body's surface at random times, as SweptDistance places it.
+/// Returns random points of the body's surface at random times, at the placements of SweptDistance.
 std::vector<V3> sweepPoints(const SweptDistance& truth, int count, std::mt19937& random) {
   const TriMesh& mesh = truth.body().mesh();
   std::uniform_real_distribution<double> unit(0, 1);
@@ -47,10 +47,10 @@ std::vector<V3> sweepPoints(const SweptDistance& truth, int count, std::mt19937&
   return points;
 }
 
-/// Tests that a conservative envelope contains the sweep, and its reported bound. solid: the closed
-/// body for the comparison.
-void expectHeld(const std::string& name, const TriMesh& body, const TriMesh& solid,
-                const Trajectory& motion, const Options& options, int points) {
+/// Tests that a conservative envelope contains the sweep, and that its reported bound is right.
+/// solid: the closed body for the comparison.
+void expectContained(const std::string& name, const TriMesh& body, const TriMesh& solid,
+                     const Trajectory& motion, const Options& options, int points) {
   SCOPED_TRACE(name);
   const Result result = conservative(body, motion, options);
   if (result.mesh.triangles.empty()) return;
@@ -77,9 +77,9 @@ void expectHeld(const std::string& name, const TriMesh& body, const TriMesh& sol
               most / cell);
 }
 
-void expectHeld(const std::string& name, const TriMesh& body, const Trajectory& motion,
-                const Options& options, int points) {
-  expectHeld(name, body, body, motion, options, points);
+void expectContained(const std::string& name, const TriMesh& body, const Trajectory& motion,
+                     const Options& options, int points) {
+  expectContained(name, body, body, motion, options, points);
 }
 
 TEST(Conservative, HoldsRandomSweeps) {
@@ -90,7 +90,7 @@ TEST(Conservative, HoldsRandomSweeps) {
     if (motion.interpolation == Interpolation::Screw) motion.interpolation = Interpolation::Linear;
     Options options;
     options.resolution = 40;
-    expectHeld("seed " + std::to_string(seed), body, motion, options, 2000);
+    expectContained("seed " + std::to_string(seed), body, motion, options, 2000);
   }
 }
 
@@ -108,7 +108,7 @@ TEST(Conservative, HoldsSharedPartsInMotion) {
     if (!std::filesystem::exists(mesh)) GTEST_SKIP() << "shared test data not found: " << mesh;
     Options options;
     options.resolution = 64;
-    expectHeld(
+    expectContained(
         c.mesh, readMesh(mesh, c.meshUnit),
         readTrajectoryCsv(data + "/motions/" + c.motion, c.motionUnit, Interpolation::Linear),
         options, 2000);
@@ -123,11 +123,11 @@ TEST(Conservative, HoldsWhatNoGridEdgeMeets) {
   append(body, makeBox({-3, 1, 1.531}, {0, 3, 1.533}));
   Options options;
   options.cellSize = 0.2;
-  expectHeld("needle", body, {{Pose{}}, Interpolation::None}, options, 2000);
+  expectContained("needle", body, {{Pose{}}, Interpolation::None}, options, 2000);
   Pose end;
   end.timeSeconds = 1;
   end.translation = V3(1, 2, 0.5);
-  expectHeld("moving needle", body, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
+  expectContained("moving needle", body, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
 }
 
 /// Appends a sheet of four corners with triangles on both sides. If it has a width, its rim is
@@ -151,17 +151,18 @@ void appendSheet(TriMesh& mesh, double width) {
 }
 
 TEST(Conservative, HoldsSheetsModelledFromBothSides) {
-  // Other runs remove such sheets, since they enclose nothing.
+  // Runs for envelopes that are not conservative remove such sheets, since they enclose nothing.
   TriMesh body = makeBox({0, 0, 0}, {4, 4, 4}), solid = body;
   appendSheet(body, 0);
   appendSheet(solid, 1e-7);
   Options options;
   options.cellSize = 0.2;
-  expectHeld("sheet", body, solid, {{Pose{}}, Interpolation::None}, options, 2000);
+  expectContained("sheet", body, solid, {{Pose{}}, Interpolation::None}, options, 2000);
   Pose end;
   end.timeSeconds = 1;
   end.translation = V3(1, 2, 0.5);
-  expectHeld("moving sheet", body, solid, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
+  expectContained("moving sheet", body, solid, {{Pose{}, end}, Interpolation::Linear}, options,
+                  2000);
 }
 
 TEST(Conservative, HoldsAfterSimplification) {
@@ -173,7 +174,7 @@ TEST(Conservative, HoldsAfterSimplification) {
   options.resolution = 48;
   const Result plain = conservative(body, motion, options);
   options.tolerance = 0.5 * plain.report.cellSize;
-  expectHeld("simplified", body, motion, options, 2000);
+  expectContained("simplified", body, motion, options, 2000);
   const Result simple = conservative(body, motion, options);
   EXPECT_LT(simple.mesh.triangles.size(), plain.mesh.triangles.size() / 2);
 }
@@ -186,11 +187,11 @@ TEST(Conservative, HoldsTheSafetyDistanceToo) {
   Options options;
   options.cellSize = 0.15;
   options.offset = 0.5;
-  expectHeld("with offset", body, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
+  expectContained("with offset", body, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
 }
 
 TEST(Conservative, LongEdgesOfFewTrianglesInATurn) {
-  // Side patches of long edges are twisted most, and the faces graze while they turn.
+  // Side patches of long edges are twisted most, and the faces graze the envelope while they turn.
   const TriMesh bar = makeBox({-20, -0.5, -0.5}, {20, 0.5, 0.5});
   Pose end;
   end.timeSeconds = 1;
@@ -199,7 +200,7 @@ TEST(Conservative, LongEdgesOfFewTrianglesInATurn) {
   Options options;
   options.resolution = 64;
   options.chordTolerance = 0.5;
-  expectHeld("bar", bar, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
+  expectContained("bar", bar, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
 }
 
 }  // namespace

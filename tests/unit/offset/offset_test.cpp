@@ -23,10 +23,10 @@ constexpr double kPi = 3.14159265358979323846;
 
 Trajectory still() { return {{Pose{}}, Interpolation::None}; }
 
-Trajectory straight(const V3& way) {
+Trajectory straight(const V3& travel) {
   Pose end;
   end.timeSeconds = 1;
-  end.translation = way;
+  end.translation = travel;
   return {{Pose{}, end}, Interpolation::Linear};
 }
 
@@ -51,7 +51,8 @@ struct Deviation {
   double mean = 0, p95 = 0, most = 0;  // cells
 };
 
-/// Returns how far vertices and middles of triangles lie from the surface at the distance d.
+/// Returns how far vertices and middles of triangles lie from the surface at the distance d of the
+/// body.
 Deviation deviation(const Result& result, double d,
                     const std::function<double(const V3&)>& distance, std::size_t samples = 20000) {
   const TriMesh& mesh = result.mesh;
@@ -73,15 +74,16 @@ Deviation deviation(const Result& result, double d,
   return out;
 }
 
-/// Vertices of an offset of at least half a cell lie at the distance, up to the chord error of
-/// the motion: never too near, and too far only by what roundness needs. The few vertices whose
-/// move would make triangles intersect stay where contouring has put them.
+/// Tests an offset of at least half a cell. Its vertices lie at the distance d, up to the chord
+/// error of the motion. They are never nearer, and a little farther only where the surface is
+/// round. The few vertices whose move would make triangles intersect stay where contouring has put
+/// them.
 void expectVerticesAt(const Result& result, double d,
                       const std::function<double(const V3&)>& distance, double chord = 0) {
   double least = HUGE_VAL, most = -HUGE_VAL;
   const std::size_t stride = 1 + result.mesh.vertices.size() / 40000;
-  std::size_t looked = 0, longer = 0;
-  for (std::size_t v = 0; v < result.mesh.vertices.size(); v += stride, ++looked) {
+  std::size_t tested = 0, longer = 0;
+  for (std::size_t v = 0; v < result.mesh.vertices.size(); v += stride, ++tested) {
     const double off = (distance(result.mesh.vertices[v]) - d) / result.report.cellSize;
     least = std::min(least, off);
     most = std::max(most, off);
@@ -89,7 +91,7 @@ void expectVerticesAt(const Result& result, double d,
   }
   EXPECT_GT(least, -0.003 - chord);
   EXPECT_LT(most, 0.25);
-  EXPECT_LE(1000 * longer, looked);
+  EXPECT_LE(1000 * longer, tested);
 }
 
 /// Returns the largest distance from the result of points that lie d above the faces of the body
@@ -126,18 +128,19 @@ void expectStill(const std::string& name, const TriMesh& body, double size) {
         name.c_str(), cells, out.mean, out.p95, out.most, back);
     EXPECT_LT(out.mean, 0.01) << name;
     EXPECT_LT(out.p95, 0.05) << name;
-    // Edges rounded by less than a cell may come out sharp: d too far, within the cell.
+    // An edge that is rounded by less than a cell may come out sharp, and then lies up to d too far
+    // away.
     EXPECT_LT(out.most, cells < 1 ? cells : 0.25) << name;
     EXPECT_LT(back, 0.25) << name;
   }
 }
 
 TEST(Offset, StillBodies) {
-  const Eigen::Isometry3d odd = placement({3, -2, 5}, 37.3, {11.7, -3.1, 0.9});
-  expectStill("box", transformed(makeBox({0, 0, 0}, {10, 6, 3}), odd), 10);
+  const Eigen::Isometry3d oblique = placement({3, -2, 5}, 37.3, {11.7, -3.1, 0.9});
+  expectStill("box", transformed(makeBox({0, 0, 0}, {10, 6, 3}), oblique), 10);
   expectStill("box along the axes", makeBox({0, 0, 0}, {10, 6, 3}), 10);
   expectStill("ball", makeBall({1, 2, 3}, 5, 4), 10);
-  expectStill("torus", transformed(makeTorus(8, 2, 96, 32), odd), 20);
+  expectStill("torus", transformed(makeTorus(8, 2, 96, 32), oblique), 20);
 }
 
 TEST(Offset, StillFandisk) {
@@ -146,7 +149,7 @@ TEST(Offset, StillFandisk) {
   expectStill("fandisk", readMesh(path, 1000), 2000);
 }
 
-/// Valleys between balls whose bottom is narrower than a cell.
+/// The valleys between these balls have bottoms that are narrower than a cell.
 TEST(Offset, NothingIsShortBetweenBalls) {
   TriMesh heap;
   for (int n = 0; n < 40; ++n) {

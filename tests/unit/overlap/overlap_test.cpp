@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using namespace swept::test;
 
-SharedVolume share(const TriMesh& a, const TriMesh& b, int threads = 2) {
+SharedVolume intersect(const TriMesh& a, const TriMesh& b, int threads = 2) {
   RunContext run;
   run.threads = threads;
   return sharedVolume({"a", a}, {"b", b}, run);
@@ -56,7 +56,7 @@ class Clipped {
     for (const auto& t : mesh.triangles)
       faces_.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
   }
-  void cut(const Vector3d& at, const Vector3d& normal) {  // keeps what lies behind
+  void cut(const Vector3d& at, const Vector3d& normal) {  // keeps what lies behind the plane
     std::vector<Polygon> kept;
     Polygon lid;
     for (const Polygon& face : faces_) {
@@ -135,12 +135,12 @@ TriMesh together(const TriMesh& a, const TriMesh& b) {
 }
 
 TEST(Overlap, BoxesAtWholeNumbersOnEachOther) {
-  // Faces, edges and corners lie on each other in every way.
+  // Faces, edges and corners lie on each other in all combinations.
   const TriMesh a = cube(Vector3d::Zero(), 4);
   for (int x = -5; x <= 5; ++x)
     for (int y = -5; y <= x; ++y)
       for (int z = -5; z <= y; ++z) {
-        const SharedVolume shared = share(a, cube({double(x), double(y), double(z)}, 4));
+        const SharedVolume shared = intersect(a, cube({double(x), double(y), double(z)}, 4));
         const auto side = [](int d) { return std::max(0, 4 - std::abs(d)); };
         ASSERT_NEAR(shared.volume, side(x) * side(y) * side(z), 1e-10) << x << y << z;
         ASSERT_EQ(shared.mesh.triangles.empty(), shared.volume == 0) << x << y << z;
@@ -150,18 +150,18 @@ TEST(Overlap, BoxesAtWholeNumbersOnEachOther) {
 
 TEST(Overlap, OneInTheOtherAndFlushWithIt) {
   const TriMesh a = cube(Vector3d::Zero(), 10);
-  EXPECT_NEAR(share(a, cube({2, 3, 4}, 2)).volume, 8, 1e-12);
-  EXPECT_NEAR(share(a, cube({0, 0, 0}, 2)).volume, 8, 1e-12);
-  EXPECT_NEAR(share(a, makeBox({-5, 0, 3}, {15, 10, 7})).volume, 400, 1e-9);
-  EXPECT_NEAR(share(a, a).volume, 1000, 1e-9);
+  EXPECT_NEAR(intersect(a, cube({2, 3, 4}, 2)).volume, 8, 1e-12);
+  EXPECT_NEAR(intersect(a, cube({0, 0, 0}, 2)).volume, 8, 1e-12);
+  EXPECT_NEAR(intersect(a, makeBox({-5, 0, 3}, {15, 10, 7})).volume, 400, 1e-9);
+  EXPECT_NEAR(intersect(a, a).volume, 1000, 1e-9);
 }
 
 TEST(Overlap, ATurnedCubeInACubeIsAnOctagonPrism) {
-  // Turned by 45 degrees about z: the square of side s cuts corners off, 2 (sqrt 2 - 1) s^2 is
-  // left.
+  // The other cube is turned by 45 degrees about z. Its square of side s cuts corners off, and the
+  // area 2 (sqrt 2 - 1) s^2 is left.
   const TriMesh a = cube({-5, -5, -5}, 10);
   const Eigen::Isometry3d turn(Eigen::AngleAxisd(std::atan(1.0), Vector3d::UnitZ()));
-  const SharedVolume shared = share(a, transformed(a, turn));
+  const SharedVolume shared = intersect(a, transformed(a, turn));
   EXPECT_NEAR(shared.volume, 1000 * 2 * (std::sqrt(2.0) - 1), 1e-6);
   expectClosed(shared);
 }
@@ -173,7 +173,7 @@ TEST(Overlap, BallsShareALens) {
   double before = 0;
   for (int levels = 3; levels <= 5; ++levels) {
     const SharedVolume shared =
-        share(makeBall({0, 0, 0}, r, levels), makeBall({d, 0.3, 0.1}, r, levels));
+        intersect(makeBall({0, 0, 0}, r, levels), makeBall({d, 0.3, 0.1}, r, levels));
     const double lacks = 1 - shared.volume / exact;
     EXPECT_GT(lacks, 0);
     if (levels > 3) {
@@ -191,7 +191,7 @@ TEST(Overlap, ConvexPolyhedraAgainstClippingByHalfSpaces) {
   for (int k = 0; k < 150; ++k) {
     const TriMesh a = pebble(random), b = transformed(pebble(random), placed(random, 8));
     const double expected = clippedVolume(a, b);
-    const SharedVolume found = share(a, b);
+    const SharedVolume found = intersect(a, b);
     ASSERT_NEAR(found.volume, expected, 1e-9 * (1 + expected)) << k;
     expectClosed(found);
     shared += found.volume > 0;
@@ -204,7 +204,7 @@ TEST(Overlap, ToriAgainstSampling) {
   const TriMesh ring = makeTorus(20, 6, 48, 24);
   for (int k = 0; k < 6; ++k) {
     const TriMesh other = transformed(ring, placed(random, 12));
-    const SharedVolume found = share(ring, other);
+    const SharedVolume found = intersect(ring, other);
     ASSERT_GT(found.volume, 0);
     expectClosed(found);
     Eigen::AlignedBox3d box;
@@ -214,8 +214,8 @@ TEST(Overlap, ToriAgainstSampling) {
     constexpr int kPoints = 100000;
     int hits = 0;
     for (int i = 0; i < kPoints; ++i) {
-      const Vector3d share(part(random), part(random), part(random));
-      const Vector3d p = box.min() + share.cwiseProduct(box.sizes());
+      const Vector3d fractions(part(random), part(random), part(random));
+      const Vector3d p = box.min() + fractions.cwiseProduct(box.sizes());
       hits += first.winding(p) != 0 && second.winding(p) != 0;
     }
     const double sampled = box.volume() * hits / kPoints;
@@ -226,21 +226,21 @@ TEST(Overlap, ToriAgainstSampling) {
 
 TEST(Overlap, ShellsThatOverlapCountOnce) {
   const TriMesh two = together(cube({0, 0, 0}, 4), cube({2, 0.5, 0.5}, 4));
-  const SharedVolume shared = share(two, cube({-10, -10, -10}, 30));
+  const SharedVolume shared = intersect(two, cube({-10, -10, -10}, 30));
   EXPECT_NEAR(shared.volume, 64 + 64 - 2 * 3.5 * 3.5, 1e-9);
   expectClosed(shared);
 }
 
 TEST(Overlap, ABodyWithACavity) {
   const TriMesh hollow = together(cube({0, 0, 0}, 10), inverted(cube({2, 2, 2}, 6)));
-  EXPECT_NEAR(share(hollow, cube({3, 3, 3}, 2)).volume, 0, 0);
-  EXPECT_NEAR(share(hollow, cube({1, 1, 1}, 4)).volume, 64 - 27, 1e-9);
-  EXPECT_NEAR(share(hollow, cube({-1, -1, -1}, 12)).volume, 1000 - 216, 1e-9);
+  EXPECT_NEAR(intersect(hollow, cube({3, 3, 3}, 2)).volume, 0, 0);
+  EXPECT_NEAR(intersect(hollow, cube({1, 1, 1}, 4)).volume, 64 - 27, 1e-9);
+  EXPECT_NEAR(intersect(hollow, cube({-1, -1, -1}, 12)).volume, 1000 - 216, 1e-9);
 }
 
 TEST(Overlap, WhatIsSharedAndWhatIsUnitedAddUp) {
-  // Two parts together, placed in a box, give their union. Its volume plus the shared one are the
-  // volumes of both parts.
+  // A box shares with a mesh of two parts in it the union of the parts. The volumes of the union
+  // and of what the parts share add up to the volumes of both parts.
   std::mt19937 random(23);
   std::uniform_int_distribution<int> by(-14, 14), kind(0, 2);
   const TriMesh all = cube({-100, -100, -100}, 200);
@@ -259,11 +259,11 @@ TEST(Overlap, WhatIsSharedAndWhatIsUnitedAddUp) {
     const TriMesh a = shape();
     const Eigen::Isometry3d move(Eigen::Translation3d(by(random), by(random), by(random)));
     const TriMesh b = transformed(shape(), move);
-    const SharedVolume shared = share(a, b);
+    const SharedVolume shared = intersect(a, b);
     expectClosed(shared);
-    ASSERT_NEAR(share(b, a).volume, shared.volume, 1e-9 * (1 + shared.volume)) << k;
-    const double parts = share(a, all).volume + share(b, all).volume;
-    const double united = share(together(a, b), all).volume;
+    ASSERT_NEAR(intersect(b, a).volume, shared.volume, 1e-9 * (1 + shared.volume)) << k;
+    const double parts = intersect(a, all).volume + intersect(b, all).volume;
+    const double united = intersect(together(a, b), all).volume;
     ASSERT_NEAR(united + shared.volume, parts, 1e-9 * parts) << k;
     overlapping += shared.volume > 0;
   }
@@ -274,7 +274,7 @@ TEST(Overlap, TheSameBytesForAnyNumberOfThreads) {
   const TriMesh a = makeTorus(20, 6, 64, 32);
   std::mt19937 random(3);
   const TriMesh b = transformed(a, placed(random, 9));
-  const SharedVolume one = share(a, b, 1), many = share(a, b, 7);
+  const SharedVolume one = intersect(a, b, 1), many = intersect(a, b, 7);
   ASSERT_EQ(one.mesh.triangles, many.mesh.triangles);
   ASSERT_EQ(one.mesh.vertices, many.mesh.vertices);
   EXPECT_EQ(one.volume, many.volume);

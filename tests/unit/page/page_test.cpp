@@ -98,7 +98,7 @@ TEST(PageScene, PartsStandWhereTheirMotionHasThem) {
   motion.poses.resize(2);
   motion.poses[1].timeSeconds = 2;
   motion.poses[1].rotation = Eigen::AngleAxisd(0.5 * M_PI, Vector3d::UnitZ());
-  motion.poses[1].translation = Vector3d(10, -10, 0);  // the pivot keeps its place
+  motion.poses[1].translation = Vector3d(10, -10, 0);  // the pivot does not move
   for (const double time : {-1.0, 0.0, 0.7, 1.0, 2.0, 9.0}) {
     const Pose pose = poseAt(motion, time);
     EXPECT_LT((pose.rotation * motion.pivot + pose.translation - motion.pivot).norm(), 1e-9);

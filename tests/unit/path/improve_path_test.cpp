@@ -14,15 +14,15 @@ namespace {
 using namespace test;
 
 // Returns the straight motion from start to goal in equal moves, through all neighbours.
-Trajectory straightWay(const PathCase& c, int moves) {
+Trajectory straightMotion(const PathCase& c, int moves) {
   Trajectory motion;
   motion.interpolation = Interpolation::Linear;
   for (int i = 0; i <= moves; ++i) {
-    const double share = static_cast<double>(i) / moves;
+    const double fraction = static_cast<double>(i) / moves;
     Pose pose;
-    pose.timeSeconds = 2 * share;
-    pose.translation = (1 - share) * c.start.translation + share * c.goal.translation;
-    pose.rotation = c.start.rotation.slerp(share, c.goal.rotation);
+    pose.timeSeconds = 2 * fraction;
+    pose.translation = (1 - fraction) * c.start.translation + fraction * c.goal.translation;
+    pose.rotation = c.start.rotation.slerp(fraction, c.goal.rotation);
     motion.poses.push_back(pose);
   }
   return motion;
@@ -35,7 +35,7 @@ PathReport improve(const PathCase& c, const ImproveTask& task, const PathOptions
   return improvePath(c.part, task, neighboursOf(c), options, run);
 }
 
-// Checks with the ordinary clearance check of the whole motion.
+// Returns whether the ordinary clearance check finds the whole motion clear.
 bool isClear(const PathCase& c, const Trajectory& motion, double required) {
   RunContext run;
   ClearanceOptions options;
@@ -51,7 +51,7 @@ TEST(ImprovePath, ClashesAreLedRoundAndTheWholeMotionIsClear) {
   int clashed = 0;
   for (unsigned seed = 0; seed < 12; ++seed) {
     const PathCase c = seed % 2 ? cornerCase(seed) : channelCase(seed);
-    const ImproveTask task{straightWay(c, 5), {}, false};
+    const ImproveTask task{straightMotion(c, 5), {}, false};
     clashed += isClear(c, task.motion, c.clearance) ? 0 : 1;
     const PathReport report = improve(c, task, patient(c));
     ASSERT_EQ(report.status, Status::Ok) << report.message;
@@ -88,7 +88,7 @@ TEST(ImprovePath, AFoundPathStaysClearWithMoreClearanceAndLockedKeys) {
 
 TEST(ImprovePath, TheSameKeysForAnyCountOfThreads) {
   const PathCase c = cornerCase(1);
-  const ImproveTask task{straightWay(c, 4), {}, false};
+  const ImproveTask task{straightMotion(c, 4), {}, false};
   const PathReport one = improve(c, task, patient(c));
   for (const int threads : {2, 3}) {
     const PathReport other = improve(c, task, patient(c), threads);
@@ -100,7 +100,7 @@ TEST(ImprovePath, TheSameKeysForAnyCountOfThreads) {
 
 TEST(ImprovePath, APivotMeansTheSameMotion) {
   const PathCase c = cornerCase(3);
-  ImproveTask task{straightWay(c, 4), {}, false};
+  ImproveTask task{straightMotion(c, 4), {}, false};
   task.motion.pivot = {7, -3, 2};
   const PathReport report = improve(c, task, patient(c));
   ASSERT_EQ(report.verdict, PathVerdict::Found) << report.message;
@@ -111,17 +111,18 @@ TEST(ImprovePath, APivotMeansTheSameMotion) {
 
 TEST(ImprovePath, BadInputIsNamedAndCancelEnds) {
   const PathCase c = cornerCase(0);
-  const Trajectory way = straightWay(c, 3);
+  const Trajectory motion = straightMotion(c, 3);
   const auto codeOf = [&](const ImproveTask& task) { return improve(c, task, patient(c)).code; };
-  EXPECT_EQ(codeOf({way, {4}, false}), "BadOption");
-  EXPECT_EQ(codeOf({Trajectory{{way.poses[0]}, way.interpolation}, {}, false}), "BadPose");
-  EXPECT_EQ(codeOf({Trajectory{way.poses, Interpolation::None}, {}, false}), "BadOption");
-  Trajectory back = way;
+  EXPECT_EQ(codeOf({motion, {4}, false}), "BadOption");
+  EXPECT_EQ(codeOf({Trajectory{{motion.poses[0]}, motion.interpolation}, {}, false}), "BadPose");
+  EXPECT_EQ(codeOf({Trajectory{motion.poses, Interpolation::None}, {}, false}), "BadOption");
+  Trajectory back = motion;
   back.poses[1].timeSeconds = -1;
   EXPECT_EQ(codeOf({back, {}, false}), "BadPose");
   RunContext run;
   run.cancelAtCheckpoint = 3;
-  const PathReport report = improvePath(c.part, {way, {}, true}, neighboursOf(c), patient(c), run);
+  const PathReport report =
+      improvePath(c.part, {motion, {}, true}, neighboursOf(c), patient(c), run);
   EXPECT_EQ(report.status, Status::Cancelled);
   EXPECT_TRUE(report.path.poses.empty());
 }
@@ -132,8 +133,8 @@ TEST(LiveClearance, AgreesWithTheExactCheckAtEveryPlacement) {
     const PathCase c = scatteredCase(seed);
     RunContext run;
     LiveClearance live(c.part, neighboursOf(c), run);
-    const Trajectory way = straightWay(c, 25);
-    for (const Pose& pose : way.poses) {
+    const Trajectory motion = straightMotion(c, 25);
+    for (const Pose& pose : motion.poses) {
       const LiveDistance found = live.at(pose);
       ClearanceOptions options;
       options.penetration = false;
@@ -145,8 +146,8 @@ TEST(LiveClearance, AgreesWithTheExactCheckAtEveryPlacement) {
       if (row.distance > 0) {
         EXPECT_NEAR((found.pointOnPart - found.pointOnNeighbour).norm(), found.distance, 1e-6);
       }
-      const Pose reached = live.reached(way.poses.front(), pose, 0.2);
-      if (live.at(way.poses.front()).distance > 0.2) {
+      const Pose reached = live.reached(motion.poses.front(), pose, 0.2);
+      if (live.at(motion.poses.front()).distance > 0.2) {
         EXPECT_GE(live.at(reached).distance, 0.2 - 1e-7);
       }
     }

@@ -61,7 +61,8 @@ TEST(FindPath, MadeUpProblemsHaveTheRightAnswersAndEveryPathIsClear) {
   EXPECT_GE(found, 15);
 }
 
-// The shortest path passes the edge of the wall at the required distance. There is room for more.
+// The shortest path passes the edge of the wall at the required distance. There is room for a
+// larger distance, so the path must keep farther away.
 TEST(FindPath, PathsKeepAwayFromWhatTheyPass) {
   PathCase c;
   c.part = makeBox({-1, -1, -1}, {1, 1, 1});
@@ -236,7 +237,7 @@ TEST(FindPath, ThatNoWayWithoutTurningExistsIsProvenOrNotSaid) {
   const PathReport sealed = solve(c, options);
   EXPECT_EQ(sealed.verdict, PathVerdict::NoTranslation) << sealed.summary << sealed.message;
   EXPECT_FALSE(sealed.budgetEnded);
-  // One opening that is wide enough, and one that is too narrow only for the clearance.
+  // In a channel and in tunnels with a corner, a translation exists.
   for (unsigned number = 0; number < 3; ++number) {
     c = number % 2 == 0 ? channelCase(number) : cornerCase(number);
     options = optionsOf(c);
@@ -270,10 +271,10 @@ TEST(FindPath, CancelEndsASearchSoon) {
   while (run.phase() != Phase::Turns) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_GT(run.progress(), 0);
-  const auto asked = std::chrono::steady_clock::now();
+  const auto begin = std::chrono::steady_clock::now();
   run.cancel();
   search.join();
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - asked;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   EXPECT_EQ(report.status, Status::Cancelled);
   EXPECT_LT(took.count(), 0.2);
 }

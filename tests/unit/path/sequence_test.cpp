@@ -151,7 +151,7 @@ TEST(FindSequence, PartsComeInTheGivenOrder) {
 }
 
 TEST(FindSequence, AnOrderThatCannotBeSaysWhoWasStoppedByWhom) {
-  Problem p = stack(2);  // the upper one first
+  Problem p = stack(2);  // the upper block first, so the lower one is stopped
   p.options.path.mostSteps = 2000;
   const SequenceReport report = solve(p);
   EXPECT_EQ(report.status, Status::Ok) << report.message;
@@ -220,7 +220,7 @@ TEST(FindSequence, TheCheckOfTheTestsSeesPlantedFaults) {
   Trajectory& lower = through.timeline[good.steps[0].part];
   lower.poses.front().translation = Vector3d(80, 0, 0);
   EXPECT_NE(wrongWith(p, through), "");
-  Problem tight = p;  // the gap is 1 mm
+  Problem tight = p;  // the gaps between the parts are 1 mm
   tight.options.path.clearance = 1.2;
   EXPECT_NE(wrongWith(tight, good), "");
 }

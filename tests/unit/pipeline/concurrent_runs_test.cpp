@@ -43,7 +43,8 @@ std::vector<Case> cases() {
           {makeBox({-3, -2, -1}, {3, 2, 1}), turning(110, Interpolation::Linear), grown, 3}};
 }
 
-/// What must be the same in two runs of one case: all but times and memory, which are measured.
+/// The part of a result that must be the same in two runs of one case: all but times and memory,
+/// which are measured.
 struct Outcome {
   std::string bytes, report;
   bool operator==(const Outcome&) const = default;
@@ -71,7 +72,7 @@ TEST(ConcurrentRuns, GiveTheBytesAndReportsThatTheyGiveAlone) {
   std::vector<Outcome> alone;
   for (const Case& c : all) alone.push_back(outcomeOf(c));
   constexpr int kRounds = 3;
-  // Two threads a case, all at once, each several times.
+  // Two threads run each case several times. All threads run at once.
   std::vector<std::thread> threads;
   std::atomic<int> same{0};
   for (int copy = 0; copy < 2; ++copy) {
@@ -112,7 +113,7 @@ TEST(ConcurrentRuns, AFailureOrCancellationStaysWithItsRun) {
   EXPECT_GT(cancelled, 0);
 }
 
-/// Threads of other work in the process are not limited by a run that has one.
+/// A run that is limited to one thread does not limit other work of the process.
 TEST(ConcurrentRuns, LeaveTheProcessAsItIs) {
   using Control = tbb::global_control;
   const std::size_t before = Control::active_value(Control::max_allowed_parallelism);

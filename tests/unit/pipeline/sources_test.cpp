@@ -1,5 +1,5 @@
-// What made each triangle of an envelope: it agrees with the body and the motion, and recording
-// it changes nothing else.
+// The recorded source of each triangle of an envelope agrees with the body and the motion, and
+// recording it changes nothing else.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "swept/sources.h"
 
@@ -19,9 +19,9 @@
 namespace swept::test {
 namespace {
 
-/// Largest error of a source point, in cells. kOff: usual, since crossings keep this distance from
-/// lattice points. kMaxOff: where an edge slides along itself and the core finds no exact
-/// crossing. kShareOff: largest fraction of triangles with an error above kOff.
+/// Limits of the error of a source point, in cells. kOff: the usual limit, since crossings keep
+/// this distance from lattice points. kMaxOff: the limit where an edge slides along itself and the
+/// core finds no exact crossing. kShareOff: largest fraction of triangles with an error above kOff.
 constexpr double kOff = 1e-3, kMaxOff = 0.25, kShareOff = 0.01;
 
 Trajectory turningMotion(Interpolation interpolation) {
@@ -71,7 +71,7 @@ Result sweep(const TriMesh& body, const Trajectory& motion, bool sources, double
 
 /// Tests that the mesh has the same bytes as in a run without sources, that all sources are right,
 /// and that few are missing.
-void expectTrue(const TriMesh& body, const Trajectory& motion, const std::string& what) {
+void expectRightSources(const TriMesh& body, const Trajectory& motion, const std::string& what) {
   const Result plain = sweep(body, motion, false), result = sweep(body, motion, true);
   ASSERT_EQ(result.report.status, plain.report.status) << what << result.report.message;
   EXPECT_EQ(result.mesh.vertices, plain.mesh.vertices) << what;
@@ -96,19 +96,19 @@ void expectTrue(const TriMesh& body, const Trajectory& motion, const std::string
 TEST(Sources, NamedFacesEdgesAndTimesAreTrue) {
   for (const Interpolation kind :
        {Interpolation::None, Interpolation::Linear, Interpolation::Screw}) {
-    expectTrue(boxWithFaces(), turningMotion(kind), "box ");
-    expectTrue(cylinderWithFaces(32), turningMotion(kind), "cylinder ");
+    expectRightSources(boxWithFaces(), turningMotion(kind), "box ");
+    expectRightSources(cylinderWithFaces(32), turningMotion(kind), "cylinder ");
   }
   Trajectory aboutMiddle = turningMotion(Interpolation::Linear);
   aboutMiddle.pivot = {5, 10, 15};
-  expectTrue(boxWithFaces(), aboutMiddle, "pivot ");
+  expectRightSources(boxWithFaces(), aboutMiddle, "pivot ");
 }
 
 TEST(Sources, TrianglesOfRandomBodiesAreTrue) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
     std::mt19937 random(seed);
     const TriMesh body = randomBody(random);
-    expectTrue(body, randomMotion(random), "seed " + std::to_string(seed) + " ");
+    expectRightSources(body, randomMotion(random), "seed " + std::to_string(seed) + " ");
   }
 }
 
@@ -158,15 +158,15 @@ TEST(Sources, KindsSayHowAFaceOrEdgePassed) {
     if (row.kind != SourceKind::Cap || row.faces[0] == 0) continue;
     EXPECT_EQ(row.faces[0], row.step == 0 ? 1 : 2);
   }
-  // A box along the diagonal of a face: half of its faces at each end, and edges between.
+  // A box along a space diagonal: half of its faces are caps at each end, and edges sweep the rest.
   Trajectory diagonal = along;
   diagonal.poses[1].translation = {30, 30, 30};
   const auto box = kindsOf(sweep(boxWithFaces(), diagonal, true));
   EXPECT_GT(box[0], 0);
   EXPECT_GT(box[1], 0);
   EXPECT_EQ(box[2], 0);
-  // A cylinder across its axis: its mantle grazes. In a mesh without faces, its 64 sides count as
-  // smooth too.
+  // A cylinder across its axis: its mantle grazes the envelope. In a mesh without faces, its 64
+  // sides count as smooth too.
   Trajectory across = along;
   across.poses[1].translation = {30, 0, 0};
   for (const bool named : {true, false}) {
@@ -179,8 +179,8 @@ TEST(Sources, KindsSayHowAFaceOrEdgePassed) {
 }
 
 TEST(Sources, NumbersAreThoseOfWhatWasGiven) {
-  // Triangles with separate corners, a triangle without area and a duplicate at the beginning,
-  // and a repeated pose.
+  // The input has triangles with separate corners, a triangle without area and a duplicate at the
+  // beginning, and a repeated pose.
   TriMesh body = boxWithFaces();
   TriMesh given = body;
   given.triangles.insert(given.triangles.begin(), {{0, 1, 1}, body.triangles[3]});
@@ -193,9 +193,9 @@ TEST(Sources, NumbersAreThoseOfWhatWasGiven) {
   again.timeSeconds = 1.75;
   motion.poses.insert(motion.poses.begin() + 2, again);
   motion.poses.push_back(poseOf(3, placement({0, 1, 0}, 80, {30, 20, 10})));
-  expectTrue(given, motion, "faces ");
+  expectRightSources(given, motion, "faces ");
   given.faceOf.clear();
-  expectTrue(given, motion, "triangles ");
+  expectRightSources(given, motion, "triangles ");
   const Result result = sweep(given, motion, true);
   std::int32_t last = 0;
   for (const SurfaceSource& row : *result.sources.rows) {
@@ -223,8 +223,8 @@ TEST(Sources, SimplifiedTrianglesHaveWhatMadeMostOfThem) {
       const auto& tri = result.mesh.triangles[t];
       Eigen::AlignedBox3d box;
       for (const std::int32_t v : tri) box.extend(result.mesh.vertices[v]);
-      const double room = 0.2 + 2 * cell;
-      EXPECT_LT(box.exteriorDistance((*result.sources.rows)[result.sources.of[t]].point), room);
+      const double limit = 0.2 + 2 * cell;
+      EXPECT_LT(box.exteriorDistance((*result.sources.rows)[result.sources.of[t]].point), limit);
     }
     EXPECT_GT(known, static_cast<std::int64_t>(0.97 * static_cast<double>(off.size())));
   };

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns a motion to and fro along a bow, in steps of which few are merged.
+/// Returns a motion to and fro along a curved path, in steps of which few are merged.
 Trajectory swing(int poses) {
   Trajectory motion;
   for (int n = 0; n < poses; ++n) {
@@ -48,7 +48,8 @@ TEST(ThinnedBody, TheEnvelopeMovesByNoMoreThanTheReportSays) {
   const Result whole = checkedCompute(ball, swing(2000), exact);
   EXPECT_EQ(whole.report.bodyDeviation, 0);
   EXPECT_LT(thin.report.sweptPatches, whole.report.sweptPatches);
-  // Vertices of the surface also depend on the normals, by much less than a tenth of a cell.
+  // The surface also depends on the normals of the body. This moves its vertices by much less than
+  // a tenth of a cell.
   const MeshDistance distance(whole.mesh);
   for (const Vector3d& v : thin.mesh.vertices)
     ASSERT_LE(distance.distance(v), 0.1 * thin.report.cellSize);
@@ -65,7 +66,7 @@ TEST(ThinnedBody, StaysAsItIsIfTheRunNeedsIt) {
   Trajectory poses = swing(2000);
   poses.interpolation = Interpolation::None;
   EXPECT_EQ(checkedCompute(ball, poses, still).report.bodyDeviation, 0);
-  // A body of large flat faces has nothing to lose.
+  // No vertex of a body of large flat faces can be removed.
   EXPECT_EQ(
       checkedCompute(makeBox({-3, -3, -3}, {3, 3, 3}), swing(2000), cells(24)).report.bodyDeviation,
       0);

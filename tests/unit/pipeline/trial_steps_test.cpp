@@ -68,7 +68,7 @@ struct Planned {
   }
 };
 
-/// Counts the probe lines that contouring casts.
+/// Counts the calls in which contouring casts probe lines.
 class CountedProbe : public SurfaceProbe {
  public:
   explicit CountedProbe(const ElementProbe& probe) : probe_(probe) {}
@@ -98,10 +98,10 @@ Counted counted(Planned& planned) {
   const HermiteGrid hermite =
       buildHermiteGrid(input, marked, signs, ExactTimes::Dropped, planned.run);
   const ElementProbe probe(input, marked.elements, hermite.winner);
-  const CountedProbe asked(probe);
-  buildDualSurface(hermite, Options().components, &asked, planned.run);
+  const CountedProbe countedProbe(probe);
+  buildDualSurface(hermite, Options().components, &countedProbe, planned.run);
   return {static_cast<double>(sorted), static_cast<double>(hermite.crossings.size()),
-          asked.count()};
+          countedProbe.count()};
 }
 
 // The bounding box of a diagonal path is mostly empty: an estimate from the box gives 10 times as
@@ -131,7 +131,8 @@ TEST(TrialSteps, TheSurfaceIsGuessedFromTheSweepAndNotFromItsBox) {
   }
 }
 
-// With a tolerance, simplification takes most of the time, and more the finer the cells are.
+// With a tolerance, simplification takes most of the time. The finer the cells are, the more it
+// takes.
 TEST(TrialSteps, SimplificationIsCounted) {
   Trajectory path;
   path.poses = {{}, {1, Eigen::Quaterniond::Identity(), {9, 4, 3}}};
@@ -152,8 +153,8 @@ TEST(TrialSteps, SimplificationIsCounted) {
   }
 }
 
-// A heavy body is sampled along few steps (all of them, but only some clusters), a light one along
-// many (in windows), and one body is sampled completely.
+// A heavy body is sampled along all of its few steps, but only in some clusters. A light one is
+// sampled along many steps, in windows, and one body is sampled completely.
 TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
   struct Kind {
     TriMesh body;
@@ -181,14 +182,14 @@ TEST(TrialSteps, CrossingsThatAreSortedAreCountedFromParts) {
 }
 
 // The estimate of the memory during sampling. A work item keeps all its crossings until it has
-// kMinThinRecords. Only then does it remove those that cannot matter. So below this number per
-// item, all crossings count; above it, only few. Both kinds of interpolation are tested, because
-// Interpolation::None has more work items.
+// kMinThinRecords of them. Only then does it remove those that cannot matter. So below this number
+// per item, all crossings count; above it, only few. Both kinds of interpolation are tested,
+// because Interpolation::None has more work items.
 TEST(TrialSteps, CrossingsAreHeldWhereNoItemHasMany) {
   const TriMesh body = makeBox({0, 0, 0}, {10, 10, 10});
   Trajectory path = bow(20000, 60, 0, 0.3);  // noise, so that no steps are merged
-  for (const Interpolation way : {Interpolation::None, Interpolation::Linear}) {
-    path.interpolation = way;
+  for (const Interpolation interpolation : {Interpolation::None, Interpolation::Linear}) {
+    path.interpolation = interpolation;
     Planned planned(body, path, 24);
     SamplerInput input = planned.input();
     const SamplingTrial trial(input, planned.run);
@@ -197,7 +198,7 @@ TEST(TrialSteps, CrossingsAreHeldWhereNoItemHasMany) {
     const double items = static_cast<double>(workItems(input).size());
     const double most = items * kMinThinRecords, surface = 1e4;
     const bool many = items > 1.2 * kMotionItems;
-    EXPECT_TRUE(many || way == Interpolation::Linear) << items;
+    EXPECT_TRUE(many || interpolation == Interpolation::Linear) << items;
     const auto bytes = [&](double crossings) {
       return trial.bytesOf({0, crossings, 0}, surface, 1);
     };
@@ -220,16 +221,16 @@ TEST(TrialSteps, SomeClustersStandForAll) {
   for (const ShownCluster& s : allClusters(planned.clusters, 4)) {
     faces += planned.clusters.clusters[s.cluster].faceCount;
   }
-  const double share = faces / static_cast<double>(planned.p.body.mesh.triangles.size());
-  EXPECT_NEAR(share, 0.25, 0.05);
-  EXPECT_NEAR(static_cast<double>(part) / static_cast<double>(all), share, 0.25 * share);
+  const double fraction = faces / static_cast<double>(planned.p.body.mesh.triangles.size());
+  EXPECT_NEAR(fraction, 0.25, 0.05);
+  EXPECT_NEAR(static_cast<double>(part) / static_cast<double>(all), fraction, 0.25 * fraction);
   input.clusterParts = 0;
   sampleCpu(input, planned.run);
   EXPECT_EQ(part, 0u);
 }
 
-// Recordings with noise: 192 of their placements form a smooth motion, which needs only a third
-// of the probes.
+// Recordings with noise. Contouring a smooth motion through 192 of their placements needs only a
+// third of the probes.
 TEST(TrialSteps, ProbesOfContouringAreCountedInCellsOfTheWholeMotion) {
   struct Kind {
     TriMesh body;

@@ -25,9 +25,9 @@ Trajectory still() {
   return motion;
 }
 
-Trajectory shift(const Eigen::Vector3d& way = {2, 1, 0.5}) {
+Trajectory shift(const Eigen::Vector3d& travel = {2, 1, 0.5}) {
   Trajectory motion = still();
-  motion.poses.push_back(poseOf(1, placement({0, 0, 1}, 0, way)));
+  motion.poses.push_back(poseOf(1, placement({0, 0, 1}, 0, travel)));
   return motion;
 }
 
@@ -173,7 +173,7 @@ TEST(BadInput, bad_input_12_cavity) {
 }
 
 TEST(BadInput, bad_input_13_thin_wall) {
-  const TriMesh body = makeBox({0, 0, 0}, {3, 3, 0.01});  // a tenth of a cell
+  const TriMesh body = makeBox({0, 0, 0}, {3, 3, 0.01});  // a tenth of a cell thick
   const Result result = run(body, shift({0.5, 0, 0}));
   expectGoodResult(result);
 }
@@ -306,10 +306,10 @@ TEST(BadInput, bad_input_24_cancel_within_a_quarter_second) {
     });
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
     const bool finishedFirst = done;
-    const auto asked = std::chrono::steady_clock::now();
+    const auto begin = std::chrono::steady_clock::now();
     context.cancel();
     worker.join();
-    const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - asked;
+    const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - begin;
     if (finishedFirst) break;  // the run ended before cancel()
     // Twice the limit: other processes may use the same cores.
     EXPECT_LT(waited.count(), 0.5) << "cancelled after " << milliseconds << " ms";
@@ -353,7 +353,7 @@ TEST(BadInput, bad_input_45_thinner_than_the_cell_everywhere) {
   const TriMesh needle = makeBox({0.4, 0.4, 0.4}, {0.41, 0.41, 3.6});
   const Result result = run(needle, still(), options);
   expectRefused(result, "CellTooLarge");
-  // The cell size in the message works.
+  // The cell size that the message proposes works.
   const std::string& text = result.report.message;
   ASSERT_NE(text.find("try "), std::string::npos) << text;
   options.cellSize = std::stod(text.substr(text.find("try ") + 4));

@@ -36,7 +36,7 @@ Trajectory path(Interpolation interpolation) {
           interpolation};
 }
 
-/// One case for each way through the pipeline.
+/// Returns one case for each path through the pipeline.
 std::vector<Case> cases() {
   const TriMesh torus = makeTorus(3, 1, 32, 16);
   Options plain;

@@ -1,5 +1,5 @@
-// What must hold for any body and motion, on seeded random cases: more than 250 in all, twice as
-// many with SWEPT_LONG_TESTS. Lengths are in cells; volumes in units of area x cell. Where two
+// Properties that hold for any body and motion, on seeded random cases: more than 250 in all, twice
+// as many with SWEPT_LONG_TESTS. Lengths are in cells; volumes in units of area x cell. Where two
 // results are compared, each may be as far from the exact surface as tests/unit/truth allows, so
 // the limits here are twice those.
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -72,7 +72,7 @@ TEST(Culling, SameSignsAsAllFacesAndNoCopyOfTheBodyIsOutside) {
     // the surface by less than 1e-4 cell, so points slightly beside them are tested too.
     const RayColumns rays(scene.body.mesh);
     std::uniform_int_distribution<std::size_t> any(0, culled.size() - 1);
-    for (int asked = 0; asked < 300; ++asked) {
+    for (int sample = 0; sample < 300; ++sample) {
       const std::size_t at = any(random);
       const auto k = static_cast<double>(at % scene.grid.points[2]);
       const auto j = static_cast<double>(at / scene.grid.points[2] % scene.grid.points[1]);
@@ -80,8 +80,8 @@ TEST(Culling, SameSignsAsAllFacesAndNoCopyOfTheBodyIsOutside) {
       const Eigen::Vector3d x = scene.grid.origin + scene.grid.cell * Eigen::Vector3d(i, j, k);
       for (const Placement& p : scene.motion.placements) {
         bool inside = true;
-        for (const double way : {-1e-4, 1e-4}) {
-          const Eigen::Vector3d y = x + Eigen::Vector3d::Constant(way * scene.grid.cell);
+        for (const double offset : {-1e-4, 1e-4}) {
+          const Eigen::Vector3d y = x + Eigen::Vector3d::Constant(offset * scene.grid.cell);
           inside = inside && rays.winding(p.rotation.transpose() * (y - p.translation)) > 0;
         }
         if (!inside) continue;
@@ -124,13 +124,15 @@ std::vector<std::array<double, 9>> counting(const SamplerInput& input) {
   return out;
 }
 
-/// Gives a case the motion of a recording that comes back to the same places, and its grid.
+/// Gives the case a motion like a recording that returns to the same positions, and a grid for this
+/// motion.
 void record(Case& scene, std::mt19937& random, int n) {
   std::uniform_real_distribution<double> unit(-1, 1);
   Eigen::AlignedBox3d box;
   for (const auto& v : scene.body.mesh.vertices) box.extend(v);
   const double size = box.diagonal().norm();
-  // To and fro in all directions, with and without turning, from tiny to as large as the body.
+  // The body moves to and fro in all directions, with and without turning. The travel ranges from
+  // tiny to the size of the body.
   const double travel = size * std::pow(10, -2 + n % 3), turn = n % 2 == 0 ? 0 : 0.3 * unit(random);
   const Eigen::Vector3d waves = 40 * Eigen::Vector3d(unit(random), unit(random), unit(random));
   const Eigen::Vector3d axis = Eigen::Vector3d(unit(random), unit(random), 1).normalized();
@@ -139,9 +141,9 @@ void record(Case& scene, std::mt19937& random, int n) {
   constexpr int kPlacements = 1500;
   for (int k = 0; k < kPlacements; ++k) {
     const double s = static_cast<double>(k) / kPlacements;
-    const Eigen::Array3d way = (waves.array() * s + Eigen::Array3d(0, 1, 2)).sin();
+    const Eigen::Array3d wave = (waves.array() * s + Eigen::Array3d(0, 1, 2)).sin();
     scene.motion.placements.push_back(
-        {Eigen::AngleAxisd(turn * way[0], axis).toRotationMatrix(), travel * way.matrix(), s});
+        {Eigen::AngleAxisd(turn * wave[0], axis).toRotationMatrix(), travel * wave.matrix(), s});
   }
   RunContext run;
   Options options;
@@ -164,7 +166,7 @@ TEST(Culling, WhatLiesInsideChangesNoCrossingThatCounts) {
     const auto all = counting(input);
     input.fillsHollows = true;
     const auto inside = findDeepInside(input, run);
-    if (!inside) continue;  // too little is hidden
+    if (!inside) continue;  // too few points are deep inside
     input.inside = &*inside;
     std::uint64_t sampled = 0;
     input.crossings = &sampled;
@@ -178,7 +180,7 @@ TEST(Culling, WhatLiesInsideChangesNoCrossingThatCounts) {
   EXPECT_GT(hiding, 5);  // otherwise nothing was compared
 }
 
-// Trials sample parts of a motion, and must find there what the run finds.
+// Trials sample parts of a motion. They must find the same crossings there as a run.
 TEST(Culling, PartsOfAMotionAreSampledAsInTheWhole) {
   std::mt19937 random(77);
   int grouped = 0;

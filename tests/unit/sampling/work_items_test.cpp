@@ -1,4 +1,4 @@
-// How many tasks the CPU sampler cuts a union of copies into.
+// The number of tasks into which the CPU sampler divides a union of copies.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sampling/cpu/work_items.h"
 

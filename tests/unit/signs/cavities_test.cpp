@@ -30,10 +30,10 @@ Result kept(const TriMesh& body, const Trajectory& motion, double cell, bool kee
   return checkedCompute(body, motion, options);
 }
 
-Trajectory moving(const V3& way, double turn = 0) {
+Trajectory moving(const V3& travel, double turn = 0) {
   Pose end;
   end.timeSeconds = 1;
-  end.translation = way;
+  end.translation = travel;
   end.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(turn, V3::UnitZ()));
   return {{Pose{}, end}, Interpolation::Linear};
 }
@@ -68,21 +68,21 @@ TEST(Cavities, StillHollowBody) {
 }
 
 TEST(Cavities, HollowBallInMotionKeepsWhatNoWallPassed) {
-  for (const double way : {1.0, 3.0, 5.0}) {
-    const Result result = kept(hollowBall(), moving({way, 0, 0}), 0.2);
-    const double outer = 4.0 / 3 * kPi * 125 + kPi * 25 * way;
-    EXPECT_EQ(result.report.check.shells, 2) << way;
-    EXPECT_NEAR(result.report.check.volume, outer - lens(3, way), 0.004 * outer) << way;
+  for (const double travel : {1.0, 3.0, 5.0}) {
+    const Result result = kept(hollowBall(), moving({travel, 0, 0}), 0.2);
+    const double outer = 4.0 / 3 * kPi * 125 + kPi * 25 * travel;
+    EXPECT_EQ(result.report.check.shells, 2) << travel;
+    EXPECT_NEAR(result.report.check.volume, outer - lens(3, travel), 0.004 * outer) << travel;
   }
-  // Farther than the cavity is wide: the wall sweeps all of it.
+  // The motion is longer than the cavity is wide: the wall sweeps all of the cavity.
   const Result result = kept(hollowBall(), moving({6.5, 0, 0}), 0.2);
   EXPECT_EQ(result.report.check.shells, 1);
   EXPECT_EQ(cavities(result), 0);
 }
 
 TEST(Cavities, FastThinWallFillsWhatItPassesWithinAStep) {
-  // A plate, one cell thick, passes in one step: a point is inside only in the middle of the
-  // step.
+  // A plate, one cell thick, passes in one step: a point is inside the plate for a short part of
+  // the step only.
   const TriMesh plate = makeBox({0, 0, 0}, {0.2, 5, 5});
   const Result result = kept(plate, moving({8, 0, 0}), 0.2);
   EXPECT_EQ(result.report.check.shells, 1);
@@ -100,12 +100,12 @@ TEST(Cavities, TwoCopiesOfACupSealASpace) {
   Pose over;
   over.timeSeconds = 1;
   over.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(kPi, V3::UnitX()));
-  over.translation = V3(0, 10, 11);  // its walls reach 1 into those of the first
+  over.translation = V3(0, 10, 11);  // its walls reach 1 mm into those of the first copy
   const Trajectory copies{{Pose{}, over}, Interpolation::None};
   const Result result = kept(cup, copies, 0.25);
   EXPECT_EQ(result.report.check.shells, 2);
   EXPECT_NEAR(result.report.check.volume, 10 * 10 * 11 - 8 * 8 * 9, 10);
-  // Grown by 1.5, the space is smaller by 1.5 on all sides; by 4.2 it is gone.
+  // Grown by 1.5 mm, the space is smaller by 1.5 mm on all sides; by 4.2 mm it is gone.
   const Result grown = kept(cup, copies, 0.25, true, 1.5);
   const Result plain = kept(cup, copies, 0.25, false, 1.5);
   EXPECT_EQ(grown.report.check.shells, 2);

@@ -102,7 +102,7 @@ TEST(ThinForSweep, EachBodyLiesWithinTheLimitOfTheOther) {
       EXPECT_LT(thin.triangles.size(), body.triangles.size() / (limit > 0.1 ? 3 : 1));
       EXPECT_LE(farthest(body, thin, random, 2), limit);
       EXPECT_LE(farthest(thin, body, random, 20), limit);
-      // The limit is used, so that the comparison above can fail.
+      // The deviation comes near the limit, so the comparison above can fail.
       EXPECT_GT(farthest(body, thin, random, 2), 0.2 * limit);
     }
   }

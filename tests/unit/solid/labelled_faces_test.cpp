@@ -37,12 +37,12 @@ class LabelledFaces : public testing::Test {
     ASSERT_NE(body_.shape, nullptr);
   }
 
-  void sweep(const std::vector<Vector3d>& places, const Eigen::Quaterniond& lastTurn) {
+  void sweep(const std::vector<Vector3d>& positions, const Eigen::Quaterniond& lastTurn) {
     motion_ = {};
-    for (const Vector3d& place : places) {
+    for (const Vector3d& position : positions) {
       Pose pose;
       pose.timeSeconds = static_cast<double>(motion_.poses.size());
-      pose.translation = place;
+      pose.translation = position;
       motion_.poses.push_back(pose);
     }
     motion_.poses.back().rotation = lastTurn;
@@ -97,17 +97,17 @@ class LabelledFaces : public testing::Test {
 
 TEST_F(LabelledFaces, BoxAlongALine) {
   readBodyOf(boxMesh(12, 8, 5));
-  const Vector3d way(7, 4, 9);
-  sweep({{0, 0, 0}, way}, none_);
-  expectExact(12 * 8 * 5 + 8 * 5 * way.x() + 12 * 5 * way.y() + 12 * 8 * way.z());
+  const Vector3d travel(7, 4, 9);
+  sweep({{0, 0, 0}, travel}, none_);
+  expectExact(12 * 8 * 5 + 8 * 5 * travel.x() + 12 * 5 * travel.y() + 12 * 8 * travel.z());
   EXPECT_EQ(kinds_["plane"], 12);
 }
 
 TEST_F(LabelledFaces, TwoStepsOfOneLineMakeTheSameFaces) {
   readBodyOf(boxMesh(12, 8, 5));
-  const Vector3d way(7, 4, 9);
-  sweep({{0, 0, 0}, 0.4 * way, way}, none_);
-  expectExact(12 * 8 * 5 + 8 * 5 * way.x() + 12 * 5 * way.y() + 12 * 8 * way.z());
+  const Vector3d travel(7, 4, 9);
+  sweep({{0, 0, 0}, 0.4 * travel, travel}, none_);
+  expectExact(12 * 8 * 5 + 8 * 5 * travel.x() + 12 * 5 * travel.y() + 12 * 8 * travel.z());
   EXPECT_EQ(kinds_["plane"], 12);
 }
 
@@ -115,11 +115,11 @@ TEST_F(LabelledFaces, RodAlongALine) {
   const std::string file = folder_.file("rod.brep");
   writeRod(kRadius, kLength, file);
   readBodyFrom(file);
-  const Vector3d way(9, 3, 11);
-  sweep({{0, 0, 0}, way}, none_);
+  const Vector3d travel(9, 3, 11);
+  sweep({{0, 0, 0}, travel}, none_);
   // The volume of the body, plus the area of its shadow times the length of the motion.
-  expectExact(M_PI * kRadius * kRadius * (kLength + way.z()) +
-              2 * kRadius * kLength * std::hypot(way.x(), way.y()));
+  expectExact(M_PI * kRadius * kRadius * (kLength + travel.z()) +
+              2 * kRadius * kLength * std::hypot(travel.x(), travel.y()));
   EXPECT_EQ(kinds_["cylinder"], 2);
   EXPECT_EQ(kinds_["extrusion"], 2);
   EXPECT_EQ(kinds_["plane"], 4);

@@ -118,7 +118,7 @@ TEST_F(Profiles, CurveThroughPointsOfAnEllipse) {
   step::Cloud cloud;
   const int count = 400;
   for (int i = 0; i < count; ++i) {
-    const double u = 2 * M_PI * ((i * 149) % count) / count;  // in no order
+    const double u = 2 * M_PI * ((i * 149) % count) / count;  // in mixed order
     cloud.points.emplace_back(12 * std::cos(u), 7 * std::sin(u));
     cloud.normals.push_back(Eigen::Vector2d(7 * std::cos(u), 12 * std::sin(u)).normalized());
   }

@@ -63,8 +63,8 @@ TEST_F(Reread, AVertexWithALargerToleranceThanTheSolid) {
 }
 
 TEST_F(Reread, AnotherVolume) {
-  const std::string said = complaint(BRepPrimAPI_MakeBox(10, 15, 30).Shape());
-  EXPECT_NE(said.find("volume 4500 mm^3 instead of 3000 mm^3"), std::string::npos) << said;
+  const std::string message = complaint(BRepPrimAPI_MakeBox(10, 15, 30).Shape());
+  EXPECT_NE(message.find("volume 4500 mm^3 instead of 3000 mm^3"), std::string::npos) << message;
 }
 
 TEST_F(Reread, AnotherNumberOfSolids) {

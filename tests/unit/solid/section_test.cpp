@@ -85,7 +85,7 @@ TEST(SectionCurve, APlaneCutsAnExtrusionInItsProfile) {
     const double x = i - 4;
     nodes.push_back({{x, x * x / 8}, {1, x / 4}, x});
   }
-  // A bend in the curvature, as fitted profiles have them.
+  // A jump in the curvature, as fitted profiles have them.
   nodes[5].slope.y() += 0.05;
   Carrier pushed;
   pushed.kind = CarrierKind::Extrusion;

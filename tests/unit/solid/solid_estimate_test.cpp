@@ -80,7 +80,7 @@ TEST_P(SolidEstimates, ATrialKnowsFacesAndBytes) {
   EXPECT_EQ(estimate.faces, report.faces);
   EXPECT_EQ(estimate.tolerance, report.tolerance);
   EXPECT_EQ(estimate.deviation, report.deviation);
-  // The header contains the name of the file.
+  // The header contains the name of the file, so the sizes differ a little.
   EXPECT_NEAR(1e6 * estimate.megabytes, static_cast<double>(report.fileBytes), 100);
   EXPECT_GT(estimate.seconds, 0);
   EXPECT_GE(bound.faces, report.faces);
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(All, SolidEstimates,
 // The trial refuses what writing would refuse, with the same message.
 TEST(SolidTrial, RefusesWhatWritingRefuses) {
   const TemporaryFolder folder;
-  const auto said = [&](const TriMesh& mesh, const StepOptions& options, bool write) {
+  const auto refusalOf = [&](const TriMesh& mesh, const StepOptions& options, bool write) {
     RunContext run;
     try {
       write ? void(writeSolid(mesh, folder.file("x.step"), options, run))
@@ -127,9 +127,9 @@ TEST(SolidTrial, RefusesWhatWritingRefuses) {
   for (const auto& [mesh, options] :
        {std::pair(wavyTorus(), exact), std::pair(wavyTorus(), both), std::pair(wavyTorus(), small),
         std::pair(open, StepOptions())}) {
-    const std::string words = said(mesh, options, true);
+    const std::string words = refusalOf(mesh, options, true);
     EXPECT_NE(words, "");
-    EXPECT_EQ(said(mesh, options, false), words);
+    EXPECT_EQ(refusalOf(mesh, options, false), words);
   }
 }
 

@@ -1,4 +1,4 @@
-// What a report of a solid makes known to the user as findings.
+// The findings that a user gets from the report of a solid.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/solid_findings.h"
 

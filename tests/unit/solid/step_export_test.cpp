@@ -373,8 +373,8 @@ TEST_F(StepExport, DamagedFilesAreRefusedWhenRead) {
     }
     return "read";
   };
-  const auto has = [](const std::string& said, const char* word) {
-    return said.find(word) != std::string::npos;
+  const auto has = [](const std::string& message, const char* word) {
+    return message.find(word) != std::string::npos;
   };
   EXPECT_PRED2(has, complaint(whole.substr(0, whole.size() / 2)), "ends before");
   EXPECT_PRED2(has, complaint(whole.substr(100)), "does not begin");

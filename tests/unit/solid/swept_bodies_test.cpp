@@ -114,14 +114,14 @@ class SweptBodies : public testing::TestWithParam<int> {
 };
 
 TEST_P(SweptBodies, BallAlongALine) {
-  const Eigen::Vector3d travel(13, 7, 21), way = travel.normalized();
+  const Eigen::Vector3d travel(13, 7, 21), direction = travel.normalized();
   solid(ball(5), along(travel));
   EXPECT_EQ(kinds_["cylinder"], 2);
   EXPECT_EQ(kinds_["sphere"], 4);
   expectRadius(CarrierKind::Cylinder, 5);
   expectRadius(CarrierKind::Sphere, 5);
-  expectOn(CarrierKind::Sphere, {-5 * way, travel + 5 * way});
-  const Eigen::Vector3d side = 5 * way.unitOrthogonal();
+  expectOn(CarrierKind::Sphere, {-5 * direction, travel + 5 * direction});
+  const Eigen::Vector3d side = 5 * direction.unitOrthogonal();
   expectOn(CarrierKind::Cylinder, {side, -side, travel + side, travel - side});
 }
 

@@ -23,7 +23,7 @@ namespace {
 
 using namespace test;
 
-/// Reads with OpenCASCADE, but uses nothing else of the library, like FreeCAD's Part.
+/// Reads with OpenCASCADE, as FreeCAD's Part does, and uses nothing else of this library.
 class Outside : public StepReader {
  public:
   Answer read(const std::string& text) override {
@@ -95,7 +95,7 @@ TEST(TextJudge, AFaceThatTheReaderRefusesLosesItsSurface) {
   StepOptions options;
   options.tolerance = 0.1;
   Outside reader;
-  // When only curved faces are checked, there is no solid.
+  // Refuses checks of few faces: those of the curved faces alone, which make no solid.
   reader.refuses = [](const SolidCheck& check) { return check.faces < 10; };
   RunContext run;
   const StepReport report =

@@ -224,9 +224,9 @@ TEST(DenseSampler, ComputeSaysWhatWasLeftOutAndDoesNotDependOnThreads) {
   two.threads = 2;
   const Result a = compute(body, motion, options, one), b = compute(body, motion, options, two);
   ASSERT_EQ(a.report.status, Status::Ok) << a.report.message;
-  bool said = false;
-  for (const Finding& f : a.report.warnings) said = said || f.code == "DensePruned";
-  EXPECT_TRUE(said);
+  bool warned = false;
+  for (const Finding& f : a.report.warnings) warned = warned || f.code == "DensePruned";
+  EXPECT_TRUE(warned);
   EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
   EXPECT_TRUE(a.mesh.vertices == b.mesh.vertices);
 }

@@ -20,7 +20,7 @@ struct State {
   int contextFences = 0;
   unsigned nextName = 1, program = 0;
   std::map<unsigned, std::string> sources;  // shader -> text
-  std::map<unsigned, bool> findsWinners;    // program
+  std::map<unsigned, bool> findsWinners;    // program -> finds winners
   std::map<unsigned, std::vector<std::byte>> buffers;
   std::map<unsigned, unsigned> bound;  // binding -> buffer
   std::uint32_t uniforms[16] = {};
@@ -28,7 +28,7 @@ struct State {
 } state;
 
 bool faulty() { return state.counts.contexts <= state.faults.faultyContexts; }
-/// Fences of this context, or of all where every context is faulty.
+/// Returns the number of fences of this context, or of all contexts if every context is faulty.
 int fencesSoFar() {
   return state.faults.faultyContexts < 1000 ? state.contextFences : state.counts.fences;
 }

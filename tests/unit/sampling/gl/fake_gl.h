@@ -1,5 +1,5 @@
-// A simulated EGL and OpenGL. It understands the calls of the two passes, does their work on the
-// CPU, and fails where a test wants it to. Only one can exist at a time.
+// A simulated EGL and OpenGL. It understands the calls of both passes of the GPU sampler, does
+// their work on the CPU, and fails where a test wants it to. Only one can exist at a time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace swept::test {
 
-/// What goes wrong. Counts start at 1; 0: never.
+/// Faults that a test can plant. Counts start at 1; 0: never.
 struct FakeFaults {
   bool noLibrary = false, noContext = false;
   std::string missingFunction;  ///< e.g. "glFenceSync"
@@ -20,9 +20,9 @@ struct FakeFaults {
   long long storageBytes = 1 << 27;
   std::string brokenShader;  ///< shaders whose source contains this word do not compile
   bool linkFails = false;
-  int resetFromFence = 0;         ///< contexts report a reset from the fence with this number on
-  int silentFromFence = 0;        ///< fences with this number and later ones never signal
-  int faultyContexts = 1000;      ///< only so many contexts have the two faults above
+  int resetFromFence = 0;     ///< contexts report a reset from the fence with this number on
+  int silentFromFence = 0;    ///< fences with this number and later ones never signal
+  int faultyContexts = 1000;  ///< number of contexts, from the first on, with the two faults above
   int setBitsFromReadback = 0;    ///< marks appear all over the brick
   int setOneBitAtReadback = 0;    ///< one mark appears, well within the empty border of the grid
   int clearBitsFromReadback = 0;  ///< a fraction of the marks disappears

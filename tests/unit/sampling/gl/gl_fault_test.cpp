@@ -267,7 +267,7 @@ TEST_F(GlFault, bad_input_24_cancel_at_every_checkpoint) {
         sampleSurface(
             input, backend, kLongRun,
             [&](const MarkedEdges& marked) { return findOutside(marked, scene_.grid, run); }, run);
-        // The order of checkpoints of parallel loops is free; only the total counts.
+        // Parallel loops reach their checkpoints in any order; only the total number is fixed.
       } catch (const Error& error) {
         EXPECT_EQ(error.status(), Status::Cancelled) << error.what();
         EXPECT_EQ(fakeCounts().alive, 0);

@@ -32,7 +32,7 @@ std::shared_ptr<gl::GlDevice> anyDevice(std::string& why) {
   const auto device = anyDevice(whyNoDevice); \
   if (!device) GTEST_SKIP() << whyNoDevice
 
-/// Runs both samplers; `settings` divide the work of the GPU.
+/// Runs both samplers. `settings` say how the work of the GPU is divided.
 Difference expectSame(const std::shared_ptr<gl::GlDevice>& device, const Scene& scene,
                       const gl::GlSettings& settings = {}) {
   RunContext run;
@@ -68,7 +68,7 @@ TEST(GlParity, EveryKindOfMotion) {
   }
 }
 
-/// Faces on grid planes, vertices on grid lines: nothing but ties.
+/// Faces lie on grid planes and vertices on grid lines, so that every decision is a tie.
 TEST(GlParity, TiesOnTheLattice) {
   NEED_DEVICE(device);
   Trajectory path;
@@ -76,7 +76,8 @@ TEST(GlParity, TiesOnTheLattice) {
   Scene scene(makeBox({0, 0, 0}, {1, 1, 1}), path, 20);
   scene.grid.cell = 0.125;
   scene.grid.points = {20, 20, 20};
-  // Snapped vertices are odd: they miss the lattice by half a unit, edges run exactly between them.
+  // Coordinates of snapped vertices are odd: vertices miss the lattice by half a unit. Edges run
+  // exactly between lattice points.
   for (const double shift : {0.0, 0.125 * 0x1p-17, 0.0625}) {
     scene.grid.origin = Eigen::Vector3d(-0.5, -0.5 + shift, -0.5 - 2 * shift);
     expectSame(device, scene);
@@ -144,14 +145,14 @@ TEST(GlParity, ACapsuleHasItsVolume) {
   EXPECT_NEAR(result.report.check.volume, truth, 0.02 * truth);
 }
 
-/// Shared meshes x 3 motions. All of them with SWEPT_LONG_TESTS=1; SWEPT_PARITY_RESOLUTION sets the
-/// resolution (64), SWEPT_PARITY_ONLY part of the mesh's name.
+/// Shared meshes x 3 motions; all meshes only with SWEPT_LONG_TESTS=1. SWEPT_PARITY_RESOLUTION sets
+/// the resolution (default: 64). SWEPT_PARITY_ONLY selects the meshes whose name contains it.
 TEST(GlParity, SharedMeshes) {
   const std::filesystem::path data = SWEPT_SHARED_DATA;
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "no " << data;
   NEED_DEVICE(device);
-  const char* wished = std::getenv("SWEPT_PARITY_RESOLUTION");
-  const int resolution = wished ? std::atoi(wished) : 64;
+  const char* setting = std::getenv("SWEPT_PARITY_RESOLUTION");
+  const int resolution = setting ? std::atoi(setting) : 64;
   std::vector<std::string> names = {"fandisk_13k", "tooth_crown_4k", "beam_joint_part2_5k"};
   if (longRun()) {
     names.insert(

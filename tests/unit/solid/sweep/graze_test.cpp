@@ -104,14 +104,14 @@ TEST(Graze, APlaneThatTurnsAboutAnAxisInItOrAcrossIt) {
   expectGrazes(made, truth);
   ASSERT_EQ(made.carrier->kind, CarrierKind::Cylinder);
   EXPECT_NEAR(made.carrier->radius, 7, 1e-9);
-  // Inclined: a cone, on one side of its apex.
+  // Inclined to the axis: the envelope is a cone. All contacts lie on one side of its apex.
   const Carrier slanted = carrierOf(CarrierKind::Plane, {7, 0, 0}, {1, 0, 1});
   const auto incline = [&](double w, double v) { return Vector3d(7 - w, v, w); };
   const Truth cone = contactsOf(slanted, incline, {-5, 5}, {-50, 51}, turn);
   const auto round = grazeOf(slanted, cone.contacts, turn.path());
   expectGrazes(round, cone);
   EXPECT_EQ(round.carrier->kind, CarrierKind::Cone);
-  // Across its apex, at z = 7: refused.
+  // Contacts on both sides of the apex, which is at z = 7, are refused.
   const Truth both = contactsOf(slanted, incline, {-5, 20}, {-50, 51}, turn);
   EXPECT_EQ(grazeOf(slanted, both.contacts, turn.path()).why, Degeneracy::Singular);
 }

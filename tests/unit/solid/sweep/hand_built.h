@@ -53,8 +53,8 @@ class HandBuilt {
       loop.push_back({e, forward});
       at = forward ? edge.end : edge.start;
       for (int k = 0; k <= 20; ++k) {
-        const double share = forward ? k / 20.0 : 1 - k / 20.0;
-        const Eigen::Vector3d p = edge.curve.at(share * edge.curve.last);
+        const double fraction = forward ? k / 20.0 : 1 - k / 20.0;
+        const Eigen::Vector3d p = edge.curve.at(fraction * edge.curve.last);
         largestGap_ = std::max(largestGap_, std::abs(carrier.distance(p)));
         area += (before).cross(p - base);
         before = p - base;

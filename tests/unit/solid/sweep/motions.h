@@ -15,7 +15,7 @@ namespace swept::step {
 
 using Eigen::Vector3d;
 
-constexpr Range kWhole{0, 1};  // of a motion
+constexpr Range kWhole{0, 1};  // fractions of a whole motion
 
 inline Pose pose(const Vector3d& translation, const Vector3d& axis = {0, 0, 1}, double angle = 0) {
   Pose result;
@@ -44,7 +44,7 @@ struct TestMotion {
   Vector3d turned(const Vector3d& direction, double s) const {
     return at(direction, s) - at(Vector3d::Zero(), s);
   }
-  // Set for screws: axis, turn and slide of the whole step.
+  // For screws only: axis, turn (rad) and slide (mm) of the whole step.
   Vector3d axisPoint = Vector3d::Zero(), axis = Vector3d::UnitZ();
   double turn = 0, slide = 0;
 
@@ -65,10 +65,10 @@ inline TestMotion generalMotion(double angle = 0.7) {
   return motion;
 }
 
-inline TestMotion lineMotion(const Vector3d& way) {
+inline TestMotion lineMotion(const Vector3d& travel) {
   TestMotion motion;
   motion.from = pose({0, 0, 0});
-  motion.to = pose(way);
+  motion.to = pose(travel);
   return motion;
 }
 

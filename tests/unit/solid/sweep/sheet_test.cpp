@@ -77,7 +77,7 @@ TEST(Sheet, FollowsTheExactSurfaceBetweenItsSites) {
     EXPECT_LE(largest, 1.5 * bound);
     EXPECT_LE(largest, 3 * fitted.error);
   }
-  // A kink cannot be followed.
+  // A sheet can follow neither a kink nor an infinite slope.
   EXPECT_FALSE(fitSheet([](double u, double t) { return Vector3d(u, t, std::abs(u - 0.123)); },
                         {-1, 1}, {0, 1}, nullptr, 1e-8));
   EXPECT_FALSE(fitSheet([](double u, double t) { return Vector3d(u, t, std::sqrt(u)); }, {-1, 1},

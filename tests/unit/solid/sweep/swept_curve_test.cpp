@@ -145,7 +145,7 @@ TEST(SweptCurve, ASplineOfTheBody) {
       {Vector3d(1, 0, 0), Vector3d(1, 0.2, 0.3).normalized(), Vector3d(1, -0.3, 0.8).normalized()});
   const Range along{0, 0.49};  // within one span
   TestMotion motion = generalMotion();
-  motion.to.translation = Vector3d(-5, 30, 45);  // across the curve
+  motion.to.translation = Vector3d(-5, 30, 45);  // moves across the curve
   const auto made = sweptBy(spline, along, motion.path(), kWhole);
   expectSweptBy(made, spline, along, motion, 2 * kOnCarrier);
   EXPECT_EQ(made.carrier->kind, CarrierKind::Sheet);

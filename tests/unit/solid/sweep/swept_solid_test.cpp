@@ -62,9 +62,9 @@ void expectBoxSound(const TestMotion& motion, const Vector3d& size) {
   }
   std::array<std::int32_t, 8> paths{};
   for (const int i : kRing) {
-    const auto way = pathOf(corner(i), path, kWhole);
-    ASSERT_TRUE(way);
-    paths[i] = solid.edge(at[0][i], at[1][i], *way);
+    const auto curve = pathOf(corner(i), path, kWhole);
+    ASSERT_TRUE(curve);
+    paths[i] = solid.edge(at[0][i], at[1][i], *curve);
   }
   std::array<std::array<std::array<std::int32_t, 8>, 8>, 2> between{};
   const auto join = [&](int s, int a, int b) {
@@ -117,16 +117,17 @@ TEST(SweptSolid, ABoxInAGeneralMotion) {
 }
 
 TEST(SweptSolid, ABoxAlongAScrew) {
-  // About an axis far away, so that all points move along the diagonal of the box.
+  // The axis is far away, so that all points move along the diagonal of the box.
   expectBoxSound(screwMotion({200, -200, 10}, {1, 1, 0.2}, 0.25, 20), {20, 14, 9});
 }
 
 TEST(SweptSolid, ABoxAlongALineAndOnACircle) {
   expectBoxSound(lineMotion({40, 35, 50}), {20, 14, 9});
-  // About an axis perpendicular to this direction, and so far away that the middle of the box
-  // starts in this direction.
-  const Vector3d way(40, 35, 50), axis = Vector3d(35, -40, 5).cross(way).cross(way).normalized();
-  expectBoxSound(screwMotion(-way.cross(axis) / 0.25, axis, 0.25, 0), {20, 14, 9});
+  // The axis is perpendicular to the direction of the line. It is so far away that the middle of
+  // the box starts in this direction.
+  const Vector3d travel(40, 35, 50),
+      axis = Vector3d(35, -40, 5).cross(travel).cross(travel).normalized();
+  expectBoxSound(screwMotion(-travel.cross(axis) / 0.25, axis, 0.25, 0), {20, 14, 9});
 }
 
 // A rod that moves across and along its axis: a disc and half of its side at each end, two arcs
@@ -159,7 +160,7 @@ class Rod {
             turned(Vector3d::UnitZ(), s).dot(v)};
   }
   // Returns the direction across the axis in which the middle of the rod moves.
-  Vector3d way(double s) const {
+  Vector3d direction(double s) const {
     const Vector3d v = bodyVelocity({0, 0, kHeight / 2}, s);
     return Vector3d(v.x(), v.y(), 0).normalized();
   }
@@ -238,10 +239,11 @@ class Rod {
     solid_.face(carrierOf(CarrierKind::Plane, motion_.at({0, 0, kHeight}, 1), turned(up, 1)),
                 {arcs_[1][1], frontArc}, turned(up, 1));
     Carrier rear = posed(rod_, path_.at(0)), front = posed(rod_, path_.at(1));
-    rear.xdir = turned(way(0), 0);  // the seam lies opposite to the face
-    front.xdir = turned(-way(1), 1);
-    solid_.face(rear, {rearArc, lines_[0][0], arcs_[1][0], lines_[1][0]}, turned(-way(0), 0));
-    solid_.face(front, {arcs_[0][1], lines_[1][1], frontArc, lines_[0][1]}, turned(way(1), 1));
+    rear.xdir = turned(direction(0), 0);  // the seam lies opposite to the face
+    front.xdir = turned(-direction(1), 1);
+    solid_.face(rear, {rearArc, lines_[0][0], arcs_[1][0], lines_[1][0]}, turned(-direction(0), 0));
+    solid_.face(front, {arcs_[0][1], lines_[1][1], frontArc, lines_[0][1]},
+                turned(direction(1), 1));
   }
 
   void makeRings() {
