@@ -197,7 +197,7 @@ class OverlapCheck {
 
 void takeBack(OverlapReport& report) {
   report.pairs.clear();
-  report.smallest = -1;
+  report.smallest.reset();
   report.summary.clear();
 }
 

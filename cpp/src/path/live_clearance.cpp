@@ -58,7 +58,7 @@ LiveDistance LiveClearance::at(const Pose& pose) {
     if (!held && found.pair.body < 0) continue;
     memory.last = i;
     best = LiveDistance{};
-    best.neighbour = static_cast<int>(i);
+    best.neighbour = i;
     best.inside = held;
     if (held) continue;
     best.distance = found.distance;

@@ -104,7 +104,7 @@ TEST(PositionFilter, TheRunSaysWhatWasDroppedAndTheEnvelopeLosesNoMore) {
   }
   EXPECT_EQ(said, 60 - filtered.report.refinedPlacements);
   // Each envelope may be off by one cell (tests/unit/truth), so the two differ by two cells more.
-  const double slack = 2 * options.cellSize;
+  const double slack = 2 * *options.cellSize;
   const MeshDistance tree(filtered.mesh);
   for (const auto& v : full.mesh.vertices) {
     EXPECT_LE(tree.distance(v), filtered.report.positionFilterDistance + slack);
