@@ -42,7 +42,7 @@ ClearanceNeighbour neighbourFrom(const py::handle& item) {
 
 constexpr const char* kClearanceDoc =
     R"(clearance(vertices, triangles, motion, neighbours, interpolation='linear', required=0.0,
-          tolerance=0.01, body_chord=0.0, interval_tolerance=0.0, curve=200, penetration=True,
+          tolerance=0.01, body_chord=0.0, interval_tolerance=None, curve=200, penetration=True,
           run=None, rules=()) -> dict
 
 Measures the smallest distance of a moving body to each neighbour over the whole motion. No approach between
@@ -63,7 +63,7 @@ motion: 'contact' if they touch, 'contact:MM' if they overlap by MM mm, or '' if
 Arguments and errors are those of clearance().)";
 
 constexpr const char* kMechanismDoc =
-    R"(mechanism(parts, required=0.0, tolerance=0.01, range=0.0, interval_tolerance=0.0, curve=200,
+    R"(mechanism(parts, required=0.0, tolerance=0.01, range=None, interval_tolerance=None, curve=200,
           penetration=True, rules=(), run=None) -> dict
 
 Measures the smallest distances between parts that move at the same time. No approach between two poses is
@@ -101,8 +101,9 @@ py::object foundOf(const Report& report) {
 py::object pyClearance(const py::object& vertices, const py::object& triangles,
                        const py::object& motion, const py::iterable& neighbours,
                        const std::string& interpolation, double required, double tolerance,
-                       double bodyChord, double intervalTolerance, int curve, bool penetration,
-                       const py::object& run, const std::vector<std::string>& rules) {
+                       double bodyChord, const std::optional<double>& intervalTolerance, int curve,
+                       bool penetration, const py::object& run,
+                       const std::vector<std::string>& rules) {
   const RunPointer context = runFromObject(run);
   const TriMesh body = meshFromArrays(vertices, triangles);
   const Trajectory trajectory = trajectoryFromObject(motion, interpolation);
@@ -111,7 +112,7 @@ py::object pyClearance(const py::object& vertices, const py::object& triangles,
   options.required = required;
   options.tolerance = tolerance;
   options.bodyChordError = bodyChord;
-  options.intervalTolerance = intervalTolerance;
+  options.intervalTolerance = unlessZero(intervalTolerance);
   options.curveSamples = curve;
   options.penetration = penetration;
   const ClearanceReport report = runWithoutLock(
@@ -161,14 +162,21 @@ MechanismPart mechanismPartFrom(const py::handle& item) {
           part[5].cast<double>()};
 }
 
-py::object pyMechanism(const py::iterable& list, double required, double tolerance, double range,
-                       double intervalTolerance, int curve, bool penetration,
+py::object pyMechanism(const py::iterable& list, double required, double tolerance,
+                       const std::optional<double>& range,
+                       const std::optional<double>& intervalTolerance, int curve, bool penetration,
                        const std::vector<std::array<std::string, 3>>& rules,
                        const py::object& run) {
   const RunPointer context = runFromObject(run);
   std::vector<MechanismPart> parts;
   for (const py::handle& item : list) parts.push_back(mechanismPartFrom(item));
-  MechanismOptions options{required, tolerance, range, intervalTolerance, curve, penetration, {}};
+  MechanismOptions options;
+  options.required = required;
+  options.tolerance = tolerance;
+  options.range = unlessZero(range);
+  options.intervalTolerance = unlessZero(intervalTolerance);
+  options.curveSamples = curve;
+  options.penetration = penetration;
   for (const auto& [first, second, text] : rules)
     options.rules.push_back({first, second, parseRule(text)});
   const MechanismReport report =
@@ -241,7 +249,7 @@ void bindClearance(py::module_& module) {
   module.def("clearance", &pyClearance, kClearanceDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("motion"), py::arg("neighbours"), py::arg("interpolation") = "linear",
              py::arg("required") = 0.0, py::arg("tolerance") = 0.01, py::arg("body_chord") = 0.0,
-             py::arg("interval_tolerance") = 0.0, py::arg("curve") = 200,
+             py::arg("interval_tolerance") = py::none(), py::arg("curve") = 200,
              py::arg("penetration") = true, py::arg("run") = py::none(),
              py::arg("rules") = py::tuple());
   module.def("rules_for", &pyRulesFor,
@@ -253,11 +261,12 @@ void bindClearance(py::module_& module) {
              py::arg("triangles"), py::arg("motion"), py::arg("neighbours"),
              py::arg("interpolation") = "linear", py::arg("tolerance") = 0.01,
              py::arg("body_chord") = 0.0, py::arg("run") = py::none());
-  module.def(
-      "mechanism", &pyMechanism, kMechanismDoc, py::arg("parts"), py::arg("required") = 0.0,
-      py::arg("tolerance") = 0.01, py::arg("range") = 0.0, py::arg("interval_tolerance") = 0.0,
-      py::arg("curve") = 200, py::arg("penetration") = true,
-      py::arg("rules") = std::vector<std::array<std::string, 3>>{}, py::arg("run") = py::none());
+  module.def("mechanism", &pyMechanism, kMechanismDoc, py::arg("parts"), py::arg("required") = 0.0,
+             py::arg("tolerance") = 0.01, py::arg("range") = py::none(),
+             py::arg("interval_tolerance") = py::none(), py::arg("curve") = 200,
+             py::arg("penetration") = true,
+             py::arg("rules") = std::vector<std::array<std::string, 3>>{},
+             py::arg("run") = py::none());
   module.def("overlap", &pyOverlap, kOverlapDoc, py::arg("parts"), py::arg("required") = 0.0,
              py::arg("tolerance") = 0.01, py::arg("shared") = true, py::arg("run") = py::none());
   module.def("distance_to_mesh", &pyDistanceToMesh, kDistanceDoc, py::arg("points"),

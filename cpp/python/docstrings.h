@@ -11,10 +11,10 @@ Long calls release the interpreter lock. Use a RunContext to watch or cancel a c
 thread; Ctrl-C cancels it as well. A call that fails raises Error or one of its subclasses.)";
 
 constexpr const char* kRunContextDoc =
-    R"(RunContext(threads=0, memory_limit_mb=0)
+    R"(RunContext(threads=None, memory_limit_mb=None)
 
-Watches and cancels one run, from any thread. threads: 1 to 4096, or 0 for all cores.
-memory_limit_mb: 0 means three quarters of the free memory. Create a new RunContext for each run,
+Watches and cancels one run, from any thread. threads: 1 to 4096, or None for all cores.
+memory_limit_mb: None means three quarters of the free memory. Create a new RunContext for each run,
 because its progress does not return to 0.)";
 
 constexpr const char* kMeshDoc =
@@ -60,12 +60,12 @@ interpolation  'none' (union of the body at all poses), 'linear' (lerp + slerp) 
 run        RunContext to watch and cancel the run
 faces      int (M,): for each triangle, the index (from 0) of the face to which it belongs; used by sources
 
-Options: resolution=128 (cells along the longest side) or cell=0.0 (mm); components='consistent'
+Options: resolution=128 (cells along the longest side) or cell=None (mm); components='consistent'
 ('dc', 'dmc', 'equivalence', 'greedy'); backend='auto' ('cpu', 'gpu'); keep_cavities=False; cull=True;
 tolerance=0.0 (mm, simplification); offset=0.0 (mm); conservative=False; position_filter=0.0 (mm);
 chord=0.02 (cells); weld=1e-6 (fraction of the box diagonal); sources=False (True: record in
-Result.sources what made each triangle; not allowed with an offset or with conservative); threads=0;
-memory_limit_mb=0.
+Result.sources what made each triangle; not allowed with an offset or with conservative); threads=None;
+memory_limit_mb=None.
 
 Raises a subclass of Error, with .status, .code and .report: InvalidInput, ResourceLimit, OutOfMemory,
 Cancelled, DeviceUnavailable, DeviceLost, InternalError. Raises ValueError if an array has a wrong shape,
@@ -163,7 +163,7 @@ is never replaced. Returns the contents of the key "solid" in the program's repo
 ExportFailed, Cancelled.
 
 Options: tolerance (mm; 0: exact, unless a limit requires a tolerance), recognise=True, max_faces=20000,
-max_megabytes=0 (no limit), merge_coplanar=True, planar_tolerance=1e-6 (mm), schema='ap214',
+max_megabytes=None (no limit), merge_coplanar=True, planar_tolerance=1e-6 (mm), schema='ap214',
 'ap242' or 'ap242-tessellated' (writes the triangles unchanged; allows no tolerance), product_name='Swept
 envelope', author, organization, colour=(r, g, b), exact=False, strict=False. If tolerance is 0 and the
 solid exceeds a limit, the smallest tolerance that meets the limits is used; with exact=True, the solid is

@@ -143,7 +143,7 @@ StepOptions solidOptions(const py::dict& keywords) {
     } else if (name == "max_faces") {
       options.maxFaces = py::cast<std::int64_t>(value);
     } else if (name == "max_megabytes") {
-      options.maxMegabytes = py::cast<double>(value);
+      options.maxMegabytes = unlessZero(py::cast<std::optional<double>>(value));
     } else if (name == "product_name") {
       options.productName = py::cast<std::string>(value);
     } else if (name == "schema") {

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "arrays.h"
+#include "base/checkpoint_hook.h"
 #include "clearance_bindings.h"
 #include "docstrings.h"
 #include "drawing.h"
@@ -49,12 +50,13 @@ struct ComputeResult {
   }
 };
 
-std::uint64_t bytesFromMegabytes(double megabytes) {
-  if (!(megabytes >= 0) || megabytes > 1e12) {
+std::optional<std::uint64_t> bytesFromMegabytes(const std::optional<double>& megabytes) {
+  if (!megabytes) return std::nullopt;
+  if (!(*megabytes >= 0) || *megabytes > 1e12) {
     throw Error(Status::InvalidInput, "BadOption",
                 "memory_limit_mb must be 0 (default) or a positive number of MiB");
   }
-  return static_cast<std::uint64_t>(megabytes * 1048576.0);
+  return unlessZero(std::optional(static_cast<std::uint64_t>(*megabytes * 1048576.0)));
 }
 
 // Converts one option of compute() or estimate(). Raises TypeError if the value has a wrong type,
@@ -78,7 +80,7 @@ void setOption(const std::string& name, const py::handle& value, Options& option
   if (name == "resolution")
     options.resolution = castOption<int>(name, value);
   else if (name == "cell")
-    options.cellSize = castOption<double>(name, value);
+    options.cellSize = unlessZero(castOption<std::optional<double>>(name, value));
   else if (name == "accuracy")
     setAccuracy(options, castOption<double>(name, value));
   else if (name == "components")
@@ -104,9 +106,9 @@ void setOption(const std::string& name, const py::handle& value, Options& option
   else if (name == "sources")
     options.sources = castOption<bool>(name, value);
   else if (name == "threads")
-    run.threads = castOption<int>(name, value);
+    run.threads = unlessZero(castOption<std::optional<int>>(name, value));
   else if (name == "memory_limit_mb")
-    run.memoryLimitBytes = bytesFromMegabytes(castOption<double>(name, value));
+    run.memoryLimitBytes = bytesFromMegabytes(castOption<std::optional<double>>(name, value));
   else
     throw py::type_error("unknown option '" + name + "'");
 }
@@ -188,7 +190,7 @@ py::dict pyEstimate(const py::object& vertices, const py::object& triangles,
   result["memory_bytes"] = found.memoryBytes;
   result["seconds"] = found.seconds;
   result["triangles"] = found.triangles;
-  if (found.usefulFilter > 0) result["useful_filter"] = found.usefulFilter;
+  if (found.usefulFilter) result["useful_filter"] = *found.usefulFilter;
   return result;
 }
 
@@ -212,13 +214,14 @@ py::object pyCheckMesh(const py::object& vertices, const py::object& triangles,
 
 void bindClasses(py::module_& module) {
   py::class_<RunContext, RunPointer>(module, "RunContext", kRunContextDoc)
-      .def(py::init([](int threads, double memoryLimitMegabytes) {
+      .def(py::init([](const std::optional<int>& threads,
+                       const std::optional<double>& memoryLimitMegabytes) {
              auto run = std::make_shared<RunContext>();
-             run->threads = threads;
+             run->threads = unlessZero(threads);
              run->memoryLimitBytes = bytesFromMegabytes(memoryLimitMegabytes);
              return run;
            }),
-           py::arg("threads") = 0, py::arg("memory_limit_mb") = 0.0)
+           py::arg("threads") = py::none(), py::arg("memory_limit_mb") = py::none())
       .def("cancel", &RunContext::cancel,
            "Asks the run to stop and returns without waiting for it.")
       .def_property_readonly("cancelled", &RunContext::isCancelled)
@@ -227,11 +230,15 @@ void bindClasses(py::module_& module) {
       .def_property_readonly(
           "phase", [](const RunContext& run) { return phaseName(run.phase()); },
           "Name of the current stage.")
-      .def_readwrite("threads", &RunContext::threads)
+      .def_property(
+          "threads", [](const RunContext& run) { return run.threads; },
+          [](RunContext& run, const std::optional<int>& threads) {
+            run.threads = unlessZero(threads);
+          },
+          "Number of threads, or None for all cores.")
       // For tests.
-      .def_property_readonly("_checkpoints", &RunContext::checkpoints)
-      .def("_cancel_at_checkpoint",
-           [](RunContext& run, std::uint64_t n) { run.cancelAtCheckpoint = n; });
+      .def_property_readonly("_checkpoints", &CheckpointHook::passed)
+      .def("_cancel_at_checkpoint", &CheckpointHook::cancelAt);
   py::class_<ComputeResult>(module, "Result", kResultDoc)
       .def_property_readonly("mesh", &ComputeResult::mesh)
       .def_property_readonly(

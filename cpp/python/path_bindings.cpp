@@ -45,7 +45,7 @@ the report describes the given motion.)";
 
 constexpr const char* kSequenceDoc =
     R"(find_sequence(parts, still=(), order='given', clearance=0.0, release=0.0, translation_only=False,
-              max_angle=None, interpolation='linear', tolerance=0.01, budget=60.0, most_moves=0, seed=1,
+              max_angle=None, interpolation='linear', tolerance=0.01, budget=60.0, most_moves=None, seed=1,
               rules=(), run=None, watch=None) -> (dict, list or None)
 
 Searches for motions of parts that are installed one after the other. Each part keeps the clearance from the
@@ -241,7 +241,7 @@ py::tuple pyFindSequence(const py::iterable& list, const py::iterable& still,
                          const std::string& order, double clearance, double release,
                          bool translationOnly, const std::optional<double>& maxAngle,
                          const std::string& interpolation, double tolerance, double budget,
-                         std::int64_t mostMoves, std::uint64_t seed,
+                         const std::optional<std::int64_t>& mostMoves, std::uint64_t seed,
                          const std::vector<std::array<std::string, 3>>& rules,
                          const py::object& run, SequenceWatch* watch) {
   if (order != "given" && order != "find")
@@ -255,7 +255,7 @@ py::tuple pyFindSequence(const py::iterable& list, const py::iterable& still,
   SequenceOptions options;
   options.path = optionsFrom(clearance, release, translationOnly, maxAngle, tolerance, 0, budget,
                              seed, parseInterpolation(interpolation));
-  options.path.mostSteps = mostMoves;
+  options.path.mostSteps = unlessZero(mostMoves);
   options.findOrder = order == "find";
   for (const auto& [first, second, text] : rules)
     options.rules.push_back({first, second, parseRule(text)});
@@ -303,14 +303,15 @@ void bindPath(py::module_& module) {
                                                             kSequenceWatchDoc)
       .def(py::init<>())
       .def("seen", &pySeen,
-           "Returns (index of the part for which the search looks for a path, or -1; number of "
+           "Returns (index of the part for which the search looks for a path, or None; number of "
            "parts that have a path; the farthest placement of that part, (4, 4), or None).");
   module.def("find_sequence", &pyFindSequence, kSequenceDoc, py::arg("parts"),
              py::arg("still") = py::tuple(), py::arg("order") = "given", py::arg("clearance") = 0.0,
              py::arg("release") = 0.0, py::arg("translation_only") = false,
              py::arg("max_angle") = py::none(), py::arg("interpolation") = "linear",
-             py::arg("tolerance") = 0.01, py::arg("budget") = 60.0, py::arg("most_moves") = 0,
-             py::arg("seed") = 1, py::arg("rules") = std::vector<std::array<std::string, 3>>{},
+             py::arg("tolerance") = 0.01, py::arg("budget") = 60.0,
+             py::arg("most_moves") = py::none(), py::arg("seed") = 1,
+             py::arg("rules") = std::vector<std::array<std::string, 3>>{},
              py::arg("run") = py::none(), py::arg("watch") = nullptr);
   py::class_<LiveClearance>(module, "LiveClearance", kLiveDoc)
       .def(py::init(&makeLive), py::arg("vertices"), py::arg("triangles"), py::arg("neighbours"),

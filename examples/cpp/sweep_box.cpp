@@ -40,6 +40,11 @@ int main(int argc, char** argv) {
     options.resolution = 64;
     swept::RunContext run;
     const swept::Result result = swept::compute(box({10, 20, 30}), slideAndTurn(), options, run);
+    if (result.report.status != swept::Status::Ok) {
+      std::fprintf(stderr, "%s: %s\n", swept::statusName(result.report.status),
+                   result.report.message.c_str());
+      return 1;
+    }
     swept::writeMesh(result.mesh, argv[1]);
     std::printf("%lld triangles, %.6g mm^3\n",
                 static_cast<long long>(result.report.check.triangles), result.report.check.volume);

@@ -39,7 +39,7 @@ class RunContext(_core.RunContext):
     def __init__(
         self, threads: Optional[int] = None, memory_limit_mb: Optional[float] = None
     ) -> None:
-        super().__init__(threads or 0, memory_limit_mb or 0.0)
+        super().__init__(threads, memory_limit_mb)
 
     def __enter__(self) -> RunContext:
         return self
@@ -350,7 +350,7 @@ def write_solid(
         exact=exact,
         recognise=recognise,
         max_faces=max_faces,
-        max_megabytes=max_megabytes or 0.0,
+        max_megabytes=max_megabytes,
         schema=schema,
         product_name=product_name,
         author=author,

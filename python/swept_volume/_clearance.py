@@ -68,7 +68,7 @@ def clearance(
         required,
         tolerance,
         body.chord_error if body_chord is None else body_chord,
-        interval_tolerance or 0.0,
+        interval_tolerance,
         curve,
         penetration,
         run,

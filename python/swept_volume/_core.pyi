@@ -28,8 +28,10 @@ class ExportFailed(Error): ...
 class InternalError(Error): ...
 
 class RunContext:
-    threads: int
-    def __init__(self, threads: int = 0, memory_limit_mb: float = 0.0) -> None: ...
+    threads: Optional[int]
+    def __init__(
+        self, threads: Optional[int] = None, memory_limit_mb: Optional[float] = None
+    ) -> None: ...
     def cancel(self) -> None: ...
     @property
     def cancelled(self) -> bool: ...
@@ -177,7 +179,7 @@ def clearance(
     required: float = 0.0,
     tolerance: float = 0.01,
     body_chord: float = 0.0,
-    interval_tolerance: float = 0.0,
+    interval_tolerance: Optional[float] = None,
     curve: int = 200,
     penetration: bool = True,
     run: Optional[RunContext] = None,
@@ -198,8 +200,8 @@ def mechanism(
     parts: Any,
     required: float = 0.0,
     tolerance: float = 0.01,
-    range: float = 0.0,
-    interval_tolerance: float = 0.0,
+    range: Optional[float] = None,
+    interval_tolerance: Optional[float] = None,
     curve: int = 200,
     penetration: bool = True,
     rules: Any = (),
@@ -259,7 +261,7 @@ class PathWatch:
 
 class SequenceWatch:
     def __init__(self) -> None: ...
-    def seen(self) -> Tuple[int, int, Optional[npt.NDArray[np.float64]]]: ...
+    def seen(self) -> Tuple[Optional[int], int, Optional[npt.NDArray[np.float64]]]: ...
 
 def find_sequence(
     parts: Any,
@@ -272,7 +274,7 @@ def find_sequence(
     interpolation: str = "linear",
     tolerance: float = 0.01,
     budget: float = 60.0,
-    most_moves: int = 0,
+    most_moves: Optional[int] = None,
     seed: int = 1,
     rules: Any = (),
     run: Optional[RunContext] = None,

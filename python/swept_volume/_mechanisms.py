@@ -29,7 +29,7 @@ def mechanism(
     *,
     required: float = 0.0,
     tolerance: float = 0.01,
-    range: float = 0.0,
+    range: Optional[float] = None,
     interval_tolerance: Optional[float] = None,
     curve: int = 200,
     penetration: bool = True,
@@ -40,7 +40,7 @@ def mechanism(
     """Measures the smallest distance of every pair of parts over the time interval that all motions
     have in common. No approach between two poses is missed. parts: (name, mesh, motion) or (name, mesh,
     motion, chord error). A part with the motion None stands still where its mesh is. Times in s, lengths
-    in mm. Pairs that come closer than `range` (0: a tenth of the median size of the parts) are measured
+    in mm. Pairs that come closer than `range` (None: a tenth of the median size of the parts) are measured
     and listed.
     ignored: pairs of names that are not checked. rules: (name, name, rule) for single pairs, with rules
     as for clearance() (mm, 'contact', 'contact:MM', 'ignore'). Returns the report (docs/clearance.md).
@@ -52,7 +52,7 @@ def mechanism(
         required,
         tolerance,
         range,
-        interval_tolerance or 0.0,
+        interval_tolerance,
         curve,
         penetration,
         [(*pair, "ignore") for pair in ignored] + [(a, b, str(rule)) for a, b, rule in rules],

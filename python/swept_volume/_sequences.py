@@ -53,7 +53,7 @@ def find_sequence(
     interpolation: str = "linear",
     tolerance: float = 0.01,
     budget: float = 60.0,
-    most_moves: int = 0,
+    most_moves: Optional[int] = None,
     seed: int = 1,
     ignored: Iterable[Tuple[str, str]] = (),
     rules: Iterable[Tuple[str, str, Union[str, float]]] = (),

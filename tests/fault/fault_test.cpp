@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "base/checkpoint_hook.h"
 #include "base/parallel.h"
 #include "fault/failing_new.h"
 #include "support/process.h"
@@ -152,14 +153,14 @@ TEST(Fault, bad_input_24_cancel_at_every_checkpoint_gives_all_back) {
     SCOPED_TRACE(c.name);
     RunContext whole;
     const std::uint64_t expected = fingerprint(compute(c, whole));
-    const auto total = static_cast<std::int64_t>(whole.checkpoints());
+    const auto total = static_cast<std::int64_t>(CheckpointHook::passed(whole));
     ASSERT_GT(total, 10);
     const std::int64_t stride = strideFor(total, 150);
     for (std::int64_t n = 1; n <= total; n += stride) {
       const std::int64_t before = fault::outstandingBytes();
       {
         RunContext run;
-        run.cancelAtCheckpoint = static_cast<std::uint64_t>(n);
+        CheckpointHook::cancelAt(run, static_cast<std::uint64_t>(n));
         const Result result = compute(c, run);
         ASSERT_EQ(result.report.status, Status::Cancelled) << n << " of " << total;
         expectNothing(result);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "base/checkpoint_hook.h"
 #include "fuzz/inputs.h"
 #include "fuzz/promise.h"
 #include "fuzz/targets.h"
@@ -121,7 +122,7 @@ void clearance(const std::uint8_t* data, std::size_t size) {
   limit(run);
   // With parts of kilometres and an accuracy of a hundredth of a millimetre, a run would take
   // nearly for ever, so every run is cancelled after some checkpoints.
-  run.cancelAtCheckpoint = bytes.chance(16) ? 1 + bytes.byte() : kMaxCheckpoints;
+  CheckpointHook::cancelAt(run, bytes.chance(16) ? 1 + bytes.byte() : kMaxCheckpoints);
   const TriMesh mesh = body(bytes);
   const std::vector<ClearanceNeighbour> parts = neighbours(bytes);
   if (printsInputs()) {
@@ -135,7 +136,7 @@ void clearance(const std::uint8_t* data, std::size_t size) {
     requireNamed("a clearance", report.status, report.code, report.message);
     return;
   }
-  if (report.neighbours.size() != parts.size() || report.smallest < 0 || report.summary.empty()) {
+  if (report.neighbours.size() != parts.size() || !report.smallest || report.summary.empty()) {
     throw BrokenPromise("a report with holes");
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {

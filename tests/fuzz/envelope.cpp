@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/checkpoint_hook.h"
 #include "fuzz/inputs.h"
 #include "fuzz/promise.h"
 #include "fuzz/targets.h"
@@ -37,7 +38,7 @@ Options options(ByteSource& bytes) {
 
 void show(const TriMesh& mesh, const Trajectory& motion, const Options& o) {
   std::printf("resolution %d cell %g components %s tolerance %g cavities %d cull %d offset %g\n",
-              o.resolution, o.cellSize, componentMethodName(o.components), o.tolerance,
+              o.resolution, o.cellSize.value_or(0), componentMethodName(o.components), o.tolerance,
               o.keepCavities, o.cull, o.offset);
   std::printf("conservative %d filter %g chord %g weld %g\n", o.conservative, o.positionFilter,
               o.chordTolerance, o.weldTolerance);
@@ -82,7 +83,7 @@ void requireGrown(const Result& grown, const TriMesh& mesh, const Trajectory& tr
   const Result plain = compute(mesh, trajectory, options, run);
   if (plain.report.status != Status::Ok) return;
   const MeshCheck& check = plain.report.check;
-  require(grown.report.check.volume >= check.volume - check.area * options.cellSize,
+  require(grown.report.check.volume >= check.volume - check.area * *options.cellSize,
           "grown from " + std::to_string(check.volume) + " to " +
               std::to_string(grown.report.check.volume) + " mm^3",
           grown.report);
@@ -104,7 +105,7 @@ void envelope(const std::uint8_t* data, std::size_t size) {
   const Trajectory trajectory = motion(bytes);
   RunContext run;
   limit(run);
-  if (bytes.chance(16)) run.cancelAtCheckpoint = bytes.byte();
+  if (bytes.chance(16)) CheckpointHook::cancelAt(run, bytes.byte());
   const TriMesh mesh = body(bytes);
   if (printsInputs()) show(mesh, trajectory, chosen);
   Result result = compute(mesh, trajectory, chosen, run);
@@ -139,7 +140,7 @@ void preview(const std::uint8_t* data, std::size_t size) {
     for (int i = 0; i < calls; ++i) {
       RunContext call;
       limit(call);
-      if (bytes.chance(16)) call.cancelAtCheckpoint = bytes.byte();
+      if (bytes.chance(16)) CheckpointHook::cancelAt(call, bytes.byte());
       if (printsInputs()) show(mesh, trajectory, chosen);
       const Result result = session.compute(trajectory, call);
       result.report.status == Status::Ok ? requireOk(result, chosen, 0) : requireFailure(result);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/checkpoint_hook.h"
 #include "fuzz/inputs.h"
 #include "fuzz/promise.h"
 #include "fuzz/targets.h"
@@ -71,7 +72,7 @@ void solid(const std::uint8_t* data, std::size_t size) {
   RunContext run, exporting;
   limit(run);
   limit(exporting);
-  if (bytes.chance(16)) exporting.cancelAtCheckpoint = bytes.byte();
+  if (bytes.chance(16)) CheckpointHook::cancelAt(exporting, bytes.byte());
   const TriMesh mesh = surface(bytes, run);
   const test::TemporaryFolder folder;
   try {

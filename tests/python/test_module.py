@@ -42,6 +42,35 @@ def test_report_has_every_promised_key(box, still):
     assert REPORT_KEYS <= set(report)
 
 
+@pytest.mark.parametrize("nothing", [None, 0])
+def test_none_and_0_are_values_not_given(box, still, slide, tmp_path, nothing):
+    run = _swept.RunContext(threads=nothing, memory_limit_mb=nothing)
+    assert run.threads is None
+    run.threads = 2
+    assert run.threads == 2
+    run.threads = nothing
+    assert run.threads is None
+    limits = {"threads": nothing, "memory_limit_mb": nothing}
+    plain = _swept.compute(*box, still, resolution=16)
+    result = _swept.compute(*box, still, resolution=16, cell=nothing, run=run, **limits)
+    assert result.report["cell"] == plain.report["cell"]
+    if hasattr(_swept, "clearance"):
+        arguments = (*box, slide, [("far", box[0] + [0, 30, 0], box[1])])
+        near = _swept.clearance(*arguments, required=20, tolerance=0.02)
+        same = _swept.clearance(*arguments, required=20, tolerance=0.02, interval_tolerance=nothing)
+        assert near["neighbours"][0]["below"] == same["neighbours"][0]["below"] != []
+        parts = [
+            ("moving", *box, slide, "linear", 0.0),
+            ("still", box[0] + [0, 30, 0], box[1], None, "linear", 0.0),
+        ]
+        near = _swept.mechanism(parts)
+        same = _swept.mechanism(parts, range=nothing, interval_tolerance=nothing)
+        assert near["range"] == same["range"] > 0
+    if _swept.HAS_SOLIDS:
+        _swept.write_solid(tmp_path / "box.step", *box, max_megabytes=nothing)
+        assert (tmp_path / "box.step").exists()
+
+
 def test_arrays_are_read_only_views_that_outlive_the_result(box, still):
     result = _swept.compute(*box, still, resolution=16)
     vertices, triangles = result.mesh.vertices, result.mesh.triangles

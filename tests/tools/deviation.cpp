@@ -254,7 +254,7 @@ int run(int count, char** arguments) {
     std::printf("resolution %d: cell %.5g mm, %lld triangles, %.2f s, self-intersections %lld\n",
                 resolution, report.cellSize, static_cast<long long>(report.check.triangles),
                 report.seconds.back().seconds,
-                static_cast<long long>(report.check.selfIntersections));
+                static_cast<long long>(report.check.selfIntersections.value_or(0)));
     const SweptDistance truth(body, motion, 0.1 * report.cellSize);
     const MeshDistance out(result.mesh);
     std::mt19937 random(1);

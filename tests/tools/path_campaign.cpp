@@ -36,8 +36,8 @@ int main(int argc, char** argv) {
     run.threads = static_cast<int>(argument(4, 1));
     PathOptions options = test::optionsOf(c);
     options.budgetSeconds = argument(3, 10);
-    options.mostSteps = static_cast<std::int64_t>(argument(6, 0));
-    options.askLess = options.mostSteps == 0;
+    if (argument(6, 0) > 0) options.mostSteps = static_cast<std::int64_t>(argument(6, 0));
+    options.askLess = !options.mostSteps;
     const std::clock_t start = std::clock();
     const PathReport report =
         findPath(c.part, test::taskOf(c), test::neighboursOf(c), options, run);

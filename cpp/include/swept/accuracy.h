@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
+
 #include "swept/report.h"
 #include "swept/types.h"
 
@@ -13,10 +15,11 @@ namespace swept {
 void setAccuracy(Options& options, double accuracy);
 
 /// Returns an upper bound (mm) of the distance between any point of an envelope's surface and the
-/// true surface of the sweep. Returns 0 if none is known: for an envelope with an offset, and for a
-/// conservative one, which has its own bound. The bound does not cover parts of the sweep that are
-/// missing because they are so thin that no grid line meets them. Nor does it cover the errors that
-/// the findings DensePruned and SinglePrecision describe.
-double accuracyBound(const Report& report);
+/// true surface of the sweep. Returns nothing if none is known: for an envelope with an offset, for
+/// a conservative one, which has its own bound, and for a run that failed before sampling. The
+/// bound does not cover parts of the sweep that are missing because they are so thin that no grid
+/// line meets them. Nor does it cover the errors that the findings DensePruned and SinglePrecision
+/// describe.
+std::optional<double> accuracyBound(const Report& report);
 
 }  // namespace swept

@@ -12,6 +12,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,9 +38,9 @@ struct ClearanceOptions {
   /// mm, largest error of the smallest distance, due to the motion between poses.
   double tolerance = 0.01;
   double bodyChordError = 0;  ///< mm, as ClearanceNeighbour::chordError, for the moving body
-  double intervalTolerance =
-      0;  ///< accuracy of the ends of intervals, as mm of travel; 0: 10 times the tolerance
-  int curveSamples = 200;   ///< number of points of the graph of distance over time; 0: no graph
+  /// Accuracy of the ends of intervals, as mm of travel, above 0. Not set: 10 times the tolerance.
+  std::optional<double> intervalTolerance;
+  int curveSamples = 200;   ///< number of points of the graph of distance over time, 0 or more
   bool penetration = true;  ///< measure the depth and the place of a clash
 };
 
@@ -94,10 +96,10 @@ struct NeighbourClearance {
   Pose pose;               ///< placement of the body at that time
   Eigen::Vector3d pointOnBody = Eigen::Vector3d::Zero();       ///< world coordinates
   Eigen::Vector3d pointOnNeighbour = Eigen::Vector3d::Zero();  ///< world coordinates
-  /// Indices of the triangles with these points. -1: in a clash, or if that mesh was repaired
+  /// Indices of the triangles with these points. Not set in a clash, or if that mesh was repaired
   /// before the check.
-  std::int64_t bodyTriangle = -1;
-  std::int64_t neighbourTriangle = -1;
+  std::optional<std::int64_t> bodyTriangle;
+  std::optional<std::int64_t> neighbourTriangle;
   bool closed = true;   ///< false: the neighbour's mesh is open, so its inside is not defined
   bool inside = false;  ///< true: at some time, one part lies inside the other without touching it
   PenetrationResult penetration;
@@ -117,16 +119,13 @@ struct NeighbourClearance {
   }
 };
 
-struct ClearanceReport {
-  Status status = Status::Ok;
-  std::string code;
-  std::string message;
+struct ClearanceReport : RunReport {
   std::vector<NeighbourClearance> neighbours;  ///< in the order given, without ignored neighbours
   std::vector<std::string> ignored;            ///< names of the neighbours that the rules ignore
   /// Index of the nearest neighbour; a clash counts as nearer than any distance, and the deepest
-  /// clash as nearest. A neighbour with allowed contact counts only if there is no other. -1: no
-  /// neighbour.
-  int smallest = -1;
+  /// clash as nearest. A neighbour with allowed contact counts only if there is no other. Not set
+  /// if the run failed.
+  std::optional<std::size_t> smallest;
   /// For example "12 checked, smallest distance 3.2 mm at t = 4.1 s (bracket)"
   std::string summary;
   double required = 0;  ///< the common required distance
@@ -137,9 +136,6 @@ struct ClearanceReport {
   std::string interpolation;
   /// What was checked: "motion" (the true motion) or "envelope" (its mesh at rest)
   std::string witness = "motion";
-  int threads = 0;
-  std::vector<StageSeconds> seconds;  ///< "total" is the last entry
-  std::vector<Finding> warnings;
 };
 
 /// Never throws except std::bad_alloc; report.status describes a failure. The numbers do not depend

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "swept/report.h"
 #include "swept/run_context.h"
@@ -45,8 +46,8 @@ struct Estimate {
   double seconds = 0;          ///< rough estimate for this machine
   std::int64_t triangles = 0;  ///< rough estimate
   /// mm: a position filter that skips at least two thirds of the poses and changes the result by no
-  /// more than the chord error. 0: there is none.
-  double usefulFilter = 0;
+  /// more than the chord error. Set only by estimateByTrial(), if there is one.
+  std::optional<double> usefulFilter;
 };
 /// Estimates from bounding boxes only, in milliseconds. Throws the Error that compute() would
 /// report.
@@ -58,6 +59,7 @@ Estimate estimateByTrial(const TriMesh& body, const Trajectory& trajectory, cons
                          RunContext& run);
 
 /// Checks any mesh: closed, manifold, oriented, self-intersections (docs/pipeline.md, "Check").
+/// Throws Error(InvalidInput, "BadIndex"), Error(Cancelled).
 MeshCheck checkMesh(const TriMesh& mesh, RunContext& run);
 
 }  // namespace swept

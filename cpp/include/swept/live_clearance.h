@@ -8,7 +8,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "swept/clearance.h"
@@ -18,7 +20,8 @@
 namespace swept {
 
 struct LiveDistance {
-  int neighbour = -1;  ///< index of the nearest neighbour, in the order given
+  /// Index of the nearest neighbour, in the order given. Not set if the pose is not finite.
+  std::optional<std::size_t> neighbour;
   /// mm between the triangles; 0 if they meet or one part lies inside the other.
   double distance = 0;
   bool inside = false;  ///< true: one part lies inside the other without touching it

@@ -11,6 +11,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,12 +42,12 @@ struct MechanismOptions {
   /// mm, distance that any two parts must keep; 0: only contact and clash matter.
   double required = 0;
   double tolerance = 0.01;  ///< mm, largest error of a smallest distance
-  /// mm: pairs that come closer than this are measured. 0: a tenth of the diagonal of the part of
-  /// median size. The program increases the value if the verdicts need more.
-  double range = 0;
-  /// Accuracy of the ends of intervals, as mm of travel; 0: 10 times the tolerance.
-  double intervalTolerance = 0;
-  int curveSamples = 200;   ///< number of points of the graph of distance over time; 0: no graph
+  /// mm, above 0: pairs that come closer than this are measured. Not set: a tenth of the diagonal
+  /// of the part of median size. The value is increased if the verdicts need more.
+  std::optional<double> range;
+  /// Accuracy of the ends of intervals, as mm of travel, above 0. Not set: 10 times the tolerance.
+  std::optional<double> intervalTolerance;
+  int curveSamples = 200;   ///< number of points of the graph of distance over time, 0 or more
   bool penetration = true;  ///< measure the depth and the place of a clash
   /// Rules of single pairs, such as allowed contact or no check for parts that a joint connects.
   std::vector<PairRule> rules;
@@ -70,10 +72,7 @@ struct PairClearance {
   NeighbourClearance clearance;
 };
 
-struct MechanismReport {
-  Status status = Status::Ok;
-  std::string code;
-  std::string message;
+struct MechanismReport : RunReport {
   std::vector<std::string> names;    ///< names of the parts
   TimeInterval time;                 ///< the time common to all motions, which was checked
   double range = 0;                  ///< mm, see MechanismOptions
@@ -82,15 +81,13 @@ struct MechanismReport {
   std::vector<PartPair> ignored;     ///< pairs not checked, because a rule ignores them
   /// Pairs not checked, because their parts do not move relative to each other.
   std::vector<PartPair> joined;
-  int smallest = -1;  ///< index in `pairs` of the nearest pair (deepest clash first); -1: none
+  /// Index in `pairs` of the nearest pair (deepest clash first); not set if there is no pair.
+  std::optional<std::size_t> smallest;
   /// For example "12 pairs checked, 1 clash, deepest clash 3.2 mm at t = 4.1 s (a, b)"
   std::string summary;
   double required = 0;
   double tolerance = 0;
   std::int64_t triangles = 0;
-  int threads = 0;
-  std::vector<StageSeconds> seconds;  ///< "total" is the last entry
-  std::vector<Finding> warnings;
 };
 
 /// Never throws except std::bad_alloc; report.status describes a failure. The numbers do not depend

@@ -10,6 +10,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,22 +42,17 @@ struct PairOverlap {
   TriMesh shared;  ///< oriented outwards; empty if the parts share no volume
 };
 
-struct OverlapReport {
-  Status status = Status::Ok;
-  std::string code;
-  std::string message;
+/// The finding NoSharedVolume says for which pairs the volume is missing, and why.
+struct OverlapReport : RunReport {
   std::vector<std::string> names;  ///< names of the parts
   std::vector<PairOverlap> pairs;  ///< all pairs, sorted by the indices of their parts
-  int smallest = -1;  ///< index in `pairs` of the nearest pair; the deepest clash comes first
+  /// Index in `pairs` of the nearest pair (deepest clash first); not set if the run failed.
+  std::optional<std::size_t> smallest;
   /// For example "3 pairs checked, 1 clash, deepest clash 2 mm (a - b), 125 mm^3 shared"
   std::string summary;
   double required = 0;
   double tolerance = 0;
   std::int64_t triangles = 0;
-  int threads = 0;
-  std::vector<StageSeconds> seconds;  ///< "total" is the last entry
-  /// NoSharedVolume: for which pairs the volume is missing, and why.
-  std::vector<Finding> warnings;
 };
 
 /// Never throws except std::bad_alloc; report.status describes a failure. Numbers and meshes do not

@@ -57,8 +57,8 @@ struct PathOptions {
   Interpolation interpolation = Interpolation::Linear;  ///< linear or screw
   double budgetSeconds = 60;  ///< time limit by the wall clock; only ends a search
   /// Largest number of moves that the search with turns tries before it ends. The result then does
-  /// not depend on the speed of the machine. 0: no limit. 1: only the quick methods.
-  std::int64_t mostSteps = 0;
+  /// not depend on the speed of the machine. 1: only the quick methods. Not set: no limit.
+  std::optional<std::int64_t> mostSteps;
   bool askLess = true;  ///< if no path is found, look for a smaller clearance that allows one
   std::uint64_t seed = 1;
 };
@@ -83,10 +83,7 @@ struct PathFigures {
   double clearance = 0;  ///< mm, smallest guaranteed distance outside the release zones
 };
 
-struct PathReport {
-  Status status = Status::Ok;
-  std::string code;
-  std::string message;
+struct PathReport : RunReport {
   PathVerdict verdict = PathVerdict::NotFound;
   std::string summary;
   /// Method that found the path: "straight", "straight moves", "grid of places", "no turning" or
@@ -97,8 +94,9 @@ struct PathReport {
   double turn = 0;       ///< rad, sum of all turns
   double clearance = 0;  ///< mm, smallest guaranteed distance outside the release zones
   PathEscape escape;     ///< set unless a path is found
-  /// mm: the largest clearance for which a path was found, smaller than the required one. -1: none.
-  double possibleClearance = -1;
+  /// mm: the largest clearance for which a path was found, smaller than the required one. Not set
+  /// if none was found or searched for.
+  std::optional<double> possibleClearance;
   std::vector<std::string> contacts;  ///< neighbours to which the release zones apply
   std::vector<std::string> ignored;   ///< neighbours that the rules ignore
   double required = 0;
@@ -110,11 +108,8 @@ struct PathReport {
   std::int64_t bodyTriangles = 0;
   std::int64_t neighbourTriangles = 0;
   std::string interpolation;
-  int threads = 0;
   /// Clearance check of the path outside the release zones.
   std::vector<NeighbourClearance> certificate;
-  std::vector<StageSeconds> seconds;  ///< "total" is the last entry
-  std::vector<Finding> warnings;
   std::optional<PathFigures> before;  ///< figures of the given motion, if a motion was improved
   /// improvePath(): moves left unchanged although they are closer than the clearance.
   std::int64_t keptMoves = 0;

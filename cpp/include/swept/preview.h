@@ -28,7 +28,7 @@ class PreviewSession {
   /// at a time.
   Result compute(const Trajectory& trajectory, RunContext& run);
   /// Computes only the surface, for display: it is neither repaired nor checked, and has the
-  /// finding NotChecked. Takes half the time of compute(). Throws if the options are conservative.
+  /// finding NotChecked. Takes half the time of compute(). Fails if the options are conservative.
   Result sketch(const Trajectory& trajectory, RunContext& run);
   /// Returns the number of motion steps, over all calls, that were not sampled again because the
   /// previous call had the same steps.

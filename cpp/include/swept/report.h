@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,7 +38,7 @@ struct MeshCheck {
   std::int64_t misorientedEdges = 0;
   std::int64_t degenerateTriangles = 0;
   std::int64_t unusedVertices = 0;
-  std::int64_t selfIntersections = 0;  ///< number of pairs of triangles; -1: not counted
+  std::optional<std::int64_t> selfIntersections;  ///< pairs of triangles; not set: not counted
   std::vector<std::pair<std::int64_t, std::int64_t>> firstIntersections;  ///< at most 32 pairs
   double volume = 0;                                                      ///< mm^3
   double area = 0;                                                        ///< mm^2
@@ -51,10 +52,18 @@ struct StageSeconds {
   double seconds = 0;
 };
 
-struct Report {
+/// What the reports of all runs have in common. Unless the status is Ok, the run failed, and the
+/// report has no result.
+struct RunReport {
   Status status = Status::Ok;
-  std::string code;     ///< code of the failure; empty if Ok
-  std::string message;  ///< for people; empty if Ok
+  std::string code;                   ///< code of the failure; empty if Ok
+  std::string message;                ///< for people; empty if Ok
+  int threads = 0;                    ///< number of threads used
+  std::vector<StageSeconds> seconds;  ///< "total" is the last entry
+  std::vector<Finding> warnings;
+};
+
+struct Report : RunReport {
   MeshCheck check;
   double cellSize = 0;                                   ///< mm
   Eigen::Vector3d gridOrigin = Eigen::Vector3d::Zero();  ///< grid point (0, 0, 0), mm
@@ -68,20 +77,17 @@ struct Report {
   std::int64_t crossings = 0;     ///< crossings that contribute to the envelope
   double largestStepTravel = 0;   ///< mm
   double chordError = 0;  ///< mm: bound on the deviation of the refined motion from the true motion
-  /// mm: bound on the distance between the given body and the thinned one that was swept in its
-  /// place; 0: not thinned.
+  /// mm: bound on the distance between the given body and the one that was swept in its place,
+  /// which may be thinned.
   double bodyDeviation = 0;
-  double simplificationDeviation = 0;  ///< mm, measured in both directions; 0: not simplified
-  /// mm: bound on the distance of the envelope from the volume it must contain; 0: not
-  /// conservative.
-  double conservativeBound = 0;
+  double simplificationDeviation = 0;  ///< mm, measured in both directions
+  /// mm: bound on the distance of the envelope from the volume it must contain. Set only if the
+  /// envelope is conservative.
+  std::optional<double> conservativeBound;
   std::string backend = "cpu";
   std::string device;
-  int threads = 0;
-  std::vector<StageSeconds> seconds;  ///< "total" is the last entry
   std::uint64_t estimatedMemoryBytes = 0;
   std::uint64_t peakMemoryBytes = 0;
-  std::vector<Finding> warnings;
 };
 
 /// Returns the report as JSON text (UTF-8). docs/report.md describes the keys.

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
 namespace swept {
 
@@ -31,8 +32,9 @@ const char* phaseName(Phase phase);
 /// run.
 class RunContext {
  public:
-  int threads = 0;                     ///< 1 to 4096; 0: all cores
-  std::uint64_t memoryLimitBytes = 0;  ///< 0: three quarters of the memory that is available
+  std::optional<int> threads;  ///< 1 to 4096; not set: all cores
+  /// Not set: three quarters of the memory that is available.
+  std::optional<std::uint64_t> memoryLimitBytes;
 
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   bool isCancelled() const { return cancelled_.load(std::memory_order_relaxed); }
@@ -50,16 +52,15 @@ class RunContext {
   /// Called inside loops over chunks. Throws Error(Cancelled) if cancel() was called. done/total:
   /// progress within this phase.
   void checkpoint(Phase phase, std::uint64_t done = 0, std::uint64_t total = 0);
-  /// Returns the number of checkpoints passed so far (for tests).
-  std::uint64_t checkpoints() const { return checkpoints_.load(std::memory_order_relaxed); }
-  /// For tests: acts as cancel() when the n-th checkpoint (counted from 1) is reached. 0: off.
-  std::uint64_t cancelAtCheckpoint = 0;
 
  private:
+  friend struct CheckpointHook;
+
   std::atomic<bool> cancelled_{false};
   std::atomic<int> phase_{0};
   std::atomic<double> progress_{0};
-  std::atomic<std::uint64_t> checkpoints_{0};
+  std::atomic<std::uint64_t> checkpoints_{0};  ///< number of checkpoints passed so far
+  std::optional<std::uint64_t> cancelAt_;      ///< the checkpoint that acts as cancel()
   double from_ = 0;
   double to_ = 1;
 };

@@ -20,6 +20,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -72,10 +73,7 @@ struct SequenceStep {
   double end = 0;
 };
 
-struct SequenceReport {
-  Status status = Status::Ok;
-  std::string code;
-  std::string message;
+struct SequenceReport : RunReport {
   SequenceVerdict verdict = SequenceVerdict::NotFound;
   std::string summary;
   bool orderFound = false;          ///< true: the order was searched for, not given
@@ -97,9 +95,6 @@ struct SequenceReport {
   std::int64_t moves = 0;  ///< number of moves that all searches tried
   std::int64_t triangles = 0;
   std::string interpolation;
-  int threads = 0;
-  std::vector<StageSeconds> seconds;  ///< "total" is the last entry
-  std::vector<Finding> warnings;
 };
 
 /// Shows the progress of a search to another thread: the current part, the number of parts that
@@ -107,20 +102,21 @@ struct SequenceReport {
 class SequenceWatch {
  public:
   struct Seen {
-    int part = -1;  ///< index of the current part, in the order given; -1: none yet
+    /// Index of the current part, in the order given. Not set before the first search.
+    std::optional<std::size_t> part;
     int found = 0;
     std::optional<Pose> farthest;
   };
   Seen seen() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     Seen now = seen_;
-    if (now.part >= 0) now.farthest = path_->farthest();
+    if (now.part) now.farthest = path_->farthest();
     return now;
   }
   /// For the search: returns the PathWatch of the search that begins now.
   std::shared_ptr<PathWatch> begin(std::size_t part, std::size_t found) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    seen_ = {static_cast<int>(part), static_cast<int>(found), {}};
+    seen_ = {part, static_cast<int>(found), {}};
     path_ = std::make_shared<PathWatch>();
     return path_;
   }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,7 +59,7 @@ struct StepOptions {
   /// limits is used, up to 1 % of the diagonal of the bounding box. A solid that still exceeds a
   /// limit is refused with Error(ExportFailed, "TooManyFaces"), whose text has the figures.
   std::int64_t maxFaces = 20000;
-  double maxMegabytes = 0;  ///< limit of the file size; 0: no limit
+  std::optional<double> maxMegabytes;  ///< limit of the file size, above 0; not set: no limit
   std::string productName = "Swept envelope";
   StepSchema schema = StepSchema::Ap214;
   std::string author;                              ///< for the file header; empty: not stated

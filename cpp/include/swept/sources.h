@@ -30,7 +30,8 @@ const char* sourceKindName(SourceKind kind);
 /// One point of the envelope and what made it. In coordinates of the body at this time, the point
 /// lies on the triangles of its face (Cap, and Graze with one face) or on an edge between triangles
 /// (Edge, Graze). The rounding error is 1e-7 of a cell, or 1e-3 of a cell if the surface passes
-/// that close to a grid point.
+/// that close to a grid point. An envelope can have millions of these rows, which Python sees as
+/// plain arrays, so -1 stands for "none" in place of std::optional.
 struct SurfaceSource {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double timeSeconds = 0;

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -78,10 +79,10 @@ enum class ComponentMethod { DualContouring, DualMarchingCubes, Equivalence, Gre
 
 enum class Backend { Auto, Cpu, Gpu };
 
-/// Settings of one run. 0 means "not given" where a comment says so.
+/// Settings of one run.
 struct Options {
-  int resolution = 128;  ///< cells along the longest side of the sweep; used if cellSize is 0
-  double cellSize = 0;   ///< mm; 0: derived from `resolution`
+  int resolution = 128;  ///< cells along the longest side of the sweep; used if cellSize is not set
+  std::optional<double> cellSize;  ///< mm, above 0; not set: derived from `resolution`
   ComponentMethod components = ComponentMethod::Consistent;
   Backend backend = Backend::Auto;
   bool keepCavities = false;  ///< keep enclosed cavities as inner shells
@@ -89,7 +90,7 @@ struct Options {
   double tolerance = 0;       ///< mm, largest deviation by simplification; 0: no simplification
   double offset = 0;          ///< mm, distance by which the envelope is grown
   bool conservative = false;  ///< the envelope provably contains the swept volume
-  /// mm; skip poses while no point of the body moves farther than this; 0: off.
+  /// mm; skip poses while no point of the body moves farther than this; 0: use all poses.
   double positionFilter = 0;
   double chordTolerance =
       0.02;  ///< in cells: how far the true path of a point may deviate from its chord

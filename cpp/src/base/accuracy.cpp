@@ -33,11 +33,11 @@ void setAccuracy(Options& options, double accuracy) {
   options.chordTolerance = kChordCells;
 }
 
-double accuracyBound(const Report& report) {
+std::optional<double> accuracyBound(const Report& report) {
   const bool grown =
       std::any_of(report.warnings.begin(), report.warnings.end(),
                   [](const Finding& f) { return f.code == "Offset" || f.code == "Conservative"; });
-  if (grown || report.crossings <= 0) return 0;
+  if (grown || report.crossings <= 0) return std::nullopt;
   return kDiagonal * report.cellSize + report.chordError + report.bodyDeviation +
          report.positionFilterDistance + report.simplificationDeviation;
 }

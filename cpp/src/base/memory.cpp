@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "base/system.h"
+#include "swept/types.h"
 
 namespace swept {
 
@@ -43,7 +44,13 @@ std::uint64_t MemoryWatch::peakBytes() const {
 void returnFreeMemory() { os::returnFreeMemory(); }
 std::uint64_t availableMemoryBytes() { return os::availableMemory(); }
 std::uint64_t memoryLimit(const RunContext& run) {
-  return run.memoryLimitBytes != 0 ? run.memoryLimitBytes : availableMemoryBytes() / 4 * 3;
+  if (!run.memoryLimitBytes) return availableMemoryBytes() / 4 * 3;
+  if (*run.memoryLimitBytes == 0) {
+    throw Error(Status::InvalidInput, "BadOption",
+                "the memory limit is 0 bytes; allowed: more than 0, or not given (three quarters "
+                "of the free memory)");
+  }
+  return *run.memoryLimitBytes;
 }
 
 }  // namespace swept

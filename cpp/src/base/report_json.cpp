@@ -30,8 +30,8 @@ Json checkJson(const MeshCheck& check) {
             {"misoriented_edges", check.misorientedEdges},
             {"degenerate_triangles", check.degenerateTriangles},
             {"unused_vertices", check.unusedVertices}};
-  if (check.selfIntersections >= 0) {
-    json["self_intersections"] = check.selfIntersections;
+  if (check.selfIntersections) {
+    json["self_intersections"] = *check.selfIntersections;
     json["first_intersections"] = check.firstIntersections;
   }
   json["volume"] = check.volume;
@@ -86,13 +86,11 @@ Json reportJson(const Report& report, const char* command) {
     json["swept_patches"] = report.sweptPatches;
     json["crossings"] = report.crossings;
   }
-  const auto ifAny = [&json](const char* key, double value) {
-    if (value > 0) json[key] = value;
-  };
-  ifAny("position_filter_distance", report.positionFilterDistance);
+  if (report.positionFilterDistance > 0)
+    json["position_filter_distance"] = report.positionFilterDistance;
   if (report.crossings > 0) json["simplification_deviation"] = report.simplificationDeviation;
-  ifAny("accuracy_bound", accuracyBound(report));
-  ifAny("conservative_bound", report.conservativeBound);
+  if (const std::optional<double> bound = accuracyBound(report)) json["accuracy_bound"] = *bound;
+  if (report.conservativeBound) json["conservative_bound"] = *report.conservativeBound;
   if (report.threads > 0) {
     json["backend"] = report.backend;
     json["device"] = report.device;

@@ -29,7 +29,7 @@ constexpr std::array<Span, kPhaseCount> kSpans{{{0.0, 0.02},
 
 void RunContext::checkpoint(Phase phase, std::uint64_t done, std::uint64_t total) {
   const std::uint64_t passed = checkpoints_.fetch_add(1, std::memory_order_relaxed) + 1;
-  if (cancelAtCheckpoint != 0 && passed >= cancelAtCheckpoint) cancel();
+  if (cancelAt_ && passed >= *cancelAt_) cancel();
   if (isCancelled()) throw Error(Status::Cancelled, "Cancelled", "cancelled by the user");
   const int index = static_cast<int>(phase);
   phase_.store(index, std::memory_order_relaxed);

@@ -11,12 +11,13 @@
 namespace swept {
 
 int threadsOf(const RunContext& run) {
-  if (run.threads < 0 || run.threads > kMaxThreads) {
+  if (!run.threads) return tbb::info::default_concurrency();
+  if (*run.threads < 1 || *run.threads > kMaxThreads) {
     throw Error(Status::InvalidInput, "BadOption",
-                "threads is " + std::to_string(run.threads) + "; allowed: 0 (all cores) to " +
-                    std::to_string(kMaxThreads));
+                "threads is " + std::to_string(*run.threads) + "; allowed: 1 to " +
+                    std::to_string(kMaxThreads) + ", or not given (all cores)");
   }
-  return run.threads > 0 ? run.threads : tbb::info::default_concurrency();
+  return *run.threads;
 }
 
 }  // namespace swept

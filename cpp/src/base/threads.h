@@ -6,7 +6,7 @@
 
 namespace swept {
 
-/// Returns the number of threads of the run; a setting of 0 means all cores. Throws
+/// Returns the number of threads of the run; without a setting, one for each core. Throws
 /// Error(InvalidInput, "BadOption").
 int threadsOf(const RunContext& run);
 

@@ -134,7 +134,6 @@ MeshCheck checkInArena(const TriMesh& mesh, MeshTopology& topology, SelfIntersec
   check.triangles = static_cast<std::int64_t>(mesh.triangles.size());
   requireValidIndices(mesh);
   check.finite = measureCoordinates(mesh).nonFinite == 0;
-  check.selfIntersections = -1;
   topology = findTopology(mesh, found != nullptr, run);
   const EdgeFaults& faults = topology.adjacency.faults;
   check.shells = topology.shells.count;
@@ -170,7 +169,7 @@ MeshCheck checkMesh(const TriMesh& mesh, bool withSelfIntersections, RunContext&
   SelfIntersections found;
   SelfIntersections* wanted = withSelfIntersections ? &found : nullptr;
   MeshTopology topology;
-  if (run.threads == 0) return checkInArena(mesh, topology, wanted, run);
+  if (!run.threads) return checkInArena(mesh, topology, wanted, run);
   tbb::task_arena arena(threadsOf(run));
   return arena.execute([&] { return checkInArena(mesh, topology, wanted, run); });
 }

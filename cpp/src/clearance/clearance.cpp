@@ -145,7 +145,7 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
 void removeRows(ClearanceReport& report) {
   report.neighbours.clear();
   report.ignored.clear();
-  report.smallest = -1;
+  report.smallest.reset();
   report.summary.clear();
 }
 

@@ -43,8 +43,8 @@ Json clearance::rowJson(const NeighbourClearance& row) {
             {"pose", poseJson(row.pose)},
             {"point_on_body", vectorJson(row.pointOnBody)},
             {"point_on_neighbour", vectorJson(row.pointOnNeighbour)},
-            {"body_triangle", row.bodyTriangle},
-            {"neighbour_triangle", row.neighbourTriangle},
+            {"body_triangle", row.bodyTriangle.value_or(-1)},
+            {"neighbour_triangle", row.neighbourTriangle.value_or(-1)},
             {"closed", row.closed},
             {"inside", row.inside}};
   if (row.penetration.known) json["penetration"] = penetrationJson(row.penetration);
@@ -74,7 +74,7 @@ std::string toJson(const ClearanceReport& report) {
     json["neighbour_triangles"] = report.neighbourTriangles;
     json["threads"] = report.threads;
   }
-  if (report.smallest >= 0) json["smallest"] = report.smallest;
+  if (report.smallest) json["smallest"] = *report.smallest;
   if (!report.ignored.empty()) json["ignored"] = report.ignored;
   json["neighbours"] = std::move(rows);
   json["seconds"] = secondsJson(report.seconds);

@@ -30,7 +30,7 @@ using Eigen::Vector3d;
 
 void checkMechanismOptions(const std::vector<MechanismPart>& parts, const MechanismOptions& o) {
   checkSettings({o.required, o.tolerance, 0, o.intervalTolerance, o.curveSamples, o.penetration});
-  requireLength("range", o.range, true);
+  if (o.range) requireLength("range", *o.range, false);
   for (const MechanismPart& part : parts)
     requireLength("part '" + part.name + "': mesh deflection (chord error)", part.chordError, true);
 }
@@ -38,8 +38,8 @@ void checkMechanismOptions(const std::vector<MechanismPart>& parts, const Mechan
 /// Returns the distance up to which pairs are measured. It is large enough for all verdicts.
 double rangeOf(const std::vector<MechanismPart>& parts, const std::vector<PreparedPart>& prepared,
                const PairRules& rules, const MechanismOptions& options) {
-  double range = options.range;
-  if (range == 0) {
+  double range = options.range.value_or(0);
+  if (!options.range) {
     std::vector<double> sizes;
     for (const PreparedPart& part : prepared) sizes.push_back(2 * part.motion.half().norm());
     const auto middle = sizes.begin() + std::ssize(sizes) / 2;
@@ -234,7 +234,7 @@ void removePairs(MechanismReport& report) {
   report.ignored.clear();
   report.joined.clear();
   report.farPairs = 0;
-  report.smallest = -1;
+  report.smallest.reset();
   report.summary.clear();
 }
 

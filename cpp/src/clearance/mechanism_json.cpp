@@ -42,7 +42,7 @@ std::string toJson(const MechanismReport& report) {
     json["ignored"] = listJson(report, report.ignored);
     json["joined"] = listJson(report, report.joined);
   }
-  if (report.smallest >= 0) json["smallest"] = report.smallest;
+  if (report.smallest) json["smallest"] = *report.smallest;
   Json pairs = Json::array();
   for (const PairClearance& pair : report.pairs) pairs.push_back(pairJson(report, pair));
   json["pairs"] = std::move(pairs);

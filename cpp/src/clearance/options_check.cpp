@@ -19,7 +19,7 @@ void checkSettings(const ClearanceOptions& o) {
   requireLength("required distance", o.required, true);
   requireLength("accuracy (tolerance)", o.tolerance, false);
   requireLength("mesh deflection (chord error) of the moving part", o.bodyChordError, true);
-  requireLength("interval tolerance", o.intervalTolerance, true);
+  if (o.intervalTolerance) requireLength("interval tolerance", *o.intervalTolerance, false);
   if (o.curveSamples < 0 || o.curveSamples > 1000000)
     throw Error(Status::InvalidInput, "BadOption",
                 "number of points of the graph is " + std::to_string(o.curveSamples) +

@@ -45,8 +45,8 @@ class PairCheck {
     }
     fillMinimum(row, least, pair);
     // The caller does not know the triangles of a repaired copy.
-    if (parts_.neighbourMended) row.neighbourTriangle = -1;
-    if (parts_.bodyMended) row.bodyTriangle = -1;
+    if (parts_.neighbourMended) row.neighbourTriangle.reset();
+    if (parts_.bodyMended) row.bodyTriangle.reset();
     row.guaranteed = std::max(0.0, row.distance - slack - row.chordError);
     const double required = row.rule.required.value_or(0);
     const bool below = required > 0 && row.distance - row.chordError < required;
@@ -89,9 +89,8 @@ class PairCheck {
   }
 
   void fillSpans(NeighbourClearance& row, SearchContext& context, double touch, bool below) const {
-    const double resolution = !motion_.isContinuous()    ? 0.0
-                              : o_.intervalTolerance > 0 ? o_.intervalTolerance
-                                                         : 10 * o_.tolerance;
+    const double resolution =
+        motion_.isContinuous() ? o_.intervalTolerance.value_or(10 * o_.tolerance) : 0.0;
     // No overlap is deeper than the bound of the whole motion.
     const double deepest = row.penetration.depthBound;
     const OverlapTest overlaps = [&](const Eigen::Matrix3d& R, const Eigen::Vector3d& t, double d) {

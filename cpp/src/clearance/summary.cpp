@@ -28,7 +28,7 @@ std::string lengthText(double length) {
 
 Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std::string& head,
                   std::size_t ignored, Timed timed) {
-  Summary summary{-1, head};
+  Summary summary{{}, head};
   int clashes = 0;
   int contacts = 0;
   int below = 0;
@@ -40,11 +40,10 @@ Summary summaryOf(const std::vector<const NeighbourClearance*>& rows, const std:
     allowed += isAllowed;
     contacts += contact && !isAllowed;
     below += rows[i]->verdict == ClearanceVerdict::BelowRequired;
-    if (summary.smallest < 0 || nearer(*rows[i], *rows[summary.smallest]))
-      summary.smallest = static_cast<int>(i);
+    if (!summary.smallest || nearer(*rows[i], *rows[*summary.smallest])) summary.smallest = i;
   }
-  if (rows.empty()) return summary;
-  const NeighbourClearance& row = *rows[summary.smallest];
+  if (!summary.smallest) return summary;
+  const NeighbourClearance& row = *rows[*summary.smallest];
   const auto add = [&](int count, const char* one, const char* many) {
     if (count > 0) summary.text += ", " + counted(count, one, many);
   };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +12,8 @@
 namespace swept::clearance {
 
 struct Summary {
-  /// Index of the row with the smallest distance; allowed contacts come last. -1: no rows.
-  int smallest = -1;
+  /// Index of the row with the smallest distance; allowed contacts come last. Not set: no rows.
+  std::optional<std::size_t> smallest;
   std::string text;  ///< "12 checked, 1 contact, smallest 0 mm at t = 4.1 s (bracket)"
 };
 

@@ -112,7 +112,7 @@ Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunConte
 }
 
 double plannedCell(const Eigen::AlignedBox3d& box, const Options& options) {
-  if (options.cellSize > 0) return options.cellSize;
+  if (options.cellSize) return *options.cellSize;
   return box.sizes().maxCoeff() / (options.resolution - 2 * kGridMarginCells);
 }
 

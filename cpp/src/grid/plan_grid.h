@@ -23,7 +23,7 @@ constexpr double kGridMarginCells = 1.37;
 /// Returns the exact bounding box (mm) of the body's vertices in all placements.
 Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunContext& run);
 
-/// Returns the cell size (mm): options.cellSize or, if this is 0, the one that gives
+/// Returns the cell size (mm): options.cellSize or, if this is not set, the one that gives
 /// options.resolution cells along the longest side of the grid.
 double plannedCell(const Eigen::AlignedBox3d& box, const Options& options);
 

@@ -161,10 +161,11 @@ CheckedTrajectory checkTrajectory(const Trajectory& trajectory, RepeatedPoses re
 }
 
 void checkOptions(const Options& options) {
-  if (options.cellSize != 0 && !(options.cellSize > 0 && options.cellSize <= kMaxLength)) {
-    badOption("cellSize", options.cellSize, "0 (from resolution), or above 0 up to 1e9 mm");
+  if (options.cellSize && !(*options.cellSize > 0 && *options.cellSize <= kMaxLength)) {
+    badOption("cellSize", *options.cellSize,
+              "above 0 up to 1e9 mm, or not given (from resolution)");
   }
-  if (options.cellSize == 0 && (options.resolution < 4 || options.resolution > 16384)) {
+  if (!options.cellSize && (options.resolution < 4 || options.resolution > 16384)) {
     badOption("resolution", options.resolution, "4 to 16384 cells along the longest side");
   }
   requireLength("tolerance", options.tolerance);

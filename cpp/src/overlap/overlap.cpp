@@ -197,7 +197,7 @@ class OverlapCheck {
 
 void clearResults(OverlapReport& report) {
   report.pairs.clear();
-  report.smallest = -1;
+  report.smallest.reset();
   report.summary.clear();
 }
 

@@ -24,7 +24,7 @@ std::string toJson(const OverlapReport& report) {
     json["triangles"] = report.triangles;
     json["threads"] = report.threads;
   }
-  if (report.smallest >= 0) json["smallest"] = report.smallest;
+  if (report.smallest) json["smallest"] = *report.smallest;
   Json pairs = Json::array();
   for (const PairOverlap& pair : report.pairs) pairs.push_back(pairJson(report, pair));
   json["pairs"] = std::move(pairs);

@@ -271,9 +271,9 @@ class PathFinder {
     else
       report_.summary =
           "no path found" + std::string(report_.budgetEnded ? " within the time limit" : "");
-    if (report_.possibleClearance >= 0)
+    if (report_.possibleClearance)
       report_.summary += "; a path with a clearance of " +
-                         numberText(report_.possibleClearance, 4) + " mm was found";
+                         numberText(*report_.possibleClearance, 4) + " mm was found";
     report_.summary += "; the part got at most " + numberText(report_.escape.distance, 4) +
                        " mm away from its goal";
     if (!order.empty())

@@ -109,10 +109,10 @@ class SixDimensions {
  private:
   // Call this only between rounds, so that the result does not depend on the number of threads.
   bool stepsOver() const {
-    if (limits_.mostSteps == 0) return false;
+    if (!limits_.mostSteps) return false;
     std::int64_t steps = 0;
     for (const Search& search : searches_) steps += search.steps();
-    return steps >= limits_.mostSteps;
+    return steps >= *limits_.mostSteps;
   }
   void note(const Search& search, LegResult& result) const {
     const Eigen::Vector3d& root = leg_.goals.front().middle;

@@ -44,8 +44,8 @@ struct Limits {
   double seconds = 0;
   std::uint64_t seed = 1;
   PathWatch* watch = nullptr;
-  /// Largest number of queries of the search in six dimensions; 0: no limit.
-  std::int64_t mostSteps = 0;
+  /// Largest number of queries of the search in six dimensions; not set: no limit.
+  std::optional<std::int64_t> mostSteps;
   bool over() const { return timer.seconds() > seconds; }
 };
 

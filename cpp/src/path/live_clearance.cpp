@@ -58,7 +58,7 @@ LiveDistance LiveClearance::at(const Pose& pose) {
     if (!contained && found.pair.body < 0) continue;
     memory.last = i;
     best = LiveDistance{};
-    best.neighbour = static_cast<int>(i);
+    best.neighbour = i;
     best.inside = contained;
     if (contained) continue;
     best.distance = found.distance;

@@ -31,7 +31,7 @@ void addAnswer(Json& json, const PathReport& report) {
     json["escape"] = {{"distance", report.escape.distance},
                       {"pose", poseJson(report.escape.pose)},
                       {"blockers", report.escape.blockers}};
-    if (report.possibleClearance >= 0) json["possible_clearance"] = report.possibleClearance;
+    if (report.possibleClearance) json["possible_clearance"] = *report.possibleClearance;
     json["budget_ended"] = report.budgetEnded;
   }
   if (report.before) {

@@ -139,7 +139,7 @@ class Sequencer {
         if (found) return part;
         if (over) return left.end();
       }
-      const bool longest = moves >= (o_.path.mostSteps > 0 ? o_.path.mostSteps : kMaxMoves);
+      const bool longest = moves >= o_.path.mostSteps.value_or(kMaxMoves);
       if (longest || allBlocked(left)) return left.end();
     }
   }
@@ -162,7 +162,7 @@ class Sequencer {
     std::int64_t moves = 1;
     for (int k = 0; k < round && moves < kMaxMoves; ++k)
       moves = k == 0 ? kFirstMoves : kMoreMoves * moves;
-    return o_.path.mostSteps > 0 ? std::min(moves, o_.path.mostSteps) : moves;
+    return std::min(moves, o_.path.mostSteps.value_or(moves));
   }
 
   PathReport search(std::size_t i, const std::vector<char>& installed, PathOptions options,

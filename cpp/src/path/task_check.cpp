@@ -31,9 +31,9 @@ void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour
   if (!(o.budgetSeconds > 0) || !std::isfinite(o.budgetSeconds))
     badOption("time limit (budget) is " + numberText(o.budgetSeconds, kTellingDigits) +
               " s; allowed: more than 0");
-  if (o.mostSteps < 0)
-    badOption("the limit of moves is " + std::to_string(o.mostSteps) +
-              "; allowed: 0 (none) or more");
+  if (o.mostSteps && *o.mostSteps < 1)
+    badOption("the limit of moves is " + std::to_string(*o.mostSteps) +
+              "; allowed: 1 or more, or not given (no limit)");
   if (o.interpolation == Interpolation::None)
     badOption("interpolation is 'none'; a path needs linear or screw");
   if (o.largestTurn && !(*o.largestTurn >= 0 && *o.largestTurn <= std::numbers::pi + 1e-9))

@@ -94,12 +94,13 @@ Result PreviewSession::compute(const Trajectory& trajectory, RunContext& run) {
 }
 
 Result PreviewSession::sketch(const Trajectory& trajectory, RunContext& run) {
-  if (warm_->options.conservative) {
-    throw Error(Status::InvalidInput, "BadOption",
-                "a preview cannot be conservative; compute the envelope instead");
-  }
-  return runWith(warm_->options, run, Freed::Kept,
-                 [&](EnvelopeRun& one) { one.compute(*warm_, trajectory, true); });
+  return runWith(warm_->options, run, Freed::Kept, [&](EnvelopeRun& one) {
+    if (warm_->options.conservative) {
+      throw Error(Status::InvalidInput, "BadOption",
+                  "a preview cannot be conservative; compute the envelope instead");
+    }
+    one.compute(*warm_, trajectory, true);
+  });
 }
 
 std::int64_t PreviewSession::stepsKept() const { return warm_->cache.hits(); }

@@ -148,12 +148,13 @@ void EnvelopeRun::describePlan() {
 }
 
 void EnvelopeRun::adviseFilter() {
-  const double distance = warm_ == nullptr ? usefulFilterOf(prepared_, options_) : 0;
-  if (!(distance > 0)) return;
+  if (warm_ != nullptr) return;
+  const std::optional<double> distance = usefulFilterOf(prepared_, options_);
+  if (!distance) return;
   report_.warnings.push_back({"FilterUseful",
                               1,
                               {},
-                              "a position filter of " + numberText(distance, 3) +
+                              "a position filter of " + numberText(*distance, 3) +
                                   " mm would skip most poses and save most of the time; it would "
                                   "change the envelope by no more than the chord error"});
 }
@@ -241,7 +242,7 @@ void EnvelopeRun::grow(const BodyTopology& topology) {
     if (!proof.holds) continue;
     report_.conservativeBound = (proof.farthest + chord - wanted) * cell;
     report_.warnings.push_back(
-        sweep.conservativeFinding(proof, options_.offset, report_.conservativeBound));
+        sweep.conservativeFinding(proof, options_.offset, *report_.conservativeBound));
     result_.kept.reset();  // dropped: with another tolerance, the envelope would need its own proof
     return;
   }

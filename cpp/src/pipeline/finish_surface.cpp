@@ -108,13 +108,12 @@ MeshTopology checkAndMend(Surface& surface, const HermiteGrid& hermite, const Fi
     report.check = checkMesh(surface.mesh, pairs, with.run);
   }
   with.stage("check");
-  if (report.check.selfIntersections > 0) {
+  if (const std::int64_t pairs = report.check.selfIntersections.value_or(0); pairs > 0) {
     report.warnings.push_back(
         {"SelfIntersections",
-         report.check.selfIntersections,
+         pairs,
          {},
-         counted(report.check.selfIntersections, "pair of triangles intersects",
-                 "pairs of triangles intersect") +
+         counted(pairs, "pair of triangles intersects", "pairs of triangles intersect") +
              "; a smaller cell usually avoids this"});
   }
   if (consistent) requirePassed(report.check, "the envelope", report.cellSize);

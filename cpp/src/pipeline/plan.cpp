@@ -122,8 +122,8 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   const Eigen::AlignedBox3d bodyBox = boxOf(p.body.mesh);
   const double size = bodyBox.diagonal().norm();
   const Trajectory& trajectory = p.trajectory.trajectory;
-  double cell = options.cellSize;
-  if (!(cell > 0)) {
+  double cell = options.cellSize.value_or(0);
+  if (!options.cellSize) {
     const Motion coarse = refineMotion(p.body.mesh, trajectory, size / 50, run);
     Eigen::AlignedBox3d box = sweptBox(p.body.mesh, coarse, run);
     if (p.keepRoom) box = withRoom(box);
@@ -132,7 +132,7 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   const TriMesh given = p.body.mesh;  // body before edges are split: same box, fewer vertices
   // If the cell size is given, planGrid() is called once before edges are split. It throws if the
   // cell is too small for any grid.
-  if (!p.keepBody && options.cellSize > 0 && trajectory.interpolation != Interpolation::None) {
+  if (!p.keepBody && options.cellSize && trajectory.interpolation != Interpolation::None) {
     const Motion coarse = refineMotion(p.body.mesh, trajectory, size / 50, run);
     planGrid(sweptBox(p.body.mesh, coarse, run), bodyBox, options);
   }
@@ -186,21 +186,22 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
   return e;
 }
 
-double usefulFilterOf(const Prepared& p, const Options& options) {
+std::optional<double> usefulFilterOf(const Prepared& p, const Options& options) {
   constexpr std::size_t kManyPoses = 1000, kMinReduction = 3;
   const std::size_t poses = p.trajectory.trajectory.poses.size();
   const double distance = options.chordTolerance * p.grid.cell;
-  if (poses < kManyPoses || options.positionFilter > 0 || options.conservative) return 0;
+  if (poses < kManyPoses || options.positionFilter > 0 || options.conservative) return std::nullopt;
   // The time of the dense sampler hardly depends on the number of poses, so a filter saves nothing.
   if (options.backend != Backend::Gpu &&
       dense::suits(p.body.mesh, p.motion, p.grid.cell, options.cull, true, {})) {
-    return 0;
+    return std::nullopt;
   }
   const FilteredTrajectory kept =
       filterPositions(p.trajectory.trajectory, boxOf(p.body.mesh), distance);
   // Merged steps (motion/merge_steps.h) may have saved the time already.
   const std::size_t used = std::min(poses, p.motion.placements.size());
-  return kMinReduction * kept.trajectory.poses.size() <= used ? distance : 0;
+  if (kMinReduction * kept.trajectory.poses.size() > used) return std::nullopt;
+  return distance;
 }
 
 bool fitsMemory(const Estimate& e, const RunContext& run, std::uint64_t times) {

@@ -54,7 +54,7 @@ double bytesOfCrossing(const Options& options);
 std::uint64_t denseBytes(const TriMesh& body);
 
 /// Returns Estimate::usefulFilter. Requires the grid and the unfiltered poses.
-double usefulFilterOf(const Prepared& prepared, const Options& options);
+std::optional<double> usefulFilterOf(const Prepared& prepared, const Options& options);
 
 /// Returns whether the run fits into its memory limit if it takes `times` the estimated memory.
 bool fitsMemory(const Estimate& estimate, const RunContext& run, std::uint64_t times = 1);

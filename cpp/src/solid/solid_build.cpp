@@ -55,8 +55,8 @@ constexpr double kSecondsPerFace = 3e-4;
 bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
                     SolidFormat format) {
   return faces <= options.maxFaces &&
-         (options.maxMegabytes <= 0 ||
-          megabytesOf(faces, mesh, options, format) <= options.maxMegabytes);
+         (!options.maxMegabytes ||
+          megabytesOf(faces, mesh, options, format) <= *options.maxMegabytes);
 }
 
 [[noreturn]] void refuseTooMany(std::int64_t faces, const HalfEdgeMesh& mesh,
@@ -67,7 +67,7 @@ bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOpti
       textOf(3, "with a tolerance of ", options.tolerance, " mm, the solid would have ", faces,
              " faces (about ", fixedText(megabytesOf(faces, mesh, options, format), 1), " MB, ",
              seconds, " s to make), but the limit is ", options.maxFaces, " faces");
-  if (options.maxMegabytes > 0) text += textOf(3, " and ", options.maxMegabytes, " MB");
+  if (options.maxMegabytes) text += textOf(3, " and ", *options.maxMegabytes, " MB");
   text += options.exact ? "; an exact solid must not deviate from the mesh, so use larger cells"
                         : "; allow a larger tolerance";
   throw Error(Status::ExportFailed, "TooManyFaces",
@@ -138,9 +138,9 @@ void checkOptions(const StepOptions& options) {
   }
   if (options.maxFaces < 4)
     badOption("the limit of faces is " + std::to_string(options.maxFaces) + "; allowed: 4 or more");
-  if (!(options.maxMegabytes >= 0))
-    badOption("the limit of the file size is " + numberText(options.maxMegabytes, kTellingDigits) +
-              " MB; allowed: 0 (no limit) or more");
+  if (options.maxMegabytes && !(*options.maxMegabytes > 0))
+    badOption("the limit of the file size is " + numberText(*options.maxMegabytes, kTellingDigits) +
+              " MB; allowed: more than 0, or not given (no limit)");
 }
 
 double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,

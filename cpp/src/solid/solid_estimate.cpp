@@ -80,8 +80,8 @@ SolidEstimate guess(const TriMesh& input, const StepOptions& options, SolidForma
     if (!options.exact) estimate.faces = std::min(estimate.faces, options.maxFaces);
   }
   estimate.megabytes = megabytesOf(estimate.faces, mesh, options, format);
-  if (options.maxMegabytes > 0)
-    estimate.megabytes = std::min(estimate.megabytes, options.maxMegabytes);
+  if (options.maxMegabytes)
+    estimate.megabytes = std::min(estimate.megabytes, *options.maxMegabytes);
   estimate.seconds = kGuessPerFace * static_cast<double>(estimate.faces) +
                      kGuessPerTriangle * static_cast<double>(estimate.triangles);
   return estimate;

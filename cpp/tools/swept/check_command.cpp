@@ -95,8 +95,8 @@ void print(const std::string& path, const Checked& found) {
       "volume %.6g mm^3, area %.6g mm^2\n",
       path.c_str(), static_cast<long long>(check.triangles), static_cast<long long>(check.shells),
       check.closed ? "closed" : "open", check.manifold ? "manifold" : "not manifold",
-      check.oriented ? "oriented" : "not oriented", static_cast<long long>(check.selfIntersections),
-      check.volume, check.area);
+      check.oriented ? "oriented" : "not oriented",
+      static_cast<long long>(check.selfIntersections.value_or(-1)), check.volume, check.area);
 }
 
 Json jsonOf(const std::string& path, const Checked& found) {
@@ -126,7 +126,7 @@ int runCheck(const CheckJob& job) {
   for (const std::string& path : job.paths) {
     Checked found;
     RunContext run;
-    run.threads = static_cast<int>(common.threads);
+    run.threads = common.threads;
     try {
       checkAccess({{"", path}}, {});
       keepStreams({{"", path}});

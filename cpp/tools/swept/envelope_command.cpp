@@ -36,7 +36,7 @@ struct EnvelopeJob {
   Options options;
   std::int64_t resolution = 128;
   double accuracy = 0;  // mm; used if --accuracy is given
-  std::int64_t memoryLimitMegabytes = 0;
+  std::optional<std::int64_t> memoryLimitMegabytes;
   CommonOptions common;
 #ifdef HAVE_SWEPT_SOLID
   StepOptions solid;
@@ -150,8 +150,7 @@ std::string suffixOfOutput(const EnvelopeJob& job) {
 }
 
 void checkOptions(const CLI::App& app, EnvelopeJob& job) {
-  // In Options, 0 means that no cell size is given. On the command line, 0 is an error.
-  if (app.count("--cell") > 0 && !(job.options.cellSize > 0))
+  if (app.count("--cell") > 0 && !(job.options.cellSize.value_or(0) > 0))
     badOption("--cell must be greater than 0 mm");
   if (app.count("--accuracy") > 0) setAccuracy(job.options, job.accuracy);
 #ifdef HAVE_SWEPT_SOLID
@@ -251,8 +250,8 @@ void printSummary(const Report& report, const std::string& path) {
 }
 
 Body readMovingBody(const EnvelopeJob& job, RunContext& run) {
-  BodyFileOptions files{job.bodyUnit, job.bodyTolerance, {}, job.options.resolution};
-  if (job.options.cellSize > 0) files.cellSize = job.options.cellSize;
+  const BodyFileOptions files{job.bodyUnit, job.bodyTolerance, job.options.cellSize,
+                              job.options.resolution};
   return readInputBody(job.bodyPath, job.bodyFormat, files, run);
 }
 
@@ -262,7 +261,8 @@ void reportAsWritten(TriMesh& mesh, const std::string& suffix, Report& report, R
   if (suffix != "stl") return;
   mesh = meshAsWritten(mesh, suffix);
   const MeshCheck before = std::exchange(report.check, checkMesh(mesh, run));
-  const std::int64_t more = report.check.selfIntersections - before.selfIntersections;
+  const std::int64_t more =
+      report.check.selfIntersections.value_or(0) - before.selfIntersections.value_or(0);
   if (more <= 0 && report.check.passes() == before.passes()) return;
   report.warnings.push_back(
       {"SinglePrecision",
@@ -311,8 +311,9 @@ int runEnvelope(const EnvelopeJob& job) {
   Report report;
   SolidResult solid;
   RunContext run;
-  run.threads = static_cast<int>(common.threads);
-  run.memoryLimitBytes = static_cast<std::uint64_t>(job.memoryLimitMegabytes) << 20;
+  run.threads = common.threads;
+  if (job.memoryLimitMegabytes)
+    run.memoryLimitBytes = static_cast<std::uint64_t>(*job.memoryLimitMegabytes) << 20;
   try {
     checkFormat(job);
     checkAccess(files, output);

@@ -75,15 +75,34 @@ CLI::Option* addNumber(CLI::App& app, const std::string& names, const std::strin
       [name, &target](const std::string& value) { target = numberOf(name, value); }, about);
 }
 
+CLI::Option* addNumber(CLI::App& app, const std::string& names, const std::string& kind,
+                       std::optional<double>& target, const std::string& about) {
+  const std::string name = names.substr(names.rfind(',') + 1);
+  return addConverted(
+      app, names, kind,
+      [name, &target](const std::string& value) {
+        const double number = numberOf(name, value);
+        target = number == 0 ? std::nullopt : std::optional(number);
+      },
+      about);
+}
+
+std::int64_t wholeNumberOf(const std::string& name, const std::string& text, std::int64_t least,
+                           std::int64_t most) {
+  std::int64_t number = 0;
+  if (!parseWhole(text, number) || number < least || number > most)
+    badOption(name + " is '" + text + "'; expected a whole number from " + std::to_string(least) +
+              " to " + std::to_string(most));
+  return number;
+}
+
 CLI::Option* addInteger(CLI::App& app, const std::string& names, std::int64_t& target,
                         std::int64_t least, std::int64_t most, const std::string& about) {
   const std::string name = names.substr(names.rfind(',') + 1);
   return addConverted(
       app, names, "N",
       [name, &target, least, most](const std::string& value) {
-        if (parseWhole(value, target) && target >= least && target <= most) return;
-        badOption(name + " is '" + value + "'; expected a whole number from " +
-                  std::to_string(least) + " to " + std::to_string(most));
+        target = wholeNumberOf(name, value, least, most);
       },
       about);
 }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,26 @@ CLI::Option* addText(CLI::App& app, const std::string& names, const std::string&
                      std::string& target, const std::string& about);
 CLI::Option* addNumber(CLI::App& app, const std::string& names, const std::string& kind,
                        double& target, const std::string& about);
+/// Does the same for a number that need not be given; 0 stands for "not given".
+CLI::Option* addNumber(CLI::App& app, const std::string& names, const std::string& kind,
+                       std::optional<double>& target, const std::string& about);
+std::int64_t wholeNumberOf(const std::string& name, const std::string& text, std::int64_t least,
+                           std::int64_t most);
 CLI::Option* addInteger(CLI::App& app, const std::string& names, std::int64_t& target,
                         std::int64_t least, std::int64_t most, const std::string& about);
+/// Does the same for a number that need not be given; 0 stands for "not given".
+template <class T>
+CLI::Option* addInteger(CLI::App& app, const std::string& names, std::optional<T>& target,
+                        std::int64_t least, std::int64_t most, const std::string& about) {
+  const std::string name = names.substr(names.rfind(',') + 1);
+  return addConverted(
+      app, names, "N",
+      [name, &target, least, most](const std::string& value) {
+        const std::int64_t number = wholeNumberOf(name, value, least, most);
+        target = number == 0 ? std::nullopt : std::optional<T>(static_cast<T>(number));
+      },
+      about);
+}
 /// Adds an option that takes `count` words and may be repeated.
 void addWords(CLI::App& app, const std::string& name, int count, const std::string& kind,
               std::vector<std::string>& words, const std::string& about);
@@ -47,7 +66,7 @@ void keepGeneratorNames(CLI::App& app, const std::string& prefix,
 /// Options that every command has.
 struct CommonOptions {
   std::string report;
-  std::int64_t threads = 0;
+  std::optional<int> threads;
   bool quiet = false;
   bool verbose = false;
   bool noClobber = false;

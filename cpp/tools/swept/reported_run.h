@@ -24,7 +24,7 @@ AnyReport runReported(const CommonOptions& common, const std::vector<RoledFile>&
   checkAccess({}, outputs);
   AnyReport report;
   RunContext run;
-  run.threads = static_cast<int>(common.threads);
+  run.threads = common.threads;
   try {
     checkAccess(inputs, {});
     keepStreams(inputs);

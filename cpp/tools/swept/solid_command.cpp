@@ -47,7 +47,7 @@ Report runOnMesh(const SolidJob& job, const std::vector<RoledFile>& outputs, con
   checkAccess({}, {reportFile});
   Report report;
   RunContext run;
-  run.threads = static_cast<int>(common.threads);
+  run.threads = common.threads;
   try {
     checkAccess(inputs, outputs);
     keepStreams(inputs);

@@ -6,8 +6,10 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 
+#include "base/checkpoint_hook.h"
 #include "check/mesh_topology.h"
 #include "geometry/self_intersections.h"
 #include "geometry/triangle_pairs.h"
@@ -17,7 +19,7 @@
 namespace swept::test {
 namespace {
 
-MeshCheck check(const TriMesh& mesh, int threads = 0) {
+MeshCheck check(const TriMesh& mesh, std::optional<int> threads = {}) {
   RunContext run;
   run.threads = threads;
   return checkMesh(mesh, run);
@@ -149,7 +151,7 @@ TEST(MeshCheck, NotANumber) {
   const MeshCheck found = check(mesh);
   EXPECT_FALSE(found.finite);
   EXPECT_FALSE(found.passes());
-  EXPECT_EQ(found.selfIntersections, -1);
+  EXPECT_FALSE(found.selfIntersections.has_value());
 }
 
 TEST(MeshCheck, BadIndexIsRefused) {
@@ -333,7 +335,7 @@ TEST(MeshCheck, SameAnswerForAnyNumberOfThreads) {
 
 TEST(MeshCheck, CanLeaveOutSelfIntersections) {
   RunContext run;
-  EXPECT_EQ(checkMesh(unitBox(), false, run).selfIntersections, -1);
+  EXPECT_FALSE(checkMesh(unitBox(), false, run).selfIntersections.has_value());
   EXPECT_TRUE(checkMesh(unitBox(), false, run).passes());
 }
 
@@ -342,11 +344,11 @@ TEST(MeshCheck, CancelsAtEveryCheckpoint) {
   RunContext whole;
   whole.threads = 1;
   checkMesh(mesh, whole);
-  ASSERT_GT(whole.checkpoints(), 5u);
-  for (std::uint64_t n = 1; n <= whole.checkpoints(); ++n) {
+  ASSERT_GT(CheckpointHook::passed(whole), 5u);
+  for (std::uint64_t n = 1; n <= CheckpointHook::passed(whole); ++n) {
     RunContext run;
     run.threads = 1;
-    run.cancelAtCheckpoint = n;
+    CheckpointHook::cancelAt(run, n);
     try {
       checkMesh(mesh, run);
       FAIL() << "not cancelled at " << n;

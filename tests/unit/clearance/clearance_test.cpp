@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "base/checkpoint_hook.h"
 #include "clearance/pair_search.h"
 #include "clearance/stamping.h"
 #include "clearance/summary.h"
@@ -428,11 +429,11 @@ TEST(Clearance, CancelAtAnyCheckpointLeavesNoResult) {
           .status,
       Status::Ok);
   EXPECT_EQ(whole.progress(), 1.0);
-  const std::uint64_t count = whole.checkpoints();
+  const std::uint64_t count = CheckpointHook::passed(whole);
   ASSERT_GT(count, 5u);
   for (std::uint64_t at = 1; at <= count; at += std::max<std::uint64_t>(1, count / 12)) {
     RunContext run;
-    run.cancelAtCheckpoint = at;
+    CheckpointHook::cancelAt(run, at);
     const ClearanceReport report =
         checkClearance(c.bar, c.motion(Interpolation::Linear), {{"post", c.post(99), 0}}, {}, run);
     EXPECT_EQ(report.status, Status::Cancelled);
@@ -462,6 +463,11 @@ TEST(Clearance, BadInputIsNamed) {
   ClearanceOptions options;
   options.tolerance = 0;
   EXPECT_EQ(codeOf(box, motion, {{"a", box, 0}}, options), "BadOption");
+  for (const double wrong : {0.0, -1.0}) {
+    options = {};
+    options.intervalTolerance = wrong;
+    EXPECT_EQ(codeOf(box, motion, {{"a", box, 0}}, options), "BadOption") << wrong;
+  }
 }
 
 TEST(Clearance, SummaryNamesTheNearest) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <thread>
 
+#include "base/checkpoint_hook.h"
 #include "support/mechanism_cases.h"
 #include "support/sampled.h"
 #include "support/shapes.h"
@@ -66,7 +67,7 @@ TEST(Mechanism, CubesPassEachOther) {
   EXPECT_NEAR(row.pointOnNeighbour.y(), 8, 1e-9);
   EXPECT_NEAR(report.pairs[0].poseOfFirst.translation.x(), 40 * (row.timeSeconds - 1), 1e-6);
   EXPECT_NEAR(report.pairs[0].poseOfSecond.translation.x(), -40 * (row.timeSeconds - 1), 1e-6);
-  EXPECT_EQ(report.smallest, 0);
+  EXPECT_EQ(report.smallest, 0u);
   EXPECT_NE(report.summary.find("(left - right)"), std::string::npos) << report.summary;
 }
 
@@ -318,8 +319,10 @@ TEST(Mechanism, BadInputIsNamed) {
   options.rules = {{"arm", "still", {-2}}};
   refused({moving("arm", 0, 1), still}, "BadRule", "'arm' and 'still'", options);
   options = {};
-  options.range = -1;
-  refused({moving("arm", 0, 1), still}, "BadOption", "range", options);
+  for (const double range : {-1.0, 0.0}) {
+    options.range = range;
+    refused({moving("arm", 0, 1), still}, "BadOption", "range", options);
+  }
   MechanismPart rough = still;
   rough.chordError = std::nan("");
   refused({moving("arm", 0, 1), rough}, "BadOption", "'still'");
@@ -359,10 +362,11 @@ TEST(Mechanism, CancelledAtAnyCheckpoint) {
   RunContext whole;
   ASSERT_EQ(checkMechanism(parts, {}, whole).status, Status::Ok);
   EXPECT_EQ(whole.progress(), 1);
-  ASSERT_GT(whole.checkpoints(), 10u);
-  for (std::uint64_t n = 1; n < whole.checkpoints() / 2; n += whole.checkpoints() / 16 + 1) {
+  ASSERT_GT(CheckpointHook::passed(whole), 10u);
+  for (std::uint64_t n = 1; n < CheckpointHook::passed(whole) / 2;
+       n += CheckpointHook::passed(whole) / 16 + 1) {
     RunContext run;
-    run.cancelAtCheckpoint = n;
+    CheckpointHook::cancelAt(run, n);
     const MechanismReport report = checkMechanism(parts, {}, run);
     EXPECT_EQ(report.status, Status::Cancelled);
     EXPECT_TRUE(report.pairs.empty());

@@ -170,7 +170,7 @@ TEST(ClearanceRules, ContactThatIsAllowedIsNoFault) {
   EXPECT_TRUE(row.below.empty());
   ASSERT_EQ(row.contact.size(), 1u);  // the times of contact are still reported
   EXPECT_EQ(report.ignored, std::vector<std::string>{"wall"});
-  EXPECT_EQ(report.smallest, 1);  // row 1, not row 0 with its allowed contact
+  EXPECT_EQ(report.smallest, 1u);  // row 1, not row 0 with its allowed contact
   EXPECT_NE(report.summary.find("2 checked, 1 allowed contact, 1 ignored, smallest distance"),
             std::string::npos)
       << report.summary;

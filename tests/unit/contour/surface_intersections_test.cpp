@@ -33,7 +33,7 @@ HermiteGrid sample(const TriMesh& raw, const Trajectory& trajectory, int resolut
   const Trajectory checked = checkTrajectory(trajectory).trajectory;
   const Motion coarse = refineMotion(body.mesh, checked, 0.1, run);
   options.cellSize = plannedCell(sweptBox(body.mesh, coarse, run), options);
-  const Motion motion = refineMotion(body.mesh, checked, 0.02 * options.cellSize, run);
+  const Motion motion = refineMotion(body.mesh, checked, 0.02 * *options.cellSize, run);
   Eigen::AlignedBox3d box;
   for (const auto& v : body.mesh.vertices) box.extend(v);
   const GridPlan grid = planGrid(sweptBox(body.mesh, motion, run), box, options);

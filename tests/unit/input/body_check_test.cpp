@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/checkpoint_hook.h"
 #include "support/shapes.h"
 
 namespace swept::test {
@@ -266,10 +267,10 @@ TEST(BodyCheck, CancelsAtEveryCheckpoint) {
   TriMesh mesh = makeBall({0, 0, 0}, 1, 3);
   RunContext whole;
   checkBody(mesh, Options{}, whole);
-  ASSERT_GT(whole.checkpoints(), 3u);
-  for (std::uint64_t n = 1; n <= whole.checkpoints(); ++n) {
+  ASSERT_GT(CheckpointHook::passed(whole), 3u);
+  for (std::uint64_t n = 1; n <= CheckpointHook::passed(whole); ++n) {
     RunContext run;
-    run.cancelAtCheckpoint = n;
+    CheckpointHook::cancelAt(run, n);
     try {
       checkBody(mesh, Options{}, run);
       FAIL() << "not cancelled at " << n;

@@ -55,6 +55,7 @@ TEST(TrajectoryCheck, bad_input_16_options) {
   };
   EXPECT_NO_THROW(checkOptions(Options{}));
   refused([](Options& o) { o.cellSize = -1; }, "cellSize = -1");
+  refused([](Options& o) { o.cellSize = 0; }, "cellSize = 0");
   refused([](Options& o) { o.cellSize = kNan; }, "cellSize = nan");
   refused([](Options& o) { o.cellSize = HUGE_VAL; }, "cellSize = inf");
   refused([](Options& o) { o.resolution = 0; }, "resolution = 0");

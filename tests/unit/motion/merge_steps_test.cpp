@@ -210,8 +210,8 @@ TEST(MergeSteps, SourcesNameThePoseAndTimeOfTheGivenMotion) {
   std::sort(off.begin(), off.end());
   ASSERT_FALSE(off.empty());
   const double quantile = off[static_cast<std::size_t>(0.99 * static_cast<double>(off.size()))];
-  EXPECT_LT(quantile, 2 * found.report.chordError + 1e-3 * options.cellSize);
-  EXPECT_LT(off.back(), 0.25 * options.cellSize);
+  EXPECT_LT(quantile, 2 * found.report.chordError + 1e-3 * *options.cellSize);
+  EXPECT_LT(off.back(), 0.25 * *options.cellSize);
   options.sources = false;
   const Result plain = compute(body, motion, options, run);
   EXPECT_EQ(plain.mesh.vertices, found.mesh.vertices);

@@ -105,7 +105,7 @@ TEST(PositionFilter, TheRunSaysWhatWasDroppedAndTheEnvelopeLosesNoMore) {
   EXPECT_EQ(reported, 60 - filtered.report.refinedPlacements);
   // Each envelope may be off by one cell (tests/unit/truth). So the distance between both may
   // exceed the filter's distance by two cells.
-  const double slack = 2 * options.cellSize;
+  const double slack = 2 * *options.cellSize;
   const MeshDistance tree(filtered.mesh);
   for (const auto& v : full.mesh.vertices) {
     EXPECT_LE(tree.distance(v), filtered.report.positionFilterDistance + slack);

@@ -54,7 +54,7 @@ void expectContained(const std::string& name, const TriMesh& body, const TriMesh
   SCOPED_TRACE(name);
   const Result result = conservative(body, motion, options);
   if (result.mesh.triangles.empty()) return;
-  const double cell = result.report.cellSize, bound = result.report.conservativeBound;
+  const double cell = result.report.cellSize, bound = result.report.conservativeBound.value();
   EXPECT_GT(bound, 0);
   EXPECT_LE(bound, 3 * cell + options.tolerance);
   std::mt19937 random(7);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "base/checkpoint_hook.h"
 #include "geometry/ray_columns.h"
 #include "support/shapes.h"
 #include "swept/compute.h"
@@ -285,9 +286,9 @@ TEST(Overlap, IsCancelledAtAnyCheckpoint) {
   const TriMesh b = transformed(a, Eigen::Isometry3d(Eigen::Translation3d(7, 1, 2)));
   RunContext whole;
   ASSERT_EQ(checkOverlaps({{"a", a}, {"b", b}}, {}, whole).status, Status::Ok);
-  for (std::uint64_t k = 1; k <= whole.checkpoints(); k += 7) {
+  for (std::uint64_t k = 1; k <= CheckpointHook::passed(whole); k += 7) {
     RunContext run;
-    run.cancelAtCheckpoint = k;
+    CheckpointHook::cancelAt(run, k);
     const OverlapReport report = checkOverlaps({{"a", a}, {"b", b}}, {}, run);
     EXPECT_EQ(report.status, Status::Cancelled) << k;
     EXPECT_TRUE(report.pairs.empty());
@@ -313,7 +314,7 @@ TEST(Overlap, PairsOfSeveralParts) {
   EXPECT_EQ(clash.clearance.verdict, ClearanceVerdict::Clash);
   EXPECT_NEAR(clash.volume.value(), 2 * 9 * 9, 1e-9);
   EXPECT_NEAR(clash.clearance.penetration.depth, 2, 0.03);
-  EXPECT_EQ(report.smallest, 0);
+  EXPECT_EQ(report.smallest, 0u);
   const PairOverlap& near = report.pairs[1];
   EXPECT_EQ(near.clearance.verdict, ClearanceVerdict::BelowRequired);
   EXPECT_NEAR(near.clearance.distance, 3, 1e-12);

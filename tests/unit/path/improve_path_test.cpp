@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include "base/checkpoint_hook.h"
 #include "support/path_cases.h"
 #include "support/path_check.h"
 #include "support/shapes.h"
@@ -120,7 +121,7 @@ TEST(ImprovePath, BadInputIsNamedAndCancelEnds) {
   back.poses[1].timeSeconds = -1;
   EXPECT_EQ(codeOf({back, {}, false}), "BadPose");
   RunContext run;
-  run.cancelAtCheckpoint = 3;
+  CheckpointHook::cancelAt(run, 3);
   const PathReport report =
       improvePath(c.part, {motion, {}, true}, neighboursOf(c), patient(c), run);
   EXPECT_EQ(report.status, Status::Cancelled);
@@ -140,7 +141,7 @@ TEST(LiveClearance, AgreesWithTheExactCheckAtEveryPlacement) {
       options.penetration = false;
       Trajectory still{{pose}, Interpolation::None};
       const ClearanceReport report = checkClearance(c.part, still, neighboursOf(c), options, run);
-      const NeighbourClearance& row = report.neighbours[static_cast<std::size_t>(report.smallest)];
+      const NeighbourClearance& row = report.neighbours[report.smallest.value()];
       EXPECT_NEAR(found.distance, row.distance, 1e-9);
       (row.distance > 0 ? apart : clashes) += 1;
       if (row.distance > 0) {

@@ -175,6 +175,11 @@ TEST(FindPath, BadInputIsNamed) {
   none = options;
   none.largestTurn = 4;
   EXPECT_EQ(codeOf(c, none), "BadOption");
+  for (const std::int64_t wrong : {0, -1}) {
+    none = options;
+    none.mostSteps = wrong;
+    EXPECT_EQ(codeOf(c, none), "BadOption") << wrong;
+  }
   bad = c;
   bad.part.vertices[0].x() = std::nan("");
   EXPECT_EQ(codeOf(bad, options), "NonFiniteVertex");

@@ -368,13 +368,13 @@ TEST(FindSequence, BadInputIsNamed) {
 TEST(FindSequence, CanBeWatchedAndCancelled) {
   const Problem p = [] {
     Problem chain = links();
-    chain.options.path.mostSteps = 0;
+    chain.options.path.mostSteps.reset();
     return chain;
   }();
   RunContext run;
   SequenceWatch watch;
   SequenceReport report;
-  EXPECT_EQ(watch.seen().part, -1);
+  EXPECT_FALSE(watch.seen().part.has_value());
   std::thread search([&] { report = findSequence(p.parts, p.still, p.options, run, &watch); });
   while (!watch.seen().farthest) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_LT(run.progress(), 1);

@@ -27,7 +27,7 @@ TEST(Accuracy, ReportBoundsWhatWasLost) {
   for (const double accuracy : {1.0, 0.3}) {
     const Report report = boxWithin(accuracy).report;
     ASSERT_EQ(report.status, Status::Ok) << report.message;
-    const double bound = accuracyBound(report);
+    const double bound = accuracyBound(report).value();
     EXPECT_LE(bound, accuracy);
     EXPECT_GE(bound, report.cellSize + report.chordError + report.simplificationDeviation);
     EXPECT_GT(report.simplificationDeviation, 0);
@@ -38,7 +38,7 @@ TEST(Accuracy, ReportBoundsWhatWasLost) {
 TEST(Accuracy, NoBoundForGrownEnvelopes) {
   const Report report = boxWithin(1, 2).report;
   ASSERT_EQ(report.status, Status::Ok) << report.message;
-  EXPECT_EQ(accuracyBound(report), 0);
+  EXPECT_FALSE(accuracyBound(report).has_value());
   EXPECT_EQ(toJson(report).find("\"accuracy_bound\""), std::string::npos);
 }
 
@@ -51,7 +51,7 @@ TEST(Accuracy, RefusesWhatIsNotAbove0) {
     } catch (const Error& error) {
       EXPECT_STREQ(error.code().c_str(), "BadOption");
     }
-    EXPECT_EQ(options.cellSize, 0);
+    EXPECT_FALSE(options.cellSize.has_value());
   }
 }
 

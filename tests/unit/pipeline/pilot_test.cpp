@@ -30,7 +30,7 @@ TEST(Pilot, TellsWhatFitsAfterAll) {
   run.memoryLimitBytes = rough / 5 * 4;
   const Result result = compute(body, shiftAndTurn(), options, run);
   ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
-  EXPECT_LE(result.report.estimatedMemoryBytes, run.memoryLimitBytes);
+  EXPECT_LE(result.report.estimatedMemoryBytes, *run.memoryLimitBytes);
   // The estimate is plausible: at least the bytes that each crossing takes, and not far more.
   const double each = static_cast<double>(result.report.estimatedMemoryBytes) /
                       static_cast<double>(result.report.crossings);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <random>
 
+#include "base/checkpoint_hook.h"
 #include "support/random_case.h"
 #include "support/shapes.h"
 
@@ -99,7 +100,7 @@ TEST(Preview, FailuresAreThoseOfARun) {
   Trajectory still;
   still.poses.push_back(Pose{});
   RunContext cancelled;
-  cancelled.cancelAtCheckpoint = 3;
+  CheckpointHook::cancelAt(cancelled, 3);
   EXPECT_EQ(session.compute(still, cancelled).report.status, Status::Cancelled);
   RunContext again;
   EXPECT_EQ(session.compute(still, again).report.status, Status::Ok);
@@ -132,7 +133,9 @@ TEST(Preview, AConservativeEnvelopeIsNotSketched) {
   Options options;
   options.conservative = true;
   PreviewSession session(makeBall({0, 0, 0}, 1, 2), options, run);
-  EXPECT_THROW(session.sketch(Trajectory{}, run), Error);
+  const Report refused = session.sketch(Trajectory{}, run).report;
+  EXPECT_EQ(refused.status, Status::InvalidInput);
+  EXPECT_EQ(refused.code, "BadOption");
 }
 
 }  // namespace

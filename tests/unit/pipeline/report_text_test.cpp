@@ -39,7 +39,6 @@ TEST(ReportText, KeysThatDoNotApplyAreAbsent) {
     EXPECT_FALSE(reportJson(report).contains(key)) << key;
   }
   report.check.triangles = report.check.vertices = 4;
-  report.check.selfIntersections = -1;
   report.cellSize = 2;
   EXPECT_TRUE(reportJson(report).contains("volume"));
   EXPECT_TRUE(reportJson(report).contains("grid_origin"));

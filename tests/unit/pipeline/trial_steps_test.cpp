@@ -144,7 +144,7 @@ TEST(TrialSteps, SimplificationIsCounted) {
     RunContext run;
     double before = estimateByTrial(body, path, options, run).seconds;
     for (const double cells : {2.0, 0.5, 0.05}) {
-      options.tolerance = cells * options.cellSize;
+      options.tolerance = cells * *options.cellSize;
       const Estimate found = estimateByTrial(body, path, options, run);
       const double least = 2e-6 * static_cast<double>(found.triangles) / 4;  // s
       EXPECT_GT(found.seconds, before + 0.1 * least) << cells;

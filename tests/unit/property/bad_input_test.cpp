@@ -8,6 +8,7 @@
 #include <limits>
 #include <thread>
 
+#include "base/checkpoint_hook.h"
 #include "support/mesh_distance.h"
 #include "support/shapes.h"
 #include "swept/compute.h"
@@ -203,7 +204,7 @@ TEST(BadInput, bad_input_15_cell_against_body) {
   Trajectory turn = still();
   turn.poses.push_back(poseOf(1, placement({1, 2, 3}, 100, {2, 0, 1})));
   RunContext context;
-  context.cancelAtCheckpoint = 50;
+  CheckpointHook::cancelAt(context, 50);
   expectFailure(compute(unitBox(), turn, options, context), Status::ResourceLimit, "ResourceLimit");
 }
 
@@ -217,6 +218,14 @@ TEST(BadInput, bad_input_16_bad_option) {
   options = {};
   options.resolution = 0;
   expectRefused(run(unitBox(), shift(), options), "BadOption");
+  for (const int threads : {0, -1, 4097}) {
+    RunContext context;
+    context.threads = threads;
+    expectRefused(compute(unitBox(), shift(), {}, context), "BadOption");
+  }
+  RunContext none;
+  none.memoryLimitBytes = 0;
+  expectRefused(compute(unitBox(), shift(), {}, none), "BadOption");
 }
 
 TEST(BadInput, bad_input_17_no_poses) { expectRefused(run(unitBox(), {}), "EmptyTrajectory"); }
@@ -277,12 +286,12 @@ TEST(BadInput, bad_input_24_cancel_at_every_checkpoint) {
   whole.threads = 1;
   const TriMesh body = makeBall({0, 0, 0}, 2, 2);
   ASSERT_EQ(compute(body, shift(), coarse(), whole).report.status, Status::Ok);
-  ASSERT_GT(whole.checkpoints(), 20u);
-  const std::uint64_t step = std::max<std::uint64_t>(1, whole.checkpoints() / 300);
-  for (std::uint64_t n = 1; n <= whole.checkpoints(); n += step) {
+  ASSERT_GT(CheckpointHook::passed(whole), 20u);
+  const std::uint64_t step = std::max<std::uint64_t>(1, CheckpointHook::passed(whole) / 300);
+  for (std::uint64_t n = 1; n <= CheckpointHook::passed(whole); n += step) {
     RunContext context;
     context.threads = 1;
-    context.cancelAtCheckpoint = n;
+    CheckpointHook::cancelAt(context, n);
     const Result result = compute(body, shift(), coarse(), context);
     SCOPED_TRACE("checkpoint " + std::to_string(n));
     expectFailure(result, Status::Cancelled, "Cancelled");

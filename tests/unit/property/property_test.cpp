@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <optional>
 
 #include "support/mesh_distance.h"
 #include "support/random_case.h"
@@ -19,8 +20,8 @@ namespace {
 const int kSeeds = longRun() ? 72 : 36;
 constexpr double kVolumeBar = 0.1;
 
-Result sweep(const TriMesh& body, const Trajectory& motion, int resolution, int threads = 0,
-             double cell = 0) {
+Result sweep(const TriMesh& body, const Trajectory& motion, int resolution,
+             std::optional<int> threads = {}, std::optional<double> cell = {}) {
   Options options;
   options.resolution = resolution;
   options.cellSize = cell;
@@ -78,7 +79,7 @@ TEST_F(Property, MovingEverythingMovesTheResult) {
       pose.translation = frame * pose.translation;
     }
     const Result here = sweep(body, motion, 40);
-    const Result there = sweep(body, moved, 40, 0, here.report.cellSize);
+    const Result there = sweep(body, moved, 40, {}, here.report.cellSize);
     expectOk(here);
     expectOk(there);
     EXPECT_LE(volumeGap(here, there), kVolumeBar);
@@ -130,7 +131,7 @@ TEST_F(Property, MorePosesNeverRemoveVolume) {
              pose.translation = motion.poses.back().translation + Eigen::Vector3d(1, -2, 0.5);
              longer.poses.push_back(pose);
              const Result before = sweep(body, motion, 40);
-             const Result after = sweep(body, longer, 40, 0, before.report.cellSize);
+             const Result after = sweep(body, longer, 40, {}, before.report.cellSize);
              expectOk(before);
              expectOk(after);
              const double cell = before.report.cellSize;
@@ -150,7 +151,7 @@ TEST_F(Property, VolumeIsAtLeastThatOfTheBody) {
     Trajectory still = motion;
     still.poses.resize(1);
     const Result swept = sweep(body, motion, 32);
-    const Result one = sweep(body, still, 32, 0, swept.report.cellSize);
+    const Result one = sweep(body, still, 32, {}, swept.report.cellSize);
     expectOk(swept);
     if (one.report.status != Status::Ok) {  // the cell may be too large for the body alone
       EXPECT_EQ(one.report.code, "CellTooLarge");
@@ -170,8 +171,8 @@ TEST_F(Property, TwoBodiesTogetherAreTheirUnion) {
              const Result whole = sweep(both, motion, 40);
              expectOk(whole);
              const double cell = whole.report.cellSize;
-             const Result first = sweep(body, motion, 40, 0, cell);
-             const Result second = sweep(other, motion, 40, 0, cell);
+             const Result first = sweep(body, motion, 40, {}, cell);
+             const Result second = sweep(other, motion, 40, {}, cell);
              expectOk(first);
              expectOk(second);
              const MeshDistance a(first.mesh), b(second.mesh);
@@ -196,8 +197,8 @@ TEST_F(Property, MotionCutInTwoIsTheUnionOfItsParts) {
     const Result whole = sweep(body, motion, 40);
     expectOk(whole);
     const double cell = whole.report.cellSize;
-    const Result a = sweep(body, first, 40, 0, cell);
-    const Result b = sweep(body, second, 40, 0, cell);
+    const Result a = sweep(body, first, 40, {}, cell);
+    const Result b = sweep(body, second, 40, {}, cell);
     expectOk(a);
     expectOk(b);
     const MeshDistance treeA(a.mesh), treeB(b.mesh), tree(whole.mesh);

@@ -37,7 +37,7 @@ struct Case {
     const Trajectory path = checkTrajectory(randomMotion(random)).trajectory;
     options.cellSize =
         plannedCell(sweptBox(body.mesh, refineMotion(body.mesh, path, 0.1, run), run), options);
-    motion = refineMotion(body.mesh, path, 0.02 * options.cellSize, run);
+    motion = refineMotion(body.mesh, path, 0.02 * *options.cellSize, run);
     Eigen::AlignedBox3d box;
     for (const auto& v : body.mesh.vertices) box.extend(v);
     grid = planGrid(sweptBox(body.mesh, motion, run), box, options);

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <thread>
 
+#include "base/checkpoint_hook.h"
 #include "base/system.h"
 #include "solid/test_meshes.h"
 #include "support/process.h"
@@ -322,6 +323,11 @@ TEST_F(StepExport, ExactIsNotSimplified) {
   EXPECT_EQ(failure(makeTorus(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
   options.tolerance = 0.1;
   EXPECT_EQ(failure(makeTorus(20, 6, 24, 12), path("x.step"), options), "BadOption");
+  for (const double wrong : {0.0, -1.0, std::nan("")}) {
+    options = {};
+    options.maxMegabytes = wrong;
+    EXPECT_EQ(failure(boxMesh(1, 1, 1), path("x.step"), options), "BadOption") << wrong;
+  }
   EXPECT_EQ(filesIn(folder_), 0U);
 }
 
@@ -421,7 +427,7 @@ TEST_F(StepExport, CancelledAtEveryCheckpointLeavesTheOldFile) {
     RunContext whole;
     writeSolid(mesh, path("whole-" + std::string(name)), {}, whole);
     EXPECT_DOUBLE_EQ(whole.progress(), 1.0);
-    const std::uint64_t last = whole.checkpoints();
+    const std::uint64_t last = CheckpointHook::passed(whole);
     ASSERT_GT(last, 10U);
     std::uint64_t cancelled = 0;
     // The kernel calls thousands of checkpoints; some hundred of them are tried, from first to
@@ -429,7 +435,7 @@ TEST_F(StepExport, CancelledAtEveryCheckpointLeavesTheOldFile) {
     const std::uint64_t stride = 1 + last / (test::kUnderSanitizer ? 12 : 150);
     for (std::uint64_t k = 1; k <= last; k += stride) {
       RunContext run;
-      run.cancelAtCheckpoint = k;
+      CheckpointHook::cancelAt(run, k);
       try {
         writeSolid(mesh, path(name), {}, run);
         // The kernel does not report its progress at the same points in every run.

@@ -75,7 +75,7 @@ void expectTruth(const Truth& truth, const Result& result, const std::string& la
   std::printf(
       "%-44s cell %.4f  out %.3f  in %.3f  crease max %.3f mean %.4f  volume %.4f  si %lld\n",
       label.c_str(), result.report.cellSize, m.outToTruth, m.truthToOut, m.creaseMost, m.creaseMean,
-      m.volumeError, static_cast<long long>(result.report.check.selfIntersections));
+      m.volumeError, static_cast<long long>(result.report.check.selfIntersections.value_or(-1)));
   EXPECT_LE(m.outToTruth, 1.0);
   EXPECT_LE(m.truthToOut, 1.0);
   EXPECT_LE(m.creaseMost, 0.25);

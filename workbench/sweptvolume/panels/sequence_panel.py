@@ -186,7 +186,7 @@ class SequencePanel(SearchPanel):
         if self.run is None:
             return
         row, found, farthest = self.run.task.seen.seen()
-        if row < 0:
+        if row is None:
             return
         if row != self.looked:
             if 0 <= self.looked:

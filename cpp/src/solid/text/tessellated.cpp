@@ -265,12 +265,12 @@ void checkOptions(const HalfEdgeMesh& mesh, const StepOptions& options) {
                 "tolerance; simplify the envelope instead");
   }
   const double megabytes = tessellatedMegabytes(static_cast<std::int64_t>(mesh.triangles.size()));
-  if (options.maxMegabytes > 0 && megabytes > options.maxMegabytes) {
+  if (options.maxMegabytes && megabytes > *options.maxMegabytes) {
     throw Error(
         Status::ExportFailed, "TooManyFaces",
         "the tessellated solid of " + std::to_string(mesh.triangles.size()) +
             " triangles would need a file of about " + std::to_string(std::lround(megabytes)) +
-            " MB, but the limit is " + std::to_string(std::lround(options.maxMegabytes)) +
+            " MB, but the limit is " + std::to_string(std::lround(*options.maxMegabytes)) +
             " MB. Simplify the envelope, raise the limit of the file size, or export a mesh "
             "file");
   }

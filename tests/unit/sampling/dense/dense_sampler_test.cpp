@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "base/checkpoint_hook.h"
 #include "geometry/body_topology.h"
 #include "grid/plan_grid.h"
 #include "motion/refine_motion.h"
@@ -208,7 +209,7 @@ TEST(DenseSampler, CanBeCancelledAtAnyCheckpoint) {
   const Trajectory motion = vibration(random, 12000, 0.4, 0.01);
   for (const std::uint64_t at : {3u, 20u, 60u}) {
     RunContext run;
-    run.cancelAtCheckpoint = at;
+    CheckpointHook::cancelAt(run, at);
     EXPECT_EQ(compute(body, motion, options, run).report.status, Status::Cancelled) << at;
   }
 }

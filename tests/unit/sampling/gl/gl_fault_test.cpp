@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include "base/checkpoint_hook.h"
 #include "sampling/gl/gl_backend.h"
 #include "sampling/gl/gl_verify.h"
 #include "swept/compute.h"
@@ -252,9 +253,8 @@ TEST_F(GlFault, bad_input_33_shader_does_not_compile_or_link) {
 
 TEST_F(GlFault, bad_input_24_cancel_at_every_checkpoint) {
   use({});
-  run_.cancelAtCheckpoint = 0;
   sample(Backend::Gpu);
-  const std::uint64_t checkpoints = run_.checkpoints();
+  const std::uint64_t checkpoints = CheckpointHook::passed(run_);
   ASSERT_GT(checkpoints, 5u);
   const SamplerInput input = scene_.input();
   const std::uint64_t stride = checkpoints / 24 + 1;
@@ -262,7 +262,7 @@ TEST_F(GlFault, bad_input_24_cancel_at_every_checkpoint) {
     for (const Backend backend : {Backend::Gpu, Backend::Auto}) {
       use({});
       RunContext run;
-      run.cancelAtCheckpoint = n;
+      CheckpointHook::cancelAt(run, n);
       try {
         sampleSurface(
             input, backend, kLongRun,
