@@ -27,7 +27,9 @@ def test_bad_input_16_threads(box, tmp_path, threads):
         with pytest.raises(_swept.InvalidInput) as caught:
             call()
         assert caught.value.code == "BadOption"
-        assert f"threads is {threads}; allowed: 1 to 4096, or not given (all cores)" in str(caught.value)
+        assert f"threads is {threads}; allowed: 1 to 4096, or not given (all cores)" in str(
+            caught.value
+        )
 
 
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
