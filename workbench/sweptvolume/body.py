@@ -22,7 +22,8 @@ class Body:
     part gives no triangles."""
 
     def __init__(self, parts, placement, labels):
-        # Per part: label, 4x4 matrix to the world, function from convert.reader(), convert.owner().
+        # Per part: label, 4x4 matrix to the world, the function that convert.reader() has returned, and
+        # the result of convert.owner().
         self._parts = parts
         self.placement = placement
         self.labels = labels

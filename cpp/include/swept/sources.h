@@ -16,8 +16,8 @@ namespace swept {
 enum class SourceKind : std::uint8_t {
   /// A face of the body in its place at one pose of the trajectory.
   Cap,
-  /// Swept by an edge of the body: a line where two faces meet at 8 degrees or more (the median
-  /// angle along the edge), or where the body is open.
+  /// Swept by an edge of the body: a line where the normals of two faces differ by 8 degrees or
+  /// more (the median along the edge), or where the body is open.
   Edge,
   /// Swept by the inside of a face that touches the envelope along a curve, by a face that slides
   /// along itself, or by two faces that meet smoothly.

@@ -8,8 +8,8 @@
 namespace swept::page {
 
 /// Replaces each {{name}} in the layout by its value. Blanks inside the braces are allowed. Braces
-/// in a value are not replaced. Throws Error(InvalidInput, "BadTemplate") with the line and the
-/// text for an unknown name and for {{ without }}.
+/// in a value are not replaced. Throws Error(InvalidInput, "BadTemplate") for an unknown name, and
+/// for "{{" that no "}}" closes; the message has the number of the line and the text found there.
 std::string filled(const std::string& layout, const std::map<std::string, std::string>& values);
 
 }  // namespace swept::page

@@ -1,4 +1,4 @@
-// Computes figures of a path that was found or improved.
+// Computes the numbers that are reported of a path that was found or improved.
 // Units:   mm, rad.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -60,8 +60,8 @@ TEST(TriangleDistance, PointsAgreeWithTheDefinition) {
 }
 
 // The heights of the triangles range from a thousandth of the longest edge down to zero. Rounding
-// of the coordinates may move such a triangle by 1e-16, but must not move the nearest point along
-// the triangle.
+// moves the corners of such a needle by about 1e-16. Even so, the point that is found must lie on
+// the needle, and must be as near as the nearest point, both within the limits below.
 TEST(TriangleDistance, NeedlesAndPointsAgreeWithTheDefinition) {
   Random random(5);
   for (int n = 0; n < 20000; ++n) {
