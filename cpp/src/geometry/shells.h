@@ -54,7 +54,8 @@ class ShellNesting {
   ShellNesting(const TriMesh& mesh, const Shells& shells, const RayColumns& columns)
       : mesh_(mesh), shells_(shells), columns_(columns) {}
 
-  /// Returns the shells around pointOnTriangle(), except the triangle's own, in ascending order.
+  /// Returns the shells that contain pointOnTriangle(), except the shell of the triangle, in
+  /// ascending order.
   std::vector<std::int32_t> shellsAround(std::int32_t triangle) const;
 
  private:

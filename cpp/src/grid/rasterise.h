@@ -55,7 +55,7 @@ bool crossingIsAbove(const std::array<std::int64_t, 3>& e, const std::array<std:
   for (int axis = 0; axis < 3; ++axis) {
     if (axis == W) return false;  // the shifted point is above the crossing
     const std::int64_t n = component(axis);
-    if (n != 0) return (n > 0) != (nW > 0);  // the height of the surface changes by -n / nW
+    if (n != 0) return (n > 0) != (nW > 0);  // the height of the plane changes by -n / nW
   }
   return false;
 }

@@ -1,7 +1,7 @@
 // Orients the generator (the moving part). This is the second half of checkBody().
 // In:    welded triangles without duplicates. Out: the same triangles, some of them reversed.
-// Cost:  O(n) for n triangles, plus one ray per sample if shells lie inside the bounding boxes of
-//        others.
+// Cost:  O(n) for n triangles, plus three rays for each shell that lies inside the bounding box of
+//        another shell.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

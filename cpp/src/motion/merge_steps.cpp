@@ -98,7 +98,7 @@ class Merger {
   const Motion& motion_;
   double chord_, longest_;
   std::vector<Frame> frames_;
-  std::vector<double> arcs_;  // mm, per step
+  std::vector<double> arcs_;  // arcOf() of each step, in mm
 };
 
 Placement between(const Placement& p, const Placement& q, double s) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kNoCharacter = "\xEF\xBF\xBD";  // U+FFFD
 
-/// Replaces every byte that is not valid UTF-8, as reports do.
+/// Replaces every byte that is not valid UTF-8 by U+FFFD, as in reports.
 std::string asUtf8(const std::string& text) {
   const std::string json = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
   return Json::parse(json).get<std::string>();

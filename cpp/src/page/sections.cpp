@@ -44,7 +44,7 @@ std::string verdictBanner(const CheckReport& check, const Words& words) {
   if (all > 0) {
     const Row& worst = check.rows[check.order[0]];
     const bool deep = worst.depth && worst.verdict == "clash";
-    const std::string place =
+    const std::string extreme =
         deep ? words("deepest", words.number(worst.depth->least) + " mm",
                      words.seconds(worst.depth->time))
              : words("nearest", words.millimetres(worst.distance), words.seconds(worst.time));

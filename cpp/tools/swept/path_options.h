@@ -11,7 +11,7 @@ namespace swept::cli {
 
 /// Converts "x,y,z" or "x,y,z,qx,qy,qz,qw" to a pose. `name`: the option, for messages.
 Pose placementOf(const std::string& name, const std::string& text);
-/// Converts a radius in mm or a direction "x,y,z": either says where the part comes from.
+/// Converts a radius in mm, or a direction "x,y,z", which gives where the part comes from.
 Extraction extractionOf(const std::string& name, const std::string& text);
 /// Adds the options from --clearance to --interpolation. `seed` is separate, since it is unsigned
 /// in PathOptions and addInteger() takes a signed number.

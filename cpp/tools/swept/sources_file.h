@@ -1,4 +1,5 @@
-// Writes a table of the face or edge of the body that made each triangle of an envelope.
+// Writes a table that gives, for each triangle of an envelope, the face or edge of the body that
+// made it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -47,7 +47,7 @@ class Sheet {
   const Eigen::Vector3d& pole(std::size_t i, std::size_t j) const {
     return poles_[i * t_.poleCount() + j];
   }
-  /// Returns the same surface between these parameters.
+  /// Returns the part of the surface between these parameters.
   Sheet part(Range u, Range t) const;
 
  private:

@@ -21,7 +21,7 @@ struct Traces {
   std::vector<Eigen::Vector3d> points;
 };
 
-/// Returns the derivative of the curve by its parameter.
+/// Returns the derivative of the curve with respect to its parameter.
 Eigen::Vector3d slopeAt(const Curve& curve, double t);
 
 /// Returns whether the curve ends where it begins.

@@ -20,7 +20,7 @@ struct Moment {
   Moment(const StepPath& path, double s);
   Eigen::Vector3d velocityAt(const Eigen::Vector3d& x) const { return linear + angular.cross(x); }
   Placement placement;
-  Eigen::Vector3d linear, angular;  // body frame
+  Eigen::Vector3d linear, angular;  // per unit of s, in coordinates of the body
 };
 
 class ContactMap {

@@ -138,7 +138,7 @@ class FileSections {
   Id direction(const Eigen::Vector3d& d);
   Id placement(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
                const Eigen::Vector3d& x);
-  /// Writes the units and the accuracy of points (mm).
+  /// Writes the units and the accuracy of points, `exact` (mm). Returns the number of the entity.
   Id context(double exact);
   /// Writes the product. `representation`: the keyword of its shape, which consists of `items`. The
   /// items in `coloured` get the colour of the options. `contextId`: the entity from context().
