@@ -3,6 +3,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <string>
+#include <type_traits>
+
 #include "arrays.h"
 #include "base/checkpoint_hook.h"
 #include "clearance_bindings.h"
@@ -66,7 +69,7 @@ T castOption(const std::string& name, const py::handle& value) {
   try {
     return value.cast<T>();
   } catch (const py::cast_error&) {
-    if (PyLong_Check(value.ptr()) != 0) {
+    if (PyLong_Check(value.ptr()) != 0 && !std::is_same_v<T, std::string>) {
       throw Error(Status::InvalidInput, "BadOption",
                   "option " + name + " = " + py::repr(value).cast<std::string>() +
                       " is too large for any option; give a smaller number");

@@ -128,8 +128,8 @@ class Moving(Case):
         ]
         obj = self.envelope([box], path, Resolution=100)
         envelope.compute(obj)
-        # The box is convex in x and y and does not turn: the area below the path of each corner is that
-        # of the circle.
+        # The box does not turn, so its corner (2, 2) moves along a circle of radius 20 about (2, 2). This
+        # arc is the outer border of the envelope.
         box = obj.Mesh.BoundBox
         self.assertAlmostEqual(box.XMax, 22, delta=obj.UsedCellSize.Value)
         points = convert.arrays_from_mesh(obj.Mesh)[0]

@@ -17,8 +17,8 @@ class BrokenPromise : public std::logic_error {
   explicit BrokenPromise(const std::string& what) : std::logic_error(what) {}
 };
 
-/// Sets one thread, and a memory limit for runs of about a second. The programs look for faults,
-/// not for large grids.
+/// Sets one thread, and a memory limit that keeps a run to about a second. Faults can be found
+/// without large grids.
 void limit(RunContext& run);
 
 /// Throws BrokenPromise unless a failure has a code, a sentence and one of the allowed statuses.

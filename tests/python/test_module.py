@@ -184,6 +184,8 @@ def test_shapes_types_and_names_are_checked(box, still):
         _swept.compute(vertices, triangles, still, resolutoin=4)
     with pytest.raises(TypeError, match="resolution"):
         _swept.compute(vertices, triangles, still, resolution="many")
+    with pytest.raises(TypeError, match="option backend cannot be 5"):
+        _swept.compute(vertices, triangles, still, backend=5)
     with pytest.raises(_swept.InvalidInput, match="none, linear, screw"):
         _swept.compute(vertices, triangles, still, interpolation="cubic")
     with pytest.raises(_swept.InvalidInput, match="consistent"):

@@ -19,8 +19,9 @@
 namespace swept {
 namespace {
 
-/// Up to this number of triangle copies, an offset is measured from these copies. Above it, the
-/// offset is measured from the mesh of an envelope without offset.
+/// Up to this number of copies of triangles (each triangle of the body at each placement), an
+/// offset is measured from these copies. Above it, the offset is measured from the mesh of an
+/// envelope without offset.
 constexpr std::size_t kMaxCopies = 8'000'000;
 
 void add(std::vector<Finding>& to, const std::vector<Finding>& from) {

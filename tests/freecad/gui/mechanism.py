@@ -135,8 +135,8 @@ def scenario():
     click(panel_button(Close))
     yield no_panel
     assert graph.getNumChildren() == drawn, graph.getNumChildren()
-    # Opened again from the tree: rules and parts are there. Another distance; the check is stopped at
-    # once.
+    # The panel is opened again from the tree: the rules are there. A very fine accuracy makes the check
+    # long; it is stopped at once, and the old result stays.
     select(obj)
     Gui.runCommand("SweptVolume_Mechanism")
     yield 0.3

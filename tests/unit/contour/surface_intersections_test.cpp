@@ -85,8 +85,8 @@ TEST(SurfaceIntersections, APlantedFaultIsFound) {
   const SelfIntersections found = findSurfaceIntersections(surface, grid, run);
   EXPECT_GT(found.count, 0);
   EXPECT_EQ(found.pairs, findSelfIntersections(surface.mesh, {}, run).pairs);
-  // The same without the mark: the search notices that the vertex lies outside the cells of its
-  // polygons.
+  // The same if the flag says wrongly that the vertex lies in its cell: the search notices that it
+  // lies outside the cells of its polygons.
   surface.cellFlags[100] = 1;
   EXPECT_EQ(findSurfaceIntersections(surface, grid, run).pairs, found.pairs);
 }

@@ -48,8 +48,8 @@ TEST(ThinnedBody, TheEnvelopeMovesByNoMoreThanTheReportSays) {
   const Result whole = checkedCompute(ball, swing(2000), exact);
   EXPECT_EQ(whole.report.bodyDeviation, 0);
   EXPECT_LT(thin.report.sweptPatches, whole.report.sweptPatches);
-  // The surface also depends on the normals of the body. This moves its vertices by much less than
-  // a tenth of a cell.
+  // A thinned body also has other normals, which influence the vertices of the envelope. Their
+  // distance from the other envelope must stay below a tenth of a cell.
   const MeshDistance distance(whole.mesh);
   for (const Vector3d& v : thin.mesh.vertices)
     ASSERT_LE(distance.distance(v), 0.1 * thin.report.cellSize);

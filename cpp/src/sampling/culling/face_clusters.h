@@ -52,8 +52,8 @@ struct FaceClusters {
     bool opposed = false;
   };
   std::vector<Border> borders;
-  /// Per cluster: index of the first border with this cluster on its left. One more entry: index of
-  /// the first border without a cluster on its right.
+  /// Per cluster: index of the first border with this cluster on its left. Borders without a
+  /// cluster on their right stand at the end; one more entry has the index of the first of them.
   std::vector<std::uint32_t> firstBorder;
 
   /// Data for the first, quick test of a face (swept_elements.h), in the order of `faces`.
