@@ -34,7 +34,7 @@ Vector3d pointOf(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 Vector3d vectorOf(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 Vector3d vectorOf(const gp_Dir& d) { return {d.X(), d.Y(), d.Z()}; }
 
-void place(const gp_Ax3& axes, Carrier& carrier) {
+void setFrame(const gp_Ax3& axes, Carrier& carrier) {
   carrier.point = pointOf(axes.Location());
   carrier.axis = vectorOf(axes.Direction());
   carrier.xdir = vectorOf(axes.XDirection());
@@ -45,27 +45,27 @@ Carrier carrierOf(const BRepAdaptor_Surface& surface) {
   switch (surface.GetType()) {
     case GeomAbs_Plane:
       carrier.kind = CarrierKind::Plane;
-      place(surface.Plane().Position(), carrier);
+      setFrame(surface.Plane().Position(), carrier);
       break;
     case GeomAbs_Cylinder:
       carrier.kind = CarrierKind::Cylinder;
-      place(surface.Cylinder().Position(), carrier);
+      setFrame(surface.Cylinder().Position(), carrier);
       carrier.radius = surface.Cylinder().Radius();
       break;
     case GeomAbs_Cone:
       carrier.kind = CarrierKind::Cone;
-      place(surface.Cone().Position(), carrier);
+      setFrame(surface.Cone().Position(), carrier);
       carrier.radius = surface.Cone().RefRadius();
       carrier.setHalfAngle(surface.Cone().SemiAngle());
       break;
     case GeomAbs_Sphere:
       carrier.kind = CarrierKind::Sphere;
-      place(surface.Sphere().Position(), carrier);
+      setFrame(surface.Sphere().Position(), carrier);
       carrier.radius = surface.Sphere().Radius();
       break;
     case GeomAbs_Torus:
       carrier.kind = CarrierKind::Torus;
-      place(surface.Torus().Position(), carrier);
+      setFrame(surface.Torus().Position(), carrier);
       carrier.radius = surface.Torus().MajorRadius();
       carrier.minor = surface.Torus().MinorRadius();
       break;
