@@ -48,7 +48,7 @@ std::string verdictBanner(const CheckReport& check, const Words& words) {
         deep ? words("deepest", words.number(worst.depth->least) + " mm",
                      words.seconds(worst.depth->time))
              : words("nearest", words.millimetres(worst.distance), words.seconds(worst.time));
-    out.append("\n").append(element("p", escaped(place + " (" + worst.name + ")")));
+    out.append("\n").append(element("p", escaped(extreme + " (" + worst.name + ")")));
   }
   return std::string("<div class=\"banner ") + (bad ? "bad" : "good") + "\">" + out + "</div>\n";
 }
