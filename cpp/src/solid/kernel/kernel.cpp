@@ -28,7 +28,8 @@ std::mutex& kernelMutex() {
   return mutex;
 }
 
-// Collects the messages of kernel calls in this thread. Passes on the messages of other threads.
+// Collects the messages of kernel calls in the thread of its creation. Passes on the messages of
+// other threads.
 class Collector : public Message_Printer {
  public:
   explicit Collector(Message_SequenceOfPrinters others)

@@ -9,7 +9,7 @@ namespace {
 // Number of border edges on open ground that a patch may have for each facet that it saves. On a
 // free form, a patch has a long jagged border, and there would be fewer facets without the patch.
 constexpr double kBorderPerSaved = 1, kBorderPerSavedByPlane = 2;
-constexpr double kSmooth = 0.85;  // cosine of 32 degrees
+constexpr double kSmooth = 0.85;  // cosine of 32 degrees, the largest angle at a smooth border
 
 }  // namespace
 

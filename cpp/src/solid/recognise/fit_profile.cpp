@@ -131,7 +131,7 @@ struct Moments {
 };
 
 // Moves and tilts the axis so that the points come nearer to the unchanged profile. Returns the
-// largest movement of a point.
+// length of this step (mm), or 1e300 if it is too large and was not made.
 double improveAxis(const Samples& samples, const Vector3d& mean, double size, Carrier& s) {
   const Vector3d e1 = s.xdir, e2 = s.axis.cross(e1);
   const double middle = (mean - s.point).dot(s.axis);
