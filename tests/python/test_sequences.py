@@ -66,7 +66,7 @@ def test_motions_of_ones_own_keep_their_times_and_pivots():
 
 @pytest.mark.parametrize("nothing", [None, 0])
 def test_none_and_0_mean_no_limit_of_moves(nothing):
-    _, motions = sv.find_sequence(parts(), WALLS, clearance=0.4, most_moves=nothing)
+    _, motions = sv.find_sequence(parts(), WALLS, order="find", clearance=0.4, most_moves=nothing)
     assert motions is not None
     assert _swept.SequenceWatch().seen() == (None, 0, None)
 
