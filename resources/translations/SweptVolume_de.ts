@@ -65,7 +65,7 @@
     </message>
     <message>
         <source>Report of the run (JSON)</source>
-        <extracomment>The parts of a stored report that are used, with their shapes (base.fits()).</extracomment>
+        <extracomment>The entries of a stored report that are used, with their shapes (base.fits()).</extracomment>
         <translation>Bericht des Laufs (JSON)</translation>
     </message>
     <message>
@@ -512,7 +512,7 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
     <name>SweptVolume</name>
     <message>
         <source>Check clearance</source>
-        <extracomment>The parts of a row in a stored report that are used, with their shapes (base.fits()).
+        <extracomment>The entries of a row in a stored report that are used, with their shapes (base.fits()).
 ----------
 Colours of the bands: clash, contact, below required, clear.</extracomment>
         <translation>Abstand prüfen</translation>
@@ -523,7 +523,7 @@ Colours of the bands: clash, contact, below required, clear.</extracomment>
     </message>
     <message>
         <source>Check mechanism</source>
-        <extracomment>The parts of a stored report that are used, with their shapes (base.fits()).
+        <extracomment>The entries of a stored report that are used, with their shapes (base.fits()).
 ----------
 A coloured surface with more triangles than this is simplified for drawing.</extracomment>
         <translation>Mechanismus prüfen</translation>
@@ -1107,7 +1107,7 @@ Choose Swept Volume &gt; Install the core, or build the core in the folder {1}:
 .ci/packages.txt lists the packages that the build needs. If the core is elsewhere, set the environment variable SWEPT_CORE to its folder.
 FreeCAD looked for the core in:
   {2}</source>
-        <extracomment>longest side for that.</extracomment>
+        <extracomment>its longest side when it is simplified.</extracomment>
         <translation>Der kompilierte Rechenkern von Swept Volume (_swept, für Python {0}) kann nicht geladen werden.
 Wählen Sie „Überstrichener Raum &gt; Rechenkern installieren“, oder kompilieren Sie ihn im Ordner {1}:
     cmake --preset release &amp;&amp; cmake --build build
@@ -1182,12 +1182,12 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>Failed</source>
-        <extracomment>State of a run -&gt; text for people.</extracomment>
+        <extracomment>State of a run -&gt; text for users.</extracomment>
         <translation>Fehlgeschlagen</translation>
     </message>
     <message>
         <source>Clear</source>
-        <extracomment>Verdict of the core -&gt; text for people.</extracomment>
+        <extracomment>Verdict of the core -&gt; text for users.</extracomment>
         <translation>Frei</translation>
     </message>
     <message>
@@ -1317,7 +1317,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>Mechanism</source>
-        <extracomment>With more pairs than this, the table lists only those that came close or have a rule.</extracomment>
+        <extracomment>If there are more pairs, the table lists only those that came close or have a rule.</extracomment>
         <translation>Mechanismus</translation>
     </message>
     <message>
@@ -1358,7 +1358,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>{0} pairs checked</source>
-        <extracomment>Titles that replace those of the clearance table, because both parts may move.</extracomment>
+        <extracomment>Words that replace words in the titles of the clearance table, because both parts may move.</extracomment>
         <translation>{0} Paare geprüft</translation>
     </message>
     <message>
@@ -1382,7 +1382,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>The steps of &quot;{0}&quot; are large: near t = {1} s the part may be about {2} away from its true position. Record the motion again with smaller steps.</source>
-        <extracomment>Deviation over one step, as a fraction of the deviation over two: it grows with the square.</extracomment>
+        <extracomment>the square of the length.</extracomment>
         <translation>Die Schritte von „{0}“ sind groß: Bei t = {1} s kann das Teil um etwa {2} von seiner wahren Position abweichen. Zeichnen Sie die Bewegung mit kleineren Schritten neu auf.</translation>
     </message>
     <message>
@@ -1443,7 +1443,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>{0} of {1} parts have a path</source>
-        <extracomment>The parts of a stored report that are used, with their shapes (base.fits()).</extracomment>
+        <extracomment>The entries of a stored report that are used, with their shapes (base.fits()).</extracomment>
         <translation>{0} von {1} Teilen haben eine Bahn</translation>
     </message>
     <message>
@@ -1480,7 +1480,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>The list of parts is empty: select the parts, then press Add selected.</source>
-        <extracomment>MostMoves: as in the command-line program; 0: no limit.</extracomment>
+        <extracomment>removed. MostMoves: as in the command-line program; 0: no limit.</extracomment>
         <translation>Die Liste der Teile ist leer: Wählen Sie die Teile aus, und klicken Sie auf „Auswahl hinzufügen“.</translation>
     </message>
     <message>
@@ -1604,7 +1604,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>Allowed contact</source>
-        <extracomment>The parts of a stored report that are used, with their shapes (base.fits()).</extracomment>
+        <extracomment>The entries of a stored report that are used, with their shapes (base.fits()).</extracomment>
         <translation>Erlaubter Kontakt</translation>
     </message>
     <message>
@@ -1650,7 +1650,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>The environment variable SOURCE_DATE_EPOCH is &quot;{0}&quot;, but must be a whole number of seconds since 1970-01-01: correct or unset it.</source>
-        <extracomment>The fields of an Outcome that are kept after its envelope was joined.</extracomment>
+        <extracomment>Fields of an Outcome that are still needed after its envelope was joined to others.</extracomment>
         <translation>Die Umgebungsvariable SOURCE_DATE_EPOCH ist „{0}“, muss aber eine ganze Zahl von Sekunden seit dem 1.1.1970 sein: Berichtigen oder löschen Sie sie.</translation>
     </message>
     <message>
@@ -1699,7 +1699,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>This is an error in the workbench ({0}: {1}). Please report it with the details from the report view. See &quot;Report a fault&quot; in docs/handbook/troubleshooting.md.</source>
-        <extracomment>A typed length counts as understood if it agrees with the field&apos;s value up to rounding.</extracomment>
+        <extracomment>Largest relative difference between a typed length and the value of its field, due to rounding.</extracomment>
         <translation>Dies ist ein Programmfehler der Arbeitsumgebung ({0}: {1}). Bitte melden Sie ihn mit den Einzelheiten aus dem Ausgabefenster. Siehe „Report a fault“ in docs/handbook/troubleshooting.md.</translation>
     </message>
     <message>
@@ -1882,8 +1882,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder kompilieren Sie sie mit „cmake --build build“.</translation>
     </message>
     <message>
-        <source>The program that runs the study ended with exit status {0} and wrote no result: run the study again, or run swept study &quot;{1}&quot; in a terminal to see its output.</source>
-        <translation>Das Programm, das die Studie ausführt, hat sich mit dem Rückgabewert {0} beendet und kein Ergebnis geschrieben: Starten Sie die Studie erneut, oder führen Sie in einem Terminal swept study &quot;{1}&quot; aus, um die Ausgabe zu sehen.</translation>
+        <source>The program that runs the study ended with exit status {0} and wrote no result: run the study again. To see the output of the program, enter this command in a terminal: swept study &quot;{1}&quot;</source>
+        <translation>Das Programm, das die Studie ausführt, hat sich mit dem Rückgabewert {0} beendet und kein Ergebnis geschrieben: Starten Sie die Studie erneut. Um die Ausgabe des Programms zu sehen, geben Sie in einem Terminal diesen Befehl ein: swept study &quot;{1}&quot;</translation>
     </message>
     <message>
         <source>Studies need the program {0}, but it was not found: install it.</source>
@@ -1899,7 +1899,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>The file type &quot;{0}&quot; is not supported: use one of these: {1}.</source>
-        <extracomment>for that of the study, &quot;print&quot;, or a file).</extracomment>
+        <extracomment>for the template of the study, &quot;print&quot;, or a file).</extracomment>
         <translation>Der Dateityp „{0}“ wird nicht unterstützt: Verwenden Sie einen von diesen: {1}.</translation>
     </message>
     <message>
@@ -2082,7 +2082,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>The spline from pose {0} to pose {1} cannot be computed, because the numbers in the computation become too large: check the times, placements and given velocities of these poses.</source>
-        <extracomment>each side. Given: the velocity stored with the key; the rotation is as for Auto.</extracomment>
+        <extracomment>line on each side. Given: the velocity stored with the key; the rotation is as for Auto.</extracomment>
         <translation>Der Spline von Lage {0} bis Lage {1} ist nicht berechenbar, weil zu große Zahlenwerte entstehen: Prüfen Sie Zeiten, Platzierungen und vorgegebene Geschwindigkeiten dieser Lagen.</translation>
     </message>
     <message>
@@ -2540,7 +2540,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Part</source>
-        <extracomment>Number of combo boxes created before the window handles events; more than are visible at first.</extracomment>
+        <extracomment>boxes that are visible at first.</extracomment>
         <translation>Teil</translation>
     </message>
     <message>

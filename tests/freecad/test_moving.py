@@ -128,8 +128,8 @@ class Moving(Case):
         ]
         obj = self.envelope([box], path, Resolution=100)
         envelope.compute(obj)
-        # The box does not turn, so its corner (2, 2) moves along a circle of radius 20 about (2, 2). This
-        # arc is the outer border of the envelope.
+        # The box does not turn, so each of its points moves along a circle of radius 20. The circle of the
+        # corner with the local coordinates (2, 2) has its centre at (2, 2) and bounds the envelope.
         box = obj.Mesh.BoundBox
         self.assertAlmostEqual(box.XMax, 22, delta=obj.UsedCellSize.Value)
         points = convert.arrays_from_mesh(obj.Mesh)[0]

@@ -80,8 +80,8 @@ def test_a_filter_that_would_save_most_of_the_time_is_named_and_does(box):
     filtered = sv.compute(box, motion, interpolation="none", resolution=48, position_filter=useful)
     assert filtered.report["refined_placements"] < plain.report["refined_placements"] / 3
     distances = np.abs(sv.distance_to_mesh(filtered.vertices, plain.mesh))
-    # 2 * useful covers the effect of the filter on both meshes. The rest covers the chord error, and the
-    # error to which the crossings of both meshes are computed.
+    # The filter moves no point by more than `useful`; twice this length leaves a margin. The rest covers
+    # the chord error, and the errors of the crossings of both meshes.
     assert distances.max() < 2 * useful + 0.05 * plain.report["cell"]
     assert not [w for w in filtered.report["warnings"] if w["code"] == "FilterUseful"]
     assert "useful_filter" not in sv.estimate(

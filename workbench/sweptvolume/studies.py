@@ -195,7 +195,8 @@ def run(path, output, jobs, on_row, cancelled):
     text = translate(
         "SweptVolume",
         "The program that runs the study ended with exit status {0} and wrote no result: run the "
-        'study again, or run swept study "{1}" in a terminal to see its output.',
+        "study again. To see the output of the program, enter this command in a terminal: swept "
+        'study "{1}"',
     )
     raise InputProblem(errors or text.format(process.returncode, path))
 

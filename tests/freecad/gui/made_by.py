@@ -132,7 +132,8 @@ def scenario():
     yield no_panel
     assert obj.ViewObject.ColourBy == "Face"
 
-    # For a stale envelope, the information is about its earlier parts: nothing is selected or shown.
+    # For a stale envelope, the text is about the parts as they were when it was computed. So no face is
+    # selected, and no part is shown.
     bracket.Height = 25
     obj.Motion = doc.copyObject(path)
     doc.recompute()

@@ -16,11 +16,11 @@ std::vector<Brick> planBricks(const GridPlan& grid, const Limits& limits,
                                std::uint64_t{1} << 30});
   if (most < 3) {
     throw Error(Status::DeviceUnavailable, "DeviceUnavailable",
-                "no GPU can be used, because the GPU that was found has too little memory "
-                "(largest storage block: " +
+                "no GPU can be used, because the GPU that was found has too little memory (in one "
+                "piece: " +
                     std::to_string(limits.storageBytes) +
-                    " bytes, memory for the grid: " + std::to_string(budgetBytes) +
-                    " bytes; each must have at least 12 bytes)" + kDeviceAdvice);
+                    " bytes, for the grid: " + std::to_string(budgetBytes) +
+                    " bytes; 12 bytes are needed of both)" + kDeviceAdvice);
   }
   const std::int32_t nx = grid.points[0], ny = grid.points[1], nz = grid.points[2];
   const auto atMost = [](std::int32_t points, std::uint64_t fitting) {
