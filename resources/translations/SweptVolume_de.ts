@@ -687,7 +687,7 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Reads the file or source of the selected motion again. All motions of the same driving value or simulation are read together</source>
-        <translation>Liest die Datei oder Quelle der gewählten Bewegung neu ein. Alle Bewegungen desselben steuernden Werts oder derselben Simulation werden zusammen eingelesen</translation>
+        <translation>Liest die Datei oder Quelle der gewählten Bewegung neu ein. Alle Bewegungen, die aus demselben steuernden Wert oder derselben Simulation stammen, werden zusammen eingelesen</translation>
     </message>
     <message>
         <source>Sequence...</source>
@@ -1788,7 +1788,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>Within the release distance of {0}, the part is allowed to come closer than required to: {1}.</source>
-        <translation>Innerhalb des Freigabeabstands von {0} darf das Teil näher als der Sollabstand kommen an: {1}.</translation>
+        <translation>Innerhalb des Freigabeabstands von {0} um Start und Ziel darf das Teil den Sollabstand zu diesen Nachbarn unterschreiten: {1}.</translation>
     </message>
     <message>
         <source>No path was found within the time limit.</source>
@@ -1982,7 +1982,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>&quot;{0}&quot; has no value &quot;{1}&quot; that can be changed: choose one of {2}.</source>
-        <translation>„{0}“ hat keinen Wert „{1}“, der geändert werden kann: Wählen Sie einen von {2}.</translation>
+        <translation>„{0}“ hat keine änderbare Größe „{1}“: Wählen Sie eine von diesen: {2}.</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; has no value that can be changed: choose another object.</source>
@@ -3671,7 +3671,7 @@ bis etwa {2}, {3}</translation>
         <translation>Hohlräume innerhalb der Hülle wurden gefüllt, weil das Teil Lücken hat: Schließen Sie sie, um die Hohlräume zu behalten.</translation>
     </message>
     <message>
-        <source>Without a path, the search fails after this time. With one, it stops improving it</source>
+        <source>If no path has been found after this time, the search fails. If one has been found, the search stops improving it</source>
         <translation>Ist bis dahin keine Bahn gefunden, endet die Suche ohne Ergebnis. Sonst endet nur das Verbessern der Bahn</translation>
     </message>
 </context>
@@ -3771,7 +3771,7 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>The template for PDF, in the HTML subset of Qt&apos;s rich text; empty: the built-in template</source>
-        <translation>Die Vorlage für PDF, im HTML-Umfang von Qts Rich Text; leer: die eingebaute Vorlage</translation>
+        <translation>Die Vorlage für PDF, als HTML. Erlaubt ist der Teil von HTML, den die Bibliothek Qt darstellen kann. Leer: die eingebaute Vorlage</translation>
     </message>
     <message>
         <source>Motion editor</source>

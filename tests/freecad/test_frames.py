@@ -43,8 +43,8 @@ class Frames(Case):
         self.assertEqual(path.Interpolation, "Screw")
         obj = self.envelope([self.bar], path, Resolution=100)
         envelope.compute(obj)
-        # Area: a quarter of a disc whose radius is the diagonal of the bar, and half of the bar at
-        # each end.
+        # Area: a quarter of a disc whose radius is the diagonal of the bar, and half of the bar
+        # (a triangle beyond its diagonal) at the start and at the end of the turn.
         exact = 5 * (math.pi / 4 * (60**2 + 5**2) + 2 * 60 * 5 / 2)
         self.assertAlmostEqual(obj.Volume.Value, exact, delta=0.01 * exact)
         self.assertNotIn("are large: near", obj.Message)

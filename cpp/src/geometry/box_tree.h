@@ -72,7 +72,8 @@ class BoxTree {
       return hit;
     }
   };
-  /// Node `index` of a level; on level 0, `index` is a place. Its children are the existing nodes
+  /// Node `index` of a level; on level 0, `index` is the position of an item in the sorted list.
+  /// Its children are the existing nodes
   /// among 4 index .. 4 index + 3 of the level below.
   struct Node {
     std::int32_t level = 0;

@@ -1,4 +1,4 @@
-// Connects OpenMesh's readers to the project's plain triangle lists. OpenMesh's own mesh classes
+// Connects OpenMesh's readers to the project's plain lists of polygons. OpenMesh's own mesh classes
 // refuse non-manifold faces; ListImporter keeps every face unchanged.
 // In:   faces with any number of corners.
 // Out:  vertices and corner lists in file order. Nothing is welded, dropped or reversed.

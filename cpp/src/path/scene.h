@@ -94,7 +94,7 @@ class Scene {
     return twist.shift.norm() + radius_ * twist.turn.norm();
   }
   double distance(const State& a, const State& b) const;
-  /// Returns the state at a fraction of the move from a to b, for the given interpolation.
+  /// Returns the state at a fraction of the move from a to b, with interpolation().
   State stateBetween(const State& a, const State& b, double fraction) const;
 
   /// Returns the tree over a motion of the part (clearance/motion_tree.h).

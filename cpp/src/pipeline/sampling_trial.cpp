@@ -17,10 +17,11 @@ namespace {
 
 /// Work of the trial, in copies of triangles. A crossing counts as kCrossingWork copies.
 constexpr double kTrialWork = 2.4e6, kCrossingWork = 0.25;
-/// Bounds of the number of sampled steps. kMinCopies: smallest number of sampled copies of a union.
-/// For bodies with few triangles, the upper bound is kCheapCopies divided by the number of faces,
-/// but at most kMaxCheapPlacements. Then the windows are long, so that parts of the motion that are
-/// far apart in time can hide each other.
+/// Bounds of the number of sampled steps. kMinCopies: lower bound for a motion without
+/// interpolation, in copies of the body. For bodies with few triangles, the upper bound is
+/// kCheapCopies divided by the number of faces, but at most kMaxCheapPlacements. A high bound gives
+/// long windows (see kMaxWindows), in which parts of the motion that are far apart in time can hide
+/// each other.
 constexpr std::size_t kMinPlacements = 24, kMinCopies = 8, kMaxPlacements = 192,
                       kMaxCheapPlacements = 1536;
 constexpr double kCheapCopies = 4e5;

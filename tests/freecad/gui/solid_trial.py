@@ -111,7 +111,8 @@ def scenario():
     yield lambda: not runner.running()
     assert doc.getObject("EnvelopeSolid") is None
 
-    # OK during a trial does not wait for it; the solid has as many faces as the trial shows.
+    # OK during a trial does not wait for its result. The solid has as many faces as the earlier trial
+    # with this tolerance showed.
     select(hull)
     Gui.runCommand("SweptVolume_Solid")
     yield

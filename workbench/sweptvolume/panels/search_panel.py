@@ -61,7 +61,8 @@ class SearchPanel(StayingPanel):
             QtWidgets.QDoubleSpinBox(),
             translate(
                 "SweptVolume",
-                "Without a path, the search fails after this time. With one, it stops improving it",
+                "If no path has been found after this time, the search fails. If one has been "
+                "found, the search stops improving it",
             ),
         )
         self.budget.setObjectName("SweptVolumeBudget")

@@ -44,9 +44,9 @@ double curvatureAt(const Profile& profile, double t) {
   return std::abs(first.x() * second.y() - first.y() * second.x()) / std::pow(first.norm(), 3);
 }
 
-// Returns the number of strips along the direction of extrusion or about the axis. A revolution is
-// curved in both directions. If it needs more facets as triangles, as on a torus, returns their
-// number.
+// Returns the number of flat strips that approximate the surface within the tolerance. Each runs
+// along the direction of extrusion or around the axis. A revolution is curved around its axis, too:
+// if it needs more triangles than strips, as a torus does, returns the number of triangles.
 double savedByProfile(const HalfEdgeMesh& mesh, const Patch& patch, double tolerance) {
   constexpr int kSteps = 200;
   const Profile& profile = *patch.surface.profile;
