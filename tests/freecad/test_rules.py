@@ -219,7 +219,7 @@ class Rules(Neighbours):
         obj = self.usual()
         for name, value, text in (
             ("RuleLengths", [0.0, -3.0, 0.0], 'the rule of "Wall" is -3 mm'),
-            ("RuleLengths", [0.0], "parts: 3, kinds of rules: 3, lengths: 1"),
+            ("RuleLengths", [0.0], "there are 3 parts, 3 kinds and 1 lengths"),
             ("RuleKinds", [CONTACT, "Near", IGNORE], '"Wall" has the unknown rule "Near"'),
         ):
             before = list(getattr(obj, name))
