@@ -6,9 +6,9 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
-#include <optional>
 
 #include "arrays.h"
+#include "base/unless_zero.h"
 #include "swept/body.h"
 #include "swept/run_context.h"
 #include "swept/types.h"
@@ -41,12 +41,6 @@ inline py::object facesOf(const Mesh& mesh) {
   if (mesh.data->faceOf.empty()) return py::none();
   return readOnlyView(mesh.data->faceOf.data(),
                       {static_cast<py::ssize_t>(mesh.data->faceOf.size())}, mesh.data);
-}
-
-/// Returns a setting that need not be given. In Python, None and 0 both stand for "not given".
-template <class T>
-std::optional<T> unlessZero(const std::optional<T>& value) {
-  return value && *value != 0 ? value : std::nullopt;
 }
 
 inline RunPointer runFromObject(const py::object& run) {

@@ -6,7 +6,7 @@ from typing import Any, Dict, Iterable, Optional, Sequence, Tuple, Union
 
 from . import _core
 from ._calls import RunContext, _log
-from ._values import MeshLike, MotionLike, mesh_of, motion_of
+from ._values import MeshLike, MotionLike, mesh_of, motion_arguments
 
 MechanismPart = Union[
     Tuple[str, MeshLike, Optional[MotionLike]], Tuple[str, MeshLike, Optional[MotionLike], float]
@@ -18,10 +18,9 @@ def _part(item: MechanismPart) -> Tuple[Any, ...]:
     if len(parts) not in (3, 4):
         raise TypeError("a part is (name, mesh, motion) or (name, mesh, motion, chord error in mm)")
     mesh = mesh_of(parts[1])
-    motion = None if parts[2] is None else motion_of(parts[2], None)
+    motion = motion_arguments(parts[2])
     chord = float(parts[3]) if len(parts) == 4 else mesh.chord_error
-    arrays = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
-    return (parts[0], mesh.vertices, mesh.triangles, *arrays, chord)
+    return (parts[0], mesh.vertices, mesh.triangles, *motion, chord)
 
 
 def mechanism(

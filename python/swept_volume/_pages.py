@@ -7,7 +7,7 @@ from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
 from ._calls import RunContext
-from ._values import MeshLike, MotionLike, mesh_of, motion_of
+from ._values import MeshLike, MotionLike, mesh_of, motion_arguments
 
 #: A part that stands still: (name, mesh). A part that moves: (name, mesh, motion); with the motion None,
 #: the page shows the part only at the poses in the report.
@@ -25,9 +25,8 @@ def _part(item: PagePart) -> Tuple[Any, ...]:
         raise TypeError("a part is (name, mesh) or (name, mesh, motion)")
     mesh = mesh_of(parts[1])
     moves = len(parts) == 3
-    motion = motion_of(parts[2], None) if moves and parts[2] is not None else None
-    arrays = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
-    return (parts[0], mesh.vertices, mesh.triangles, *arrays, moves, False)
+    motion = motion_arguments(parts[2] if moves else None)
+    return (parts[0], mesh.vertices, mesh.triangles, *motion, moves, False)
 
 
 def report_page(

@@ -10,7 +10,16 @@ import numpy.typing as npt
 from . import _core
 from ._calls import RunContext, _log
 from ._clearance import Neighbour, _neighbour
-from ._values import MeshLike, Motion, MotionLike, extraction_of, matrix, mesh_of, motion_of
+from ._values import (
+    MeshLike,
+    Motion,
+    MotionLike,
+    extraction_of,
+    matrix,
+    mesh_of,
+    motion_arguments,
+    motion_of,
+)
 
 
 @dataclass(frozen=True)
@@ -32,13 +41,12 @@ class SequencePart:
     def _tuple(self) -> Tuple[Any, ...]:
         mesh = mesh_of(self.mesh)
         chord = mesh.chord_error if self.chord_error is None else self.chord_error
-        motion = None if self.motion is None else motion_of(self.motion, None)
-        arrays = (None, "linear") if motion is None else (motion._arrays(), motion.interpolation)
+        motion = motion_arguments(self.motion)
         ends = ((self.goal, "goal"), (self.start, "start"))
         goal, start = (None if end is None else matrix(end, name) for end, name in ends)
         via = [matrix(place, "via") for place in self.via]
         ends_and_via = (goal, start, extraction_of(self.extract), via)
-        return (self.name, mesh.vertices, mesh.triangles, chord, *ends_and_via, *arrays)
+        return (self.name, mesh.vertices, mesh.triangles, chord, *ends_and_via, *motion)
 
 
 def find_sequence(

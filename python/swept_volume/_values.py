@@ -316,6 +316,14 @@ def motion_of(motion: MotionLike, interpolation: Optional[str] = None) -> Motion
     return Motion(*arrays, interpolation=interpolation, pivot=made.pivot)
 
 
+def motion_arguments(motion: Optional[MotionLike]) -> Tuple[Any, str]:
+    """Returns the arrays of a motion and its interpolation, as the core takes them. None: no motion."""
+    if motion is None:
+        return None, "linear"
+    given = motion_of(motion)
+    return given._arrays(), given.interpolation
+
+
 def read_mesh(path: Path, *, unit: str = "mm") -> Mesh:
     """Reads a mesh file, as Mesh.read() does."""
     return Mesh.read(path, unit=unit)

@@ -15,6 +15,14 @@
 
 namespace swept::clearance {
 
+/// Removes all entries of a report but the number of threads. For fillGuarded().
+template <class Report>
+void keepOnlyThreads(Report& report) {
+  const int threads = report.threads;
+  report = {};
+  report.threads = threads;
+}
+
 /// Calls work() with the thread count of the run. If work() fails, removeResults(report) removes
 /// partial results, because an unfinished run must not look like a result. In messages, `what`
 /// names the computation and `inputs` names its input.

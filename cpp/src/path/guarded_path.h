@@ -32,11 +32,7 @@ PathReport guardedPath(const TriMesh& part, const std::vector<ClearanceNeighbour
   if (!report.ignored.empty())
     std::copy_if(neighbours.begin(), neighbours.end(), std::back_inserter(some),
                  [](const ClearanceNeighbour& n) { return !n.rule.ignored; });
-  const auto removeResults = [](PathReport& partial) {
-    const int threads = partial.threads;
-    partial = {};
-    partial.threads = threads;
-  };
+  const auto removeResults = clearance::keepOnlyThreads<PathReport>;
   clearance::fillGuarded(report, run, "search", "the parts", removeResults, [&] {
     run.checkpoint(Phase::Input);
     for (const ClearanceNeighbour& n : neighbours)

@@ -297,11 +297,7 @@ SequenceReport findSequence(const std::vector<SequencePart>& parts,
     report.still.push_back(part.name);
     report.triangles += std::ssize(part.mesh.triangles);
   }
-  const auto removeResults = [](SequenceReport& partial) {
-    const int threads = partial.threads;
-    partial = {};
-    partial.threads = threads;
-  };
+  const auto removeResults = clearance::keepOnlyThreads<SequenceReport>;
   clearance::fillGuarded(report, run, "searches", "the parts", removeResults, [&] {
     run.checkpoint(Phase::Input);
     Sequencer(parts, still, options, run, watch, report).findAll();

@@ -81,8 +81,7 @@ CLI::Option* addNumber(CLI::App& app, const std::string& names, const std::strin
   return addConverted(
       app, names, kind,
       [name, &target](const std::string& value) {
-        const double number = numberOf(name, value);
-        target = number == 0 ? std::nullopt : std::optional(number);
+        target = unlessZero(std::optional(numberOf(name, value)));
       },
       about);
 }

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/unless_zero.h"
 #include "swept/run_context.h"
 
 namespace swept::cli {
@@ -40,8 +41,8 @@ CLI::Option* addInteger(CLI::App& app, const std::string& names, std::optional<T
   return addConverted(
       app, names, "N",
       [name, &target, least, most](const std::string& value) {
-        const std::int64_t number = wholeNumberOf(name, value, least, most);
-        target = number == 0 ? std::nullopt : std::optional<T>(static_cast<T>(number));
+        const auto number = static_cast<T>(wholeNumberOf(name, value, least, most));
+        target = unlessZero(std::optional(number));
       },
       about);
 }
