@@ -63,12 +63,11 @@ def fill_view():
     left, right = min(x for x, _ in drawn), max(x for x, _ in drawn)
     top, bottom = min(y for _, y in drawn), max(y for _, y in drawn)
     camera = view.getCameraNode()
-    # Above: the height of the camera is that of the view, or of a square in a view that is narrow.
+    # The camera's height is the length (mm) that the shorter side of the view shows.
     pixel = camera.height.getValue() / min(wide, high)
-    shift = App.Vector(((left + right - wide) / 2), ((high - top - bottom) / 2), 0) * pixel
-    place = view.getCameraOrientation().multVec(shift)
-    position = App.Vector(*camera.position.getValue()) + place
-    camera.position.setValue(*position)
+    shift = App.Vector((left + right - wide) / 2, (high - top - bottom) / 2, 0) * pixel
+    position = App.Vector(*camera.position.getValue())
+    camera.position.setValue(*(position + view.getCameraOrientation().multVec(shift)))
     fill = max((right - left) / wide, (bottom - top) / high)
     camera.height.setValue(camera.height.getValue() * max(fill, 0.2) / 0.8)
 
