@@ -4,11 +4,12 @@
 // coordinates, seconds. Cost: proportional to the elements that pass through the cell.
 //
 // A piece is a swept element in grid coordinates: a face at one placement, or the side patch that
-// an edge sweeps in one step. The search starts at the given elements and continues to their
-// neighbours: across shared edges and paths of vertices, and to the steps before and after. The
-// search crosses an edge or a path only where the edge or path passes through the cell. In a cell
-// with many pieces, the search leaves out further pieces that the steps before and after cover.
-// Nearly all pieces of such a cell are covered, and the others are connected without them. The
+// an edge sweeps in one step. The search starts at the elements of the given crossings, and of all
+// crossings in and around the region. It continues to their neighbours, the nearest first: across
+// shared edges and paths of vertices, and to the steps before and after. The search crosses an edge
+// or a path only where the edge or path passes through the region. Once it has found many pieces,
+// it leaves out those that the steps before and after cover: most pieces of a dense motion, and
+// none of them lies on the envelope. They only help to reach further sheets of the envelope. The
 // search uses no other data, so the result does not depend on the sampler that found the crossings.
 // Source: own method; docs/contouring.md, "Rims".
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -26,10 +27,10 @@ namespace swept {
 
 class ElementProbe : public SurfaceProbe {
  public:
-  /// `winner`: for each crossing, the index of its element in `elements`. All arguments must
-  /// outlive the probe.
+  /// `winner`: for each crossing of `grid`, the index of its element in `elements`. All arguments
+  /// must outlive the probe.
   ElementProbe(const SamplerInput& input, const std::vector<SweptElement>& elements,
-               const std::vector<std::uint32_t>& winner);
+               const std::vector<std::uint32_t>& winner, const HermiteGrid& grid);
   void cast(const Eigen::AlignedBox3d& region, const std::vector<std::uint32_t>& crossings,
             std::vector<ProbeLine>& lines) const override;
 
@@ -42,7 +43,7 @@ class ElementProbe : public SurfaceProbe {
     bool isSidePatch = false;
     double start = 0, end = 0;  // seconds
   };
-  bool maySkipCovered() const { return input_.cull && input_.motion.continuous; }
+  bool skipsCovered() const { return input_.cull && input_.motion.continuous; }
   bool isCovered(const SweptElement& element, Directions& directions) const;
   Piece pieceOf(const SweptElement& element) const;
   std::vector<Piece> gather(const Eigen::AlignedBox3d& region,
@@ -58,6 +59,7 @@ class ElementProbe : public SurfaceProbe {
   const SamplerInput& input_;
   const std::vector<SweptElement>& elements_;
   const std::vector<std::uint32_t>& winner_;
+  const HermiteGrid& grid_;
   std::vector<Placement> placements_;  // from body coordinates (mm) to grid coordinates (cells)
   // Edges of each face. -1: an edge with more than two faces whose BodyEdge does not list this
   // face.

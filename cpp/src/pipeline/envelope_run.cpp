@@ -178,7 +178,7 @@ void EnvelopeRun::envelope(const BodyTopology& topology) {
   HermiteGrid hermite = sample(topology, options_.cull);
   // A preview does without the probe, which finds the ends of thin walls but takes time.
   std::optional<ElementProbe> probe;
-  if (warm_ == nullptr) probe.emplace(input, elements_, hermite.winner);
+  if (warm_ == nullptr) probe.emplace(input, elements_, hermite.winner, hermite);
   Surface surface = contourUniform(hermite, options_, run_, probe ? &*probe : nullptr);
   if (options_.sources) {
     result_.sources.rows = std::make_shared<const std::vector<SurfaceSource>>(

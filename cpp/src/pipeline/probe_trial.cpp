@@ -174,7 +174,7 @@ ProbeCost tryProbes(const SamplerInput& whole, const RoughSweep& rough,
   }
   std::vector<std::uint32_t> elementOf(elements.size());
   std::iota(elementOf.begin(), elementOf.end(), 0u);
-  const ElementProbe probe(whole, elements, elementOf);
+  const ElementProbe probe(whole, elements, elementOf, grid);
   const std::vector<CellKey> cells = shuffledCells(grid);
   const double start = threadSeconds();
   ProbeCost cost;

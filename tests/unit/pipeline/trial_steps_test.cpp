@@ -97,7 +97,7 @@ Counted counted(Planned& planned) {
   const SignRuns signs = findOutside(marked, planned.p.grid, planned.run);
   const HermiteGrid hermite =
       buildHermiteGrid(input, marked, signs, ExactTimes::Dropped, planned.run);
-  const ElementProbe probe(input, marked.elements, hermite.winner);
+  const ElementProbe probe(input, marked.elements, hermite.winner, hermite);
   const CountedProbe countedProbe(probe);
   buildDualSurface(hermite, Options().components, &countedProbe, planned.run);
   return {static_cast<double>(sorted), static_cast<double>(hermite.crossings.size()),
