@@ -26,3 +26,5 @@ swept_unite(swept_core swept_gl swept_io swept_clearance swept_path swept_page s
   swept_test_support swept_fuzz swept_tests)
 # Apart, so that only the program gets execv(), which the Python module does not call (tests/python/test_security.py).
 set_source_files_properties(cpp/src/base/system_program.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+# Apart, because the header of Windows that it includes has macros with names such as `far`.
+set_source_files_properties(tests/support/process.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
