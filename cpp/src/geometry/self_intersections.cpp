@@ -14,6 +14,9 @@ namespace swept {
 namespace {
 
 constexpr std::size_t kMaxPairsOfPart = 1 << 20;
+/// All pairs of triangles are tested at vertices with at most this many triangles.
+constexpr std::size_t kMaxPairwiseFan = 48;
+constexpr double kDirectionRounding = 1e-9;  ///< more than the rounding of a unit vector
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 struct Found {
@@ -135,6 +138,47 @@ class PairSearch {
   RawArray<GroupVertices> vertices_;  ///< by node of level 1
 };
 
+/// Returns a box around the directions from a vertex to the points of a triangle at this vertex.
+BoxTree::Bounds directionsFrom(std::int32_t vertex, const TriMesh& mesh, std::int32_t triangle) {
+  std::array<Eigen::Vector3d, 2> ends;
+  int count = 0;
+  for (const std::int32_t v : mesh.triangles[triangle]) {
+    if (v != vertex) ends[count++] = (mesh.vertices[v] - mesh.vertices[vertex]).normalized();
+  }
+  BoxTree::Bounds box;
+  for (const Eigen::Vector3d& end : ends) box.extend(end);
+  // The directions form an arc of a circle. It rises above its chord.
+  const double rise = 1 - (ends[0] + ends[1]).norm() / 2 + kDirectionRounding;
+  box.low.array() -= rise;
+  box.high.array() += rise;
+  return box;
+}
+
+/// Tests all pairs of the given triangles at a vertex. Pairs with separate directions have only the
+/// vertex in common, so large fans are searched with a tree of boxes of directions.
+void searchFan(const TriMesh& mesh, std::int32_t vertex, const std::vector<std::int32_t>& fan,
+               RunContext& run, Found& found) {
+  const auto test = [&](std::size_t i, std::size_t j) {
+    if (trianglesIntersect(mesh, fan[i], fan[j])) found.add(fan[i], fan[j]);
+  };
+  if (fan.size() <= kMaxPairwiseFan) {
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+      for (std::size_t j = i + 1; j < fan.size(); ++j) test(i, j);
+    }
+    return;
+  }
+  const auto boxOf = [&](std::size_t i) { return directionsFrom(vertex, mesh, fan[i]); };
+  const BoxTree tree(fan.size(), boxOf);
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    if ((i & 255) == 255) run.checkpoint(Phase::Check);
+    const BoxTree::Bounds box = boxOf(i);
+    tree.forBox(box.low, box.high, [&](std::uint32_t place) {
+      const auto j = static_cast<std::size_t>(tree.item(place));
+      if (i < j) test(i, j);
+    });
+  }
+}
+
 /// Tests all pairs of triangles at each vertex marked in `entangled`.
 Found searchFans(const TriMesh& mesh, const std::vector<std::uint8_t>& entangled, RunContext& run) {
   std::vector<std::pair<std::int32_t, std::int32_t>> members;  // vertex, triangle
@@ -156,16 +200,13 @@ Found searchFans(const TriMesh& mesh, const std::vector<std::uint8_t>& entangled
   std::vector<Found> parts((groups + kBlock - 1) / kBlock);
   parallelFor(parts.size(), [&](std::size_t part) {
     run.checkpoint(Phase::Check);
+    std::vector<std::int32_t> fan;  // triangles at one vertex
     for (std::size_t g = part * kBlock; g < std::min(groups, (part + 1) * kBlock); ++g) {
+      fan.clear();
       for (std::size_t i = starts[g]; i < starts[g + 1]; ++i) {
-        const std::int32_t a = members[i].second;
-        if (i + 1 == starts[g + 1] || hasNoArea(mesh, a)) continue;
-        if ((i & 255) == 255) run.checkpoint(Phase::Check);
-        for (std::size_t j = i + 1; j < starts[g + 1]; ++j) {
-          const std::int32_t b = members[j].second;
-          if (!hasNoArea(mesh, b) && trianglesIntersect(mesh, a, b)) parts[part].add(a, b);
-        }
+        if (!hasNoArea(mesh, members[i].second)) fan.push_back(members[i].second);
       }
+      searchFan(mesh, members[starts[g]].first, fan, run, parts[part]);
     }
   });
   // A pair with two common corners was found at both corners.

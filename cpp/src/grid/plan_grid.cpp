@@ -2,113 +2,102 @@
 #include "grid/plan_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "base/accuracy_text.h"
 #include "base/number_text.h"
 #include "base/parallel.h"
+#include "geometry/box_tree.h"
 
 namespace swept {
 namespace {
 
-/// Returns the vertices that can be the farthest along a world axis at any placement. In
-/// coordinates of the body, the axis has a unit direction at each placement. These directions
-/// differ from the first one, d, by vectors of length `turn` or less. So the distance of one vertex
-/// ahead of another along the axis changes by at most 2 * radius * turn. A vertex that lies farther
-/// behind than this at the first placement can never become the farthest.
-std::vector<std::int32_t> foremost(const TriMesh& body, const Eigen::Vector3d& centre,
-                                   const Motion& motion, int axis, double side) {
-  const Eigen::RowVector3d d = side * motion.placements.front().rotation.row(axis);
-  double turn = 0, radius = 0, farthest = -HUGE_VAL;
-  for (const Placement& p : motion.placements) {
-    turn = std::max(turn, (side * p.rotation.row(axis) - d).norm());
-  }
-  for (const auto& v : body.vertices) {
-    radius = std::max(radius, (v - centre).norm());
-    farthest = std::max(farthest, d.dot(v - centre));
-  }
-  std::vector<std::int32_t> out;
-  for (std::size_t v = 0; v < body.vertices.size(); ++v) {
-    if (d.dot(body.vertices[v] - centre) >= farthest - 2 * radius * turn - 1e-9 * radius) {
-      out.push_back(static_cast<std::int32_t>(v));
-    }
-  }
-  return out;
-}
+/// Bounding box of the body in some placements, by branch and bound in a tree of the vertices: a
+/// node is skipped if its box does not reach beyond the box found so far. Each further placement
+/// then takes few steps, because hardly any vertex is farther out than all before.
+class SweptBox {
+ public:
+  SweptBox(const TriMesh& body, const BoxTree& tree) : body_(body), tree_(tree) {}
 
-/// Returns the bounding box of the body in many similar placements. Returns an empty box if the
-/// placements differ so much that, along one of the axes, foremost() returns more than 1/16 of the
-/// vertices.
-Eigen::AlignedBox3d boxOfSimilarPlacements(const TriMesh& body, const Eigen::Vector3d& centre,
-                                           const Motion& motion) {
-  Eigen::AlignedBox3d box;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double side : {-1.0, 1.0}) {
-      const std::vector<std::int32_t> front = foremost(body, centre, motion, axis, side);
-      if (front.size() > body.vertices.size() / 16) return {};
-      constexpr std::size_t kBlock = 4096;
-      const std::size_t n = motion.placements.size();
-      std::vector<double> parts(n / kBlock + 1, -HUGE_VAL);
-      parallelBlocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
-        double& farthest = parts[begin / kBlock];
-        for (std::size_t k = begin; k < end; ++k) {
-          for (const std::int32_t v : front) {
-            farthest =
-                std::max(farthest, side * motion.placements[k].apply(body.vertices[v])[axis]);
-          }
-        }
-      });
-      const double farthest = side * *std::max_element(parts.begin(), parts.end());
-      (side < 0 ? box.min() : box.max())[axis] = farthest;
+  void add(const Placement& p) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double side : {-1.0, 1.0}) {
+        Query query{p, axis, side, side * p.rotation.row(axis), 0, 0};
+        query.shift = query.direction.dot(tree_.middle()) + side * p.translation[axis];
+        query.slack = kSlack * (tree_.middle().norm() + std::abs(p.translation[axis]) +
+                                (tree_.bounds().high - tree_.bounds().low).norm());
+        double& edge = (side < 0 ? low_ : high_)[axis];
+        double farthest = side * edge;
+        search(query, tree_.root(), farthest);
+        edge = side * farthest;
+      }
     }
   }
-  return box;
-}
+  void add(const SweptBox& other) {
+    low_ = low_.cwiseMin(other.low_);
+    high_ = high_.cwiseMax(other.high_);
+  }
+  Eigen::AlignedBox3d box() const { return {low_, high_}; }
+
+ private:
+  static constexpr double kSlack = 1e-12;  // covers rounding
+  struct Query {
+    const Placement& placement;
+    int axis;
+    double side;
+    Eigen::RowVector3d direction;  // of the world axis, in coordinates of the body
+    double shift, slack;           // mm
+  };
+
+  void search(const Query& query, BoxTree::Node node, double& farthest) const {
+    if (node.isItem()) {
+      const Eigen::Vector3d& v = body_.vertices[tree_.item(node.index)];
+      farthest = std::max(farthest, query.side * query.placement.apply(v)[query.axis]);
+      return;
+    }
+    const BoxTree::Group& boxes = tree_.childBoxes(node);
+    std::array<std::pair<double, std::uint32_t>, BoxTree::kWidth> reach;
+    const std::uint32_t children = tree_.children(node);
+    for (std::uint32_t c = 0; c < children; ++c) {
+      double sum = query.shift + query.slack;
+      for (int k = 0; k < 3; ++k) {
+        const double d = query.direction[k];
+        sum += d * static_cast<double>(d < 0 ? boxes.low[k][c] : boxes.high[k][c]);
+      }
+      reach[c] = {-sum, c};
+    }
+    std::sort(reach.begin(), reach.begin() + children);
+    for (std::uint32_t c = 0; c < children && -reach[c].first > farthest; ++c) {
+      search(query, BoxTree::child(node, reach[c].second), farthest);
+    }
+  }
+
+  const TriMesh& body_;
+  const BoxTree& tree_;
+  Eigen::Vector3d low_ = Eigen::Vector3d::Constant(HUGE_VAL), high_ = -low_;
+};
 
 }  // namespace
 
 Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunContext& run) {
-  Eigen::AlignedBox3d bodyBox;
-  for (const auto& v : body.vertices) bodyBox.extend(v);
-  const Eigen::Vector3d centre = bodyBox.center(), half = bodyBox.sizes() / 2;
-  Eigen::AlignedBox3d box;
-  // A placement is skipped if the box of the body there lies in the box found so far. Visiting the
-  // placements in strides finds a large box early.
-  const std::size_t n = motion.placements.size();
-  // With at least this many placements, the search for the foremost vertices saves time.
-  constexpr std::size_t kMany = 1024;
-  if (n >= kMany) {
-    box = boxOfSimilarPlacements(body, centre, motion);
-    if (!box.isEmpty()) return box;
-  }
-  const std::size_t stride = n > 64 ? n / 64 : 1;
-  const auto add = [&](const Placement& p) {
-    const Eigen::Vector3d c = p.apply(centre), reach = p.rotation.cwiseAbs() * half;
-    if (!box.isEmpty() && ((c - reach).array() >= box.min().array()).all() &&
-        ((c + reach).array() <= box.max().array()).all()) {
-      return;
-    }
+  const BoxTree tree(body.vertices.size(), [&](std::size_t v) {
+    return BoxTree::Bounds{body.vertices[v], body.vertices[v]};
+  });
+  // Some placements from all over the motion give a large box, which shortens the other searches.
+  SweptBox whole(body, tree);
+  const std::size_t n = motion.placements.size(), stride = n / 64 + 1;
+  for (std::size_t k = 0; k < n; k += stride) whole.add(motion.placements[k]);
+  constexpr std::size_t kBlock = 512;
+  std::vector<SweptBox> parts(n / kBlock + 1, whole);
+  parallelBlocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
     run.checkpoint(Phase::Motion);
-    constexpr std::size_t kBlock = 4096;
-    std::vector<Eigen::AlignedBox3d> parts(body.vertices.size() / kBlock + 1);
-    parallelBlocks(body.vertices.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-      Eigen::Vector3d low = c, high = c;
-      for (std::size_t v = begin; v < end; ++v) {
-        const Eigen::Vector3d x = p.apply(body.vertices[v]);
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-      }
-      parts[begin / kBlock] = {low, high};
-    });
-    for (const Eigen::AlignedBox3d& part : parts) box.extend(part);
-  };
-  for (std::size_t i = 0; i < n; i += stride) add(motion.placements[i]);
-  add(motion.placements.back());
-  if (stride > 1) {
-    for (std::size_t i = 0; i < n; ++i) add(motion.placements[i]);
-  }
-  return box;
+    for (std::size_t k = begin; k < end; ++k) parts[begin / kBlock].add(motion.placements[k]);
+  });
+  for (const SweptBox& part : parts) whole.add(part);
+  return whole.box();
 }
 
 double plannedCell(const Eigen::AlignedBox3d& box, const Options& options) {

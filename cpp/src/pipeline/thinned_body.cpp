@@ -6,7 +6,8 @@
 namespace swept {
 namespace {
 
-/// With fewer placements, thinning costs more time than it saves.
+/// With fewer placements, thinning costs more time than it saves. An exception are bodies of so
+/// many triangles that they have few placements to save memory (plan.cpp).
 constexpr std::size_t kMinPlacementsToThin = 256;
 /// At least this fraction of the triangles must be removed. Otherwise thinning would cost accuracy
 /// and save hardly any time.
@@ -21,7 +22,9 @@ double bodyThinning(double cell, const Options& options) {
 std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& given, double cell,
                                    const Options& options, RunContext& run) {
   const Motion& motion = prepared.motion;
-  if (!motion.continuous || motion.placements.size() < kMinPlacementsToThin) return {};
+  const bool capped = motion.chordError > options.chordTolerance * cell;
+  if (!motion.continuous) return {};
+  if (motion.placements.size() < kMinPlacementsToThin && !capped) return {};
   if (prepared.keepRoom || prepared.keepBody || !prepared.body.orientable) return {};
   if (options.sources || options.offset > 0 || options.conservative) return {};
   Thinned thinned = thinOut(given, bodyThinning(cell, options), ThinFor::Sweep, Phase::Motion, run);

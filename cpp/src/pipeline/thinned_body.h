@@ -16,10 +16,10 @@ namespace swept {
 /// Returns how far the thinned body may lie from the given one: half of the chord tolerance.
 double bodyThinning(double cell, const Options& options);
 
-/// Returns the thinned body. Returns nothing if the motion is short, if the body is not closed, or
-/// if fewer than half of the triangles would be removed. Also returns nothing if the run needs the
-/// given body: a preview keeps it for the next call, sources name its triangles, and offset and
-/// conservative envelopes are measured from it.
+/// Returns the thinned body. Returns nothing if the motion is short and keeps the chord tolerance,
+/// if the body is not closed, or if fewer than half of the triangles would be removed. Also returns
+/// nothing if the run needs the given body: a preview keeps it for the next call, sources name its
+/// triangles, and offset and conservative envelopes are measured from it.
 std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& given, double cell,
                                    const Options& options, RunContext& run);
 

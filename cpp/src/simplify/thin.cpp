@@ -39,11 +39,14 @@ struct ThinParameters {
   // does not need this: surfaces are fitted to the vertices, and the solid is measured at the end.
   bool testsNewEdges = true;
   bool proven = false;  // the limit holds at every point of the surface, in both directions
+  // A triangle below minShape may be replaced by one of a better shape. Otherwise, a round rod of
+  // very narrow triangles would keep all of them.
+  bool mayStayThin = false;
 };
 constexpr ThinParameters kForCollapse;
 constexpr ThinParameters kForSurfaces{6, 0, 0.35, 0.5, 0.15, 8, false};
 // A body that is swept may have triangles of any shape.
-constexpr ThinParameters kForSweep{8, 4, 1, 0.5, 1e-4, 1e9, false, true};
+constexpr ThinParameters kForSweep{8, 4, 1, 0.5, 1e-4, 1e9, false, true, true};
 
 constexpr double kMinMove = 1e-3;  // smaller displacements (fraction of the limit) do not count
 
@@ -249,7 +252,13 @@ class Thinner {
       const double longest =
           std::max({(b - to).squaredNorm(), (c - to).squaredNorm(), (b - c).squaredNorm()});
       if (before.dot(after) < parameters_.minCosine * before.norm() * area) return false;
-      if (longest > longest_ || area < parameters_.minShape * longest) return false;
+      if (longest > longest_) return false;
+      if (area < parameters_.minShape * longest) {
+        if (!parameters_.mayStayThin) return false;
+        const double old =
+            std::max({(b - from).squaredNorm(), (c - from).squaredNorm(), (b - c).squaredNorm()});
+        if (area * old < before.norm() * longest) return false;
+      }
       nearest = std::min(nearest, squaredDistance(from, to, b, c));
     }
     // Vertices merged into u earlier may already deviate by deviation_[u]; this collapse adds to
@@ -267,7 +276,7 @@ class Thinner {
   // scanned body and on a part with plane and curved faces, thinning produced only such pairs (50
   // to 90 per million triangles). If all these triangles face the same way, no pair intersects.
   bool intersectsNeighbours(std::int32_t edge, Scratch& scratch) const {
-    const std::int32_t u = fans_.start(edge), v = fans_.target(edge);
+    const std::int32_t v = fans_.target(edge);
     scratch.fresh.clear();
     Vector3d mean = Vector3d::Zero();
     for (std::int32_t h = fans_.turn(edge); h != edge; h = fans_.turn(h)) {
@@ -278,18 +287,18 @@ class Thinner {
     }
     const auto facesMean = [&](const Corners& c) { return areaOf(c).dot(mean) > 0; };
     bool facesAgree = std::all_of(scratch.fresh.begin(), scratch.fresh.end(), facesMean) &&
-                      fans_.allAround(v, u, facesMean);
+                      fans_.allBeside(edge, facesMean);
     for (std::int32_t h = fans_.turn(edge); facesAgree && h != edge; h = fans_.turn(h))
-      facesAgree = fans_.allAround(fans_.target(h), u, facesMean);
+      facesAgree = fans_.allBeside(h, facesMean);
     if (facesAgree) return false;
     scratch.nearby.clear();
     const auto collect = [&](const Corners& c) {
       scratch.nearby.push_back(c);
       return true;
     };
-    fans_.allAround(v, u, collect);
+    fans_.allBeside(edge, collect);
     for (std::int32_t h = fans_.turn(edge); h != edge; h = fans_.turn(h))
-      fans_.allAround(fans_.target(h), u, collect);
+      fans_.allBeside(h, collect);
     for (std::size_t i = 0; i < scratch.fresh.size(); ++i) {
       const Corners& c = scratch.fresh[i];
       const auto intersects = [&](const Corners& other) {

@@ -45,14 +45,14 @@ class TriangleFans {
     return static_cast<std::int32_t>(opposite_[previousHalfEdge(h)]);
   }
 
-  int valence(std::int32_t v) const {
-    int count = 0;
+  /// Returns whether v has at most `count` neighbours.
+  bool hasAtMost(int count, std::int32_t v) const {
     std::int32_t h = fan_[v];
     do {
-      ++count;
+      if (--count < 0) return false;
       h = turn(h);
     } while (h != fan_[v]);
-    return count;
+    return true;
   }
 
   /// Returns whether the mesh stays a closed manifold if the start of `edge` is merged into its
@@ -74,19 +74,33 @@ class TriangleFans {
       common += std::count(ring.begin(), end, target(h));
       h = turn(h);
     } while (h != edge);
-    return common == 2 && valence(third(edge)) > 3 &&
-           valence(third(static_cast<std::int32_t>(opposite_[edge]))) > 3;
+    return common == 2 && !hasAtMost(3, third(edge)) &&
+           !hasAtMost(3, third(static_cast<std::int32_t>(opposite_[edge])));
   }
 
-  /// Returns whether visit(corners) is true for all triangles at v that do not contain u.
+  /// Returns whether visit(corners) is true for the triangles at the target of `edge` that do not
+  /// contain its start. Of a large fan, only visits the kMaxNeighbours triangles on each side of
+  /// the edge: otherwise, thinning the rim of a disc whose triangles all meet in its centre would
+  /// take time that is quadratic in their number.
   template <class Visit>
-  bool allAround(std::int32_t v, std::int32_t u, const Visit& visit) const {
-    std::int32_t h = fan_[v];
-    do {
+  bool allBeside(std::int32_t edge, const Visit& visit) const {
+    const std::int32_t u = start_[edge], v = target(edge),
+                       back = static_cast<std::int32_t>(opposite_[edge]);
+    const auto visitAt = [&](std::int32_t h) {
       const Corners c{v, target(h), third(h)};
-      if (c[1] != u && c[2] != u && !visit(c)) return false;
+      return c[1] == u || c[2] == u || visit(c);
+    };
+    std::int32_t h = back;
+    for (int n = 0; n <= kMaxNeighbours; ++n) {
+      if (!visitAt(h)) return false;
       h = turn(h);
-    } while (h != fan_[v]);
+      if (h == back) return true;
+    }
+    h = back;
+    for (int n = 0; n <= kMaxNeighbours; ++n) {
+      h = nextHalfEdge(static_cast<std::int32_t>(opposite_[h]));  // against turn()
+      if (!visitAt(h)) return false;
+    }
     return true;
   }
 
