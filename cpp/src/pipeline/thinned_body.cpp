@@ -23,7 +23,6 @@ std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& give
                                    const Options& options, RunContext& run) {
   const Motion& motion = prepared.motion;
   const bool capped = motion.chordError > options.chordTolerance * cell;
-  if (!motion.continuous) return {};
   if (motion.placements.size() < kMinPlacementsToThin && !capped) return {};
   if (prepared.keepRoom || prepared.keepBody || !prepared.body.orientable) return {};
   if (options.sources || options.offset > 0 || options.conservative) return {};

@@ -155,26 +155,37 @@ bool InsideMap::hidesAlong(const std::array<Eigen::Vector3d, 3>& corner,
   /// If the sine of the angle between the plane of the triangle and the lines is below this, the
   /// plane does not narrow the range of possible crossings.
   constexpr double kMinSlope = 1e-3;
+  constexpr double kMargin = 1e-9;  ///< cells; covers rounding
   const double across = std::abs(normal[W]);
   const bool steep = across < kMinSlope * normal.norm();
   const double slack =
-      steep ? 0 : reach * (1 + (std::abs(normal[U]) + std::abs(normal[V])) / across) + 1e-9;
+      steep ? 0 : reach * (1 + (std::abs(normal[U]) + std::abs(normal[V])) / across) + kMargin;
   // Orientation of the triangle in the (U, V) plane: the sign of normal[W], reversed if U x V is
   // -W.
   const double turn = (normal[W] > 0) == (W != 1) ? 1 : -1;
   std::array<std::int32_t, 3> p;
   for (p[U] = static_cast<std::int32_t>(low[U]) + 1; p[U] <= high[U]; ++p[U]) {
-    for (p[V] = static_cast<std::int32_t>(low[V]) + 1; p[V] <= high[V]; ++p[V]) {
+    // The lines of this row that pass the triangle. Each side of the triangle limits them.
+    double first = std::floor(low[V]) + 1, last = std::floor(high[V]);
+    for (std::size_t n = 0; n < 3 && !steep; ++n) {
+      const Eigen::Vector3d &a = corner[n], &b = corner[(n + 1) % 3];
+      const double du = turn * (b[U] - a[U]), dv = turn * (b[V] - a[V]);
+      // A line at v lies beside the triangle if du * v < limit.
+      const double limit =
+          du * a[V] + dv * (p[U] - a[U]) - (reach + kMargin) * (std::abs(du) + std::abs(dv));
+      if (du > 0) {
+        first = std::max(first, std::ceil(limit / du - kMargin));
+      } else if (du < 0) {
+        last = std::min(last, std::floor(limit / du + kMargin));
+      } else if (limit > 0) {
+        last = first - 1;
+      }
+    }
+    if (first > last) continue;
+    const auto end = static_cast<std::int32_t>(last);
+    for (p[V] = static_cast<std::int32_t>(first); p[V] <= end; ++p[V]) {
       double from = low[W], to = high[W];
       if (!steep) {
-        bool beside = false;
-        for (std::size_t n = 0; n < 3 && !beside; ++n) {
-          const Eigen::Vector3d &a = corner[n], &b = corner[(n + 1) % 3];
-          const double du = b[U] - a[U], dv = b[V] - a[V];
-          beside = turn * (du * (p[V] - a[V]) - dv * (p[U] - a[U])) <
-                   -(reach + 1e-9) * (std::abs(du) + std::abs(dv));
-        }
-        if (beside) continue;
         const Eigen::Vector3d& a = corner[0];
         const double plane =
             a[W] - (normal[U] * (p[U] - a[U]) + normal[V] * (p[V] - a[V])) / normal[W];
