@@ -6,9 +6,10 @@
 namespace swept {
 namespace {
 
-/// With fewer placements, thinning costs more time than it saves. An exception are bodies of so
-/// many triangles that they have few placements to save memory (plan.cpp).
-constexpr std::size_t kMinPlacementsToThin = 256;
+/// Thinning costs more time than it saves if a run has fewer copies of each triangle than this. An
+/// exception are bodies of so many triangles that they have few placements to save memory
+/// (plan.cpp).
+constexpr double kMinCopiesToThin = 256;
 /// At least this fraction of the triangles must be removed. Otherwise thinning would cost accuracy
 /// and save hardly any time.
 constexpr double kMinSaved = 0.5;
@@ -23,7 +24,11 @@ std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& give
                                    const Options& options, RunContext& run) {
   const Motion& motion = prepared.motion;
   const bool capped = motion.chordError > options.chordTolerance * cell;
-  if (motion.placements.size() < kMinPlacementsToThin && !capped) return {};
+  // Long edges have been split, so that the body has more triangles than the given one.
+  const double copies = static_cast<double>(motion.placements.size()) *
+                        static_cast<double>(prepared.body.mesh.triangles.size()) /
+                        static_cast<double>(given.triangles.size());
+  if (copies < kMinCopiesToThin && !capped) return {};
   if (prepared.keepRoom || prepared.keepBody || !prepared.body.orientable) return {};
   if (options.sources || options.offset > 0 || options.conservative) return {};
   Thinned thinned = thinOut(given, bodyThinning(cell, options), ThinFor::Sweep, Phase::Motion, run);

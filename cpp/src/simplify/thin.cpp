@@ -39,8 +39,8 @@ struct ThinParameters {
   // does not need this: surfaces are fitted to the vertices, and the solid is measured at the end.
   bool testsNewEdges = true;
   bool proven = false;  // the limit holds at every point of the surface, in both directions
-  // A triangle below minShape may be replaced by one of a better shape. Otherwise, a round rod of
-  // very narrow triangles would keep all of them.
+  // A triangle below minShape may be replaced by one of about the same shape (kMinShapeKept).
+  // Otherwise, a round rod of very narrow triangles would keep all of them.
   bool mayStayThin = false;
 };
 constexpr ThinParameters kForCollapse;
@@ -48,6 +48,9 @@ constexpr ThinParameters kForSurfaces{6, 0, 0.35, 0.5, 0.15, 8, false};
 // A body that is swept may have triangles of any shape.
 constexpr ThinParameters kForSweep{8, 4, 1, 0.5, 1e-4, 1e9, false, true, true};
 
+/// At the rim of a rod, every second merge makes a triangle slightly narrower, which later merges
+/// make up for.
+constexpr double kMinShapeKept = 0.5;
 constexpr double kMinMove = 1e-3;  // smaller displacements (fraction of the limit) do not count
 
 ThinParameters parametersFor(ThinFor purpose) {
@@ -257,7 +260,7 @@ class Thinner {
         if (!parameters_.mayStayThin) return false;
         const double old =
             std::max({(b - from).squaredNorm(), (c - from).squaredNorm(), (b - c).squaredNorm()});
-        if (area * old < before.norm() * longest) return false;
+        if (area * old < kMinShapeKept * before.norm() * longest) return false;
       }
       nearest = std::min(nearest, squaredDistance(from, to, b, c));
     }

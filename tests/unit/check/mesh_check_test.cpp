@@ -308,6 +308,37 @@ TEST(SelfIntersections, AgreesWithAllPairsOnRandomMeshes) {
   EXPECT_GT(total, 1000);
 }
 
+// Large fans are searched with a tree. Corners that are moved, some to the other side of the fan,
+// make triangles that intersect.
+TEST(SelfIntersections, LargeFansAgreeWithAllPairs) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> jitter(-1.5, 1.5);
+  std::int64_t total = 0;
+  for (int round = 0; round < 24; ++round) {
+    constexpr std::int32_t kSides = 200;
+    const double height = round % 2 == 0 ? 0 : 0.4;
+    TriMesh mesh;
+    mesh.vertices = {{1, 2, 3}};
+    for (std::int32_t n = 1; n <= kSides; ++n) {
+      const double angle = 2 * M_PI * n / kSides;
+      mesh.vertices.push_back(mesh.vertices[0] +
+                              Eigen::Vector3d(std::cos(angle), std::sin(angle), height));
+      mesh.triangles.push_back({0, n, n % kSides + 1});
+    }
+    RunContext run;
+    EXPECT_EQ(findSelfIntersections(mesh, {}, run).count, 0);
+    for (int n = 0; n < 1 + round / 4; ++n) {
+      Eigen::Vector3d& corner = mesh.vertices[1 + random() % kSides];
+      const double up = round % 3 == 0 ? 0 : jitter(random);  // without it, a flat fan overlaps
+      corner += Eigen::Vector3d(jitter(random), jitter(random), up);
+    }
+    const std::int64_t expected = bruteForce(mesh);
+    total += expected;
+    EXPECT_EQ(findSelfIntersections(mesh, {}, run).count, expected) << "round " << round;
+  }
+  EXPECT_GT(total, 500);
+}
+
 TEST(SelfIntersections, VeryUnevenSizes) {
   // A large box whose sides cut through a cloud of small balls.
   TriMesh mesh = makeBox({-100, -100, -100}, {100, 100, 0.013});

@@ -17,11 +17,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns a motion to and fro along a curved path, in steps of which few are merged.
-Trajectory swing(int poses) {
+/// Returns a motion to and fro along a curved path of this length (rad), in steps of which few are
+/// merged.
+Trajectory swing(int poses, double length = 40) {
   Trajectory motion;
   for (int n = 0; n < poses; ++n) {
-    const double s = 40.0 * n / poses;
+    const double s = length * n / poses;
     motion.poses.push_back(poseOf(n, placement(Vector3d::UnitZ(), 40 * std::sin(s),
                                                {20 * std::sin(s), 5 * std::cos(1.7 * s), 0})));
   }
@@ -55,6 +56,44 @@ TEST(ThinnedBody, TheEnvelopeMovesByNoMoreThanTheReportSays) {
     ASSERT_LE(distance.distance(v), 0.1 * thin.report.cellSize);
 }
 
+TEST(ThinnedBody, IsAlsoUsedWithoutInterpolation) {
+  const TriMesh ball = makeBall({8, 0, 0}, 6, 6);
+  // The poses are so close together that the envelope is smooth between them.
+  Trajectory poses = swing(2000, 3);
+  poses.interpolation = Interpolation::None;
+  const Result thin = checkedCompute(ball, poses, cells(48));
+  ASSERT_GT(thin.report.bodyDeviation, 0);
+  Options exact = cells(48);
+  exact.sources = true;
+  const Result whole = checkedCompute(ball, poses, exact);
+  ASSERT_EQ(whole.report.bodyDeviation, 0);
+  // The vertices in the valleys between the poses depend on the normals most.
+  const MeshDistance distance(whole.mesh);
+  double sum = 0;
+  for (const Vector3d& v : thin.mesh.vertices) {
+    const double d = distance.distance(v);
+    ASSERT_LE(d, 0.25 * thin.report.cellSize);
+    sum += d;
+  }
+  EXPECT_LE(sum / static_cast<double>(thin.mesh.vertices.size()), thin.report.bodyDeviation);
+}
+
+// The many triangles of the rod would need more memory than the limit permits, so its motion gets
+// fewer placements than the chord tolerance requires. Once the rod is thinned, it gets all of them.
+TEST(ThinnedBody, ShortMotionsThatWouldBeCappedUseIt) {
+  const TriMesh rod = makeCylinder(3, -10, 10, 8000);
+  Trajectory turns;
+  for (int n = 0; n < 4; ++n)
+    turns.poses.push_back(
+        poseOf(n, placement(Vector3d(1, 2, 3).normalized(), 2.0 * n, {0, 0, 1.0 * n})));
+  RunContext run;
+  run.memoryLimitBytes = 200'000'000;
+  const Result result = compute(rod, turns, cells(64), run);
+  ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
+  EXPECT_GT(result.report.bodyDeviation, 0);
+  EXPECT_LE(result.report.chordError, 0.0201 * result.report.cellSize);
+}
+
 TEST(ThinnedBody, StaysAsItIsIfTheRunNeedsIt) {
   const TriMesh ball = makeBall({8, 0, 0}, 6, 5);
   EXPECT_EQ(checkedCompute(ball, swing(20), cells(24)).report.bodyDeviation, 0);
@@ -62,10 +101,6 @@ TEST(ThinnedBody, StaysAsItIsIfTheRunNeedsIt) {
   Options grown = cells(24);
   grown.offset = 1;
   EXPECT_EQ(checkedCompute(ball, swing(2000), grown).report.bodyDeviation, 0);
-  Options still = cells(24);
-  Trajectory poses = swing(2000);
-  poses.interpolation = Interpolation::None;
-  EXPECT_EQ(checkedCompute(ball, poses, still).report.bodyDeviation, 0);
   // No vertex of a body of large flat faces can be removed.
   EXPECT_EQ(
       checkedCompute(makeBox({-3, -3, -3}, {3, 3, 3}), swing(2000), cells(24)).report.bodyDeviation,

@@ -108,6 +108,17 @@ TEST(ThinForSweep, EachBodyLiesWithinTheLimitOfTheOther) {
   }
 }
 
+// Both ends of the rod are fans of 4,000 very narrow triangles, as its side is.
+TEST(ThinForSweep, RodsOfNarrowTrianglesLoseNearlyAllOfThem) {
+  RunContext run;
+  Random random(3);
+  const TriMesh rod = makeCylinder(10, -30, 30, 4000);
+  const TriMesh thin = thinOut(rod, 0.02, ThinFor::Sweep, Phase::Motion, run).mesh;
+  EXPECT_LT(thin.triangles.size(), rod.triangles.size() / 10);
+  EXPECT_LE(farthest(rod, thin, random, 1), 0.02);
+  EXPECT_LE(farthest(thin, rod, random, 20), 0.02);
+}
+
 TEST(ThinForSweep, SharpEdgesStay) {
   RunContext run;
   TriMesh box = makeBox({0, 0, 0}, {30, 20, 10});
