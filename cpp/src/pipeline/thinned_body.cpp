@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/thinned_body.h"
 
+#include "geometry/half_edges.h"
 #include "simplify/thin.h"
 
 namespace swept {
@@ -31,6 +32,8 @@ std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& give
   if (copies < kMinCopiesToThin && !capped) return {};
   if (prepared.keepRoom || prepared.keepBody || !prepared.body.orientable) return {};
   if (options.sources || options.offset > 0 || options.conservative) return {};
+  // Edges with four triangles can occur in a body that is orientable; thinning cannot pass them.
+  if (findAdjacency(given).faults.nonManifold > 0) return {};
   Thinned thinned = thinOut(given, bodyThinning(cell, options), ThinFor::Sweep, Phase::Motion, run);
   const double left = static_cast<double>(thinned.mesh.triangles.size());
   if (left > (1 - kMinSaved) * static_cast<double>(given.triangles.size())) return {};

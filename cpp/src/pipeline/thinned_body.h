@@ -17,9 +17,10 @@ namespace swept {
 double bodyThinning(double cell, const Options& options);
 
 /// Returns the thinned body. Returns nothing if the motion is short and keeps the chord tolerance,
-/// if the body is not closed, or if fewer than half of the triangles would be removed. Also returns
-/// nothing if the run needs the given body: a preview keeps it for the next call, sources name its
-/// triangles, and offset and conservative envelopes are measured from it.
+/// if the body is not closed or has edges with more than two triangles, or if fewer than half of
+/// the triangles would be removed. Also returns nothing if the run needs the given body: a preview
+/// keeps it for the next call, sources name its triangles, and offset and conservative envelopes
+/// are measured from it.
 std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& given, double cell,
                                    const Options& options, RunContext& run);
 

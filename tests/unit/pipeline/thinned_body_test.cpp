@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "support/checked_compute.h"
@@ -101,6 +103,30 @@ TEST(ThinnedBody, StaysAsItIsIfTheRunNeedsIt) {
   Options grown = cells(24);
   grown.offset = 1;
   EXPECT_EQ(checkedCompute(ball, swing(2000), grown).report.bodyDeviation, 0);
+  // Two balls that have an edge in common: the edge has four triangles.
+  TriMesh pair = makeBall({0, 0, 0}, 6, 4);
+  std::array<Vector3d, 2> edge{pair.vertices[pair.triangles[0][0]],
+                               pair.vertices[pair.triangles[0][1]]};
+  TriMesh second = pair;
+  const Vector3d middle = (edge[0] + edge[1]) / 2;
+  for (Vector3d& v : second.vertices) {
+    v = 2 * middle - v;
+    for (const Vector3d& end : edge) {
+      if ((v - end).norm() < 1e-6) v = end;
+    }
+  }
+  append(pair, second);
+  for (const Interpolation interpolation : {Interpolation::Linear, Interpolation::None}) {
+    Trajectory motion = swing(2000);
+    motion.interpolation = interpolation;
+    RunContext run;
+    const Result result = compute(pair, motion, cells(24), run);
+    EXPECT_EQ(result.report.status, Status::Ok) << result.report.message;
+    EXPECT_EQ(result.report.bodyDeviation, 0);
+    const auto& found = result.report.warnings;
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                            [](const Finding& f) { return f.code == "NonManifoldEdges"; }));
+  }
   // No vertex of a body of large flat faces can be removed.
   EXPECT_EQ(
       checkedCompute(makeBox({-3, -3, -3}, {3, 3, 3}), swing(2000), cells(24)).report.bodyDeviation,
