@@ -48,6 +48,9 @@ endif()
 if(SWEPT_ZIG_TARGET MATCHES "windows")
   set(CMAKE_SYSTEM_NAME Windows)
   add_compile_definitions(_USE_MATH_DEFINES)  # M_PI, which FCL and OpenMesh use
+  # Without -s, the program contains the checksum of a file of symbols, which depends on the build folder.
+  set(CMAKE_EXE_LINKER_FLAGS_INIT -s)
+  set(CMAKE_MODULE_LINKER_FLAGS_INIT -s)
 elseif(SWEPT_ZIG_TARGET MATCHES "macos")
   set(CMAKE_SYSTEM_NAME Darwin)
   # With zig 0.17.1, a source that includes <cmath> before <cfloat> does not get these two, which libccd uses.
