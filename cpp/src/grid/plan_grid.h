@@ -20,7 +20,8 @@ namespace swept {
 /// seldom pass through lattice points.
 constexpr double kGridMarginCells = 1.37;
 
-/// Returns the exact bounding box (mm) of the body's vertices in all placements.
+/// Returns the exact bounding box (mm) of the body's vertices in all placements. The body must have
+/// a vertex.
 Eigen::AlignedBox3d sweptBox(const TriMesh& body, const Motion& motion, RunContext& run);
 
 /// Returns the cell size (mm): options.cellSize or, if this is not set, the one that gives

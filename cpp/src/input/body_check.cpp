@@ -201,6 +201,7 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
   run.checkpoint(Phase::Input);
 
   result.closed = edges.open == 0;
+  result.manifold = edges.nonManifold == 0;
   add(result, "OpenEdges", edges.open,
       counted(edges.open, "edge belongs", "edges belong") +
           " to only one triangle: the surface is open there, and the envelope is closed only "

@@ -14,8 +14,10 @@
 namespace swept {
 
 struct CheckedBody {
-  TriMesh mesh;         ///< welded; without degenerate triangles, duplicates and unused vertices
-  bool closed = false;  ///< every edge belongs to an even number of triangles
+  TriMesh mesh;  ///< welded; without degenerate triangles, duplicates and unused vertices
+
+  bool closed = false;    ///< every edge belongs to an even number of triangles
+  bool manifold = false;  ///< no edge belongs to more than two triangles
   /// True if the body is closed, equally many triangles run along each edge in both directions,
   /// outer shells point outward and cavities inward. Culling by direction requires all of this.
   bool orientable = false;

@@ -148,6 +148,11 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   p.grid = planGrid(p.keepRoom ? withRoom(box) : box, bodyBox, fixed);
 }
 
+bool exceedsChord(const Motion& motion, double cell, const Options& options) {
+  constexpr double kRounding = 1 + 1e-6;
+  return motion.chordError > kRounding * options.chordTolerance * cell;
+}
+
 // Returns the peak memory (bytes) per crossing of the surface: the larger of two phases. Sampling
 // keeps raw crossings twice (12 bytes each). Later phases keep edges, crossings, cells and the mesh
 // (about 170 bytes).

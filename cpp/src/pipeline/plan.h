@@ -46,6 +46,9 @@ void prepareTrajectory(Prepared& prepared, const Trajectory& trajectory, const O
 /// Computes motion and grid. Requires prepared.body and prepared.trajectory.
 void planRun(Prepared& prepared, const Options& options, RunContext& run);
 
+/// Returns whether the motion has too few placements for the chord tolerance, to save memory.
+bool exceedsChord(const Motion& motion, double cell, const Options& options);
+
 Estimate estimateOf(const Prepared& prepared, const Options& options);
 /// Returns the bytes per crossing of the surface at the peak of a run.
 double bytesOfCrossing(const Options& options);

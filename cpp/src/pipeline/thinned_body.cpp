@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/thinned_body.h"
 
-#include "geometry/half_edges.h"
 #include "simplify/thin.h"
 
 namespace swept {
@@ -24,16 +23,15 @@ double bodyThinning(double cell, const Options& options) {
 std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& given, double cell,
                                    const Options& options, RunContext& run) {
   const Motion& motion = prepared.motion;
-  const bool capped = motion.chordError > options.chordTolerance * cell;
   // Long edges have been split, so that the body has more triangles than the given one.
   const double copies = static_cast<double>(motion.placements.size()) *
                         static_cast<double>(prepared.body.mesh.triangles.size()) /
                         static_cast<double>(given.triangles.size());
-  if (copies < kMinCopiesToThin && !capped) return {};
-  if (prepared.keepRoom || prepared.keepBody || !prepared.body.orientable) return {};
+  if (copies < kMinCopiesToThin && !exceedsChord(motion, cell, options)) return {};
+  if (prepared.keepRoom || prepared.keepBody) return {};
+  // An orientable body may have edges with four triangles, which thinOut() does not accept.
+  if (!prepared.body.orientable || !prepared.body.manifold) return {};
   if (options.sources || options.offset > 0 || options.conservative) return {};
-  // Edges with four triangles can occur in a body that is orientable; thinning cannot pass them.
-  if (findAdjacency(given).faults.nonManifold > 0) return {};
   Thinned thinned = thinOut(given, bodyThinning(cell, options), ThinFor::Sweep, Phase::Motion, run);
   const double left = static_cast<double>(thinned.mesh.triangles.size());
   if (left > (1 - kMinSaved) * static_cast<double>(given.triangles.size())) return {};
