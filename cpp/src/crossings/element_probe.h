@@ -1,7 +1,8 @@
 // Casts lines at the swept surface near given crossings (implements SurfaceProbe).
 //
 // In: the elements that made the crossings. Out: first hit, normal and time per line. Units: grid
-// coordinates, seconds. Cost: proportional to the elements that pass through the cell.
+// coordinates, seconds. Cost: proportional to the elements that pass through the cell, up to a
+// limit.
 //
 // A piece is a swept element in grid coordinates: a face at one placement, or the side patch that
 // an edge sweeps in one step. The search starts at the elements of the given crossings, and of all
@@ -9,8 +10,9 @@
 // shared edges and paths of vertices, and to the steps before and after. The search crosses an edge
 // or a path only where the edge or path passes through the region. Once it has found many pieces,
 // it leaves out those that the steps before and after cover: most pieces of a dense motion, and
-// none of them lies on the envelope. They only help to reach further sheets of the envelope. The
-// search uses no other data, so the result does not depend on the sampler that found the crossings.
+// none of them lies on the envelope. Covered pieces only help to reach further sheets of the
+// envelope. The search uses no other data, so the result does not depend on the sampler that found
+// the crossings.
 // Source: own method; docs/contouring.md, "Rims".
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
